@@ -1,0 +1,56 @@
+#include "app/cli/command.h"
+
+#include "core/base/simd.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/preset/library.h"
+#include "core/simulation/schedule.h"
+
+#include <iostream>
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+Status info(const std::string& name)
+{
+    const Result<PresetReading> reading = loadPreset(name);
+    if (!reading) {
+        return reading.error();
+    }
+    const Preset& preset = reading.value().preset;
+    const Effect& effect = preset.effect;
+    const Schedule schedule = makeSchedule(effect);
+    std::cout << preset.name << "\n" << preset.description << "\n\n";
+    std::cout << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
+    std::cout << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " frames/s" << (effect.timeline.loop ? ", looping" : "") << "\n";
+    std::cout << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n\n";
+    std::cout << "What differs from a new document:\n";
+    for (const Parameter* parameter : differences(effect, Effect{})) {
+        std::cout << "  " << parameter->key << " = " << formatText(*parameter, parameter->get(effect), true) << "\n";
+    }
+    return Done{};
+}
+
+Status machine()
+{
+    std::cout << "fumage-cli " << FUMAGE_VERSION << "\ninstruction sets, best first:";
+    for (const std::string& name : availableSimdTargets()) {
+        std::cout << ' ' << name;
+    }
+    std::cout << "\nuser presets: " << userPresetFolder().string() << "\n";
+    return Done{};
+}
+
+} // namespace
+
+void addInfo(CLI::App& program, Action& action)
+{
+    auto preset = std::make_shared<std::string>();
+    CLI::App* command = program.add_subcommand("info", "Show what a preset is, or without one what this machine has");
+    command->add_option("preset", *preset, "Name or file")->type_name("PRESET");
+    command->callback([preset, &action] { action = [preset] { return preset->empty() ? machine() : info(*preset); }; });
+}
+
+} // namespace fumage::cli

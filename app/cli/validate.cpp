@@ -1,0 +1,50 @@
+#include "app/cli/command.h"
+
+#include "core/preset/library.h"
+
+#include <iostream>
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+struct ValidateOptions {
+    std::vector<std::string> presets;
+    bool strict = false;
+};
+
+Status validate(const ValidateOptions& options)
+{
+    Status result = Done{};
+    for (const std::string& name : options.presets) {
+        const Result<PresetReading> reading = loadPreset(name);
+        if (!reading) {
+            std::cerr << "fumage-cli: " << reading.error().text() << '\n';
+            result = Error{reading.error().code, "not every preset is valid", "", ""};
+            continue;
+        }
+        for (const std::string& warning : reading.value().warnings) {
+            warn(warning);
+        }
+        if (options.strict && !reading.value().warnings.empty()) {
+            result = Error{ErrorCode::OutOfRange, "there were warnings", "", "Leave out --strict to accept them"};
+        } else {
+            std::cout << name << ": valid\n";
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+void addValidate(CLI::App& program, Action& action)
+{
+    auto options = std::make_shared<ValidateOptions>();
+    CLI::App* command = program.add_subcommand("validate", "Check presets and say what is wrong with them");
+    command->add_option("presets", options->presets, "Names or files")->required()->type_name("PRESET");
+    command->add_flag("--strict", options->strict, "Take warnings as errors");
+    command->callback([options, &action] { action = [options] { return validate(*options); }; });
+}
+
+} // namespace fumage::cli

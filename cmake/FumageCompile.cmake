@@ -1,0 +1,22 @@
+# What every target of the project is compiled with.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(FUMAGE_CCACHE ccache)
+if(FUMAGE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${FUMAGE_CCACHE})
+endif()
+
+function(fumage_compile_options target)
+    # No fused multiply-add and no fast-math: the same bits on every machine are a promise of the library.
+    target_compile_options(${target} PRIVATE -ffp-contract=off
+        -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        # GCC 12 reports members of std::variant and std::optional, and copies in std::string, that it cannot follow.
+        target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-restrict -Wno-missing-field-initializers)
+    endif()
+endfunction()

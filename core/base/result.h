@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace fumage {
+
+/// What went wrong, for code that has to react; people read Error::text().
+enum class ErrorCode {
+    Cancelled,
+    FileNotFound,
+    NotAFile,
+    PermissionDenied,
+    DiskFull,
+    ReadFailed,
+    WriteFailed,
+    NotUtf8,
+    Syntax,
+    TooDeep,
+    TooLarge,
+    WrongType,
+    WrongVersion,
+    NotFinite,
+    UnknownKey,
+    UnknownName,
+    OutOfRange,
+};
+
+/// An expected failure: what happened, where, and what the user can do about it.
+struct Error {
+    ErrorCode code = ErrorCode::ReadFailed;
+    std::string message; ///< what happened, naming the thing
+    std::string place;   ///< file, line and column, or key; empty where there is none
+    std::string remedy;  ///< what to do, as an imperative; empty where the message says it
+
+    /// @return "place: message. remedy" on one line.
+    [[nodiscard]] std::string text() const
+    {
+        std::string line = place.empty() ? message : place + ": " + message;
+        return remedy.empty() ? line : line + ". " + remedy;
+    }
+};
+
+/// Either a value or an Error. No exception crosses a library border; this does.
+template <class T>
+class [[nodiscard]] Result {
+public:
+    Result(T value) // NOLINT(google-explicit-constructor): `return value;` is the point
+        : m_state(std::in_place_index<0>, std::move(value))
+    {
+    }
+    Result(Error error) // NOLINT(google-explicit-constructor)
+        : m_state(std::in_place_index<1>, std::move(error))
+    {
+    }
+
+    [[nodiscard]] bool ok() const { return m_state.index() == 0; }
+    explicit operator bool() const { return ok(); }
+
+    [[nodiscard]] const T& value() const&
+    {
+        assert(ok());
+        return std::get<0>(m_state);
+    }
+    [[nodiscard]] T& value() &
+    {
+        assert(ok());
+        return std::get<0>(m_state);
+    }
+    [[nodiscard]] T&& value() &&
+    {
+        assert(ok());
+        return std::get<0>(std::move(m_state));
+    }
+    [[nodiscard]] const Error& error() const
+    {
+        assert(!ok());
+        return std::get<1>(m_state);
+    }
+
+private:
+    std::variant<T, Error> m_state;
+};
+
+struct Done {};
+
+/// Result of something that succeeds without a value: `return Done{};`.
+using Status = Result<Done>;
+
+} // namespace fumage

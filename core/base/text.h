@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fumage {
+
+/// Parses a whole text as a number: no locale, no leading or trailing characters.
+/// @return nothing for an empty text, rubbish, or a value that does not fit; infinities and NaN are returned as such
+[[nodiscard]] std::optional<float> parseFloat(std::string_view text);
+[[nodiscard]] std::optional<std::int64_t> parseInteger(std::string_view text);
+
+/// The shortest decimal text that reads back as the same bits.
+[[nodiscard]] std::string formatFloat(float value);
+
+/// Splits at every separator; "a,,b" has three parts, "" has one.
+[[nodiscard]] std::size_t splitCount(std::string_view text, char separator);
+[[nodiscard]] std::string_view splitPart(std::string_view text, char separator, std::size_t index);
+
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The candidate with the smallest edit distance (Levenshtein), for "did you mean".
+/// @return empty when nothing is near (more than half of the name's characters differ)
+/// O(candidates * length^2).
+[[nodiscard]] std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
+
+/// A bare name for a message: control characters replaced, cut to 60 characters.
+[[nodiscard]] std::string inQuotes(std::string_view text);
+
+} // namespace fumage

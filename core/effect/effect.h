@@ -1,0 +1,204 @@
+#pragma once
+
+#include "core/effect/curve.h"
+#include "core/effect/gradient.h"
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+enum class EmitterShape { Rectangle, Disc, Sphere };
+enum class EmissionMode { Continuous, Burst };
+enum class MaskShape { Disc, Square };
+enum class NoiseBasis { Lattice, Gradient, Simplex };
+enum class Interpolation { Linear, Cosine, Cubic, Quintic };
+enum class CameraMode { Orbit, Fixed };
+enum class ViewTransform { Standard, Filmic };
+enum class Background { Transparent, Colour };
+
+// The structs below are the document: plain data in the units that an artist sees (metres, seconds, degrees, linear RGB),
+// and the only place with defaults. What each member means, its range and its unit stand in parameter_table.cpp.
+
+struct Emitter {
+    EmitterShape shape = EmitterShape::Disc;
+    glm::vec3 position{0.0F, 0.0F, 0.0F};
+    glm::vec3 normal{0.0F, 1.0F, 0.0F};
+    float width = 0.6F;
+    float depth = 0.6F;
+    float radius = 0.3F;
+    int count = 100000;
+    EmissionMode mode = EmissionMode::Continuous;
+    float burstDuration = 0.2F;
+    float speed = 1.3F;
+    float velocityRandomness = 0.2F;
+    float spread = 8.0F;
+    bool subframe = true;
+    std::uint32_t seed = 1;
+    friend bool operator==(const Emitter&, const Emitter&) = default;
+};
+
+struct Motion {
+    float wind = 0.12F;
+    float windAngle = 0.0F;
+    float gust = 0.5F;
+    float gustRate = 0.4F;
+    float gravity = 0.0F;
+    float mass = 1.0F;
+    float randomness = 0.0F;
+    float drag = 0.8F;
+    float buoyancy = 1.6F;
+    float cooling = 0.35F;
+    float heatVariance = 0.3F;
+    float rotation = 0.0F;
+    float rotationJitter = 0.0F;
+    float pull = 0.3F;
+    friend bool operator==(const Motion&, const Motion&) = default;
+};
+
+struct Turbulence {
+    float strength = 0.9F;
+    float scale = 0.9F;
+    int octaves = 4;
+    float roughness = 0.55F;
+    float lacunarity = 2.0F;
+    float evolution = 0.35F;
+    float onset = 0.9F;
+    float growth = 0.25F;
+    float drift = 0.8F;
+    friend bool operator==(const Turbulence&, const Turbulence&) = default;
+};
+
+struct Vortex {
+    float strength = 0.0F;
+    float radius = 0.5F;
+    glm::vec3 axis{0.0F, 1.0F, 0.0F};
+    friend bool operator==(const Vortex&, const Vortex&) = default;
+};
+
+struct Life {
+    float initialAlpha = 0.1F;
+    float fadeRate = 0.022F;
+    float lifetimeVariance = 0.35F;
+    Curve alphaCurve{{0.0F, 0.0F}, {0.03F, 1.0F}, {1.0F, 1.0F}};
+    Curve sizeCurve{{0.0F, 0.3F}, {0.4F, 0.65F}, {1.0F, 1.0F}};
+    friend bool operator==(const Life&, const Life&) = default;
+};
+
+struct Look {
+    float size = 0.2F;
+    float sizeVariance = 0.4F;
+    float opacity = 5.0F;
+    float dilution = 0.6F;
+    glm::vec3 colour{0.82F, 0.82F, 0.82F};
+    Gradient colourGradient{{0.0F, glm::vec3(1.0F)}};
+    MaskShape mask = MaskShape::Disc;
+    float softness = 0.8F;
+    float texture = 0.9F;
+    float erosion = 0.6F;
+    float erosionSoftness = 0.6F;
+    float textureScale = 0.6F;
+    float textureRate = 0.4F;
+    float rotationVariance = 1.0F;
+    float spin = 0.0F;
+    float spinVariance = 20.0F;
+    float stretch = 0.0F;
+    float relief = 0.5F;
+    float roundness = 0.3F;
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+struct Noise {
+    NoiseBasis basis = NoiseBasis::Gradient;
+    Interpolation interpolation = Interpolation::Quintic;
+    float smooth = 0.0F;
+    float wavelength = 0.5F;
+    int octaves = 5;
+    float persistence = 0.55F;
+    float lacunarity = 2.0F;
+    float sharpness = 1.6F;
+    float coverage = 0.5F;
+    float warp = 0.15F;
+    int resolution = 64;
+    int slices = 32;
+    float depth = 4.0F;
+    std::uint32_t seed = 7;
+    friend bool operator==(const Noise&, const Noise&) = default;
+};
+
+struct Light {
+    glm::vec3 direction{-0.6F, -0.7F, -0.35F};
+    glm::vec3 colour{1.0F, 0.96F, 0.9F};
+    float intensity = 2.2F;
+    float shadow = 1.0F;
+    float anisotropy = 0.3F;
+    float scattering = 0.6F;
+    glm::vec3 sky{0.42F, 0.52F, 0.68F};
+    glm::vec3 ground{0.20F, 0.18F, 0.16F};
+    float ambient = 0.7F;
+    float occlusion = 0.7F;
+    float emission = 0.0F;
+    float emissionCooling = 2.0F;
+    Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},
+        {0.25F, glm::vec3(0.25F, 0.02F, 0.0F)},
+        {0.55F, glm::vec3(1.0F, 0.25F, 0.03F)},
+        {0.8F, glm::vec3(1.0F, 0.62F, 0.18F)},
+        {1.0F, glm::vec3(1.0F, 0.85F, 0.55F)}};
+    int resolution = 64;
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+struct Camera {
+    CameraMode mode = CameraMode::Orbit;
+    glm::vec3 target{0.0F, 2.0F, 0.0F};
+    float distance = 8.0F;
+    float yaw = 0.0F;
+    float pitch = 4.0F;
+    float turntable = 0.0F;
+    glm::vec3 position{0.0F, 2.8F, 9.0F};
+    glm::vec3 view{0.0F, 0.0F, -1.0F};
+    float focalLength = 50.0F;
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+struct Timeline {
+    int frameRate = 30;
+    int stepsPerFrame = 1;
+    int length = 150;
+    bool loop = false;
+    bool prewarm = true;
+    friend bool operator==(const Timeline&, const Timeline&) = default;
+};
+
+struct Output {
+    int width = 512;
+    int height = 512;
+    int supersample = 1;
+    float exposure = 0.0F;
+    ViewTransform viewTransform = ViewTransform::Standard;
+    Background background = Background::Transparent;
+    glm::vec3 backgroundColour{0.05F, 0.1F, 0.18F};
+    friend bool operator==(const Output&, const Output&) = default;
+};
+
+/// Everything that decides what a picture looks like. A frame is a pure function of it and the frame number.
+struct Effect {
+    Emitter emitter;
+    Motion motion;
+    Turbulence turbulence;
+    Vortex vortex;
+    Life life;
+    Look look;
+    Noise noise;
+    Light light;
+    Camera camera;
+    Timeline timeline;
+    Output output;
+    friend bool operator==(const Effect&, const Effect&) = default;
+};
+
+/// Most particles an effect may ask for; the state of that many takes 128 MiB.
+inline constexpr int kMaxParticles = 4'000'000;
+
+} // namespace fumage

@@ -1,0 +1,309 @@
+#include "core/effect/value.h"
+
+#include "core/base/text.h"
+#include "core/effect/parameter_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::size_t kNumbersAVector = 3;
+constexpr std::size_t kNumbersAPoint = 2;
+constexpr std::size_t kNumbersAStop = 4;
+
+Error wrongType(const Parameter& parameter, std::string_view found)
+{
+    return {ErrorCode::WrongType, "expected " + std::string(kindName(parameter.kind)) + ", found " + inQuotes(found), std::string(parameter.key), ""};
+}
+
+std::string join(std::initializer_list<float> numbers)
+{
+    std::string text;
+    for (const float number : numbers) {
+        text += (text.empty() ? "[" : ", ") + formatFloat(number);
+    }
+    return text + "]";
+}
+
+std::string formatList(const Curve& curve)
+{
+    std::string text;
+    for (const CurvePoint& point : curve.points()) {
+        text += (text.empty() ? "[" : ", ") + join({point.x, point.y});
+    }
+    return text + "]";
+}
+
+std::string formatList(const Gradient& gradient)
+{
+    std::string text;
+    for (const GradientStop& stop : gradient.stops()) {
+        text += (text.empty() ? "[" : ", ") + join({stop.at, stop.colour.r, stop.colour.g, stop.colour.b});
+    }
+    return text + "]";
+}
+
+Result<Value> parseChoice(const Parameter& parameter, std::string_view text)
+{
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+        if (parameter.choices[i] == text) {
+            return Value(static_cast<int>(i));
+        }
+    }
+    std::string all;
+    for (const std::string_view choice : parameter.choices) {
+        all += (all.empty() ? "" : ", ") + std::string(choice);
+    }
+    return Error{ErrorCode::UnknownName, "there is no " + inQuotes(text), std::string(parameter.key), "Choose one of " + all};
+}
+
+Result<Value> parseBool(const Parameter& parameter, std::string_view text)
+{
+    if (text == "true" || text == "on" || text == "1") {
+        return Value(true);
+    }
+    if (text == "false" || text == "off" || text == "0") {
+        return Value(false);
+    }
+    return wrongType(parameter, text);
+}
+
+/// Takes a number off the front of a list; brackets and commas between numbers have been checked by their shape.
+Result<std::vector<double>> parseNumbers(const Parameter& parameter, std::string_view text)
+{
+    std::string plain(text);
+    std::replace_if(
+        plain.begin(), plain.end(), [](char c) { return c == '[' || c == ']'; }, ' ');
+    std::vector<double> numbers;
+    const std::size_t count = splitCount(plain, ',');
+    constexpr std::size_t kMostNumbers = kMaxControlPoints * kNumbersAStop;
+    for (std::size_t i = 0; i < count && i <= kMostNumbers; ++i) {
+        const std::optional<float> number = parseFloat(trimmed(splitPart(plain, ',', i)));
+        if (!number) {
+            return wrongType(parameter, text);
+        }
+        numbers.push_back(static_cast<double>(*number));
+    }
+    return numbers;
+}
+
+Result<Value> wholeNumber(const Parameter& parameter, double number)
+{
+    constexpr double kLargestInt = 2147483647.0;
+    constexpr double kLargestSeed = 4294967295.0;
+    if (number != std::floor(number)) {
+        return wrongType(parameter, formatFloat(static_cast<float>(number)));
+    }
+    if (parameter.kind == Kind::Seed) {
+        return Value(static_cast<std::uint32_t>(std::clamp(number, 0.0, kLargestSeed)));
+    }
+    return Value(static_cast<int>(std::clamp(number, -kLargestInt, kLargestInt)));
+}
+
+Value curveFrom(std::span<const double> numbers)
+{
+    Curve curve;
+    for (std::size_t i = 0; i < numbers.size(); i += kNumbersAPoint) {
+        curve.storage[static_cast<std::size_t>(curve.count++)] = {static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1])};
+    }
+    return curve;
+}
+
+Value gradientFrom(std::span<const double> numbers)
+{
+    Gradient gradient;
+    for (std::size_t i = 0; i < numbers.size(); i += kNumbersAStop) {
+        gradient.storage[static_cast<std::size_t>(gradient.count++)] = {static_cast<float>(numbers[i]), glm::vec3(numbers[i + 1], numbers[i + 2], numbers[i + 3])};
+    }
+    return gradient;
+}
+
+bool listFits(std::size_t count, std::size_t numbersEach)
+{
+    return count > 0 && count % numbersEach == 0 && count / numbersEach <= kMaxControlPoints;
+}
+
+float clampComponent(const Parameter& parameter, float value)
+{
+    return std::clamp(value, static_cast<float>(parameter.hard.low), static_cast<float>(parameter.hard.high));
+}
+
+glm::vec3 clampVector(const Parameter& parameter, const glm::vec3& value)
+{
+    if (parameter.kind != Kind::Direction) {
+        return {clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
+    }
+    const float largest = std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
+    if (largest < 1e-6F) {
+        return std::get<glm::vec3>(parameter.get(Effect{}));
+    }
+    const glm::vec3 scaled = value / largest;
+    const float length = std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y + scaled.z * scaled.z);
+    const float wanted = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
+    constexpr float kRoundingOfAUnitVector = 1e-5F;
+    return std::abs(wanted - 1.0F) < kRoundingOfAUnitVector ? value : scaled / length;
+}
+
+Curve clampCurve(const Parameter& parameter, Curve curve)
+{
+    const auto used = std::span(curve.storage).first(static_cast<std::size_t>(curve.count));
+    for (CurvePoint& point : used) {
+        point = {std::clamp(point.x, 0.0F, 1.0F), clampComponent(parameter, point.y)};
+    }
+    std::stable_sort(used.begin(), used.end(), [](const CurvePoint& a, const CurvePoint& b) { return a.x < b.x; });
+    return curve;
+}
+
+Gradient clampGradient(const Parameter& parameter, Gradient gradient)
+{
+    const auto used = std::span(gradient.storage).first(static_cast<std::size_t>(gradient.count));
+    for (GradientStop& stop : used) {
+        stop.at = std::clamp(stop.at, 0.0F, 1.0F);
+        for (int i = 0; i < 3; ++i) {
+            stop.colour[i] = clampComponent(parameter, stop.colour[i]);
+        }
+    }
+    std::stable_sort(used.begin(), used.end(), [](const GradientStop& a, const GradientStop& b) { return a.at < b.at; });
+    return gradient;
+}
+
+} // namespace
+
+std::string formatJson(const Parameter& parameter, const Value& value)
+{
+    switch (parameter.kind) {
+    case Kind::Bool: return std::get<bool>(value) ? "true" : "false";
+    case Kind::Int: return std::to_string(std::get<int>(value));
+    case Kind::Float: return formatFloat(std::get<float>(value));
+    case Kind::Choice: return '"' + std::string(parameter.choices[static_cast<std::size_t>(std::get<int>(value))]) + '"';
+    case Kind::Seed: return std::to_string(std::get<std::uint32_t>(value));
+    case Kind::Direction:
+    case Kind::Vector:
+    case Kind::Colour: {
+        const auto& v = std::get<glm::vec3>(value);
+        return join({v.x, v.y, v.z});
+    }
+    case Kind::Curve: return formatList(std::get<Curve>(value));
+    case Kind::Gradient: return formatList(std::get<Gradient>(value));
+    }
+    return {};
+}
+
+std::string formatText(const Parameter& parameter, const Value& value, bool withUnit)
+{
+    std::string text = formatJson(parameter, value);
+    std::erase(text, '"');
+    const std::string_view unit = unitSymbol(parameter.unit);
+    if (withUnit && !unit.empty()) {
+        text += (parameter.unit == Unit::Degrees ? "" : " ") + std::string(unit);
+    }
+    return text;
+}
+
+Result<Value> parseValue(const Parameter& parameter, std::string_view text)
+{
+    text = trimmed(text);
+    if (parameter.kind == Kind::Choice) {
+        return parseChoice(parameter, text);
+    }
+    if (parameter.kind == Kind::Bool) {
+        return parseBool(parameter, text);
+    }
+    if (parameter.kind == Kind::Int || parameter.kind == Kind::Seed) {
+        // Whole numbers do not go through float, which holds only 24 bits of them.
+        if (const std::optional<std::int64_t> number = parseInteger(text)) {
+            return wholeNumber(parameter, static_cast<double>(*number));
+        }
+    }
+    const Result<std::vector<double>> numbers = parseNumbers(parameter, text);
+    return numbers ? valueFromNumbers(parameter, numbers.value()) : numbers.error();
+}
+
+Result<Value> valueFromNumbers(const Parameter& parameter, std::span<const double> numbers)
+{
+    constexpr double kLargestFloat = 3.4028234e38;
+    for (const double number : numbers) {
+        if (!(std::abs(number) <= kLargestFloat)) {
+            return Error{ErrorCode::NotFinite, "the number is not finite", std::string(parameter.key), "Use a plain number such as 1.5"};
+        }
+    }
+    const std::string found = std::to_string(numbers.size()) + " numbers";
+    switch (parameter.kind) {
+    case Kind::Bool:
+    case Kind::Choice: return wrongType(parameter, found);
+    case Kind::Int:
+    case Kind::Seed: return numbers.size() == 1 ? wholeNumber(parameter, numbers[0]) : wrongType(parameter, found);
+    case Kind::Float: return numbers.size() == 1 ? Result<Value>(static_cast<float>(numbers[0])) : wrongType(parameter, found);
+    case Kind::Direction:
+    case Kind::Vector:
+    case Kind::Colour:
+        return numbers.size() == kNumbersAVector ? Result<Value>(glm::vec3(numbers[0], numbers[1], numbers[2])) : wrongType(parameter, found);
+    case Kind::Curve: return listFits(numbers.size(), kNumbersAPoint) ? Result<Value>(curveFrom(numbers)) : wrongType(parameter, found);
+    case Kind::Gradient: return listFits(numbers.size(), kNumbersAStop) ? Result<Value>(gradientFrom(numbers)) : wrongType(parameter, found);
+    }
+    return wrongType(parameter, found);
+}
+
+Clamped clampValue(const Parameter& parameter, const Value& value)
+{
+    Value clamped = value;
+    switch (parameter.kind) {
+    case Kind::Bool: break;
+    case Kind::Choice: clamped = std::clamp(std::get<int>(value), 0, static_cast<int>(parameter.choices.size()) - 1); break;
+    case Kind::Int:
+        clamped = std::clamp(std::get<int>(value), static_cast<int>(parameter.hard.low), static_cast<int>(parameter.hard.high));
+        break;
+    case Kind::Seed: break;
+    case Kind::Float: clamped = clampComponent(parameter, std::get<float>(value)); break;
+    case Kind::Direction:
+    case Kind::Vector:
+    case Kind::Colour: clamped = clampVector(parameter, std::get<glm::vec3>(value)); break;
+    case Kind::Curve: clamped = clampCurve(parameter, std::get<Curve>(value)); break;
+    case Kind::Gradient: clamped = clampGradient(parameter, std::get<Gradient>(value)); break;
+    }
+    const bool changed = clamped != value;
+    return {std::move(clamped), changed};
+}
+
+std::vector<const Parameter*> differences(const Effect& a, const Effect& b)
+{
+    std::vector<const Parameter*> rows;
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.get(a) != parameter.get(b)) {
+            rows.push_back(&parameter);
+        }
+    }
+    return rows;
+}
+
+bool setClamped(Effect& effect, const Parameter& parameter, const Value& value)
+{
+    const Clamped clamped = clampValue(parameter, value);
+    parameter.set(effect, clamped.value);
+    return clamped.changed;
+}
+
+Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos) {
+        return Error{ErrorCode::Syntax, inQuotes(assignment) + " has no \"=\"", "", "Write key=value, for example motion.wind=1.5"};
+    }
+    const std::string_view key = trimmed(assignment.substr(0, equals));
+    const Parameter* parameter = findParameter(key);
+    if (parameter == nullptr) {
+        const std::string_view near = nearestParameterKey(key);
+        return Error{ErrorCode::UnknownKey, "there is no parameter " + inQuotes(key), "",
+            near.empty() ? "List them with: fumage-cli parameters" : "Did you mean " + inQuotes(near) + "?"};
+    }
+    const Result<Value> value = parseValue(*parameter, assignment.substr(equals + 1));
+    if (!value) {
+        return value.error();
+    }
+    return setClamped(effect, *parameter, value.value());
+}
+
+} // namespace fumage

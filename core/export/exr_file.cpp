@@ -1,0 +1,84 @@
+#include "core/export/exr_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+
+namespace fumage {
+
+namespace {
+
+/// A stream of OpenEXR into memory; it seeks back to fill in its table of offsets.
+class MemoryStream : public Imf::OStream {
+public:
+    MemoryStream()
+        : Imf::OStream("memory")
+    {
+    }
+    void write(const char data[], int count) override
+    {
+        const auto size = static_cast<std::size_t>(count);
+        if (m_at + size > m_bytes.size()) {
+            m_bytes.resize(m_at + size);
+        }
+        std::memcpy(m_bytes.data() + m_at, data, size);
+        m_at += size;
+    }
+    std::uint64_t tellp() override { return m_at; }
+    void seekp(std::uint64_t position) override { m_at = position; }
+
+    [[nodiscard]] std::vector<std::byte> take() { return std::move(m_bytes); }
+
+private:
+    std::vector<std::byte> m_bytes;
+    std::size_t m_at = 0;
+};
+
+template <class Sample>
+void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream)
+{
+    const std::vector<Sample> samples(pixels.values.begin(), pixels.values.end());
+    Imf::Header header(pixels.width, pixels.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer buffer;
+    const std::string names = pixels.channels == 1 ? "Y" : "RGBA";
+    const std::size_t pixelStride = sizeof(Sample) * static_cast<std::size_t>(pixels.channels);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string name(1, names[i]);
+        header.channels().insert(name, Imf::Channel(type));
+        // The library takes pointers to non-const and does not write through them.
+        char* base = reinterpret_cast<char*>(const_cast<Sample*>(samples.data() + i)); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+        buffer.insert(name, Imf::Slice(type, base, pixelStride, pixelStride * static_cast<std::size_t>(pixels.width)));
+    }
+    // No threads of its own: pictures are written beside one another.
+    Imf::OutputFile file(stream, header, 0);
+    file.setFrameBuffer(buffer);
+    file.writePixels(pixels.height);
+}
+
+} // namespace
+
+Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels)
+{
+    try {
+        MemoryStream stream;
+        if (pixels.half) {
+            writeExr<half>(pixels, Imf::HALF, stream);
+        } else {
+            writeExr<float>(pixels, Imf::FLOAT, stream);
+        }
+        return stream.take();
+    } catch (const std::exception& cause) {
+        return Error{ErrorCode::WriteFailed, std::string("the picture cannot be written as EXR: ") + cause.what(), "", ""};
+    }
+}
+
+} // namespace fumage

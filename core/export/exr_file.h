@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace fumage {
+
+/// A picture in memory for OpenEXR: interleaved floats, rows from the top.
+struct ExrPixels {
+    int width = 0;
+    int height = 0;
+    int channels = 4; ///< 1: Y; 4: R, G, B, A, premultiplied
+    bool half = true; ///< else 32-bit floats
+    std::span<const float> values;
+};
+
+/// @error WriteFailed
+[[nodiscard]] Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels);
+
+} // namespace fumage

@@ -1,0 +1,69 @@
+#include "core/export/image_file.h"
+
+#include "core/export/exr_file.h"
+#include "core/export/png_file.h"
+#include "core/rendering/view_transform.h"
+
+#include <span>
+
+namespace fumage {
+
+namespace {
+
+template <class Channel>
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Output& output)
+{
+    EncodedImage<Channel> encoded;
+    encode(image, output, encoded);
+    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels))});
+}
+
+template <class Channel>
+Result<std::vector<std::byte>> encodeGrey(const NoiseTile& tile)
+{
+    constexpr float kFull = sizeof(Channel) == 1 ? 255.0F : 65535.0F;
+    const auto size = static_cast<std::size_t>(tile.size);
+    std::vector<Channel> pixels(size * size);
+    for (std::size_t y = 0; y < size; ++y) {
+        for (std::size_t x = 0; x < size; ++x) {
+            pixels[(size - 1 - y) * size + x] = static_cast<Channel>(tile.values[y * size + x] * kFull + 0.5F);
+        }
+    }
+    return encodePng({tile.size, tile.size, 1, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels))});
+}
+
+} // namespace
+
+std::string_view fileEnding(ImageFormat format)
+{
+    return format == ImageFormat::Png8 || format == ImageFormat::Png16 ? ".png" : ".exr";
+}
+
+Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format)
+{
+    switch (format) {
+    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output);
+    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output);
+    case ImageFormat::ExrHalf:
+    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels});
+    }
+    return Error{ErrorCode::WriteFailed, "unknown image format", "", ""};
+}
+
+Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format)
+{
+    if (format == ImageFormat::Png8) {
+        return encodeGrey<std::uint8_t>(tile);
+    }
+    if (format == ImageFormat::Png16) {
+        return encodeGrey<std::uint16_t>(tile);
+    }
+    AlignedArray<float> flipped;
+    const auto size = static_cast<std::ptrdiff_t>(tile.size);
+    for (std::ptrdiff_t y = size - 1; y >= 0; --y) {
+        flipped.insert(flipped.end(), tile.values.begin() + y * size, tile.values.begin() + (y + 1) * size);
+    }
+    return encodeExr({tile.size, tile.size, 1, format == ImageFormat::ExrHalf, flipped});
+}
+
+} // namespace fumage

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/effect/effect.h"
+#include "core/noise/texture.h"
+#include "core/rendering/image.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace fumage {
+
+enum class ImageFormat {
+    Png8,     ///< sRGB with exposure and view transform, straight alpha
+    Png16,    ///< the same in 16 bits
+    ExrHalf,  ///< linear, premultiplied, without exposure and view transform
+    ExrFloat, ///< the same in 32 bits
+};
+
+/// ".png" or ".exr".
+[[nodiscard]] std::string_view fileEnding(ImageFormat format);
+
+/// Encodes a picture into the bytes of a file; the same bytes for the same picture.
+/// @param output exposure and view transform for PNG
+/// @error WriteFailed when the library refuses
+[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format);
+
+/// Encodes a tile of noise as a grey picture: PNG holds the values as they are, not as light.
+[[nodiscard]] Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format);
+
+} // namespace fumage

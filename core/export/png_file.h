@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fumage {
+
+/// Rows of a picture in memory for libpng.
+struct PngPixels {
+    int width = 0;
+    int height = 0;
+    int channels = 4;           ///< 1 grey, 4 RGBA with straight alpha
+    int bits = 8;               ///< 8 or 16; 16 in the byte order of this machine
+    bool srgb = true;           ///< the values are sRGB; else plain data
+    std::span<const std::byte> bytes;
+};
+
+/// @error WriteFailed
+[[nodiscard]] Result<std::vector<std::byte>> encodePng(const PngPixels& pixels);
+
+} // namespace fumage

@@ -1,0 +1,119 @@
+#include "core/export/sequence.h"
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/rendering/renderer.h"
+#include "core/simulation/simulator.h"
+
+#include <array>
+#include <future>
+
+namespace fumage {
+
+namespace {
+
+Status writeImage(const Image& image, const Output& output, ImageFormat format, const std::filesystem::path& path)
+{
+    const Result<std::vector<std::byte>> bytes = encodeImage(image, output, format);
+    if (!bytes) {
+        Error error = bytes.error();
+        error.place = path.string();
+        return error;
+    }
+    return writeFileAtomically(path, bytes.value());
+}
+
+Status makeFolder(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.parent_path();
+    std::error_code failure;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, failure)) {
+        std::filesystem::create_directories(folder, failure);
+        if (failure) {
+            return Error{ErrorCode::PermissionDenied, "the folder cannot be made: " + failure.message(), folder.string(), "Choose another place"};
+        }
+    }
+    return Done{};
+}
+
+std::string padded(int number, std::size_t digits)
+{
+    std::string text = std::to_string(number);
+    return text.size() >= digits ? text : std::string(digits - text.size(), '0') + text;
+}
+
+} // namespace
+
+Result<FrameRange> parseFrameRange(std::string_view text)
+{
+    const Error malformed{ErrorCode::Syntax, "frames " + inQuotes(text) + " are not understood", "", "Write 7, 0-119 or 0-119:2"};
+    const std::string_view range = text.substr(0, text.find(':'));
+    const std::string_view step = text.size() > range.size() ? text.substr(range.size() + 1) : "1";
+    const std::size_t dash = range.find('-');
+    const std::optional<std::int64_t> first = parseInteger(trimmed(range.substr(0, dash)));
+    const std::optional<std::int64_t> last = dash == std::string_view::npos ? first : parseInteger(trimmed(range.substr(dash + 1)));
+    const std::optional<std::int64_t> every = parseInteger(trimmed(step));
+    if (!first || !last || !every) {
+        return malformed;
+    }
+    if (*first < 0 || *last < *first || *last > kMaxFrame || *every < 1 || *every > kMaxFrame) {
+        return Error{ErrorCode::OutOfRange, "frames " + inQuotes(text) + " run backwards or out of range", "", "Use numbers from 0 to " + std::to_string(kMaxFrame) + ", the smaller first"};
+    }
+    return FrameRange{static_cast<int>(*first), static_cast<int>(*last), static_cast<int>(*every)};
+}
+
+std::filesystem::path framePath(const SequenceOptions& options, int frame)
+{
+    constexpr std::size_t kDigits = 4;
+    std::string name = options.output.filename().string();
+    const std::string_view ending = fileEnding(options.format);
+    if (!name.ends_with(ending)) {
+        name += ending;
+    }
+    const std::size_t first = name.find('#');
+    if (first != std::string::npos) {
+        const std::size_t past = std::min(name.size(), name.find_first_not_of('#', first));
+        name.replace(first, past - first, padded(frame, past - first));
+    } else if (options.frames.count() > 1) {
+        name.insert(name.size() - ending.size(), "_" + padded(frame, kDigits));
+    }
+    return options.output.parent_path() / name;
+}
+
+Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, std::stop_token stop)
+{
+    if (Status status = makeFolder(options.output); !status) {
+        return status;
+    }
+    Simulator simulator(effect);
+    Renderer renderer;
+    std::array<Image, 2> images;
+    std::future<Status> writing;
+    const int total = options.frames.count();
+    const auto finishWriting = [&]() -> Status { return writing.valid() ? writing.get() : Status(Done{}); };
+    for (int done = 0; done < total; ++done) {
+        const int number = options.frames.first + done * options.frames.step;
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop);
+        if (!frame) {
+            return frame.error();
+        }
+        Image& image = images[static_cast<std::size_t>(done % 2)];
+        if (Status status = renderer.render(*frame.value(), effect, effect.output.width, effect.output.height, image, stop); !status) {
+            return status;
+        }
+        if (Status status = finishWriting(); !status) {
+            return status;
+        }
+        if (done > 0) {
+            progress(done, total);
+        }
+        writing = std::async(std::launch::async, [&image, &effect, format = options.format, path = framePath(options, number)] { return writeImage(image, effect.output, format, path); });
+    }
+    if (Status status = finishWriting(); !status) {
+        return status;
+    }
+    progress(total, total);
+    return Done{};
+}
+
+} // namespace fumage

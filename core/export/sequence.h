@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/effect/effect.h"
+#include "core/export/image_file.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string_view>
+
+namespace fumage {
+
+/// Frames first, first + step, ... up to last.
+struct FrameRange {
+    int first = 0;
+    int last = 0;
+    int step = 1;
+
+    [[nodiscard]] int count() const { return (last - first) / step + 1; }
+};
+
+/// Largest frame number that may be asked for.
+inline constexpr int kMaxFrame = 1'000'000;
+
+/// Reads "7", "0-119" or "0-119:2".
+/// @error Syntax, OutOfRange
+[[nodiscard]] Result<FrameRange> parseFrameRange(std::string_view text);
+
+struct SequenceOptions {
+    std::filesystem::path output; ///< a run of # in the file name becomes the frame number; see framePath()
+    FrameRange frames;
+    ImageFormat format = ImageFormat::Png8;
+};
+
+/// The file of a frame: a run of # is replaced by the number with as many digits; a name without # gets _0000 before its
+/// ending when there are several frames. An ending that is missing is added.
+[[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);
+
+/// Called after each frame with how many are done; on the calling thread.
+using SequenceProgress = std::function<void(int done, int total)>;
+
+/// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
+/// A file is encoded and written while the next frame is simulated.
+/// @error that of the first frame that fails; files before it stay
+[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, std::stop_token stop = {});
+
+} // namespace fumage

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/aligned_array.h"
+#include "core/simulation/frame.h"
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// What the look makes of each particle of a frame: how large and how dense it is now. Dead ones have radius 0.
+struct Appearance {
+    AlignedArray<float> radius; ///< m
+    AlignedArray<float> alpha;  ///< opacity at the centre, in [0, 1]
+    AlignedArray<float> life;   ///< share of its life that has passed, in [0, 1)
+    glm::vec3 low{0.0F};        ///< bounds of living centres in the axes that were asked for, m
+    glm::vec3 high{0.0F};
+    float largestMass = 0.0F;   ///< upper bound of alpha * area, m^2
+    bool empty = true;
+};
+
+/// Axes of a rotated frame of reference; unit vectors at right angles.
+struct Axes {
+    glm::vec3 u{1.0F, 0.0F, 0.0F};
+    glm::vec3 v{0.0F, 1.0F, 0.0F};
+    glm::vec3 w{0.0F, 0.0F, 1.0F};
+};
+
+/// @param effect the look to apply; its simulation part is that of the frame
+/// @param axes   in which the bounds are taken
+/// O(particles). Follows lifecycle() to the bit; size and alpha over life come from tables of 1024 entries.
+void findAppearance(const Frame& frame, const Effect& effect, const Axes& axes, Appearance& out);
+
+} // namespace fumage

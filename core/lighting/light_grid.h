@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/lighting/appearance.h"
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// A regular grid around the cloud whose w axis runs along the light, so that shadows are sums along columns.
+struct GridShape {
+    Axes axes;
+    glm::vec3 origin{0.0F}; ///< of cell (0, 0, 0)'s centre, in the axes, m
+    float cell = 1.0F;      ///< edge of a cell, m
+    int nu = 1, nv = 1, nw = 1;
+
+    [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv) * static_cast<std::size_t>(nw); }
+};
+
+/// Light that reaches each cell, ready to be multiplied by colours.
+struct LightGrid {
+    GridShape shape;
+    AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
+    AlignedArray<float> light;   ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+    AlignedArray<float> scratch;
+    std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
+};
+
+/// Axes with w along the light.
+[[nodiscard]] Axes lightAxes(const glm::vec3& direction);
+
+/// Splats the particles into a grid and lets light through it.
+///
+/// Each particle is an absorber of cross-section alpha * pi r^2 / 3 (the mean of the soft disc's profile); their sum over a cell's
+/// volume is its extinction. Sun: optical depth tau by summing along w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum
+/// of s^i (Wrenninge, Kulla, Lundqvist, "Oz: The Great and Volumetric", 2013), p the Henyey-Greenstein phase function relative to an
+/// isotropic one. Sky and ground: transmittance along the six axis directions, weighted by how much they face up or down.
+/// Sums are of whole numbers, so that their order does not matter: the same bits for any thread count.
+/// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
+/// @param eye        the camera, m
+/// O(particles + resolution^3).
+void lightSmoke(const Frame& frame, const Effect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out);
+
+} // namespace fumage

@@ -1,0 +1,198 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/noise/row_kernel.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "core/base/math-inl.h"
+#include "core/noise/lattice_hash.h"
+#include "core/noise/row_kernel.h"
+#include "core/noise/simplex-inl.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+
+/// Makes the standard deviation of one octave about 1/3, with the 2^-31 of the gradients; measured over 10^6 points.
+constexpr float kGradientScale = 1.35F * 0x1p-31F;
+constexpr float kSimplexScale = 42.0F * 0x1p-31F;
+
+HWY_INLINE V mix(V a, V b, V t)
+{
+    return mulAdd(t, hn::Sub(b, a), a);
+}
+
+void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, LatticeRow& row)
+{
+    const D d;
+    const hn::RebindToUnsigned<D> du;
+    const hn::RebindToSigned<D> di;
+    const auto seed = hn::Set(du, octave.seed);
+    const auto row0 = hn::Set(du, latticeRow(y, layers[0]));
+    const auto row1 = hn::Set(du, latticeRow(y, layers[1]));
+    const V t = hn::Set(d, weightZ);
+    const auto column = hn::Set(du, kColumnPrime);
+    const auto points = static_cast<std::size_t>(octave.period.x);
+    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+        const auto linear = hn::Mul(hn::Iota(du, static_cast<std::uint32_t>(i)), column);
+        const auto bits0 = latticeBits(du, hn::Add(linear, row0), seed);
+        const auto bits1 = latticeBits(du, hn::Add(linear, row1), seed);
+        const auto component = [&](auto bits) { return hn::ConvertTo(d, hn::BitCast(di, bits)); };
+        hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x.data() + i);
+        hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y.data() + i);
+        const V z0 = hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz));
+        const V z1 = hn::Mul(component(hn::ShiftLeft<22>(bits1)), hn::Set(d, fz - 1.0F));
+        hn::StoreU(mix(z0, z1, t), d, row.z.data() + i);
+    }
+    for (AlignedArray<float>* column0 : {&row.x, &row.y, &row.z}) {
+        (*column0)[points] = (*column0)[0]; // the lattice repeats
+    }
+}
+
+void gradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
+{
+    const D d;
+    const V t = hn::Set(d, weightY);
+    const V up = hn::Set(d, fy);
+    const V down = hn::Set(d, fy - 1.0F);
+    const V scale = hn::Set(d, amplitude * kGradientScale);
+    const auto count = static_cast<std::size_t>(cells);
+    // First the value and slope along x at every lattice column, kept in c0 and c1, then their differences.
+    for (std::size_t i = 0; i <= count; i += hn::Lanes(d)) {
+        const V slope = mix(hn::LoadU(d, below.x.data() + i), hn::LoadU(d, above.x.data() + i), t);
+        const V low = mulAdd(hn::LoadU(d, below.y.data() + i), up, hn::LoadU(d, below.z.data() + i));
+        const V high = mulAdd(hn::LoadU(d, above.y.data() + i), down, hn::LoadU(d, above.z.data() + i));
+        hn::StoreU(hn::Mul(slope, scale), d, out.c1.data() + i);
+        hn::StoreU(hn::Mul(mix(low, high, t), scale), d, out.c0.data() + i);
+    }
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const V c0 = hn::LoadU(d, out.c0.data() + i);
+        const V c1 = hn::LoadU(d, out.c1.data() + i);
+        const V nextC1 = hn::LoadU(d, out.c1.data() + i + 1);
+        hn::StoreU(hn::Sub(hn::Sub(hn::LoadU(d, out.c0.data() + i + 1), nextC1), c0), d, out.d0.data() + i);
+        hn::StoreU(hn::Sub(nextC1, c1), d, out.d1.data() + i);
+    }
+}
+
+void addPixelRow(const RowPositions& positions, const RowCoefficients& coefficients, float* HWY_RESTRICT values)
+{
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const std::size_t size = positions.cell.size();
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+        // Cells along a row never skip one, so that a vector of pixels needs at most a vector of cells.
+        const auto first = static_cast<std::size_t>(positions.cell[i]);
+        const auto cell = hn::Sub(hn::Load(di, positions.cell.data() + i), hn::Set(di, static_cast<std::int32_t>(first)));
+        const auto lanes = hn::IndicesFromVec(d, cell);
+        const auto pick = [&](const AlignedArray<float>& column) { return hn::TableLookupLanes(hn::LoadU(d, column.data() + first), lanes); };
+        const V f = hn::Load(d, positions.fraction.data() + i);
+        const V w = hn::Load(d, positions.weight.data() + i);
+        const V low = mulAdd(pick(coefficients.c1), f, pick(coefficients.c0));
+        const V rise = mulAdd(pick(coefficients.d1), f, pick(coefficients.d0));
+        hn::StoreU(hn::Add(hn::LoadU(d, values + i), mulAdd(w, rise, low)), d, values + i);
+    }
+}
+
+/// Doubled coordinate of the corner d away from position p, which is whole, brought into [0, 2 period).
+template <class DI>
+HWY_INLINE hn::VFromD<DI> wrappedCorner(DI di, V p, V d, int period)
+{
+    const D df;
+    const auto doubled = hn::NearestInt(hn::Mul(hn::Set(df, 2.0F), hn::Sub(p, d)));
+    const auto full = hn::Set(di, 2 * period);
+    const auto zero = hn::Zero(di);
+    const auto up = hn::Add(doubled, hn::IfThenElseZero(hn::Lt(doubled, zero), full));
+    return hn::Sub(up, hn::IfThenElseZero(hn::Not(hn::Lt(up, full)), full));
+}
+
+void simplexRow(const Octave& octave, int size, float y, float z, float* values)
+{
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const hn::RebindToUnsigned<D> du;
+    const float step = static_cast<float>(octave.period.x) / static_cast<float>(size);
+    const V scale = hn::Set(d, octave.amplitude * kSimplexScale);
+    const V vy = hn::Set(d, y);
+    const V vz = hn::Set(d, z);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += hn::Lanes(d)) {
+        const V x = hn::Mul(hn::Add(hn::Iota(d, static_cast<float>(i)), hn::Set(d, 0.5F)), hn::Set(d, step));
+        const SimplexCorners<D> corners = simplexCorners(d, x, vy, vz);
+        V sum = hn::Zero(d);
+        for (int c = 0; c < 4; ++c) {
+            const V dx = corners.dx[c];
+            const V dy = corners.dy[c];
+            const V dz = corners.dz[c];
+            const auto px = hn::BitCast(du, wrappedCorner(di, x, dx, octave.period.x));
+            const auto py = hn::BitCast(du, wrappedCorner(di, vy, dy, octave.period.y));
+            const auto pz = hn::BitCast(du, wrappedCorner(di, vz, dz, octave.period.z));
+            const auto linear = hn::Add(hn::Add(hn::Mul(px, hn::Set(du, kColumnPrime)), hn::Mul(py, hn::Set(du, kRowPrime))), hn::Mul(pz, hn::Set(du, kLayerPrime)));
+            const auto bits = latticeBits(du, linear, hn::Set(du, octave.seed));
+            const V gx = hn::ConvertTo(d, hn::BitCast(di, bits));
+            const V gy = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<11>(bits)));
+            const V gz = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<22>(bits)));
+            const V r2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+            const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 0.5F), r2));
+            const V t2 = hn::Mul(t, t);
+            const V dot = hn::Add(hn::Add(hn::Mul(dx, gx), hn::Mul(dy, gy)), hn::Mul(dz, gz));
+            sum = hn::Add(sum, hn::Mul(hn::Mul(t2, t2), dot));
+        }
+        hn::StoreU(hn::Add(hn::LoadU(d, values + i), hn::Mul(sum, scale)), d, values + i);
+    }
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumage {
+
+HWY_EXPORT(gradientRow);
+HWY_EXPORT(gradientCoefficients);
+HWY_EXPORT(addPixelRow);
+HWY_EXPORT(simplexRow);
+
+RowPositions rowPositions(int size, int cells, Interpolation kind, bool squareWeight)
+{
+    constexpr std::size_t kLanes = kAlignment / sizeof(float);
+    const std::size_t padded = roundUp(static_cast<std::size_t>(size), kLanes);
+    RowPositions out;
+    out.fraction.resize(padded);
+    out.weight.resize(padded);
+    out.cell.resize(padded);
+    for (std::size_t i = 0; i < padded; ++i) {
+        const std::size_t pixel = std::min(i, static_cast<std::size_t>(size) - 1);
+        const double x = (static_cast<double>(pixel) + 0.5) * cells / size;
+        const auto cell = static_cast<std::int32_t>(x);
+        out.cell[i] = cell;
+        out.fraction[i] = static_cast<float>(x - cell);
+        out.weight[i] = squareWeight ? out.fraction[i] * out.fraction[i] : interpolationWeight(kind, out.fraction[i]);
+    }
+    return out;
+}
+
+void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, LatticeRow& row)
+{
+    HWY_DYNAMIC_DISPATCH(gradientRow)(octave, y, layers, fz, weightZ, row);
+}
+
+void fillGradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
+{
+    HWY_DYNAMIC_DISPATCH(gradientCoefficients)(below, above, fy, weightY, amplitude, cells, out);
+}
+
+void addRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values)
+{
+    HWY_DYNAMIC_DISPATCH(addPixelRow)(positions, coefficients, values);
+}
+
+void addSimplexRow(const Octave& octave, int size, float y, float z, float* values)
+{
+    HWY_DYNAMIC_DISPATCH(simplexRow)(octave, size, y, z, values);
+}
+
+} // namespace fumage
+#endif

@@ -1,0 +1,258 @@
+#include "core/preset/json_tree.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::size_t kDeepest = 32;
+
+/// Feeds the parser and counts what it has read.
+class CountingIterator {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountingIterator(const char* at, std::size_t* count)
+        : m_at(at)
+        , m_count(count)
+    {
+    }
+    reference operator*() const { return *m_at; }
+    CountingIterator& operator++()
+    {
+        ++m_at;
+        ++*m_count;
+        return *this;
+    }
+    CountingIterator operator++(int)
+    {
+        CountingIterator before = *this;
+        ++*this;
+        return before;
+    }
+    friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.m_at == b.m_at; }
+    friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.m_at != b.m_at; }
+
+private:
+    const char* m_at;
+    std::size_t* m_count;
+};
+
+/// Builds the tree from the parser's events; the open containers lie on a stack.
+class TreeBuilder {
+public:
+    using number_integer_t = nlohmann::json::number_integer_t;
+    using number_unsigned_t = nlohmann::json::number_unsigned_t;
+    using number_float_t = nlohmann::json::number_float_t;
+    using string_t = nlohmann::json::string_t;
+    using binary_t = nlohmann::json::binary_t;
+
+    TreeBuilder(std::string_view text, const std::size_t& consumed)
+        : m_text(text)
+        , m_consumed(consumed)
+    {
+    }
+
+    bool null() { return add(literal(JsonNode::Type::Null, 4)); }
+    bool boolean(bool value)
+    {
+        JsonNode node = literal(JsonNode::Type::Bool, value ? 4 : 5);
+        node.flag = value;
+        return add(std::move(node));
+    }
+    bool number_integer(number_integer_t value) { return number(static_cast<double>(value), true); }
+    bool number_unsigned(number_unsigned_t value) { return number(static_cast<double>(value), true); }
+    bool number_float(number_float_t value, const string_t& /*raw*/) { return number(value, false); }
+    bool string(string_t& value)
+    {
+        JsonNode node = stringNode();
+        node.string = std::move(value);
+        return add(std::move(node));
+    }
+    bool binary(binary_t& /*value*/) { return false; }
+    bool start_object(std::size_t /*elements*/) { return open(JsonNode::Type::Object); }
+    bool start_array(std::size_t /*elements*/) { return open(JsonNode::Type::Array); }
+    bool end_object() { return close(); }
+    bool end_array() { return close(); }
+    bool key(string_t& name)
+    {
+        if (m_open.back().find(name) != nullptr) {
+            return fail(ErrorCode::Syntax, "the key " + inQuotes(name) + " is there twice", stringNode().begin, "Remove one of them");
+        }
+        m_keys.back() = std::move(name);
+        return true;
+    }
+    bool parse_error(std::size_t position, const std::string& /*token*/, const nlohmann::detail::exception& cause)
+    {
+        const std::string what = cause.what();
+        const std::size_t at = position == 0 ? m_consumed : position - 1;
+        constexpr int kNumberOverflow = 406;
+        const std::size_t wordStart = m_text.substr(0, at).find_last_of(" \t\r\n,:[{") + 1;
+        const std::string_view word = m_text.substr(wordStart);
+        if (cause.id == kNumberOverflow || word.starts_with("NaN") || word.starts_with("Inf") || word.starts_with("-Inf")) {
+            return fail(ErrorCode::NotFinite, "the number is not finite", wordStart, "Use a plain number such as 1.5");
+        }
+        if (what.find("UTF-8") != std::string::npos) {
+            return fail(ErrorCode::NotUtf8, "the text is not UTF-8", at, "Save the file as UTF-8");
+        }
+        if (at >= m_text.size()) {
+            return fail(ErrorCode::Syntax, "the file ends in the middle", m_text.size(), "It may have been cut off; use a copy of it");
+        }
+        return fail(ErrorCode::Syntax, "this is not JSON: " + reason(what), at, "");
+    }
+
+    [[nodiscard]] JsonNode& root() { return m_root; }
+    [[nodiscard]] const Error& error() const { return m_error; }
+
+private:
+    static std::string reason(const std::string& what)
+    {
+        const std::size_t dash = what.rfind(" - ");
+        const std::string tail = dash == std::string::npos ? what : what.substr(dash + 3);
+        return tail.substr(0, tail.find("; last read"));
+    }
+
+    bool fail(ErrorCode code, std::string message, std::size_t offset, std::string remedy)
+    {
+        m_error = {code, std::move(message), placeInText(m_text, offset), std::move(remedy)};
+        return false;
+    }
+
+    [[nodiscard]] JsonNode literal(JsonNode::Type type, std::size_t length) const
+    {
+        JsonNode node;
+        node.type = type;
+        node.end = m_consumed;
+        node.begin = m_consumed - length;
+        return node;
+    }
+
+    /// The string whose closing quote was read last: its start is the nearest quote before it that is not escaped.
+    [[nodiscard]] JsonNode stringNode() const
+    {
+        JsonNode node;
+        node.type = JsonNode::Type::String;
+        node.end = m_consumed;
+        std::size_t at = m_consumed - 1;
+        for (;;) {
+            at = m_text.rfind('"', at - 1);
+            std::size_t slashes = 0;
+            while (slashes < at && m_text[at - 1 - slashes] == '\\') {
+                ++slashes;
+            }
+            if (slashes % 2 == 0) {
+                break;
+            }
+        }
+        node.begin = at;
+        return node;
+    }
+
+    bool number(double value, bool whole)
+    {
+        // A number ends at the first character that cannot be part of it, which has been read too, unless the text ended.
+        constexpr std::string_view kNumberCharacters = "0123456789+-.eE";
+        JsonNode node;
+        node.type = JsonNode::Type::Number;
+        node.number = value;
+        node.isWhole = whole;
+        node.end = m_consumed;
+        if (node.end > 0 && kNumberCharacters.find(m_text[node.end - 1]) == std::string_view::npos) {
+            --node.end;
+        }
+        const std::size_t before = m_text.substr(0, node.end).find_last_not_of(kNumberCharacters);
+        node.begin = before == std::string_view::npos ? 0 : before + 1;
+        return add(std::move(node));
+    }
+
+    bool open(JsonNode::Type type)
+    {
+        if (m_open.size() == kDeepest) {
+            return fail(ErrorCode::TooDeep, "brackets are nested more than " + std::to_string(kDeepest) + " deep", m_consumed - 1, "This is not a preset");
+        }
+        JsonNode node;
+        node.type = type;
+        node.begin = m_consumed - 1;
+        m_open.push_back(std::move(node));
+        m_keys.emplace_back();
+        return true;
+    }
+
+    bool close()
+    {
+        JsonNode node = std::move(m_open.back());
+        node.end = m_consumed;
+        m_open.pop_back();
+        m_keys.pop_back();
+        return add(std::move(node));
+    }
+
+    bool add(JsonNode node)
+    {
+        if (m_open.empty()) {
+            m_root = std::move(node);
+        } else if (m_open.back().type == JsonNode::Type::Object) {
+            m_open.back().members.emplace_back(std::move(m_keys.back()), std::move(node));
+        } else {
+            m_open.back().items.push_back(std::move(node));
+        }
+        return true;
+    }
+
+    std::string_view m_text;
+    const std::size_t& m_consumed;
+    std::vector<JsonNode> m_open;
+    std::vector<std::string> m_keys; ///< the key that waits for its value, one for each open container
+    JsonNode m_root;
+    Error m_error;
+};
+
+} // namespace
+
+const JsonNode* JsonNode::find(std::string_view key) const
+{
+    const auto found = std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == key; });
+    return found == members.end() ? nullptr : &found->second;
+}
+
+Result<JsonNode> parseJson(std::string_view text)
+{
+    std::size_t consumed = 0;
+    TreeBuilder builder(text, consumed);
+    const CountingIterator begin(text.data(), &consumed);
+    const CountingIterator end(text.data() + text.size(), &consumed);
+    if (!nlohmann::json::sax_parse(begin, end, &builder)) {
+        return builder.error();
+    }
+    return std::move(builder.root());
+}
+
+std::string placeInText(std::string_view text, std::size_t offset)
+{
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const std::size_t start = before.rfind('\n') + 1; // npos + 1 is 0
+    constexpr unsigned char kContinuationMask = 0xC0;
+    constexpr unsigned char kContinuation = 0x80;
+    const auto column = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(),
+                            [](char c) { return (static_cast<unsigned char>(c) & kContinuationMask) != kContinuation; })
+        + 1;
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+std::string quoteJson(std::string_view text)
+{
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+} // namespace fumage

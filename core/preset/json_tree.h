@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fumage {
+
+/// A JSON value that knows where it stands in its text, so that errors can say so.
+struct JsonNode {
+    enum class Type { Null, Bool, Number, String, Array, Object };
+
+    Type type = Type::Null;
+    std::size_t begin = 0; ///< bytes [begin, end) of the text
+    std::size_t end = 0;
+    bool flag = false;
+    double number = 0.0; ///< finite
+    bool isWhole = false; ///< written without fraction or exponent
+    std::string string;
+    std::vector<JsonNode> items;
+    std::vector<std::pair<std::string, JsonNode>> members; ///< in the order of the file; keys differ
+
+    [[nodiscard]] const JsonNode* find(std::string_view key) const;
+};
+
+/// Parses JSON (RFC 8259).
+/// @error Syntax, NotUtf8, NotFinite, TooDeep; the place is "line L, column C"
+/// Cost and memory are linear in the text; nothing recurses while it parses.
+[[nodiscard]] Result<JsonNode> parseJson(std::string_view text);
+
+/// @return "line L, column C" of a byte, both from 1; columns count characters, not bytes
+[[nodiscard]] std::string placeInText(std::string_view text, std::size_t offset);
+
+/// @return the text as a JSON string with its quotes
+[[nodiscard]] std::string quoteJson(std::string_view text);
+
+} // namespace fumage

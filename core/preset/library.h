@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/preset/preset.h"
+
+namespace fumage {
+
+/// Where a preset of the library comes from.
+struct LibraryEntry {
+    std::string id;                   ///< "chimney": the file's name without ending
+    std::filesystem::path path;       ///< empty where it is built in
+};
+
+/// The presets that are compiled into the library, in alphabetical order.
+[[nodiscard]] std::vector<LibraryEntry> builtinPresets();
+
+/// The presets in a folder; a folder that is not there has none.
+[[nodiscard]] std::vector<LibraryEntry> presetsIn(const std::filesystem::path& folder);
+
+/// $XDG_DATA_HOME/fumage/presets, or ~/.local/share/fumage/presets.
+[[nodiscard]] std::filesystem::path userPresetFolder();
+
+[[nodiscard]] Result<PresetReading> loadPreset(const LibraryEntry& entry);
+
+/// Loads what a person names: a built-in preset, else one of the user's folder, else a file.
+/// @error UnknownName with the nearest name, or those of readPresetFile()
+[[nodiscard]] Result<PresetReading> loadPreset(const std::string& nameOrPath);
+
+} // namespace fumage

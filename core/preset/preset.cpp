@@ -1,0 +1,250 @@
+#include "core/preset/preset.h"
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/preset/json_tree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kHeaderKeys{"format", "version", "name", "description"};
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& place)
+        : m_text(text)
+        , m_place(place)
+    {
+    }
+
+    Result<PresetReading> read()
+    {
+        if (m_text.size() > kMaxPresetBytes) {
+            return Error{ErrorCode::TooLarge, "a preset of " + std::to_string(m_text.size()) + " bytes", m_place, "Presets have at most " + std::to_string(kMaxPresetBytes)};
+        }
+        const Result<JsonNode> root = parseJson(m_text);
+        if (!root) {
+            Error error = root.error();
+            error.place = placed(error.place);
+            return error;
+        }
+        if (Status status = readRoot(root.value()); !status) {
+            return status.error();
+        }
+        return std::move(m_reading);
+    }
+
+private:
+    [[nodiscard]] std::string placed(const std::string& inText) const { return m_place.empty() ? inText : m_place + ", " + inText; }
+
+    [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, std::string message, std::string remedy) const
+    {
+        return {code, std::move(message), placed(placeInText(m_text, node.begin)), std::move(remedy)};
+    }
+
+    void warn(const JsonNode& node, const std::string& message) { m_reading.warnings.push_back(placed(placeInText(m_text, node.begin)) + ": " + message); }
+
+    Status readRoot(const JsonNode& root)
+    {
+        if (root.type != JsonNode::Type::Object) {
+            return errorAt(root, ErrorCode::WrongType, "a preset is an object in braces { }", "");
+        }
+        if (Status status = readHeader(root); !status) {
+            return status;
+        }
+        for (const auto& [key, node] : root.members) {
+            if (std::find(kHeaderKeys.begin(), kHeaderKeys.end(), key) != kHeaderKeys.end()) {
+                continue;
+            }
+            if (Status status = groupLabel(key).empty() ? keepUnknown("", key, node) : readGroup(key, node); !status) {
+                return status;
+            }
+        }
+        reportMissing();
+        return Done{};
+    }
+
+    Status readHeader(const JsonNode& root)
+    {
+        const JsonNode* format = root.find("format");
+        if (format == nullptr || format->string != kPresetFormat) {
+            return errorAt(format == nullptr ? root : *format, ErrorCode::WrongType, "this JSON is not a Fumage preset", "A preset begins with \"format\": \"fumage-preset\"");
+        }
+        const JsonNode* version = root.find("version");
+        if (version == nullptr || version->type != JsonNode::Type::Number || !version->isWhole || version->number < 1.0) {
+            return errorAt(version == nullptr ? root : *version, ErrorCode::WrongVersion, "the version of the preset is missing or not a whole number from 1", "");
+        }
+        if (version->number > kPresetVersion) {
+            return errorAt(*version, ErrorCode::WrongVersion,
+                "the preset has version " + std::string(m_text.substr(version->begin, version->end - version->begin)) + ", this program reads up to " + std::to_string(kPresetVersion),
+                "Open it with a newer Fumage");
+        }
+        for (const auto& [key, to] : {std::pair{"name", &m_reading.preset.name}, std::pair{"description", &m_reading.preset.description}}) {
+            const JsonNode* node = root.find(key);
+            if (node != nullptr && node->type != JsonNode::Type::String) {
+                return errorAt(*node, ErrorCode::WrongType, std::string(key) + ": expected a text in quotes", "");
+            }
+            *to = node == nullptr ? "" : node->string;
+        }
+        return Done{};
+    }
+
+    Status readGroup(const std::string& group, const JsonNode& node)
+    {
+        if (node.type != JsonNode::Type::Object) {
+            return errorAt(node, ErrorCode::WrongType, group + ": expected an object in braces { }", "");
+        }
+        for (const auto& [name, value] : node.members) {
+            const Parameter* parameter = findParameter(group + "." + name);
+            if (Status status = parameter == nullptr ? keepUnknown(group, name, value) : readParameter(*parameter, value); !status) {
+                return status;
+            }
+        }
+        return Done{};
+    }
+
+    Status keepUnknown(const std::string& group, const std::string& key, const JsonNode& node)
+    {
+        const std::string path = group.empty() ? key : group + "." + key;
+        const std::string_view near = nearestParameterKey(path);
+        warn(node, "unknown key " + inQuotes(path) + " is kept but has no effect" + (near.empty() ? "" : "; did you mean " + inQuotes(near) + "?"));
+        m_reading.preset.unknown.push_back({group, key, std::string(m_text.substr(node.begin, node.end - node.begin))});
+        return Done{};
+    }
+
+    Status readParameter(const Parameter& parameter, const JsonNode& node)
+    {
+        const Result<Value> value = valueOf(parameter, node);
+        if (!value) {
+            return errorAt(node, value.error().code, value.error().place + ": " + value.error().message, value.error().remedy);
+        }
+        if (setClamped(m_reading.preset.effect, parameter, value.value())) {
+            warn(node, std::string(parameter.key) + " was out of range and is now " + formatText(parameter, parameter.get(m_reading.preset.effect), true));
+        }
+        m_seen.push_back(parameter.key);
+        return Done{};
+    }
+
+    [[nodiscard]] Result<Value> valueOf(const Parameter& parameter, const JsonNode& node) const
+    {
+        const bool isText = node.type == JsonNode::Type::String && parameter.kind == Kind::Choice;
+        const bool isFlag = node.type == JsonNode::Type::Bool && parameter.kind == Kind::Bool;
+        if (isText) {
+            return parseValue(parameter, node.string);
+        }
+        if (isFlag) {
+            return Value(node.flag);
+        }
+        std::vector<double> numbers;
+        if (!collectNumbers(parameter, node, numbers)) {
+            return Error{ErrorCode::WrongType, "expected " + std::string(kindName(parameter.kind)) + ", found " + inQuotes(m_text.substr(node.begin, node.end - node.begin)), std::string(parameter.key), ""};
+        }
+        return valueFromNumbers(parameter, numbers);
+    }
+
+    /// A number, a list of three, or a list of lists, just as the kind asks.
+    static bool collectNumbers(const Parameter& parameter, const JsonNode& node, std::vector<double>& numbers)
+    {
+        const auto flat = [&](const JsonNode& list, std::size_t count) {
+            for (const JsonNode& item : list.items) {
+                if (item.type != JsonNode::Type::Number) {
+                    return false;
+                }
+                numbers.push_back(item.number);
+            }
+            return list.type == JsonNode::Type::Array && list.items.size() == count;
+        };
+        switch (parameter.kind) {
+        case Kind::Int:
+        case Kind::Seed:
+        case Kind::Float: numbers.push_back(node.number); return node.type == JsonNode::Type::Number;
+        case Kind::Direction:
+        case Kind::Vector:
+        case Kind::Colour: return flat(node, 3);
+        case Kind::Curve: return std::all_of(node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 2); });
+        case Kind::Gradient: return std::all_of(node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 4); });
+        case Kind::Bool:
+        case Kind::Choice: return false;
+        }
+        return false;
+    }
+
+    void reportMissing()
+    {
+        std::size_t missing = 0;
+        std::string first;
+        for (const Parameter& parameter : parameterTable()) {
+            if (std::find(m_seen.begin(), m_seen.end(), parameter.key) == m_seen.end()) {
+                first = missing == 0 ? std::string(parameter.key) : first;
+                ++missing;
+            }
+        }
+        if (missing > 0) {
+            m_reading.warnings.push_back((m_place.empty() ? "" : m_place + ": ") + std::to_string(missing) + " parameters are not in the preset and keep their defaults, the first is " + first);
+        }
+    }
+
+    std::string_view m_text;
+    const std::string& m_place;
+    PresetReading m_reading;
+    std::vector<std::string_view> m_seen;
+};
+
+void writeUnknown(const Preset& preset, std::string_view group, std::string_view indent, std::string& out)
+{
+    for (const UnknownMember& member : preset.unknown) {
+        if (member.group == group) {
+            out += ",\n" + std::string(indent) + quoteJson(member.key) + ": " + member.json;
+        }
+    }
+}
+
+} // namespace
+
+Result<PresetReading> parsePreset(std::string_view json, const std::string& place)
+{
+    return Reader(json, place).read();
+}
+
+std::string formatPreset(const Preset& preset)
+{
+    std::string out = "{\n  \"format\": " + quoteJson(kPresetFormat) + ",\n  \"version\": " + std::to_string(kPresetVersion) + ",\n  \"name\": " + quoteJson(preset.name)
+        + ",\n  \"description\": " + quoteJson(preset.description);
+    std::string_view group;
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.group() != group) {
+            if (!group.empty()) {
+                writeUnknown(preset, group, "    ", out);
+                out += "\n  }";
+            }
+            group = parameter.group();
+            out += ",\n  " + quoteJson(group) + ": {\n    ";
+        } else {
+            out += ",\n    ";
+        }
+        out += quoteJson(parameter.name()) + ": " + formatJson(parameter, parameter.get(preset.effect));
+    }
+    writeUnknown(preset, group, "    ", out);
+    out += "\n  }";
+    writeUnknown(preset, "", "  ", out);
+    return out + "\n}\n";
+}
+
+Result<PresetReading> readPresetFile(const std::filesystem::path& path)
+{
+    const Result<std::string> text = readFile(path, kMaxPresetBytes);
+    return text ? parsePreset(text.value(), path.string()) : Result<PresetReading>(text.error());
+}
+
+Status writePresetFile(const std::filesystem::path& path, const Preset& preset)
+{
+    return writeFileAtomically(path, formatPreset(preset));
+}
+
+} // namespace fumage

@@ -1,0 +1,96 @@
+#include "core/preset/schema.h"
+
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/preset/preset.h"
+
+#include <nlohmann/json.hpp>
+
+namespace fumage {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value)
+{
+    return value == static_cast<double>(static_cast<std::int64_t>(value)) ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json ranged(const char* type, const Range& range)
+{
+    return {{"type", type}, {"minimum", number(range.low)}, {"maximum", number(range.high)}};
+}
+
+Json tuple(std::vector<Json> items)
+{
+    const std::size_t count = items.size();
+    return {{"type", "array"}, {"prefixItems", std::move(items)}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json listOf(Json item)
+{
+    return {{"type", "array"}, {"items", std::move(item)}, {"minItems", 1}, {"maxItems", kMaxControlPoints}};
+}
+
+Json valueSchema(const Parameter& parameter)
+{
+    const Json component = ranged("number", parameter.hard);
+    const Json position = ranged("number", {0.0, 1.0});
+    switch (parameter.kind) {
+    case Kind::Bool: return {{"type", "boolean"}};
+    case Kind::Int:
+    case Kind::Seed: return ranged("integer", parameter.hard);
+    case Kind::Float: return component;
+    case Kind::Choice: {
+        Json names = Json::array();
+        for (const std::string_view choice : parameter.choices) {
+            names.push_back(choice);
+        }
+        return {{"enum", names}};
+    }
+    case Kind::Direction:
+    case Kind::Vector:
+    case Kind::Colour: return tuple({component, component, component});
+    case Kind::Curve: return listOf(tuple({position, component}));
+    case Kind::Gradient: return listOf(tuple({position, component, component, component}));
+    }
+    return {};
+}
+
+std::string describe(const Parameter& parameter)
+{
+    const std::string_view unit = unitSymbol(parameter.unit);
+    return std::string(parameter.tip) + (unit.empty() ? "" : " Unit: " + std::string(unit) + ".") + (parameter.source.empty() ? "" : " Source: " + std::string(parameter.source) + ".");
+}
+
+} // namespace
+
+std::string presetSchema()
+{
+    Json properties;
+    properties["format"] = {{"const", kPresetFormat}};
+    properties["version"] = {{"const", kPresetVersion}};
+    properties["name"] = {{"type", "string"}};
+    properties["description"] = {{"type", "string"}};
+    const Effect defaults;
+    for (const Parameter& parameter : parameterTable()) {
+        const std::string group(parameter.group());
+        if (!properties.contains(group)) {
+            properties[group] = {{"title", groupLabel(group)}, {"type", "object"}, {"properties", Json::object()}};
+        }
+        Json schema = valueSchema(parameter);
+        schema["title"] = parameter.label;
+        schema["description"] = describe(parameter);
+        schema["default"] = Json::parse(formatJson(parameter, parameter.get(defaults)));
+        properties[group]["properties"][std::string(parameter.name())] = std::move(schema);
+    }
+    const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+        {"title", "Fumage preset"},
+        {"type", "object"},
+        {"required", {"format", "version"}},
+        {"properties", std::move(properties)}};
+    return schema.dump(2) + "\n";
+}
+
+} // namespace fumage

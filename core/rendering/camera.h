@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/effect/effect.h"
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// A camera at one moment, ready to project: a pinhole with square pixels, image origin top-left, y down.
+struct View {
+    glm::vec3 eye{0.0F};
+    glm::vec3 right{1.0F, 0.0F, 0.0F};
+    glm::vec3 up{0.0F, 1.0F, 0.0F};
+    glm::vec3 forward{0.0F, 0.0F, -1.0F};
+    float focal = 1.0F; ///< focal length in pixels
+    int width = 1;
+    int height = 1;
+};
+
+/// @param seconds time since frame 0, for the turntable
+/// @param width,height picture in pixels; the longer side sees the 36 mm of the sensor
+[[nodiscard]] View makeView(const Camera& camera, float seconds, int width, int height);
+
+struct Projected {
+    float x = 0.0F;     ///< pixels from the left
+    float y = 0.0F;     ///< pixels from the top
+    float depth = 0.0F; ///< m along the view; not in front of the camera where 0 or less
+};
+
+[[nodiscard]] Projected project(const View& view, const glm::vec3& point);
+
+} // namespace fumage

@@ -1,0 +1,186 @@
+#include "core/rendering/compositor.h"
+
+#include "core/base/parallel.h"
+#include "core/rendering/tile_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <tbb/enumerable_thread_specific.h>
+
+namespace fumage {
+
+namespace {
+
+/// Sprites that are binned by one task.
+constexpr std::size_t kBlock = 16384;
+
+/// Tiles are painted in groups whose lists take at most this many entries (128 MiB), whatever the size of the picture.
+constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 24U;
+
+int tilesAcross(int pixels, int tile)
+{
+    return (pixels + tile - 1) / tile;
+}
+
+std::uint16_t tileIndex(float pixel, int tile, int count)
+{
+    return static_cast<std::uint16_t>(std::clamp(static_cast<int>(std::floor(pixel / static_cast<float>(tile))), 0, count - 1));
+}
+
+struct Workspace {
+    Tile tile;
+    AlignedArray<DepthEntry> scratch;
+};
+
+} // namespace
+
+void Compositor::findTiles(const SpriteBatch& batch, int columns, int rows)
+{
+    const auto width = static_cast<float>(batch.view.width);
+    const auto height = static_cast<float>(batch.view.height);
+    m_ranges.resize(batch.sprites.size());
+    parallelFor(m_blocks, [&](std::size_t block) {
+        const std::size_t last = std::min(batch.sprites.size(), (block + 1) * kBlock);
+        for (std::size_t i = block * kBlock; i < last; ++i) {
+            m_ranges[i] = {1, 0, 0, 0};
+            if (batch.depth[i] == SpriteBatch::kHidden) {
+                continue;
+            }
+            const Sprite& s = batch.sprites[i];
+            const float left = s.x - s.halfWidth;
+            const float right = s.x + s.halfWidth;
+            const float top = s.y - s.halfHeight;
+            const float bottom = s.y + s.halfHeight;
+            if (right > 0.0F && left < width && bottom > 0.0F && top < height) {
+                m_ranges[i] = {tileIndex(left, kTileWidth, columns), tileIndex(top, kTileHeight, rows), tileIndex(right, kTileWidth, columns), tileIndex(bottom, kTileHeight, rows)};
+            }
+        }
+    });
+}
+
+void Compositor::countTiles(std::size_t tiles, int columns)
+{
+    m_counts.assign(m_blocks * tiles, 0U);
+    parallelFor(m_blocks, [&](std::size_t block) {
+        std::uint32_t* counts = m_counts.data() + block * tiles;
+        const std::size_t last = std::min(m_ranges.size(), (block + 1) * kBlock);
+        for (std::size_t i = block * kBlock; i < last; ++i) {
+            const TileRange& range = m_ranges[i];
+            if (range.left > range.right) {
+                continue;
+            }
+            for (std::size_t row = range.top; row <= range.bottom; ++row) {
+                for (std::size_t column = range.left; column <= range.right; ++column) {
+                    ++counts[row * static_cast<std::size_t>(columns) + column];
+                }
+            }
+        }
+    });
+    // Counts become the offset of each block within its tile: entries of a tile lie in the order of their slots.
+    m_tileTotals.assign(tiles, 0U);
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+        std::uint32_t sum = 0;
+        for (std::size_t block = 0; block < m_blocks; ++block) {
+            std::uint32_t& count = m_counts[block * tiles + tile];
+            const std::uint32_t here = count;
+            count = sum;
+            sum += here;
+        }
+        m_tileTotals[tile] = sum;
+    }
+}
+
+void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns)
+{
+    m_tileStarts.assign(lastTile - firstTile + 1, 0U);
+    for (std::size_t tile = firstTile; tile < lastTile; ++tile) {
+        m_tileStarts[tile - firstTile + 1] = m_tileStarts[tile - firstTile] + m_tileTotals[tile];
+    }
+    if (m_entries.size() < m_tileStarts.back()) {
+        m_entries.resize(m_tileStarts.back());
+    }
+    const std::size_t tiles = m_tileTotals.size();
+    parallelFor(m_blocks, [&](std::size_t block) {
+        std::vector<std::uint32_t> at(m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + firstTile),
+            m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + lastTile));
+        const std::size_t last = std::min(m_ranges.size(), (block + 1) * kBlock);
+        for (std::size_t i = block * kBlock; i < last; ++i) {
+            const TileRange& range = m_ranges[i];
+            if (range.left > range.right) {
+                continue;
+            }
+            const DepthEntry entry = depthEntry(batch.depth[i], static_cast<std::uint32_t>(i));
+            for (std::size_t row = range.top; row <= range.bottom; ++row) {
+                for (std::size_t column = range.left; column <= range.right; ++column) {
+                    const std::size_t tile = row * static_cast<std::size_t>(columns) + column;
+                    if (tile >= firstTile && tile < lastTile) {
+                        m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] = entry;
+                    }
+                }
+            }
+        }
+    });
+}
+
+Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, std::stop_token stop)
+{
+    const int width = batch.view.width;
+    const int height = batch.view.height;
+    if (width < 1 || height < 1 || width > kMaxImageEdge || height > kMaxImageEdge || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
+        return Error{ErrorCode::TooLarge, "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels", "", "Choose a smaller size or less supersampling"};
+    }
+    image.resize(width, height);
+    const int columns = tilesAcross(width, kTileWidth);
+    const int rows = tilesAcross(height, kTileHeight);
+    const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    m_blocks = (batch.sprites.size() + kBlock - 1) / kBlock;
+    findTiles(batch, columns, rows);
+    countTiles(tiles, columns);
+
+    tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces([] { return std::make_unique<Workspace>(); });
+    for (std::size_t first = 0; first < tiles;) {
+        std::size_t last = first;
+        std::uint64_t entries = 0;
+        do {
+            entries += m_tileTotals[last++];
+        } while (last < tiles && entries + m_tileTotals[last] <= kMostEntries);
+        fillTiles(batch, first, last, columns);
+        parallelFor(last - first, [&](std::size_t index) {
+            if (stop.stop_requested()) {
+                return;
+            }
+            Workspace& workspace = *workspaces.local();
+            const auto tile = static_cast<int>(first + index);
+            workspace.tile.left = tile % columns * kTileWidth;
+            workspace.tile.top = tile / columns * kTileHeight;
+            workspace.tile.right = std::min(width, workspace.tile.left + kTileWidth);
+            workspace.tile.bottom = std::min(height, workspace.tile.top + kTileHeight);
+            const std::span<DepthEntry> list(m_entries.data() + m_tileStarts[index], m_tileTotals[first + index]);
+            sortByDepth(list, workspace.scratch);
+            paintTile(batch, texture, list, workspace.tile, image);
+        });
+        if (stop.stop_requested()) {
+            return Error{ErrorCode::Cancelled, "painting was cancelled", "", ""};
+        }
+        first = last;
+    }
+    return Done{};
+}
+
+void fillBackground(Image& image, const glm::vec3& colour)
+{
+    parallelFor(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+        float* pixel = image.row(static_cast<int>(y));
+        for (int x = 0; x < image.width; ++x, pixel += 4) {
+            const float through = 1.0F - pixel[3];
+            pixel[0] += through * colour.r;
+            pixel[1] += through * colour.g;
+            pixel[2] += through * colour.b;
+            pixel[3] = 1.0F;
+        }
+    });
+}
+
+} // namespace fumage

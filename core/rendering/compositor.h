@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/rendering/depth_sort.h"
+#include "core/rendering/image.h"
+#include "core/rendering/sprites.h"
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+inline constexpr int kMaxImageEdge = 32768;
+inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 28U;
+
+/// Blends sprites into a picture, near to far, in linear premultiplied floats.
+///
+/// Sprites are binned into tiles that fit the first-level cache; each tile sorts its own by depth and stops once nothing behind can be seen
+/// (transmittance under 1/1024 everywhere). A sprite over what is already there: C += T a c, T *= 1 - a (Porter and Duff 1984, "under").
+/// Keeps its buffers from one picture to the next. Not thread-safe; uses all threads inside.
+class Compositor {
+public:
+    static constexpr int kTileWidth = 64;
+    static constexpr int kTileHeight = 32;
+
+    /// @param batch made for batch.view.width by batch.view.height pixels
+    /// @param image resized; every pixel is written
+    /// @error TooLarge, Cancelled
+    /// O(sprites + covered pixels). The same bits for any thread count and instruction set.
+    [[nodiscard]] Status compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, std::stop_token stop = {});
+
+private:
+    struct TileRange {
+        std::uint16_t left, top, right, bottom; ///< tiles, inclusive; left > right where hidden
+    };
+
+    void findTiles(const SpriteBatch& batch, int columns, int rows);
+    void countTiles(std::size_t tiles, int columns);
+    void fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns);
+
+    std::vector<TileRange> m_ranges;           ///< one a sprite
+    std::vector<std::uint32_t> m_counts;       ///< block major: sprites of each block in each tile, then their offsets
+    std::vector<std::uint64_t> m_tileTotals;
+    AlignedArray<DepthEntry> m_entries;
+    std::vector<std::uint64_t> m_tileStarts;
+    std::size_t m_blocks = 0;
+};
+
+/// Puts a colour behind a picture with transparency.
+/// @param colour linear RGB
+void fillBackground(Image& image, const glm::vec3& colour);
+
+} // namespace fumage

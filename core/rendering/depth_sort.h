@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/aligned_array.h"
+
+#include <cstdint>
+#include <span>
+
+namespace fumage {
+
+/// A sprite in a list to sort: depth key in the upper half, index in the lower.
+using DepthEntry = std::uint64_t;
+
+[[nodiscard]] constexpr DepthEntry depthEntry(std::uint32_t key, std::uint32_t index)
+{
+    return static_cast<DepthEntry>(key) << 32U | index;
+}
+
+[[nodiscard]] constexpr std::uint32_t entryIndex(DepthEntry entry)
+{
+    return static_cast<std::uint32_t>(entry);
+}
+
+/// Sorts near to far by the lower SpriteBatch::kDepthBits bits of the key; equal depths keep their order.
+/// Radix sort in two passes of 11 bits. O(entries).
+/// @param scratch grows to the number of entries; reused between calls
+void sortByDepth(std::span<DepthEntry> entries, AlignedArray<DepthEntry>& scratch);
+
+} // namespace fumage

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/base/aligned_array.h"
+
+#include <glm/vec4.hpp>
+
+namespace fumage {
+
+/// A picture in linear light: premultiplied RGBA floats, row-major, origin top-left.
+struct Image {
+    int width = 0;
+    int height = 0;
+    AlignedArray<float> pixels; ///< width * height * 4
+
+    void resize(int newWidth, int newHeight)
+    {
+        width = newWidth;
+        height = newHeight;
+        pixels.resize(static_cast<std::size_t>(newWidth) * static_cast<std::size_t>(newHeight) * 4);
+    }
+
+    [[nodiscard]] float* row(int y) { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4; }
+    [[nodiscard]] const float* row(int y) const { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4; }
+    [[nodiscard]] glm::vec4 at(int x, int y) const
+    {
+        const float* p = row(y) + static_cast<std::size_t>(x) * 4;
+        return {p[0], p[1], p[2], p[3]};
+    }
+};
+
+/// Averages blocks of factor by factor pixels.
+/// @param image its edges are multiples of factor
+[[nodiscard]] Image downsample(const Image& image, int factor);
+
+} // namespace fumage

@@ -1,0 +1,73 @@
+#include "core/rendering/renderer.h"
+
+namespace fumage {
+
+namespace {
+
+/// Adds the time of its life to a duration.
+class Stopwatch {
+public:
+    explicit Stopwatch(std::chrono::nanoseconds& duration)
+        : m_duration(duration)
+    {
+    }
+    ~Stopwatch() { m_duration = std::chrono::steady_clock::now() - m_start; }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+    std::chrono::nanoseconds& m_duration;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
+{
+    if (m_texture && m_noise == noise) {
+        return Done{};
+    }
+    Result<SpriteTexture> baked = SpriteTexture::bake(noise, stop);
+    if (!baked) {
+        return baked.error();
+    }
+    m_texture = std::move(baked).value();
+    m_noise = noise;
+    return Done{};
+}
+
+Status Renderer::render(const Frame& frame, const Effect& effect, int width, int height, Image& image, std::stop_token stop)
+{
+    const int factor = effect.output.supersample;
+    const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect.timeline.frameRate);
+    const View view = makeView(effect.camera, seconds, width * factor, height * factor);
+    {
+        const Stopwatch stopwatch(m_times.texture);
+        if (Status status = updateTexture(effect.noise, stop); !status) {
+            return status;
+        }
+    }
+    {
+        const Stopwatch stopwatch(m_times.light);
+        findAppearance(frame, effect, lightAxes(effect.light.direction), m_appearance);
+        lightSmoke(frame, effect, m_appearance, view.eye, m_light);
+    }
+    {
+        const Stopwatch stopwatch(m_times.sprites);
+        makeSprites(frame, effect, m_appearance, m_light, *m_texture, view, m_batch);
+    }
+    const Stopwatch stopwatch(m_times.composite);
+    Image& target = factor == 1 ? image : m_large;
+    if (Status status = m_compositor.compose(m_batch, *m_texture, target, stop); !status) {
+        return status;
+    }
+    if (factor > 1) {
+        image = downsample(m_large, factor);
+    }
+    if (effect.output.background == Background::Colour) {
+        fillBackground(image, effect.output.backgroundColour);
+    }
+    return Done{};
+}
+
+} // namespace fumage

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/lighting/light_grid.h"
+#include "core/rendering/camera.h"
+#include "core/rendering/sprite_texture.h"
+
+#include <cstdint>
+
+namespace fumage {
+
+/// One particle on the screen: an ellipse or square with its light; a cache line long.
+///
+/// A pixel at (dx, dy) from the centre lies at (p, q) = (m00 dx + m01 dy, m10 dx + m11 dy) in the sprite, whose rim is p^2 + q^2 = 1
+/// (disc) or max(|p|, |q|) = 1 (square).
+struct alignas(64) Sprite {
+    float x = 0.0F; ///< centre, pixels from the left
+    float y = 0.0F; ///< pixels from the top
+    float halfWidth = 0.0F; ///< of the box around it, pixels; 0: not visible
+    float halfHeight = 0.0F;
+    float m00 = 0.0F, m01 = 0.0F, m10 = 0.0F, m11 = 0.0F;
+    float direct[3] = {};      ///< colour of what the sun gives, linear
+    float opacity = 0.0F;      ///< at the centre, in [0, 1]; for a plain sprite with the texture in it
+    float ambient[3] = {};     ///< colour of everything else
+    std::uint32_t texture = 0; ///< see packTexture()
+};
+
+/// Where a textured sprite reads the noise, in 32 bits.
+struct TextureRef {
+    int slice = 0;            ///< 0..127
+    int level = kPlain;       ///< resolution; kPlain: the sprite is too small to show a texture
+    std::uint32_t u = 0;      ///< offset into the tile, in 1/256 of it
+    std::uint32_t v = 0;
+    float erosion = 0.0F;     ///< the noise below this is gone, in 1/32
+
+    static constexpr int kPlain = 15;
+};
+[[nodiscard]] constexpr std::uint32_t packTexture(std::uint32_t slice, std::uint32_t level, std::uint32_t u, std::uint32_t v, std::uint32_t erosion)
+{
+    return slice | level << 7U | (u & 255U) << 11U | (v & 255U) << 19U | erosion << 27U;
+}
+[[nodiscard]] constexpr TextureRef unpackTexture(std::uint32_t bits)
+{
+    return {static_cast<int>(bits & 127U), static_cast<int>(bits >> 7U & 15U), bits >> 11U & 255U, bits >> 19U & 255U, static_cast<float>(bits >> 27U) / 31.0F};
+}
+
+/// What all sprites of a frame share.
+struct SpriteStyle {
+    bool square = false;
+    float hardness = 1.0F;     ///< 1 / softness
+    float texture = 0.0F;      ///< how much the noise disturbs the alpha
+    float erosionSoftness = 1.0F;
+    float textureScale = 1.0F; ///< tiles across the sprite
+    float lightX = 0.0F;       ///< way of the light on the screen, y down, length up to 1
+    float lightY = 0.0F;
+    float relief = 0.0F;
+    float roundness = 0.0F;
+};
+
+/// Everything that is drawn of a frame. Sprite i belongs to slot i of the particles.
+struct SpriteBatch {
+    AlignedArray<Sprite> sprites;
+    AlignedArray<std::uint32_t> depth; ///< sort key: greater is farther; kHidden where nothing is drawn
+    SpriteStyle style;
+    View view;
+
+    static constexpr std::uint32_t kHidden = 0xffffffffU;
+    static constexpr unsigned kDepthBits = 22;
+};
+
+/// Projects and lights every particle.
+/// @param effect the look to apply
+/// O(particles). The same bits for any thread count and instruction set.
+void makeSprites(const Frame& frame, const Effect& effect, const Appearance& appearance, const LightGrid& light, const SpriteTexture& texture,
+    const View& view, SpriteBatch& out);
+
+} // namespace fumage

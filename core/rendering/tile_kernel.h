@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/rendering/compositor.h"
+
+#include <array>
+#include <span>
+
+namespace fumage {
+
+/// A tile while it is painted: planes of colour and of what still shines through.
+struct Tile {
+    /// Rows are longer than the tile by a vector, which may run past the edge; what lies there is never read.
+    static constexpr std::size_t kStride = static_cast<std::size_t>(Compositor::kTileWidth) + kAlignment / sizeof(float);
+    static constexpr std::size_t kPixels = kStride * static_cast<std::size_t>(Compositor::kTileHeight);
+
+    alignas(64) std::array<float, kPixels> through;
+    alignas(64) std::array<float, kPixels> red;
+    alignas(64) std::array<float, kPixels> green;
+    alignas(64) std::array<float, kPixels> blue;
+    int left = 0; ///< pixels of the image
+    int top = 0;
+    int right = 0; ///< exclusive
+    int bottom = 0;
+};
+
+/// Paints sorted sprites into a tile that has been cleared, and writes the tile into the image.
+/// @param entries near to far
+void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image);
+
+} // namespace fumage

@@ -1,0 +1,103 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/rendering/view_transform.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "core/base/math-inl.h"
+#include "core/base/math.h"
+#include "core/base/parallel.h"
+#include "core/rendering/view_transform.h"
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+
+HWY_INLINE V srgb(D d, V linear)
+{
+    const V bent = hn::Sub(hn::Mul(hn::Set(d, 1.055F), exponential(d, hn::Mul(logarithm(d, linear), hn::Set(d, 1.0F / 2.4F)))), hn::Set(d, 0.055F));
+    return hn::IfThenElse(hn::Le(linear, hn::Set(d, 0.0031308F)), hn::Mul(linear, hn::Set(d, 12.92F)), bent);
+}
+
+HWY_INLINE V filmic(D d, V x)
+{
+    const V top = hn::Mul(x, mulAdd(hn::Set(d, 2.51F), x, hn::Set(d, 0.03F)));
+    const V bottom = mulAdd(x, mulAdd(hn::Set(d, 2.43F), x, hn::Set(d, 0.59F)), hn::Set(d, 0.14F));
+    return hn::Div(top, bottom);
+}
+
+/// Encodes one row of RGBA floats into floats in [0, 1]; all channels go through the same operations and alpha is put back.
+void encodeRow(const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT straight)
+{
+    const D d;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float alpha = from[i * 4 + 3];
+        const float share = alpha > 0.0F ? gain / alpha : 0.0F;
+        straight[i * 4] = from[i * 4] * share;
+        straight[i * 4 + 1] = from[i * 4 + 1] * share;
+        straight[i * 4 + 2] = from[i * 4 + 2] * share;
+        straight[i * 4 + 3] = 0.0F;
+    }
+    for (std::size_t i = 0; i < count * 4; i += hn::Lanes(d)) {
+        const V linear = hn::LoadU(d, straight + i);
+        hn::StoreU(clamp01(d, srgb(d, isFilmic ? filmic(d, linear) : linear)), d, straight + i);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        straight[i * 4 + 3] = from[i * 4 + 3];
+    }
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumage {
+
+HWY_EXPORT(encodeRow);
+
+namespace {
+
+template <class Channel>
+void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& out)
+{
+    constexpr std::size_t kPadding = kAlignment;
+    constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
+    constexpr float kLnTwo = 0.693147180559945309F;
+    const auto width = static_cast<std::size_t>(image.width);
+    const float gain = portableExp(output.exposure * kLnTwo);
+    out.width = image.width;
+    out.height = image.height;
+    out.pixels.resize(width * static_cast<std::size_t>(image.height) * 4);
+    parallelFor(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+        AlignedArray<float> line(width * 4 + kPadding);
+        HWY_DYNAMIC_DISPATCH(encodeRow)(image.row(static_cast<int>(y)), width, gain, output.viewTransform == ViewTransform::Filmic, line.data());
+        Channel* to = out.pixels.data() + y * width * 4;
+        for (std::size_t i = 0; i < width * 4; ++i) {
+            to[i] = static_cast<Channel>(static_cast<int>(line[i] * kFull + 0.5F));
+        }
+    });
+}
+
+} // namespace
+
+void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out)
+{
+    encodeAll(image, output, out);
+}
+
+void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out)
+{
+    encodeAll(image, output, out);
+}
+
+float srgbFromLinear(float linear)
+{
+    return linear <= 0.0031308F ? 12.92F * linear : 1.055F * portablePow(linear, 1.0F / 2.4F) - 0.055F;
+}
+
+} // namespace fumage
+#endif

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/effect/effect.h"
+#include "core/rendering/image.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace fumage {
+
+/// A picture as files and screens take it: straight alpha, sRGB.
+template <class Channel>
+struct EncodedImage {
+    int width = 0;
+    int height = 0;
+    std::vector<Channel> pixels; ///< width * height * 4, row-major, origin top-left
+};
+
+/// Encodes linear light for display: exposure, then the view transform, then the sRGB curve (IEC 61966-2-1), with straight alpha.
+/// Filmic is the fit of Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
+/// O(pixels). The same bits for any thread count and instruction set.
+void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out);
+void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out);
+
+/// The sRGB curve for one linear value of 0 or more; values above 1 go on along the curve.
+[[nodiscard]] float srgbFromLinear(float linear);
+
+} // namespace fumage

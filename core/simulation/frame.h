@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/simulation/model.h"
+#include "core/simulation/particles.h"
+
+#include <memory>
+
+namespace fumage {
+
+/// The smoke at one frame: a pure function of (effect, frame number).
+struct Frame {
+    std::shared_ptr<const Model> model;
+    int number = 0;
+    std::int64_t step = 0;
+    Particles particles;
+};
+
+/// What fading and dying make of a particle; the same rules as the drawing kernels.
+struct Lifecycle {
+    float age = 0.0F;   ///< s
+    float life = 0.0F;  ///< share of its life that has passed, in [0, 1)
+    float alpha = 0.0F; ///< Ai - fade * age (eq. XIII), with lifetime variance as a faster fade
+    bool alive = false;
+};
+
+/// @param slot index below particles.capacity
+[[nodiscard]] Lifecycle lifecycle(const Frame& frame, std::size_t slot);
+
+} // namespace fumage

@@ -1,0 +1,158 @@
+#include "core/simulation/model.h"
+
+#include "core/base/hash.h"
+#include "core/base/math.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+namespace {
+
+// Streams of the random numbers that belong to the whole effect and not to a particle.
+enum EffectStream : std::uint32_t { kGustStrength = 101, kGustAngle = 102, kRotation = 103, kTurbulence = 104 };
+
+/// Gusts turn the wind by at most this, degrees.
+constexpr float kGustAngleRange = 60.0F;
+
+/// 1 / root mean square of a component of the raw curl noise of simplex-inl.h, measured over 10^6 points; includes the 2^-31
+/// of its random components.
+constexpr float kCurlNormalisation = 21.6F * 0x1p-31F;
+
+/// Rates of eddies grow with the 2/3 power of their wave number (Kolmogorov 1941).
+constexpr float kTurnoverExponent = 2.0F / 3.0F;
+
+float smoothStep(float t)
+{
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// A point in a periodic or endless row of random values: two neighbours and the way between them.
+struct RowPosition {
+    std::int64_t before = 0;
+    std::int64_t after = 0;
+    float fraction = 0.0F;
+};
+
+RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep)
+{
+    const std::int64_t cells = schedule.loopSteps == 0
+        ? 0
+        : std::max<std::int64_t>(1, std::llround(cellsPerStep * static_cast<double>(schedule.loopSteps)));
+    const double position = cells == 0
+        ? cellsPerStep * static_cast<double>(step)
+        : static_cast<double>(schedule.randomStep(step) * cells) / static_cast<double>(schedule.loopSteps);
+    const double cell = std::floor(position);
+    RowPosition row;
+    row.before = static_cast<std::int64_t>(cell);
+    row.after = cells == 0 ? row.before + 1 : (row.before + 1) % cells;
+    row.fraction = static_cast<float>(position - cell);
+    return row;
+}
+
+} // namespace
+
+Model::Model(const Effect& effect)
+    : m_effect(effect)
+    , m_schedule(makeSchedule(effect))
+{
+}
+
+float Model::wander(std::int64_t step, float rate, std::uint32_t stream) const
+{
+    const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
+    const std::uint32_t seed = streamBits(m_effect.emitter.seed, stream);
+    const float a = signedFloat(birthKey(seed, static_cast<std::uint64_t>(row.before)));
+    const float b = signedFloat(birthKey(seed, static_cast<std::uint64_t>(row.after)));
+    return a + (b - a) * smoothStep(row.fraction);
+}
+
+glm::vec3 Model::windAt(std::int64_t step) const
+{
+    const Motion& motion = m_effect.motion;
+    const float strength = motion.wind * (1.0F + motion.gust * wander(step, motion.gustRate, kGustStrength));
+    const float angle = radians(motion.windAngle + motion.gust * kGustAngleRange * wander(step, motion.gustRate, kGustAngle));
+    return {strength * portableCos(angle), 0.0F, strength * portableSin(angle)};
+}
+
+float Model::rotationAt(std::int64_t step) const
+{
+    const std::uint32_t bits = streamBits(stepKey(m_effect.emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step))), kRotation);
+    return radians(m_effect.motion.rotation + m_effect.motion.rotationJitter * signedFloat(bits)) * m_schedule.dt;
+}
+
+OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
+{
+    const Turbulence& turbulence = m_effect.turbulence;
+    const auto order = static_cast<float>(octave);
+    OctaveAtStep out;
+    out.frequency = portablePow(turbulence.lacunarity, order);
+    const float amplitude = turbulence.strength * portablePow(turbulence.roughness, order) * kCurlNormalisation;
+    const std::uint32_t seed = streamBits(m_effect.emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
+    const float latticePerMetre = out.frequency / turbulence.scale;
+    const bool moving = turbulence.evolution > 0.0F || (m_schedule.loopSteps != 0 && turbulence.drift != 0.0F);
+    if (!moving) {
+        const float seconds = static_cast<float>(m_schedule.randomStep(step)) * m_schedule.dt;
+        out.key = {streamBits(seed, 0), 0};
+        out.weight = {amplitude, 0.0F};
+        out.offset = {-turbulence.drift * seconds * latticePerMetre, 0.0F};
+        return out;
+    }
+    const float rate = turbulence.evolution * portablePow(out.frequency, kTurnoverExponent);
+    const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
+    // In a loop the rate is rounded to whole cells, of which one lasts at most the loop.
+    const float cellSeconds = m_schedule.loopSteps == 0
+        ? 1.0F / rate
+        : static_cast<float>(m_schedule.loopSteps) * m_schedule.dt / std::max(1.0F, std::round(rate * m_schedule.dt * static_cast<float>(m_schedule.loopSteps)));
+    const float blend = 0.5F * kPi * smoothStep(row.fraction);
+    const float lattice = turbulence.drift * cellSeconds * latticePerMetre;
+    out.key = {birthKey(seed, static_cast<std::uint64_t>(row.before)), birthKey(seed, static_cast<std::uint64_t>(row.after))};
+    // Sine and cosine keep the variance of the sum constant while the slices cross-fade.
+    out.weight = {amplitude * portableCos(blend), amplitude * portableSin(blend)};
+    out.offset = {-lattice * row.fraction, -lattice * (row.fraction - 1.0F)};
+    return out;
+}
+
+StepConstants Model::constants(std::int64_t step) const
+{
+    const Motion& motion = m_effect.motion;
+    const Turbulence& turbulence = m_effect.turbulence;
+    const float dt = m_schedule.dt;
+    const float r = motion.randomness;
+
+    StepConstants out;
+    out.key = stepKey(m_effect.emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
+    out.dt = dt;
+    out.step = static_cast<std::int32_t>(step);
+    const glm::vec3 acceleration = windAt(step) - glm::vec3(0.0F, motion.gravity / motion.mass, 0.0F);
+    out.steady = acceleration * ((1.0F - r) * dt);
+    out.random = acceleration * (r * dt * 0x1p-31F);
+    out.randomness = r;
+    out.buoyancy = motion.buoyancy * dt;
+    out.cooling = motion.cooling;
+    out.heatVariance = motion.heatVariance;
+    out.pull = motion.pull * dt;
+    out.dragFactor = portableExp(-motion.drag * dt);
+    out.pivot = m_effect.emitter.position;
+    if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
+        const float angle = rotationAt(step);
+        out.rotationSin = portableSin(angle);
+        out.rotationCos = portableCos(angle);
+    }
+    out.vortexStrength = m_effect.vortex.strength;
+    out.vortexRadius = m_effect.vortex.radius;
+    out.vortexAxis = m_effect.vortex.axis;
+    out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
+    out.turbulenceFrequency = 1.0F / turbulence.scale;
+    out.onset = turbulence.onset;
+    out.growth = turbulence.growth;
+    for (int octave = 0; octave < out.octaves; ++octave) {
+        out.octave[static_cast<std::size_t>(octave)] = octaveAt(step, octave);
+    }
+    out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F && motion.rotationJitter == 0.0F
+        && out.vortexStrength == 0.0F && out.octaves == 0;
+    return out;
+}
+
+} // namespace fumage

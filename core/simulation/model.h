@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/simulation/schedule.h"
+
+#include <array>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// One octave of turbulence at one step: two slices of time that cross-fade, each moving with its own drift.
+struct OctaveAtStep {
+    float frequency = 1.0F; ///< relative to the first octave
+    std::array<std::uint32_t, 2> key{};
+    std::array<float, 2> weight{}; ///< m/s, with the normalisation of the noise; 0: skip
+    std::array<float, 2> offset{}; ///< along y, in lattice units
+};
+
+inline constexpr int kMaxTurbulenceOctaves = 8;
+
+/// Everything about a step that is the same for all particles.
+struct StepConstants {
+    std::uint32_t key = 0;
+    float dt = 0.0F;
+    std::int32_t step = 0;
+
+    bool plain = true;        ///< nothing but the terms of the 2012 model without rotation
+    glm::vec3 steady{0.0F};   ///< a (1 - r) dt of wind and gravity, m/s
+    glm::vec3 random{0.0F};   ///< a r dt, times 2^-31: multiplies a random int32
+
+    float randomness = 0.0F;
+    float buoyancy = 0.0F; ///< times dt, m/s
+    float cooling = 0.0F;
+    float heatVariance = 0.0F;
+    float pull = 0.0F; ///< times dt, 1/s
+    float dragFactor = 1.0F;
+    glm::vec3 pivot{0.0F}; ///< the emitter
+    float rotationSin = 0.0F;
+    float rotationCos = 1.0F;
+
+    float vortexStrength = 0.0F;
+    float vortexRadius = 1.0F;
+    glm::vec3 vortexAxis{0.0F, 1.0F, 0.0F};
+
+    int octaves = 0;
+    float turbulenceFrequency = 1.0F; ///< 1/m, of the first octave
+    float onset = 0.0F;
+    float growth = 0.0F;
+    std::array<OctaveAtStep, kMaxTurbulenceOctaves> octave{};
+};
+
+/// An effect as the simulation sees it: schedule and constants in base units.
+class Model {
+public:
+    explicit Model(const Effect& effect);
+
+    [[nodiscard]] const Effect& effect() const { return m_effect; }
+    [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
+
+    /// What moves particles from step - 1 to step.
+    [[nodiscard]] StepConstants constants(std::int64_t step) const;
+
+    /// Wind acceleration with its gusts at a step, m/s^2: (Vw cos theta, 0, Vw sin theta), eq. III and V.
+    [[nodiscard]] glm::vec3 windAt(std::int64_t step) const;
+
+    /// Angle by which the whole cloud turns in one step, radians.
+    [[nodiscard]] float rotationAt(std::int64_t step) const;
+
+private:
+    /// Smooth random value in [-1, 1] of time; whole in a loop.
+    [[nodiscard]] float wander(std::int64_t step, float rate, std::uint32_t stream) const;
+    [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
+
+    Effect m_effect;
+    Schedule m_schedule;
+};
+
+} // namespace fumage

@@ -1,0 +1,72 @@
+#include "core/simulation/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+namespace {
+
+/// Longer than any timeline: a burst that does not come again.
+constexpr std::int64_t kNever = std::int64_t{1} << 40;
+
+constexpr std::int64_t ceilDivide(std::int64_t a, std::int64_t b)
+{
+    return (a + b - 1) / b;
+}
+
+std::int64_t wholeSteps(double seconds, double dt)
+{
+    // 5 s in steps of 1/30 s are 150 steps although the quotient of the floats is a hair more.
+    constexpr double kRoundingOfFloats = 1e-5;
+    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(seconds / dt * (1.0 - kRoundingOfFloats))));
+}
+
+} // namespace
+
+std::int64_t Schedule::birthsBefore(std::int64_t step) const
+{
+    if (step <= 0) {
+        return 0;
+    }
+    const std::int64_t period = step / periodSteps;
+    const std::int64_t within = std::min(step - period * periodSteps, windowSteps);
+    return period * birthsPerPeriod + ceilDivide(within * birthsPerPeriod, windowSteps);
+}
+
+std::int64_t Schedule::capacity() const
+{
+    const std::int64_t rest = lifetimeSteps % periodSteps;
+    const std::int64_t inRest = rest == 0 ? 0 : std::min(birthsPerPeriod, ceilDivide(rest * birthsPerPeriod, windowSteps) + 1);
+    return std::max<std::int64_t>(1, lifetimeSteps / periodSteps * birthsPerPeriod + inRest);
+}
+
+Schedule makeSchedule(const Effect& effect)
+{
+    const Timeline& timeline = effect.timeline;
+    const std::int64_t count = effect.emitter.count;
+    const double dt = 1.0 / (static_cast<double>(timeline.frameRate) * timeline.stepsPerFrame);
+
+    Schedule schedule;
+    schedule.dt = static_cast<float>(dt);
+    schedule.stepsPerFrame = timeline.stepsPerFrame;
+    schedule.lifetimeSteps = wholeSteps(static_cast<double>(effect.life.initialAlpha) / static_cast<double>(effect.life.fadeRate), dt);
+    schedule.loopSteps = timeline.loop ? static_cast<std::int64_t>(timeline.length) * timeline.stepsPerFrame : 0;
+
+    const bool burst = effect.emitter.mode == EmissionMode::Burst;
+    const std::int64_t lifetime = schedule.lifetimeSteps;
+    if (timeline.loop) {
+        schedule.periodSteps = schedule.loopSteps;
+        schedule.birthsPerPeriod = burst ? count / ceilDivide(lifetime, schedule.loopSteps) : count * schedule.loopSteps / lifetime;
+        schedule.firstStep = ceilDivide(lifetime, schedule.loopSteps) * schedule.loopSteps;
+    } else {
+        schedule.periodSteps = burst ? kNever : lifetime;
+        schedule.birthsPerPeriod = count;
+        schedule.firstStep = timeline.prewarm && !burst ? lifetime : 0;
+    }
+    schedule.birthsPerPeriod = std::max<std::int64_t>(1, schedule.birthsPerPeriod);
+    schedule.windowSteps = burst ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect.emitter.burstDuration), dt)) : schedule.periodSteps;
+    return schedule;
+}
+
+} // namespace fumage

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/effect/effect.h"
+
+#include <cstdint>
+
+namespace fumage {
+
+/// When each particle is born and how long it lives, in whole steps: closed forms, so that any step can be reached at once.
+///
+/// Births repeat with a period of periodSteps; each period has birthsPerPeriod of them, spread over its first windowSteps.
+/// A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1.
+struct Schedule {
+    float dt = 0.0F;                  ///< seconds a step
+    std::int64_t lifetimeSteps = 1;   ///< L = ceil(Ai / (fade dt)), eq. XIII of the 2012 model
+    std::int64_t birthsPerPeriod = 1;
+    std::int64_t periodSteps = 1;
+    std::int64_t windowSteps = 1;     ///< at most periodSteps
+    std::int64_t firstStep = 0;       ///< the step of frame 0; smoke may have been rising before it
+    std::int64_t loopSteps = 0;       ///< 0 where the effect does not loop
+    std::int64_t stepsPerFrame = 1;
+
+    /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step 0.
+    [[nodiscard]] std::int64_t birthsBefore(std::int64_t step) const;
+
+    /// Most particles that are ever alive at once.
+    [[nodiscard]] std::int64_t capacity() const;
+
+    /// The index that randomness sees: the same in every turn of a loop.
+    [[nodiscard]] std::int64_t randomIndex(std::int64_t birthIndex) const { return loopSteps == 0 ? birthIndex : birthIndex % birthsPerPeriod; }
+
+    /// The step that randomness and moving fields see: the same in every turn of a loop.
+    [[nodiscard]] std::int64_t randomStep(std::int64_t step) const { return loopSteps == 0 ? step : step % loopSteps; }
+
+    [[nodiscard]] std::int64_t stepOfFrame(std::int64_t frame) const { return firstStep + frame * stepsPerFrame; }
+};
+
+/// @param effect in range
+[[nodiscard]] Schedule makeSchedule(const Effect& effect);
+
+} // namespace fumage

@@ -1,0 +1,69 @@
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+/// Checkpoints a lifetime: a jump steps an eighth of a pre-roll at most once they are there.
+constexpr std::int64_t kCheckpointsALifetime = 8;
+
+} // namespace
+
+Simulator::Simulator(const Effect& effect, std::size_t checkpointBytes)
+    : m_model(std::make_shared<const Model>(effect))
+    , m_checkpoints(checkpointBytes)
+{
+}
+
+std::shared_ptr<const Frame> Simulator::nearestBefore(int number) const
+{
+    std::shared_ptr<const Frame> checkpoint = m_checkpoints.nearestBefore(number);
+    const bool latestIsNearer = m_latest && m_latest->number <= number && (!checkpoint || checkpoint->number < m_latest->number);
+    return latestIsNearer ? m_latest : checkpoint;
+}
+
+std::shared_ptr<Frame> Simulator::blankFrame()
+{
+    for (const std::shared_ptr<Frame>& frame : m_pool) {
+        if (frame.use_count() == 1) {
+            return frame;
+        }
+    }
+    // All are in use elsewhere, as checkpoints perhaps: the oldest makes room for a new one.
+    constexpr std::size_t kFramesReused = 4;
+    if (m_pool.size() == kFramesReused) {
+        m_pool.erase(m_pool.begin());
+    }
+    return m_pool.emplace_back(std::make_shared<Frame>());
+}
+
+Result<std::shared_ptr<const Frame>> Simulator::frame(int number, std::stop_token stop)
+{
+    const Schedule& schedule = m_model->schedule();
+    if (schedule.loopSteps != 0) {
+        number %= m_model->effect().timeline.length;
+    }
+    const std::shared_ptr<const Frame> start = nearestBefore(number);
+    if (start && start->number == number) {
+        return start;
+    }
+    const std::int64_t step = schedule.stepOfFrame(number);
+    const std::int64_t preRollStart = step - schedule.lifetimeSteps;
+    const std::shared_ptr<Frame> next = blankFrame();
+    const Status status = start && start->step >= preRollStart
+        ? advanceInto(*m_model, start->particles, next->particles, start->step, step, stop)
+        : advanceFromNothing(*m_model, next->particles, step, stop);
+    if (!status) {
+        return status.error();
+    }
+    next->model = m_model;
+    next->number = number;
+    next->step = step;
+    m_latest = next;
+    m_checkpoints.offer(m_latest, static_cast<int>(std::max<std::int64_t>(1, schedule.lifetimeSteps / schedule.stepsPerFrame / kCheckpointsALifetime)));
+    return m_latest;
+}
+
+} // namespace fumage

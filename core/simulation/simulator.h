@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/simulation/advance.h"
+#include "core/simulation/checkpoints.h"
+#include "core/simulation/frame.h"
+
+#include <memory>
+#include <vector>
+
+namespace fumage {
+
+/// Gives the frames of one effect, in any order.
+///
+/// Playing forwards costs one frame's steps; a jump costs those since the nearest checkpoint, and at most one lifetime.
+/// Not thread-safe; each worker has its own. Frames that were handed out may be read by any thread.
+class Simulator {
+public:
+    /// @param checkpointBytes memory that checkpoints may take
+    explicit Simulator(const Effect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes);
+
+    /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
+    /// @error Cancelled
+    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, std::stop_token stop = {});
+
+    [[nodiscard]] const Model& model() const { return *m_model; }
+
+    static constexpr std::size_t kDefaultCheckpointBytes = std::size_t{256} << 20U;
+
+private:
+    [[nodiscard]] std::shared_ptr<const Frame> nearestBefore(int number) const;
+    [[nodiscard]] std::shared_ptr<Frame> blankFrame();
+
+    std::shared_ptr<const Model> m_model;
+    Checkpoints m_checkpoints;
+    std::shared_ptr<const Frame> m_latest;
+    std::vector<std::shared_ptr<Frame>> m_pool; ///< frames to write into again once nobody else holds them
+};
+
+} // namespace fumage

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/simulation/model.h"
+#include "core/simulation/particles.h"
+
+#include <span>
+
+namespace fumage {
+
+/// Moves one chunk of particles by one step, in place. Slots that are not alive are moved too; nothing reads them.
+///
+/// acc = a (1 - r + r rand()) for each component, V += acc dt, then drag, then P += (V + u) dt, with u the velocity of turbulence and
+/// vortex at P, then the rotation of the whole cloud. With everything of part 2 at zero this is eq. III to V and IX to XII of the 2012 model.
+/// @param chunk index below particles.chunks()
+/// Thread-safe for different chunks. The same bits on every instruction set.
+void stepChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);
+
+/// Evaluates the turbulence of a step at points, m/s, as stepChunk() does for particles older than the onset.
+/// @param x,y,z        positions, m; all spans have the same length
+/// @param vx,vy,vz     results
+void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y, std::span<const float> z,
+    std::span<float> vx, std::span<float> vy, std::span<float> vz);
+
+} // namespace fumage
