@@ -14,19 +14,6 @@ namespace {
 /// Steps whose constants are kept at once: a pre-roll of any length takes this much memory.
 constexpr std::int64_t kStepsAtOnce = 128;
 
-/// The particles [first, last) of consecutive birth index that fall into slots [begin, end), in up to two laps of the ring.
-template <class Visit>
-void forSlots(std::int64_t first, std::int64_t last, std::int64_t capacity, std::int64_t begin, std::int64_t end, const Visit& visit)
-{
-    for (std::int64_t lap = first / capacity * capacity; lap < last; lap += capacity) {
-        const std::int64_t low = std::max(first, lap + begin);
-        const std::int64_t high = std::min(last, lap + end);
-        for (std::int64_t index = low; index < high; ++index) {
-            visit(index, static_cast<std::size_t>(index - lap));
-        }
-    }
-}
-
 class ChunkRunner {
 public:
     ChunkRunner(const Model& model, Particles& particles)
@@ -34,45 +21,72 @@ public:
         , m_schedule(model.schedule())
         , m_birthPlace(model.effect().emitter, m_schedule.dt)
         , m_particles(particles)
+        , m_capacity(static_cast<std::int64_t>(particles.capacity))
     {
     }
 
-    void run(std::size_t chunk, std::span<const StepConstants> steps) const
+    /// @param from the step that the chunk's state is at
+    void run(std::size_t chunk, std::int64_t from, std::span<const StepConstants> steps) const
     {
-        const auto begin = static_cast<std::int64_t>(chunk * Particles::kChunk);
-        const std::int64_t end = std::min<std::int64_t>(begin + static_cast<std::int64_t>(Particles::kChunk), static_cast<std::int64_t>(m_particles.capacity));
-        bool occupied = !empty(chunk);
+        const Slots slots = slotsOf(chunk);
+        bool occupied = false;
+        forSlots(firstAlive(from), firstUnborn(from), slots, [&](std::int64_t low, std::int64_t high, std::int64_t) { occupied = occupied || low < high; });
         for (const StepConstants& constants : steps) {
             if (occupied) {
                 stepChunk(constants, m_particles, chunk);
             }
             const std::int64_t step = constants.step;
-            forSlots(m_schedule.birthsBefore(step), m_schedule.birthsBefore(step + 1), static_cast<std::int64_t>(m_particles.capacity), begin, end,
-                [&](std::int64_t index, std::size_t slot) {
-                    bear(index, slot, constants.step);
+            forSlots(m_schedule.birthsBefore(step), firstUnborn(step), slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
+                for (std::int64_t index = low; index < high; ++index) {
+                    bear(index, static_cast<std::size_t>(index - lap), constants.step);
                     occupied = true;
-                });
+                }
+            });
         }
     }
 
     /// Empties the slots of a chunk whose particles are not alive at a step.
     void bury(std::size_t chunk, std::int64_t step) const
     {
-        const std::size_t begin = chunk * Particles::kChunk;
-        for (std::size_t slot = begin; slot < begin + Particles::kChunk; ++slot) {
-            const std::int64_t birth = m_particles.birthStep[slot];
-            if (birth > step || birth + m_schedule.lifetimeSteps <= step) {
-                clear(slot);
-            }
+        const std::int64_t first = firstAlive(step);
+        const std::int64_t last = firstUnborn(step);
+        const Slots slots = slotsOf(chunk);
+        if (last - first < m_capacity) {
+            // The ring's free slots are those of the births that come next.
+            forSlots(last, first + m_capacity, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
+                for (std::int64_t index = low; index < high; ++index) {
+                    put(static_cast<std::size_t>(index - lap), Birth{}, 0, Particles::kUnborn);
+                }
+            });
+        }
+        for (auto slot = static_cast<std::size_t>(slots.end); slot < (chunk + 1) * Particles::kChunk; ++slot) {
+            put(slot, Birth{}, 0, Particles::kUnborn); // padding
         }
     }
 
 private:
-    [[nodiscard]] bool empty(std::size_t chunk) const
+    /// Slots [begin, end) of a chunk without padding.
+    struct Slots {
+        std::int64_t begin, end;
+    };
+
+    [[nodiscard]] Slots slotsOf(std::size_t chunk) const
     {
-        const auto begin = m_particles.birthStep.begin() + static_cast<std::ptrdiff_t>(chunk * Particles::kChunk);
-        return std::all_of(begin, begin + static_cast<std::ptrdiff_t>(Particles::kChunk), [](std::int32_t birth) { return birth == Particles::kUnborn; });
+        const auto begin = static_cast<std::int64_t>(chunk * Particles::kChunk);
+        return {begin, std::min(begin + static_cast<std::int64_t>(Particles::kChunk), m_capacity)};
     }
+
+    /// Visits the particles [first, last) of consecutive birth index that fall into some slots, lap by lap of the ring.
+    template <class Visit>
+    void forSlots(std::int64_t first, std::int64_t last, const Slots& slots, const Visit& visit) const
+    {
+        for (std::int64_t lap = first / m_capacity * m_capacity; lap < last; lap += m_capacity) {
+            visit(std::max(first, lap + slots.begin), std::min(last, lap + slots.end), lap);
+        }
+    }
+
+    [[nodiscard]] std::int64_t firstAlive(std::int64_t step) const { return m_schedule.birthsBefore(step - m_schedule.lifetimeSteps + 1); }
+    [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     void bear(std::int64_t index, std::size_t slot, std::int32_t step) const
     {
@@ -80,8 +94,6 @@ private:
         const Birth born = m_birthPlace.birth(key);
         put(slot, born, key, step);
     }
-
-    void clear(std::size_t slot) const { put(slot, Birth{}, 0, Particles::kUnborn); }
 
     void put(std::size_t slot, const Birth& born, std::uint32_t key, std::int32_t step) const
     {
@@ -99,6 +111,7 @@ private:
     const Schedule& m_schedule;
     BirthPlace m_birthPlace;
     Particles& m_particles;
+    std::int64_t m_capacity;
 };
 
 template <class Column>
@@ -141,7 +154,7 @@ Status run(const Model& model, Particles& particles, std::int64_t from, std::int
             if (first) {
                 prepare(chunk);
             }
-            runner.run(chunk, steps);
+            runner.run(chunk, done, steps);
             if (last == to) {
                 runner.bury(chunk, to);
             }

@@ -1,0 +1,110 @@
+#include "tests/benchmarks/measure.h"
+
+#include "core/base/parallel.h"
+#include "core/preset/library.h"
+#include "core/rendering/renderer.h"
+#include "core/rendering/view_transform.h"
+#include "core/simulation/simulator.h"
+
+namespace fumage::benchmarks {
+
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+
+/// Step, light, sort and composite of frame after frame, as the viewport plays them.
+void play(benchmark::State& state, const Effect& effect, int width, int height, int threads)
+{
+    const ThreadLimit limit(threads);
+    Simulator simulator(effect, 0);
+    Renderer renderer;
+    Image image;
+    int number = 0;
+    RenderTimes sums;
+    std::chrono::nanoseconds stepping{0};
+    (void)renderer.render(*simulator.frame(number).value(), effect, width, height, image);
+    for (auto _ : state) {
+        const auto start = std::chrono::steady_clock::now();
+        const std::shared_ptr<const Frame> frame = simulator.frame(++number).value();
+        stepping += std::chrono::steady_clock::now() - start;
+        (void)renderer.render(*frame, effect, width, height, image);
+        sums.light += renderer.times().light;
+        sums.sprites += renderer.times().sprites;
+        sums.composite += renderer.times().composite;
+    }
+    const auto mean = [&](std::chrono::nanoseconds sum) { return benchmark::Counter(static_cast<double>(sum.count()) * 1e-6, benchmark::Counter::kAvgIterations); };
+    state.counters["step_ms"] = mean(stepping);
+    state.counters["light_ms"] = mean(sums.light);
+    state.counters["sprites_ms"] = mean(sums.sprites);
+    state.counters["composite_ms"] = mean(sums.composite);
+    state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+/// The default look with another number of particles: as many times fewer or smaller as keeps the picture.
+Effect defaultLook(int count)
+{
+    Effect effect;
+    const float share = static_cast<float>(effect.emitter.count) / static_cast<float>(count);
+    effect.emitter.count = count;
+    if (count > 100000) {
+        effect.look.size *= 0.56F;
+        effect.look.opacity *= 0.56F;
+    }
+    (void)share;
+    return effect;
+}
+
+void encodeForScreen(benchmark::State& state)
+{
+    Image image;
+    image.resize(kWidth, kHeight);
+    std::fill(image.pixels.begin(), image.pixels.end(), 0.5F);
+    EncodedImage<std::uint8_t> encoded;
+    for (auto _ : state) {
+        encode(image, Output{}, encoded);
+    }
+}
+
+} // namespace
+
+void addFrameBenchmarks(std::vector<Claim>& claims)
+{
+    const auto add = [](const std::string& name, const Effect& effect, int width, int height, int threads) {
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { play(state, effect, width, height, threads); })->UseRealTime()->Unit(benchmark::kMillisecond);
+    };
+    add("frame/default_100k", defaultLook(100000), kWidth, kHeight, 2);
+    add("frame/default_1M", defaultLook(1000000), kWidth, kHeight, 2);
+    add("frame/default_100k_1thread", defaultLook(100000), kWidth, kHeight, 1);
+    add("frame/default_512", Effect{}, 512, 512, 2);
+    benchmark::RegisterBenchmark("frame/encode_8bit", encodeForScreen)->UseRealTime()->Unit(benchmark::kMillisecond);
+    claims.push_back({"whole frame, default look, 100 000 particles, 1280 x 720, 2 threads", "frame/default_100k", "", "frames/s", 60.0});
+    for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
+        claims.push_back({"  part", "frame/default_100k", "", part});
+    }
+    claims.push_back({"  2 threads over 1", "frame/default_100k", "frame/default_100k_1thread", "", 1.8});
+    claims.push_back({"whole frame, 1 000 000 particles", "frame/default_1M", "", "frames/s", 15.0});
+    for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
+        claims.push_back({"  part", "frame/default_1M", "", part});
+    }
+    claims.push_back({"default preset at 512 x 512", "frame/default_512", "", "", 40.0, true});
+    claims.push_back({"encoding 1280 x 720 for the screen", "frame/encode_8bit", "", ""});
+
+    struct Row {
+        int particles;
+        double thesis;
+    };
+    const Result<PresetReading> thesis = loadPreset(std::string("thesis-2012"));
+    if (!thesis) {
+        return;
+    }
+    for (const Row& row : {Row{1000, 114.67}, Row{2500, 48.00}, Row{5000, 24.89}, Row{10000, 13.33}, Row{20000, 6.40}}) {
+        Effect effect = thesis.value().preset.effect;
+        effect.emitter.count = row.particles;
+        const std::string name = "frame/thesis_" + std::to_string(row.particles);
+        add(name, effect, kWidth, kHeight, 2);
+        claims.push_back({"2012 preset, " + std::to_string(row.particles) + " particles (2012: " + std::to_string(row.thesis).substr(0, 6) + ")", name, "", "frames/s", row.thesis});
+    }
+}
+
+} // namespace fumage::benchmarks
