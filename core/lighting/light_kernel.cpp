@@ -167,7 +167,7 @@ void sun(LightGrid& grid, const SunJob& job, int row)
         const float dv = job.eye.y - (shape.origin.y + static_cast<float>(v) * shape.cell);
         const float dw = job.eye.z - (shape.origin.z + static_cast<float>(w) * shape.cell);
         for (std::size_t i = 0; i < nu; i += hn::Lanes(d)) {
-            const V du = hn::Sub(hn::Set(d, job.eye.x - shape.origin.x), hn::Mul(hn::Iota(d, static_cast<float>(i)), hn::Set(d, shape.cell)));
+            const V du = hn::Sub(hn::Set(d, job.eye.x - shape.origin.x), hn::Mul(hn::Add(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(i))), hn::Set(d, shape.cell)));
             const V distance = hn::Sqrt(hn::Add(hn::Mul(du, du), hn::Set(d, dv * dv + dw * dw + 1e-12F)));
             const V cosine = hn::Div(hn::Set(d, dw), distance); // light travels along +w; the eye is at (du, dv, dw)
             const V tau = hn::Mul(hn::LoadU(d, depth.data() + i), hn::Set(d, shape.cell * job.shadow));

@@ -37,11 +37,18 @@ void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float f
     const V t = hn::Set(d, weightZ);
     const auto column = hn::Set(du, kColumnPrime);
     const auto points = static_cast<std::size_t>(octave.period.x);
+    const bool flat = weightZ == 0.0F;
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
-        const auto linear = hn::Mul(hn::Iota(du, static_cast<std::uint32_t>(i)), column);
+        const auto linear = hn::Mul(hn::Add(hn::Iota(du, 0U), hn::Set(du, static_cast<std::uint32_t>(i))), column);
         const auto bits0 = latticeBits(du, hn::Add(linear, row0), seed);
-        const auto bits1 = latticeBits(du, hn::Add(linear, row1), seed);
         const auto component = [&](auto bits) { return hn::ConvertTo(d, hn::BitCast(di, bits)); };
+        if (flat) {
+            hn::StoreU(component(bits0), d, row.x.data() + i);
+            hn::StoreU(component(hn::ShiftLeft<11>(bits0)), d, row.y.data() + i);
+            hn::StoreU(hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz)), d, row.z.data() + i);
+            continue;
+        }
+        const auto bits1 = latticeBits(du, hn::Add(linear, row1), seed);
         hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x.data() + i);
         hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y.data() + i);
         const V z0 = hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz));
@@ -83,17 +90,34 @@ void addPixelRow(const RowPositions& positions, const RowCoefficients& coefficie
     const D d;
     const hn::RebindToSigned<D> di;
     const std::size_t size = positions.cell.size();
+    const std::int32_t* HWY_RESTRICT cells = positions.cell.data();
+    const std::int32_t* HWY_RESTRICT lanes = positions.lane.data();
+    const float* HWY_RESTRICT fraction = positions.fraction.data();
+    const float* HWY_RESTRICT weight = positions.weight.data();
+    const float* HWY_RESTRICT c0 = coefficients.c0.data();
+    const float* HWY_RESTRICT c1 = coefficients.c1.data();
+    const float* HWY_RESTRICT d0 = coefficients.d0.data();
+    const float* HWY_RESTRICT d1 = coefficients.d1.data();
+    const auto add = [&](std::size_t i, V k0, V k1, V e0, V e1) {
+        const V f = hn::Load(d, fraction + i);
+        const V low = mulAdd(k1, f, k0);
+        const V rise = mulAdd(e1, f, e0);
+        hn::Store(hn::Add(hn::Load(d, values + i), mulAdd(hn::Load(d, weight + i), rise, low)), d, values + i);
+    };
+    if (positions.uniform) {
+        for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+            const std::int32_t cell = cells[i];
+            add(i, hn::Set(d, c0[cell]), hn::Set(d, c1[cell]), hn::Set(d, d0[cell]), hn::Set(d, d1[cell]));
+        }
+        return;
+    }
     for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
         // Cells along a row never skip one, so that a vector of pixels needs at most a vector of cells.
-        const auto first = static_cast<std::size_t>(positions.cell[i]);
-        const auto cell = hn::Sub(hn::Load(di, positions.cell.data() + i), hn::Set(di, static_cast<std::int32_t>(first)));
-        const auto lanes = hn::IndicesFromVec(d, cell);
-        const auto pick = [&](const AlignedArray<float>& column) { return hn::TableLookupLanes(hn::LoadU(d, column.data() + first), lanes); };
-        const V f = hn::Load(d, positions.fraction.data() + i);
-        const V w = hn::Load(d, positions.weight.data() + i);
-        const V low = mulAdd(pick(coefficients.c1), f, pick(coefficients.c0));
-        const V rise = mulAdd(pick(coefficients.d1), f, pick(coefficients.d0));
-        hn::StoreU(hn::Add(hn::LoadU(d, values + i), mulAdd(w, rise, low)), d, values + i);
+        const std::int32_t first = cells[i];
+        const auto within = hn::Sub(hn::Load(di, lanes + i), hn::Set(di, lanes[i]));
+        const auto order = hn::IndicesFromVec(d, within);
+        const auto pick = [&](const float* column) { return hn::TableLookupLanes(hn::LoadU(d, column + first), order); };
+        add(i, pick(c0), pick(c1), pick(d0), pick(d1));
     }
 }
 
@@ -119,7 +143,7 @@ void simplexRow(const Octave& octave, int size, float y, float z, float* values)
     const V vy = hn::Set(d, y);
     const V vz = hn::Set(d, z);
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += hn::Lanes(d)) {
-        const V x = hn::Mul(hn::Add(hn::Iota(d, static_cast<float>(i)), hn::Set(d, 0.5F)), hn::Set(d, step));
+        const V x = hn::Mul(hn::Add(hn::Iota(d, 0.5F), hn::Set(d, static_cast<float>(i))), hn::Set(d, step));
         const SimplexCorners<D> corners = simplexCorners(d, x, vy, vz);
         V sum = hn::Zero(d);
         for (int c = 0; c < 4; ++c) {
@@ -157,17 +181,21 @@ HWY_EXPORT(simplexRow);
 
 RowPositions rowPositions(int size, int cells, Interpolation kind, bool squareWeight)
 {
-    constexpr std::size_t kLanes = kAlignment / sizeof(float);
-    const std::size_t padded = roundUp(static_cast<std::size_t>(size), kLanes);
+    const std::size_t padded = roundUp(static_cast<std::size_t>(size), RowPositions::kBlock);
     RowPositions out;
     out.fraction.resize(padded);
     out.weight.resize(padded);
     out.cell.resize(padded);
+    out.lane.resize(padded);
+    out.uniform = true;
+    const double scale = static_cast<double>(cells) / size;
     for (std::size_t i = 0; i < padded; ++i) {
         const std::size_t pixel = std::min(i, static_cast<std::size_t>(size) - 1);
-        const double x = (static_cast<double>(pixel) + 0.5) * cells / size;
+        const double x = (static_cast<double>(pixel) + 0.5) * scale;
         const auto cell = static_cast<std::int32_t>(x);
         out.cell[i] = cell;
+        out.lane[i] = cell - out.cell[i / RowPositions::kBlock * RowPositions::kBlock];
+        out.uniform = out.uniform && out.lane[i] == 0;
         out.fraction[i] = static_cast<float>(x - cell);
         out.weight[i] = squareWeight ? out.fraction[i] * out.fraction[i] : interpolationWeight(kind, out.fraction[i]);
     }

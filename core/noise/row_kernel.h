@@ -18,6 +18,10 @@ struct RowPositions {
     AlignedArray<float> fraction;      ///< f of each pixel
     AlignedArray<float> weight;        ///< w(f)
     AlignedArray<std::int32_t> cell;   ///< cell of each pixel
+    AlignedArray<std::int32_t> lane;   ///< cell of each pixel, counted from that of the first pixel of its block of kBlock
+    bool uniform = false;              ///< every block of kBlock pixels lies in one cell
+
+    static constexpr std::size_t kBlock = kAlignment / sizeof(float); ///< the widest vector
 };
 
 /// Gradients of one row of lattice points, blended between two layers of z.
@@ -31,7 +35,7 @@ struct LatticeRow {
 [[nodiscard]] RowPositions rowPositions(int size, int cells, Interpolation kind, bool squareWeight);
 
 /// Gradients of lattice row y, blended in z: x = mix(gx), y = mix(gy), z = mix(gz0 fz, gz1 (fz - 1)).
-/// @param layers the two layers of z; fz in [0, 1)
+/// @param layers the two layers of z; fz in [0, 1). With weightZ = 0 only the first counts
 void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, LatticeRow& row);
 
 /// Coefficients of one pixel row of gradient noise between two lattice rows.

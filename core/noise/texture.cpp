@@ -13,7 +13,7 @@ namespace fumage {
 namespace {
 
 /// Rows that one task bakes: enough to reuse lattice rows, few enough to share the work.
-constexpr int kRowsATask = 32;
+constexpr int kRowsATask = 64;
 
 constexpr std::size_t kVectorPadding = 2 * kAlignment / sizeof(float);
 
@@ -240,12 +240,20 @@ Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, std::st
         state.line.resize(edge + kVectorPadding);
         return state;
     };
+    // Rows that are whole vectors are summed in place, where resize() has left zeros.
+    const bool inPlace = edge % RowPositions::kBlock == 0;
     forRows(size, stop, makeState, [&](int row, State& state) {
-        std::fill(state.line.begin(), state.line.end(), 0.0F);
-        for (std::size_t i = 0; i < bakers.size(); ++i) {
-            bakers[i].add(row, state.octaves[i], state.line.data());
+        float* to = tile.values.data() + static_cast<std::size_t>(row) * edge;
+        float* line = inPlace ? to : state.line.data();
+        if (!inPlace) {
+            std::fill(state.line.begin(), state.line.end(), 0.0F);
         }
-        std::copy_n(state.line.begin(), edge, tile.values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * edge));
+        for (std::size_t i = 0; i < bakers.size(); ++i) {
+            bakers[i].add(row, state.octaves[i], line);
+        }
+        if (!inPlace) {
+            std::copy_n(line, edge, to);
+        }
     });
     if (stop.stop_requested()) {
         return cancelled();

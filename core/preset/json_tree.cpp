@@ -202,7 +202,8 @@ private:
         if (m_open.empty()) {
             m_root = std::move(node);
         } else if (m_open.back().type == JsonNode::Type::Object) {
-            m_open.back().members.emplace_back(std::move(m_keys.back()), std::move(node));
+            m_open.back().keys.push_back(std::move(m_keys.back()));
+            m_open.back().items.push_back(std::move(node));
         } else {
             m_open.back().items.push_back(std::move(node));
         }
@@ -221,8 +222,8 @@ private:
 
 const JsonNode* JsonNode::find(std::string_view key) const
 {
-    const auto found = std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == key; });
-    return found == members.end() ? nullptr : &found->second;
+    const auto found = std::find(keys.begin(), keys.end(), key);
+    return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
 }
 
 Result<JsonNode> parseJson(std::string_view text)

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace fumage {
@@ -21,8 +20,8 @@ struct JsonNode {
     double number = 0.0; ///< finite
     bool isWhole = false; ///< written without fraction or exponent
     std::string string;
-    std::vector<JsonNode> items;
-    std::vector<std::pair<std::string, JsonNode>> members; ///< in the order of the file; keys differ
+    std::vector<JsonNode> items;   ///< of an array, or the values of an object, in the order of the file
+    std::vector<std::string> keys; ///< of an object: keys[i] belongs to items[i]; they differ
 
     [[nodiscard]] const JsonNode* find(std::string_view key) const;
 };

@@ -58,7 +58,9 @@ private:
         if (Status status = readHeader(root); !status) {
             return status;
         }
-        for (const auto& [key, node] : root.members) {
+        for (std::size_t i = 0; i < root.items.size(); ++i) {
+            const std::string& key = root.keys[i];
+            const JsonNode& node = root.items[i];
             if (std::find(kHeaderKeys.begin(), kHeaderKeys.end(), key) != kHeaderKeys.end()) {
                 continue;
             }
@@ -100,7 +102,9 @@ private:
         if (node.type != JsonNode::Type::Object) {
             return errorAt(node, ErrorCode::WrongType, group + ": expected an object in braces { }", "");
         }
-        for (const auto& [name, value] : node.members) {
+        for (std::size_t i = 0; i < node.items.size(); ++i) {
+            const std::string& name = node.keys[i];
+            const JsonNode& value = node.items[i];
             const Parameter* parameter = findParameter(group + "." + name);
             if (Status status = parameter == nullptr ? keepUnknown(group, name, value) : readParameter(*parameter, value); !status) {
                 return status;

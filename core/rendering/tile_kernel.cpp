@@ -32,59 +32,47 @@ HWY_INLINE Box boxOf(const Sprite& sprite, const Tile& tile)
         std::max(tile.top, first(std::max(sprite.y - sprite.halfHeight, -1e6F))), std::min(tile.bottom - 1, last(std::min(sprite.y + sprite.halfHeight, 1e6F)))};
 }
 
-/// The ellipse p^2 + q^2 = 1 as a xx dx^2 + 2 xy dx dy + yy dy^2 = 1, solved row by row.
+/// The rim p^2 + q^2 = 1 as xx dx^2 + 2 xy dx dy + yy dy^2 = 1, solved row by row.
 struct Ellipse {
     float xx, xy, yy;
-    float slant;  ///< centre of a row moves by this for each dy
-    float height; ///< yy without the slant
+    float slant;    ///< centre of a row moves by this for each dy
+    float height;   ///< yy without the slant
+    float halfRoot; ///< half width of the middle row
 
     explicit Ellipse(const Sprite& s)
         : xx(s.m00 * s.m00 + s.m10 * s.m10)
         , xy(s.m00 * s.m01 + s.m10 * s.m11)
         , yy(s.m01 * s.m01 + s.m11 * s.m11)
         , slant(-xy / xx)
-        , height(yy - xy * xy / xx)
+        , height(yy + xy * slant)
+        , halfRoot(1.0F / std::sqrt(xx))
     {
     }
 
-    /// Narrows a box to the row dy; false where the row is empty.
-    [[nodiscard]] bool row(const Sprite& sprite, const Box& box, float dy, int& first, int& last) const
+    /// Narrows a box to what two neighbouring rows cover, the first of which is at dy.
+    HWY_INLINE void rows(const Sprite& sprite, const Box& box, float dy, int& first, int& last) const
     {
-        const float rest = 1.0F - height * dy * dy;
-        if (rest <= 0.0F) {
-            return false;
-        }
-        const float half = std::sqrt(rest / xx);
-        const float middle = sprite.x + slant * dy;
-        first = std::max(box.left, static_cast<int>(std::ceil(middle - half - 0.5F)));
-        last = std::min(box.right, static_cast<int>(std::floor(middle + half - 0.5F)));
-        return first <= last;
+        // The rows are as wide together as the wider one, and the lean of the ellipse moves one against the other.
+        const float nearest = dy > 0.0F ? dy : std::min(0.0F, dy + 1.0F);
+        const float half = halfRoot * std::sqrt(std::max(0.0F, 1.0F - height * nearest * nearest)) + 0.5F * std::abs(slant);
+        const float middle = sprite.x + slant * (dy + 0.5F) - 0.5F;
+        first = std::max(box.left, static_cast<int>(std::ceil(middle - half)));
+        last = std::min(box.right, static_cast<int>(std::floor(middle + half)));
     }
 };
 
 /// Adds a layer of opacity a and colour c under what is there.
-HWY_INLINE void under(Tile& tile, std::size_t at, V a, V red, V green, V blue)
+HWY_INLINE void under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue)
 {
-    const D d;
-    const V through = hn::LoadU(d, tile.through.data() + at);
-    const V weight = hn::Mul(a, through);
-    hn::StoreU(mulAdd(weight, red, hn::LoadU(d, tile.red.data() + at)), d, tile.red.data() + at);
-    hn::StoreU(mulAdd(weight, green, hn::LoadU(d, tile.green.data() + at)), d, tile.green.data() + at);
-    hn::StoreU(mulAdd(weight, blue, hn::LoadU(d, tile.blue.data() + at)), d, tile.blue.data() + at);
-    hn::StoreU(hn::Sub(through, weight), d, tile.through.data() + at);
-}
-
-/// Profile of a soft disc from 1 - r^2: clamp(hardness (1 - r^2), 0, 1)^2.
-HWY_INLINE V discMask(D d, V inside, V hardness)
-{
-    const V t = clamp01(d, hn::Mul(inside, hardness));
-    return hn::Mul(t, t);
-}
-
-/// x coordinates of a vector of pixels relative to the sprite; exact before the subtraction, so that they do not depend on the vector's width.
-HWY_INLINE V offsets(D d, int first, float centre)
-{
-    return hn::Sub(hn::Add(hn::Iota(d, static_cast<float>(first)), hn::Set(d, 0.5F)), hn::Set(d, centre));
+    float* HWY_RESTRICT toRed = through + Tile::kPixels;
+    float* HWY_RESTRICT toGreen = through + 2 * Tile::kPixels;
+    float* HWY_RESTRICT toBlue = through + 3 * Tile::kPixels;
+    const V before = hn::LoadU(d, through);
+    const V weight = hn::Mul(a, before);
+    hn::StoreU(mulAdd(weight, red, hn::LoadU(d, toRed)), d, toRed);
+    hn::StoreU(mulAdd(weight, green, hn::LoadU(d, toGreen)), d, toGreen);
+    hn::StoreU(mulAdd(weight, blue, hn::LoadU(d, toBlue)), d, toBlue);
+    hn::StoreU(hn::Sub(before, weight), d, through);
 }
 
 HWY_INLINE std::size_t tileOffset(const Tile& tile, int x, int y)
@@ -92,27 +80,85 @@ HWY_INLINE std::size_t tileOffset(const Tile& tile, int x, int y)
     return static_cast<std::size_t>(y - tile.top) * Tile::kStride + static_cast<std::size_t>(x - tile.left);
 }
 
+/// x coordinates of a vector of pixels relative to the sprite; exact before the subtraction, so that they do not depend on the vector's width.
+HWY_INLINE V offsets(D d, V halves, int first, V centre)
+{
+    return hn::Sub(hn::Add(halves, hn::Set(d, static_cast<float>(first))), centre);
+}
+
+/// The same vector of pixels in two neighbouring rows. One row alone is a long chain of operations that wait for one another; two of them,
+/// instruction by instruction, keep the processor busy (64 px sprites: 1.7 times faster).
+struct Rows {
+    V a, b;
+};
+
+HWY_INLINE Rows both(V v)
+{
+    return {v, v};
+}
+
+HWY_INLINE Rows operator+(Rows x, Rows y)
+{
+    return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)};
+}
+
+HWY_INLINE Rows operator-(Rows x, Rows y)
+{
+    return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)};
+}
+
+HWY_INLINE Rows operator*(Rows x, Rows y)
+{
+    return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)};
+}
+
+HWY_INLINE Rows clampRows(Rows x, V low, V high)
+{
+    return {hn::Min(hn::Max(x.a, low), high), hn::Min(hn::Max(x.b, low), high)};
+}
+
+/// Something that is linear in dy, at two rows.
+HWY_INLINE Rows atRows(D d, float constant, float slope, float dy)
+{
+    return {hn::Set(d, constant + slope * dy), hn::Set(d, constant + slope * (dy + 1.0F))};
+}
+
+/// hardness (1 - yy dy^2) at two rows: what the profile still has before dx is known.
+HWY_INLINE Rows restOfRows(D d, float yy, float hardness, float dy)
+{
+    const float next = dy + 1.0F;
+    return {hn::Set(d, hardness * (1.0F - yy * dy * dy)), hn::Set(d, hardness * (1.0F - yy * next * next))};
+}
+
 /// A sprite too small for its texture: a soft disc of one colour.
 void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
 {
     const D d;
     const Box box = boxOf(sprite, tile);
-    const Ellipse ellipse(sprite);
+    const float xx = sprite.m00 * sprite.m00 + sprite.m10 * sprite.m10;
+    const float xy = sprite.m00 * sprite.m01 + sprite.m10 * sprite.m11;
+    const float yy = sprite.m01 * sprite.m01 + sprite.m11 * sprite.m11;
     const V red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
     const V green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
     const V blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
     const V opacity = hn::Set(d, sprite.opacity);
-    const V hardness = hn::Set(d, style.hardness);
-    const V xx = hn::Set(d, ellipse.xx);
+    const V bend = hn::Set(d, xx * style.hardness);
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
+    const V halves = hn::Iota(d, 0.5F);
+    const V centre = hn::Set(d, sprite.x);
     const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int y = box.top; y <= box.bottom; ++y) {
+    for (int y = box.top; y <= box.bottom; y += 2) {
         const float dy = (static_cast<float>(y) + 0.5F) - sprite.y;
-        const V slope = hn::Set(d, 2.0F * ellipse.xy * dy);
-        const V rest = hn::Set(d, 1.0F - ellipse.yy * dy * dy);
-        for (int x = box.left; x <= box.right; x += lanes) {
-            const V dx = offsets(d, x, sprite.x);
-            const V inside = hn::Sub(rest, hn::Mul(dx, mulAdd(xx, dx, slope)));
-            under(tile, tileOffset(tile, x, y), hn::Mul(opacity, discMask(d, inside, hardness)), red, green, blue);
+        const Rows slope = atRows(d, 0.0F, 2.0F * xy * style.hardness, dy);
+        const Rows rest = restOfRows(d, yy, style.hardness, dy);
+        float* at = tile.planes.data() + tileOffset(tile, box.left, y);
+        for (int x = box.left; x <= box.right; x += lanes, at += lanes) {
+            const Rows dx = both(offsets(d, halves, x, centre));
+            const Rows inside = clampRows(rest - dx * (both(hn::Mul(bend, dx.a)) + slope), zero, one);
+            const Rows alpha = both(opacity) * (inside * inside);
+            under(d, at, alpha.a, red, green, blue);
+            under(d, at + Tile::kStride, alpha.b, red, green, blue);
         }
     }
 }
@@ -125,7 +171,7 @@ struct TexturedSprite {
     float erosion, erosionScale; ///< of grey values 0..255
     float plainOpacity, noiseOpacity;
     float reliefU, reliefV; ///< shading by the noise's slope, per grey value
-    float roundP, roundQ;
+    float roundX, roundY;   ///< shading by the place in the sprite, per pixel
 
     TexturedSprite(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite)
     {
@@ -134,8 +180,9 @@ struct TexturedSprite {
         const int edge = texture.levelSize(ref.level);
         shift = std::countr_zero(static_cast<unsigned>(edge));
         texelsAcross = 0.5F * style.textureScale * static_cast<float>(edge);
-        u = static_cast<float>(ref.u) * (1.0F / 256.0F) * static_cast<float>(edge) - 0.5F;
-        v = static_cast<float>(ref.v) * (1.0F / 256.0F) * static_cast<float>(edge) - 0.5F;
+        // Half a texel from edge to centre, and another half so that rounding to the nearest finds the texel below.
+        u = static_cast<float>(ref.u) * (1.0F / 256.0F) * static_cast<float>(edge) - 1.0F;
+        v = static_cast<float>(ref.v) * (1.0F / 256.0F) * static_cast<float>(edge) - 1.0F;
         erosion = ref.erosion * 255.0F;
         erosionScale = 1.0F / (255.0F * style.erosionSoftness);
         noiseOpacity = sprite.opacity * style.texture;
@@ -148,12 +195,12 @@ struct TexturedSprite {
         const float slope = style.relief * texelsAcross / 255.0F;
         reliefU = lightP * slope;
         reliefV = lightQ * slope;
-        roundP = -lightP * style.roundness;
-        roundQ = -lightQ * style.roundness;
+        roundX = -(lightP * sprite.m00 + lightQ * sprite.m10) * style.roundness;
+        roundY = -(lightP * sprite.m01 + lightQ * sprite.m11) * style.roundness;
     }
 };
 
-template <bool kSquare>
+template <bool kSquare, bool kShaded>
 void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, Tile& tile)
 {
     const D d;
@@ -161,70 +208,109 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const TexturedSprite look(style, texture, sprite);
     const Box box = boxOf(sprite, tile);
     const Ellipse ellipse(sprite);
-    const V one = hn::Set(d, 1.0F);
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const bool narrow = box.right - box.left < lanes;
     const auto wrap = hn::Set(di, (1 << look.shift) - 1);
     const auto low = hn::Set(di, 255);
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int y = box.top; y <= box.bottom; ++y) {
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
+    const V half = hn::Set(d, 0.5F);
+    const V roundingShift = hn::Set(d, 12582912.0F);
+    const V halves = hn::Iota(d, 0.5F);
+    const V centre = hn::Set(d, sprite.x);
+    const V bend = hn::Set(d, ellipse.xx * style.hardness);
+    const V alongU = hn::Set(d, sprite.m00 * look.texelsAcross);
+    const V alongV = hn::Set(d, sprite.m10 * look.texelsAcross);
+    const V alongRound = hn::Set(d, look.roundX);
+    const V erosionScale = hn::Set(d, look.erosionScale);
+    const V erosionShift = hn::Set(d, -look.erosion * look.erosionScale);
+    const V noiseOpacity = hn::Set(d, look.noiseOpacity);
+    const V plainOpacity = hn::Set(d, look.plainOpacity);
+    const V reliefU = hn::Set(d, look.reliefU);
+    const V reliefV = hn::Set(d, look.reliefV);
+    const V directRed = hn::Set(d, sprite.direct[0]);
+    const V directGreen = hn::Set(d, sprite.direct[1]);
+    const V directBlue = hn::Set(d, sprite.direct[2]);
+    const V ambientRed = hn::Set(d, sprite.ambient[0]);
+    const V ambientGreen = hn::Set(d, sprite.ambient[1]);
+    const V ambientBlue = hn::Set(d, sprite.ambient[2]);
+    const auto* texels = reinterpret_cast<const std::int32_t*>(look.texels);
+    for (int y = box.top; y <= box.bottom; y += 2) {
         const float dy = (static_cast<float>(y) + 0.5F) - sprite.y;
         int first = box.left;
         int last = box.right;
-        if (!kSquare && !ellipse.row(sprite, box, dy, first, last)) {
-            continue;
+        if (!kSquare && !narrow) {
+            ellipse.rows(sprite, box, dy, first, last);
+            // From a whole vector on, loads and stores do not straddle cache lines; the mask leaves out what lies before the rim.
+            first = tile.left + ((first - tile.left) & -lanes);
         }
-        const V pRow = hn::Set(d, sprite.m01 * dy);
-        const V qRow = hn::Set(d, sprite.m11 * dy);
-        for (int x = first; x <= last; x += lanes) {
-            const V dx = offsets(d, x, sprite.x);
-            const V p = mulAdd(hn::Set(d, sprite.m00), dx, pRow);
-            const V q = mulAdd(hn::Set(d, sprite.m10), dx, qRow);
-            V mask;
+        const Rows rowU = atRows(d, look.u, sprite.m01 * look.texelsAcross, dy);
+        const Rows rowV = atRows(d, look.v, sprite.m11 * look.texelsAcross, dy);
+        const Rows rowRound = atRows(d, 1.0F, look.roundY, dy);
+        const Rows slope = atRows(d, 0.0F, 2.0F * ellipse.xy * style.hardness, dy);
+        const Rows rest = restOfRows(d, ellipse.yy, style.hardness, dy);
+        float* at = tile.planes.data() + tileOffset(tile, first, y);
+        for (int x = first; x <= last; x += lanes, at += lanes) {
+            const V dx = offsets(d, halves, x, centre);
+            Rows mask;
             if constexpr (kSquare) {
-                mask = hn::IfThenElseZero(hn::Lt(hn::Max(hn::Abs(p), hn::Abs(q)), one), one);
+                const auto inside = [&](float rowDy) {
+                    const V p = mulAdd(hn::Set(d, sprite.m00), dx, hn::Set(d, sprite.m01 * rowDy));
+                    const V q = mulAdd(hn::Set(d, sprite.m10), dx, hn::Set(d, sprite.m11 * rowDy));
+                    return hn::IfThenElseZero(hn::Lt(hn::Max(hn::Abs(p), hn::Abs(q)), one), one);
+                };
+                mask = {inside(dy), inside(dy + 1.0F)};
             } else {
-                mask = discMask(d, hn::Sub(one, mulAdd(p, p, hn::Mul(q, q))), hn::Set(d, style.hardness));
+                const Rows inside = clampRows(rest - both(dx) * (both(hn::Mul(bend, dx)) + slope), zero, one);
+                mask = inside * inside;
             }
 
-            const V u = mulAdd(p, hn::Set(d, look.texelsAcross), hn::Set(d, look.u));
-            const V v = mulAdd(q, hn::Set(d, look.texelsAcross), hn::Set(d, look.v));
-            const V wholeU = hn::Floor(u);
-            const V wholeV = hn::Floor(v);
-            const V fu = hn::Sub(u, wholeU);
-            const V fv = hn::Sub(v, wholeV);
-            const auto iu = hn::And(hn::ConvertTo(di, wholeU), wrap);
-            const auto iv = hn::And(hn::ConvertTo(di, wholeV), wrap);
-            const auto index = hn::Add(hn::ShiftLeftSame(iv, look.shift), iu);
-            const auto texel = hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(look.texels), index);
-            const V g00 = hn::ConvertTo(d, hn::And(texel, low));
-            const V g10 = hn::ConvertTo(d, hn::And(hn::ShiftRight<8>(texel), low));
-            const V g01 = hn::ConvertTo(d, hn::And(hn::ShiftRight<16>(texel), low));
-            const V g11 = hn::ConvertTo(d, hn::And(hn::ShiftRight<24>(texel), low));
-            const V slope0 = hn::Sub(g10, g00);
-            const V slope1 = hn::Sub(g11, g01);
-            const V row0 = mulAdd(fu, slope0, g00);
-            const V slopeV = hn::Sub(mulAdd(fu, slope1, g01), row0);
-            const V slopeU = mulAdd(fv, hn::Sub(slope1, slope0), slope0);
-            const V grey = mulAdd(fv, slopeV, row0);
+            const Rows u = both(hn::Mul(alongU, dx)) + rowU;
+            const Rows v = both(hn::Mul(alongV, dx)) + rowV;
+            // Added to 1.5 * 2^23 a float has its whole part in its lowest bits, negative ones in two's complement.
+            const Rows shiftedU = u + both(roundingShift);
+            const Rows shiftedV = v + both(roundingShift);
+            const Rows fu = (u - (shiftedU - both(roundingShift))) + both(half);
+            const Rows fv = (v - (shiftedV - both(roundingShift))) + both(half);
+            const auto fetch = [&](V whole, V row) {
+                const auto column = hn::And(hn::BitCast(di, whole), wrap);
+                const auto line = hn::ShiftLeftSame(hn::And(hn::BitCast(di, row), wrap), look.shift);
+                return hn::GatherIndex(di, texels, hn::Add(line, column));
+            };
+            const auto texelA = fetch(shiftedU.a, shiftedV.a);
+            const auto texelB = fetch(shiftedU.b, shiftedV.b);
+            const auto grey8 = [&](auto bits) { return hn::ConvertTo(d, hn::And(bits, low)); };
+            const Rows g00{grey8(texelA), grey8(texelB)};
+            const Rows g10{grey8(hn::ShiftRight<8>(texelA)), grey8(hn::ShiftRight<8>(texelB))};
+            const Rows g01{grey8(hn::ShiftRight<16>(texelA)), grey8(hn::ShiftRight<16>(texelB))};
+            const Rows g11{grey8(hn::ShiftRight<24>(texelA)), grey8(hn::ShiftRight<24>(texelB))};
+            const Rows slope0 = g10 - g00;
+            const Rows slope1 = g11 - g01;
+            const Rows row0 = fu * slope0 + g00;
+            const Rows slopeV = (fu * slope1 + g01) - row0;
+            const Rows grey = fv * slopeV + row0;
 
-            const V kept = clamp01(d, hn::Mul(hn::Sub(grey, hn::Set(d, look.erosion)), hn::Set(d, look.erosionScale)));
-            const V a = hn::Mul(mask, mulAdd(hn::Set(d, look.noiseOpacity), kept, hn::Set(d, look.plainOpacity)));
-            V shade = mulAdd(hn::Set(d, look.reliefU), slopeU, one);
-            shade = mulAdd(hn::Set(d, look.reliefV), slopeV, shade);
-            shade = mulAdd(hn::Set(d, look.roundP), p, shade);
-            shade = mulAdd(hn::Set(d, look.roundQ), q, shade);
-            shade = hn::Max(shade, hn::Zero(d));
-            under(tile, tileOffset(tile, x, y), a, mulAdd(shade, hn::Set(d, sprite.direct[0]), hn::Set(d, sprite.ambient[0])),
-                mulAdd(shade, hn::Set(d, sprite.direct[1]), hn::Set(d, sprite.ambient[1])), mulAdd(shade, hn::Set(d, sprite.direct[2]), hn::Set(d, sprite.ambient[2])));
+            const Rows kept = clampRows(grey * both(erosionScale) + both(erosionShift), zero, one);
+            const Rows a = mask * (both(noiseOpacity) * kept + both(plainOpacity));
+            if constexpr (kShaded) {
+                const Rows slopeU = fv * (slope1 - slope0) + slope0;
+                Rows shade = both(hn::Mul(alongRound, dx)) + rowRound;
+                shade = both(reliefV) * slopeV + (both(reliefU) * slopeU + shade);
+                shade = {hn::Max(shade.a, zero), hn::Max(shade.b, zero)};
+                under(d, at, a.a, mulAdd(shade.a, directRed, ambientRed), mulAdd(shade.a, directGreen, ambientGreen), mulAdd(shade.a, directBlue, ambientBlue));
+                under(d, at + Tile::kStride, a.b, mulAdd(shade.b, directRed, ambientRed), mulAdd(shade.b, directGreen, ambientGreen), mulAdd(shade.b, directBlue, ambientBlue));
+            } else {
+                under(d, at, a.a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
+                under(d, at + Tile::kStride, a.b, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
+            }
         }
     }
 }
 
 void clearTile(Tile& tile)
 {
-    tile.through.fill(1.0F);
-    tile.red.fill(0.0F);
-    tile.green.fill(0.0F);
-    tile.blue.fill(0.0F);
+    std::fill_n(tile.planes.begin(), Tile::kPixels, 1.0F);
+    std::fill(tile.planes.begin() + Tile::kPixels, tile.planes.end(), 0.0F);
 }
 
 bool isOpaque(const Tile& tile)
@@ -233,7 +319,7 @@ bool isOpaque(const Tile& tile)
     constexpr float kInvisible = 1.0F / 1024.0F;
     const V limit = hn::Set(d, kInvisible);
     for (int y = tile.top; y < tile.bottom; ++y) {
-        const float* row = tile.through.data() + tileOffset(tile, tile.left, y);
+        const float* row = tile.planes.data() + tileOffset(tile, tile.left, y);
         for (std::size_t i = 0; i < static_cast<std::size_t>(Compositor::kTileWidth); i += hn::Lanes(d)) {
             if (!hn::AllTrue(d, hn::Lt(hn::LoadU(d, row + i), limit))) {
                 return false;
@@ -247,13 +333,13 @@ void writeTile(const Tile& tile, Image& image)
 {
     for (int y = tile.top; y < tile.bottom; ++y) {
         float* HWY_RESTRICT to = image.row(y) + static_cast<std::size_t>(tile.left) * 4;
-        const std::size_t at = tileOffset(tile, tile.left, y);
+        const float* HWY_RESTRICT from = tile.planes.data() + tileOffset(tile, tile.left, y);
         const auto width = static_cast<std::size_t>(tile.right - tile.left);
         for (std::size_t i = 0; i < width; ++i) {
-            to[i * 4] = tile.red[at + i];
-            to[i * 4 + 1] = tile.green[at + i];
-            to[i * 4 + 2] = tile.blue[at + i];
-            to[i * 4 + 3] = 1.0F - tile.through[at + i];
+            to[i * 4] = from[i + Tile::kPixels];
+            to[i * 4 + 1] = from[i + 2 * Tile::kPixels];
+            to[i * 4 + 2] = from[i + 3 * Tile::kPixels];
+            to[i * 4 + 3] = 1.0F - from[i];
         }
     }
 }
@@ -264,9 +350,11 @@ void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<con
     clearTile(tile);
     for (int y = tile.top; y < tile.bottom && tile.right - tile.left < Compositor::kTileWidth; ++y) {
         for (int x = tile.right; x < tile.left + Compositor::kTileWidth; ++x) {
-            tile.through[tileOffset(tile, x, y)] = 0.0F;
+            tile.planes[tileOffset(tile, x, y)] = 0.0F;
         }
     }
+    const bool shaded = batch.style.relief != 0.0F || batch.style.roundness != 0.0F;
+    const auto paintSprite = batch.style.square ? (shaded ? paintTextured<true, true> : paintTextured<true, false>) : (shaded ? paintTextured<false, true> : paintTextured<false, false>);
     constexpr std::size_t kBetweenLooks = 32;
     constexpr std::size_t kAhead = 12;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -279,10 +367,8 @@ void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<con
         const Sprite& sprite = batch.sprites[entryIndex(entries[i])];
         if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
             paintPlain(batch.style, sprite, tile);
-        } else if (batch.style.square) {
-            paintTextured<true>(batch.style, texture, sprite, tile);
         } else {
-            paintTextured<false>(batch.style, texture, sprite, tile);
+            paintSprite(batch.style, texture, sprite, tile);
         }
     }
     writeTile(tile, image);

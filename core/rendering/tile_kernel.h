@@ -7,16 +7,15 @@
 
 namespace fumage {
 
-/// A tile while it is painted: planes of colour and of what still shines through.
+/// A tile while it is painted.
 struct Tile {
     /// Rows are longer than the tile by a vector, which may run past the edge; what lies there is never read.
     static constexpr std::size_t kStride = static_cast<std::size_t>(Compositor::kTileWidth) + kAlignment / sizeof(float);
-    static constexpr std::size_t kPixels = kStride * static_cast<std::size_t>(Compositor::kTileHeight);
+    /// Rows are painted in pairs, of which the second may lie below the edge: one more than the tile has.
+    static constexpr std::size_t kPixels = kStride * static_cast<std::size_t>(Compositor::kTileHeight + 1);
 
-    alignas(64) std::array<float, kPixels> through;
-    alignas(64) std::array<float, kPixels> red;
-    alignas(64) std::array<float, kPixels> green;
-    alignas(64) std::array<float, kPixels> blue;
+    /// Four planes: how much still shines through, then premultiplied red, green and blue.
+    alignas(64) std::array<float, 4 * kPixels> planes;
     int left = 0; ///< pixels of the image
     int top = 0;
     int right = 0; ///< exclusive

@@ -1,6 +1,5 @@
 #include "core/simulation/advance.h"
 
-#include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/simulation/step.h"
 
@@ -14,6 +13,13 @@ namespace {
 /// Steps whose constants are kept at once: a pre-roll of any length takes this much memory.
 constexpr std::int64_t kStepsAtOnce = 128;
 
+/// A step with the births that it has.
+struct PlannedStep {
+    StepConstants constants;
+    std::int64_t firstBirth = 0;
+    std::int64_t endBirth = 0;
+};
+
 class ChunkRunner {
 public:
     ChunkRunner(const Model& model, Particles& particles)
@@ -26,19 +32,18 @@ public:
     }
 
     /// @param from the step that the chunk's state is at
-    void run(std::size_t chunk, std::int64_t from, std::span<const StepConstants> steps) const
+    void run(std::size_t chunk, std::int64_t from, std::span<const PlannedStep> steps) const
     {
         const Slots slots = slotsOf(chunk);
         bool occupied = false;
         forSlots(firstAlive(from), firstUnborn(from), slots, [&](std::int64_t low, std::int64_t high, std::int64_t) { occupied = occupied || low < high; });
-        for (const StepConstants& constants : steps) {
+        for (const PlannedStep& step : steps) {
             if (occupied) {
-                stepChunk(constants, m_particles, chunk);
+                stepChunk(step.constants, m_particles, chunk);
             }
-            const std::int64_t step = constants.step;
-            forSlots(m_schedule.birthsBefore(step), firstUnborn(step), slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                for (std::int64_t index = low; index < high; ++index) {
-                    bear(index, static_cast<std::size_t>(index - lap), constants.step);
+            forSlots(step.firstBirth, step.endBirth, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
+                if (low < high) {
+                    bear(low, high, lap, step.constants.step);
                     occupied = true;
                 }
             });
@@ -55,12 +60,12 @@ public:
             // The ring's free slots are those of the births that come next.
             forSlots(last, first + m_capacity, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
                 for (std::int64_t index = low; index < high; ++index) {
-                    put(static_cast<std::size_t>(index - lap), Birth{}, 0, Particles::kUnborn);
+                    clear(static_cast<std::size_t>(index - lap));
                 }
             });
         }
         for (auto slot = static_cast<std::size_t>(slots.end); slot < (chunk + 1) * Particles::kChunk; ++slot) {
-            put(slot, Birth{}, 0, Particles::kUnborn); // padding
+            clear(slot); // padding
         }
     }
 
@@ -88,23 +93,24 @@ private:
     [[nodiscard]] std::int64_t firstAlive(std::int64_t step) const { return m_schedule.birthsBefore(step - m_schedule.lifetimeSteps + 1); }
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
-    void bear(std::int64_t index, std::size_t slot, std::int32_t step) const
+    /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.
+    void bear(std::int64_t first, std::int64_t last, std::int64_t lap, std::int32_t step) const
     {
-        const std::uint32_t key = birthKey(m_model.effect().emitter.seed, static_cast<std::uint64_t>(m_schedule.randomIndex(index)));
-        const Birth born = m_birthPlace.birth(key);
-        put(slot, born, key, step);
+        while (first < last) {
+            const std::int64_t random = m_schedule.randomIndex(first);
+            const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
+            bearParticles(m_birthPlace, random, step, static_cast<std::size_t>(first - lap), static_cast<std::size_t>(count), m_particles);
+            first += count;
+        }
     }
 
-    void put(std::size_t slot, const Birth& born, std::uint32_t key, std::int32_t step) const
+    void clear(std::size_t slot) const
     {
-        m_particles.x[slot] = born.position.x;
-        m_particles.y[slot] = born.position.y;
-        m_particles.z[slot] = born.position.z;
-        m_particles.vx[slot] = born.velocity.x;
-        m_particles.vy[slot] = born.velocity.y;
-        m_particles.vz[slot] = born.velocity.z;
-        m_particles.key[slot] = key;
-        m_particles.birthStep[slot] = step;
+        for (AlignedArray<float>* column : {&m_particles.x, &m_particles.y, &m_particles.z, &m_particles.vx, &m_particles.vy, &m_particles.vz}) {
+            (*column)[slot] = 0.0F;
+        }
+        m_particles.key[slot] = 0U;
+        m_particles.birthStep[slot] = Particles::kUnborn;
     }
 
     const Model& m_model;
@@ -138,14 +144,14 @@ template <class Prepare>
 Status run(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Prepare& prepare)
 {
     const ChunkRunner runner(model, particles);
-    std::vector<StepConstants> steps;
+    std::vector<PlannedStep> steps;
     bool first = true;
     std::int64_t done = from;
     do {
         const std::int64_t last = std::min(to, done + kStepsAtOnce);
         steps.clear();
         for (std::int64_t step = done + 1; step <= last; ++step) {
-            steps.push_back(model.constants(step));
+            steps.push_back({model.constants(step), model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
         }
         parallelFor(particles.chunks(), [&](std::size_t chunk) {
             if (stop.stop_requested()) {

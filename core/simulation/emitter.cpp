@@ -1,79 +1,161 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/simulation/emitter.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "core/base/math-inl.h"
+#include "core/base/math.h"
 #include "core/simulation/emitter.h"
 
-#include "core/base/hash.h"
-#include "core/base/math.h"
+#include <algorithm>
 
-#include <cmath>
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
 
-namespace fumage {
-
-namespace {
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using DU = hn::RebindToUnsigned<D>;
+using VU = hn::Vec<DU>;
 
 enum BirthStream : std::uint32_t { kAcross = 0, kAlong = 1, kBody = 2, kVelocityX = 3, kVelocityY = 4, kVelocityZ = 5, kConeAngle = 6, kConeTurn = 7, kBetweenSteps = 8 };
 
-float unit(std::uint32_t key, BirthStream stream)
+struct Triple {
+    V x, y, z;
+};
+
+HWY_INLINE Triple broadcast(D d, const glm::vec3& v)
 {
-    return unitFloat(streamBits(key, stream));
+    return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
 }
 
-float signedUnit(std::uint32_t key, BirthStream stream)
+/// a + b * factor
+HWY_INLINE Triple add(D d, const Triple& a, const glm::vec3& b, V factor)
 {
-    return signedFloat(streamBits(key, stream));
+    return {mulAdd(hn::Set(d, b.x), factor, a.x), mulAdd(hn::Set(d, b.y), factor, a.y), mulAdd(hn::Set(d, b.z), factor, a.z)};
 }
 
-} // namespace
-
-BirthPlace::BirthPlace(const Emitter& emitter, float dt)
-    : m_emitter(emitter)
-    , m_basis(planeBasis(emitter.normal))
-    , m_spread(radians(emitter.spread))
-    , m_dt(dt)
+HWY_INLINE V signedStream(D d, VU key, std::uint32_t stream)
 {
+    return mulAdd(hn::Set(d, 2.0F), unitStream(d, key, stream), hn::Set(d, -1.0F));
 }
 
-glm::vec3 BirthPlace::position(std::uint32_t key) const
+/// The vector form of birthKey().
+HWY_INLINE VU birthKeys(DU du, std::uint32_t seed, VU low, VU high)
 {
-    const float u = signedUnit(key, kAcross);
-    const float v = signedUnit(key, kAlong);
-    if (m_emitter.shape == EmitterShape::Rectangle) {
-        return m_emitter.position + m_basis.across * (u * 0.5F * m_emitter.width) + m_basis.along * (v * 0.5F * m_emitter.depth);
+    const VU first = mixBitsV(du, hn::Add(low, hn::Set(du, seed * 0x9e3779b9U)));
+    return mixBitsV(du, hn::Xor(first, hn::Add(hn::Mul(high, hn::Set(du, 0x85ebca6bU)), hn::Set(du, seed))));
+}
+
+HWY_INLINE Triple birthPosition(D d, const BirthPlace& place, VU key)
+{
+    const Emitter& emitter = place.emitter;
+    const V u = signedStream(d, key, kAcross);
+    const V v = signedStream(d, key, kAlong);
+    const Triple centre = broadcast(d, emitter.position);
+    if (emitter.shape == EmitterShape::Rectangle) {
+        const V across = hn::Mul(u, hn::Set(d, 0.5F * emitter.width));
+        const V along = hn::Mul(v, hn::Set(d, 0.5F * emitter.depth));
+        return add(d, add(d, centre, place.basis.across, across), place.basis.along, along);
     }
-    const float angle = kPi * u;
-    const float c = portableCos(angle);
-    const float s = portableSin(angle);
-    if (m_emitter.shape == EmitterShape::Disc) {
-        const float r = m_emitter.radius * std::sqrt(unit(key, kBody));
-        return m_emitter.position + m_basis.across * (r * c) + m_basis.along * (r * s);
+    V sine = hn::Zero(d);
+    V cosine = hn::Zero(d);
+    sinCos(d, hn::Mul(u, hn::Set(d, kPi)), sine, cosine);
+    const V body = unitStream(d, key, kBody);
+    if (emitter.shape == EmitterShape::Disc) {
+        const V r = hn::Mul(hn::Set(d, emitter.radius), hn::Sqrt(body));
+        return add(d, add(d, centre, place.basis.across, hn::Mul(r, cosine)), place.basis.along, hn::Mul(r, sine));
     }
     // Uniform in a ball: height uniform on the sphere (Archimedes), radius by the cube root.
-    const float level = std::sqrt(1.0F - v * v);
-    const float r = m_emitter.radius * portablePow(unit(key, kBody), 1.0F / 3.0F);
-    return m_emitter.position + m_basis.across * (r * level * c) + m_basis.along * (r * level * s) + m_emitter.normal * (r * v);
+    const V level = hn::Sqrt(hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(v, v))));
+    const V cubeRoot = exponential(d, hn::Mul(logarithm(d, body), hn::Set(d, 1.0F / 3.0F)));
+    const V r = hn::Mul(hn::Set(d, emitter.radius), cubeRoot);
+    const Triple flat = add(d, add(d, centre, place.basis.across, hn::Mul(r, hn::Mul(level, cosine))), place.basis.along, hn::Mul(r, hn::Mul(level, sine)));
+    return add(d, flat, emitter.normal, hn::Mul(r, v));
 }
 
-glm::vec3 BirthPlace::velocity(std::uint32_t key) const
+HWY_INLINE Triple birthVelocity(D d, const BirthPlace& place, VU key)
 {
-    glm::vec3 n = m_emitter.normal;
-    if (m_spread > 0.0F) {
-        const float tilt = m_spread * std::sqrt(unit(key, kConeAngle));
-        const float turn = kPi * signedUnit(key, kConeTurn);
-        const float s = portableSin(tilt);
-        n = n * portableCos(tilt) + m_basis.across * (s * portableCos(turn)) + m_basis.along * (s * portableSin(turn));
+    const Emitter& emitter = place.emitter;
+    Triple n = broadcast(d, emitter.normal);
+    if (place.spread > 0.0F) {
+        V tiltSine = hn::Zero(d);
+        V tiltCosine = hn::Zero(d);
+        V turnSine = hn::Zero(d);
+        V turnCosine = hn::Zero(d);
+        sinCos(d, hn::Mul(hn::Set(d, place.spread), hn::Sqrt(unitStream(d, key, kConeAngle))), tiltSine, tiltCosine);
+        sinCos(d, hn::Mul(hn::Set(d, kPi), signedStream(d, key, kConeTurn)), turnSine, turnCosine);
+        n = {hn::Mul(n.x, tiltCosine), hn::Mul(n.y, tiltCosine), hn::Mul(n.z, tiltCosine)};
+        n = add(d, add(d, n, place.basis.across, hn::Mul(tiltSine, turnCosine)), place.basis.along, hn::Mul(tiltSine, turnSine));
     }
-    const float random = m_emitter.velocityRandomness;
-    const float calm = 1.0F - random;
-    return glm::vec3(n.x * (calm + random * signedUnit(key, kVelocityX)), n.y * (calm + random * unit(key, kVelocityY)),
-               n.z * (calm + random * signedUnit(key, kVelocityZ)))
-        * m_emitter.speed;
+    const V random = hn::Set(d, emitter.velocityRandomness);
+    const V calm = hn::Set(d, 1.0F - emitter.velocityRandomness);
+    const V speed = hn::Set(d, emitter.speed);
+    return {hn::Mul(hn::Mul(n.x, mulAdd(random, signedStream(d, key, kVelocityX), calm)), speed),
+        hn::Mul(hn::Mul(n.y, mulAdd(random, unitStream(d, key, kVelocityY), calm)), speed),
+        hn::Mul(hn::Mul(n.z, mulAdd(random, signedStream(d, key, kVelocityZ), calm)), speed)};
 }
 
-Birth BirthPlace::birth(std::uint32_t key) const
+void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
 {
-    Birth born{position(key), velocity(key)};
-    if (m_emitter.subframe) {
-        born.position += born.velocity * (m_dt * unit(key, kBetweenSteps));
+    const D d;
+    const DU du;
+    constexpr std::size_t kMost = HWY_MAX_BYTES / sizeof(float);
+    HWY_ALIGN float columns[6][kMost];
+    HWY_ALIGN std::uint32_t keys[kMost];
+    for (std::size_t done = 0; done < count; done += hn::Lanes(d)) {
+        const auto index = static_cast<std::uint64_t>(randomIndex) + done;
+        const auto start = static_cast<std::uint32_t>(index);
+        const VU low = hn::Add(hn::Iota(du, 0U), hn::Set(du, start));
+        const VU carry = hn::VecFromMask(du, hn::Lt(low, hn::Set(du, start))); // all ones, which is -1, where the low half has wrapped
+        const VU high = hn::Sub(hn::Set(du, static_cast<std::uint32_t>(index >> 32U)), carry);
+        const VU key = birthKeys(du, place.emitter.seed, low, high);
+        const Triple v = birthVelocity(d, place, key);
+        Triple p = birthPosition(d, place, key);
+        if (place.emitter.subframe) {
+            const V ahead = hn::Mul(hn::Set(d, place.dt), unitStream(d, key, kBetweenSteps));
+            p = {mulAdd(v.x, ahead, p.x), mulAdd(v.y, ahead, p.y), mulAdd(v.z, ahead, p.z)};
+        }
+        hn::Store(p.x, d, columns[0]);
+        hn::Store(p.y, d, columns[1]);
+        hn::Store(p.z, d, columns[2]);
+        hn::Store(v.x, d, columns[3]);
+        hn::Store(v.y, d, columns[4]);
+        hn::Store(v.z, d, columns[5]);
+        hn::Store(key, du, keys);
+        const auto n = static_cast<std::ptrdiff_t>(std::min(hn::Lanes(d), count - done));
+        const auto to = static_cast<std::ptrdiff_t>(slot + done);
+        std::copy_n(columns[0], n, particles.x.begin() + to);
+        std::copy_n(columns[1], n, particles.y.begin() + to);
+        std::copy_n(columns[2], n, particles.z.begin() + to);
+        std::copy_n(columns[3], n, particles.vx.begin() + to);
+        std::copy_n(columns[4], n, particles.vy.begin() + to);
+        std::copy_n(columns[5], n, particles.vz.begin() + to);
+        std::copy_n(keys, n, particles.key.begin() + to);
+        std::fill_n(particles.birthStep.begin() + to, n, step);
     }
-    return born;
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumage {
+
+HWY_EXPORT(bear);
+
+BirthPlace::BirthPlace(const Emitter& from, float effectDt)
+    : emitter(from)
+    , basis(planeBasis(from.normal))
+    , spread(radians(from.spread))
+    , dt(effectDt)
+{
+}
+
+void bearParticles(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
+{
+    HWY_DYNAMIC_DISPATCH(bear)(place, randomIndex, step, slot, count, particles);
 }
 
 } // namespace fumage
+#endif

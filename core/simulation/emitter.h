@@ -2,6 +2,7 @@
 
 #include "core/base/vector.h"
 #include "core/effect/effect.h"
+#include "core/simulation/particles.h"
 
 #include <cstdint>
 
@@ -9,28 +10,25 @@
 
 namespace fumage {
 
-struct Birth {
-    glm::vec3 position{0.0F}; ///< m
-    glm::vec3 velocity{0.0F}; ///< m/s
-};
-
 /// Where and how fast particles start: eq. I and II of the 2012 model, with cone and shapes beside.
-class BirthPlace {
-public:
-    /// @param dt seconds a step, over which births between two steps are spread
-    BirthPlace(const Emitter& emitter, float dt);
+///
+/// I: P uniform on a rectangle (or disc, or in a ball) around the emitter, across its normal N.
+/// II: V = speed (Nx (1 - s + s rand()), Ny (1 - s + s positive(rand())), Nz (1 - s + s rand())), s the velocity randomness; s = 1 is the source.
+/// With a spread, N is first tilted into a cone, uniform in angle squared. Between two steps, P moves on by a random part of V dt.
+struct BirthPlace {
+    /// @param effectDt seconds a step
+    BirthPlace(const Emitter& from, float effectDt);
 
-    /// @param key random bits of the particle, see birthKey()
-    [[nodiscard]] Birth birth(std::uint32_t key) const;
-
-private:
-    [[nodiscard]] glm::vec3 position(std::uint32_t key) const;
-    [[nodiscard]] glm::vec3 velocity(std::uint32_t key) const;
-
-    Emitter m_emitter;
-    PlaneBasis m_basis;
-    float m_spread = 0.0F; ///< radians
-    float m_dt = 0.0F;
+    Emitter emitter;
+    PlaneBasis basis;
+    float spread = 0.0F; ///< radians
+    float dt = 0.0F;
 };
+
+/// Gives birth to particles of consecutive index in consecutive slots.
+/// @param randomIndex index of the first as randomness sees it; index + count does not pass the end of a loop
+/// @param slot,count  slots [slot, slot + count) of particles
+/// The same bits on every instruction set. O(count).
+void bearParticles(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles);
 
 } // namespace fumage

@@ -16,6 +16,7 @@ Effect thesisMotion(int particles)
 {
     Effect effect;
     effect.emitter.count = particles;
+    effect.emitter.shape = EmitterShape::Rectangle;
     effect.emitter.velocityRandomness = 1.0F;
     effect.emitter.spread = 0.0F;
     effect.emitter.subframe = false;
