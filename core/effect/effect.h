@@ -58,14 +58,14 @@ struct Motion {
 };
 
 struct Turbulence {
-    float strength = 0.9F;
-    float scale = 0.9F;
+    float strength = 0.42F;
+    float scale = 0.7F;
     int octaves = 4;
-    float roughness = 0.55F;
+    float roughness = 0.6F;
     float lacunarity = 2.0F;
     float evolution = 0.35F;
-    float onset = 0.9F;
-    float growth = 0.25F;
+    float onset = 0.5F;
+    float growth = 0.5F;
     float drift = 0.8F;
     friend bool operator==(const Turbulence&, const Turbulence&) = default;
 };
@@ -79,18 +79,18 @@ struct Vortex {
 
 struct Life {
     float initialAlpha = 0.1F;
-    float fadeRate = 0.022F;
+    float fadeRate = 0.028F;
     float lifetimeVariance = 0.35F;
-    Curve alphaCurve{{0.0F, 0.0F}, {0.03F, 1.0F}, {1.0F, 1.0F}};
-    Curve sizeCurve{{0.0F, 0.3F}, {0.4F, 0.65F}, {1.0F, 1.0F}};
+    Curve alphaCurve{{0.0F, 0.0F}, {0.04F, 1.0F}, {1.0F, 1.0F}};
+    Curve sizeCurve{{0.0F, 0.45F}, {0.4F, 0.75F}, {1.0F, 1.0F}};
     friend bool operator==(const Life&, const Life&) = default;
 };
 
 struct Look {
-    float size = 0.2F;
-    float sizeVariance = 0.4F;
-    float opacity = 5.0F;
-    float dilution = 0.6F;
+    float size = 0.16F;
+    float sizeVariance = 0.6F;
+    float opacity = 1.4F;
+    float dilution = 1.0F;
     glm::vec3 colour{0.82F, 0.82F, 0.82F};
     Gradient colourGradient{{0.0F, glm::vec3(1.0F)}};
     MaskShape mask = MaskShape::Disc;
@@ -128,7 +128,7 @@ struct Noise {
 };
 
 struct Light {
-    glm::vec3 direction{-0.6F, -0.7F, -0.35F};
+    glm::vec3 direction{-0.6F, -0.64F, -0.48F};
     glm::vec3 colour{1.0F, 0.96F, 0.9F};
     float intensity = 2.2F;
     float shadow = 1.0F;
@@ -141,8 +141,9 @@ struct Light {
     float emission = 0.0F;
     float emissionCooling = 2.0F;
     Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},
-        {0.25F, glm::vec3(0.25F, 0.02F, 0.0F)},
-        {0.55F, glm::vec3(1.0F, 0.25F, 0.03F)},
+        {0.15F, glm::vec3(0.0F)},
+        {0.35F, glm::vec3(0.2F, 0.015F, 0.0F)},
+        {0.6F, glm::vec3(1.0F, 0.22F, 0.02F)},
         {0.8F, glm::vec3(1.0F, 0.62F, 0.18F)},
         {1.0F, glm::vec3(1.0F, 0.85F, 0.55F)}};
     int resolution = 64;
@@ -151,7 +152,7 @@ struct Light {
 
 struct Camera {
     CameraMode mode = CameraMode::Orbit;
-    glm::vec3 target{0.0F, 2.0F, 0.0F};
+    glm::vec3 target{0.0F, 1.7F, 0.0F};
     float distance = 8.0F;
     float yaw = 0.0F;
     float pitch = 4.0F;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace fumage {
 
@@ -71,9 +72,27 @@ Result<Value> parseBool(const Parameter& parameter, std::string_view text)
     return wrongType(parameter, text);
 }
 
-/// Takes a number off the front of a list; brackets and commas between numbers have been checked by their shape.
+/// Whether the brackets of a text are those of the kind: none at all, or one pair around a vector and around each part of a list.
+bool bracketsFit(const Parameter& parameter, std::string_view text)
+{
+    std::string brackets;
+    std::copy_if(text.begin(), text.end(), std::back_inserter(brackets), [](char c) { return c == '[' || c == ']'; });
+    if (parameter.kind == Kind::Curve || parameter.kind == Kind::Gradient) {
+        std::string expected = "[";
+        while (expected.size() + 1 < brackets.size()) {
+            expected += "[]";
+        }
+        return brackets.size() > 2 && brackets == expected + "]";
+    }
+    const bool isVector = parameter.kind == Kind::Direction || parameter.kind == Kind::Vector || parameter.kind == Kind::Colour;
+    return brackets.empty() || (isVector && brackets == "[]");
+}
+
 Result<std::vector<double>> parseNumbers(const Parameter& parameter, std::string_view text)
 {
+    if (!bracketsFit(parameter, text)) {
+        return wrongType(parameter, text);
+    }
     std::string plain(text);
     std::replace_if(
         plain.begin(), plain.end(), [](char c) { return c == '[' || c == ']'; }, ' ');

@@ -18,8 +18,8 @@ using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
 /// Makes the standard deviation of one octave about 1/3, with the 2^-31 of the gradients; measured over 10^6 points.
-constexpr float kGradientScale = 1.35F * 0x1p-31F;
-constexpr float kSimplexScale = 42.0F * 0x1p-31F;
+constexpr float kGradientScale = 1.8F * 0x1p-31F;
+constexpr float kSimplexScale = 90.0F * 0x1p-31F;
 
 HWY_INLINE V mix(V a, V b, V t)
 {

@@ -18,7 +18,7 @@ constexpr float kGustAngleRange = 60.0F;
 
 /// 1 / root mean square of a component of the raw curl noise of simplex-inl.h, measured over 10^6 points; includes the 2^-31
 /// of its random components.
-constexpr float kCurlNormalisation = 21.6F * 0x1p-31F;
+constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
 
 /// Rates of eddies grow with the 2/3 power of their wave number (Kolmogorov 1941).
 constexpr float kTurnoverExponent = 2.0F / 3.0F;

@@ -1,0 +1,142 @@
+// Tests that loop over the parameter table: every parameter does something, and only what its stage says.
+
+#include "tests/helpers.h"
+
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/rendering/view_transform.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// Another value of the parameter, well away from the present one.
+Value moved(const Parameter& p, const Effect& effect)
+{
+    const Value value = p.get(effect);
+    const auto towards = [&](float from) {
+        const auto low = static_cast<float>(p.soft.low);
+        const auto high = static_cast<float>(p.soft.high);
+        return from > 0.5F * (low + high) ? from + 0.5F * (low - from) : from + 0.5F * (high - from);
+    };
+    switch (p.kind) {
+    case Kind::Bool: return !std::get<bool>(value);
+    case Kind::Choice: return (std::get<int>(value) + 1) % static_cast<int>(p.choices.size());
+    case Kind::Int: return p.key == "emitter.count" ? 1000 : static_cast<int>(towards(static_cast<float>(std::get<int>(value))));
+    case Kind::Float: return towards(std::get<float>(value));
+    case Kind::Seed: return std::get<std::uint32_t>(value) + 1U;
+    case Kind::Direction: return clampValue(p, Value(std::get<glm::vec3>(value) + glm::vec3(0.7F, 0.1F, 0.4F))).value;
+    case Kind::Vector: return std::get<glm::vec3>(value) + glm::vec3(0.3F, 0.2F, 0.1F);
+    case Kind::Colour: return std::get<glm::vec3>(value) * glm::vec3(0.3F, 0.6F, 0.9F);
+    case Kind::Curve: return Curve{{0.0F, 0.5F}, {1.0F, 0.2F}};
+    case Kind::Gradient: return Gradient{{0.0F, glm::vec3(0.1F, 0.5F, 0.9F)}, {1.0F, glm::vec3(0.9F, 0.1F, 0.3F)}};
+    }
+    return value;
+}
+
+/// The effect with everything on, and with what makes this parameter visible.
+Effect stageFor(const Parameter& p)
+{
+    Effect effect = everythingOn();
+    if (p.key == "noise.smooth") {
+        effect.noise.basis = NoiseBasis::Lattice;
+    }
+    if (const Parameter* other = findParameter(p.visible.key); other != nullptr) {
+        if (other->kind == Kind::Bool) {
+            other->set(effect, p.visible.value != 0);
+        } else {
+            other->set(effect, p.visible.value);
+        }
+    }
+    if (p.key == "timeline.prewarm") {
+        effect.timeline.loop = false;
+    }
+    if (p.key == "timeline.length") {
+        effect.timeline.loop = true;
+    }
+    return effect;
+}
+
+constexpr int kFrame = 9;
+
+} // namespace
+
+class ParametersTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void noParameterIsDead_data() { rows(); }
+    void noParameterIsDead()
+    {
+        QFETCH(QString, key);
+        const Parameter& p = *findParameter(key.toStdString());
+        Effect before = stageFor(p);
+        Effect after = before;
+        p.set(after, moved(p, before));
+        QVERIFY(isVisible(p, before));
+        QVERIFY(!differences(before, after).empty());
+        const Image a = render(before, kFrame);
+        const Image b = render(after, kFrame);
+        EncodedImageOf first(a, before);
+        EncodedImageOf second(b, after);
+        QVERIFY2(first.bytes != second.bytes, "moving it changes no pixel");
+    }
+
+    void stagesAreHonest_data() { rows(); }
+    void stagesAreHonest()
+    {
+        QFETCH(QString, key);
+        const Parameter& p = *findParameter(key.toStdString());
+        if (p.stage == Stage::Simulate) {
+            return; // may change anything
+        }
+        Effect before = stageFor(p);
+        Effect after = before;
+        p.set(after, moved(p, before));
+        QVERIFY(sameBits(frameOf(before, kFrame)->particles, frameOf(after, kFrame)->particles));
+        if (p.stage == Stage::Shade) {
+            QVERIFY(before.noise == after.noise);
+        }
+    }
+
+    void theRendererForgetsNothing()
+    {
+        // One renderer that sees one effect after the other gives the same pictures as a new one each time.
+        Renderer kept;
+        Image image;
+        for (const Parameter& p : parameterTable()) {
+            if (p.stage == Stage::Simulate || p.group() == "output") {
+                continue;
+            }
+            Effect effect = stageFor(p);
+            p.set(effect, moved(p, effect));
+            QVERIFY(kept.render(*frameOf(effect, kFrame), effect, effect.output.width, effect.output.height, image).ok());
+            QVERIFY2(sameBits(image.pixels, render(effect, kFrame).pixels), p.key.data());
+        }
+    }
+
+private:
+    struct EncodedImageOf {
+        std::vector<std::uint8_t> bytes;
+        EncodedImageOf(const Image& image, const Effect& effect)
+        {
+            EncodedImage<std::uint8_t> encoded;
+            encode(image, effect.output, encoded);
+            bytes = std::move(encoded.pixels);
+            bytes.push_back(static_cast<std::uint8_t>(image.width));
+        }
+    };
+
+    static void rows()
+    {
+        QTest::addColumn<QString>("key");
+        for (const Parameter& p : parameterTable()) {
+            const QString key = QString::fromUtf8(p.key.data(), static_cast<qsizetype>(p.key.size()));
+            QTest::newRow(qPrintable(key)) << key;
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(ParametersTest)
+#include "parameters_test.moc"

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Greps the includes: rooms of the core may look only the allowed way, and nothing of it at Qt or OpenGL.
+set -u
+cd "$1" || exit 1
+failed=0
+forbid() { # <folder> <pattern of includes> <why>
+    local found
+    found=$(grep -rnE "#include *[<\"]($2)" "$1" --include='*.h' --include='*.cpp' || true)
+    if [ -n "$found" ]; then
+        printf '%s\n%s\n' "$3:" "$found"
+        failed=1
+    fi
+}
+forbid core 'Q[A-Z]|Qt|GL/|epoxy' 'core knows no Qt and no OpenGL'
+forbid core 'ui/|app/' 'core does not know the editor or the programs'
+forbid app/cli 'Q[A-Z]|Qt|ui/' 'the command line knows no Qt'
+forbid core/base 'core/(effect|preset|noise|simulation|lighting|rendering|export)/' 'base stands below everything'
+forbid core/effect 'core/(preset|noise|simulation|lighting|rendering|export)/' 'effect knows only base'
+forbid core/preset 'core/(noise|simulation|lighting|rendering|export)/' 'preset knows effect and base'
+forbid core/noise 'core/(preset|simulation|lighting|rendering|export)/' 'noise does not know what uses it'
+forbid core/simulation 'core/(preset|lighting|rendering|export)/' 'simulation does not know rendering'
+forbid core/lighting 'core/(preset|rendering|export)/' 'lighting does not know rendering'
+forbid core/rendering 'core/(preset|export)/' 'rendering does not know files'
+exit $failed

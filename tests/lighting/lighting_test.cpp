@@ -1,0 +1,200 @@
+#include "tests/helpers.h"
+
+#include "core/lighting/light_grid.h"
+
+#include <cmath>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// A frame with particles of one mass at chosen places; ages and lives are those of newborns.
+Frame cloud(const Effect& effect, const std::vector<glm::vec3>& places)
+{
+    Frame frame;
+    frame.model = std::make_shared<const Model>(effect);
+    frame.step = 0;
+    frame.particles.reset(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        frame.particles.x[i] = places[i].x;
+        frame.particles.y[i] = places[i].y;
+        frame.particles.z[i] = places[i].z;
+        frame.particles.birthStep[i] = 0;
+    }
+    return frame;
+}
+
+Effect evenLook()
+{
+    Effect effect = thesisEffect(1);
+    effect.life.sizeCurve = Curve{{0.0F, 1.0F}};
+    effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
+    effect.look.size = 0.2F;
+    effect.look.sizeVariance = 0.0F;
+    effect.look.opacity = 5.0F; // alpha 0.5
+    effect.look.dilution = 0.0F;
+    effect.light.direction = {0.0F, -1.0F, 0.0F};
+    effect.light.anisotropy = 0.0F;
+    effect.light.scattering = 0.0F;
+    effect.light.intensity = 1.0F;
+    effect.light.resolution = 64;
+    return effect;
+}
+
+/// A box of smoke, evenly filled.
+std::vector<glm::vec3> box(int n)
+{
+    std::vector<glm::vec3> places;
+    for (int x = 0; x < n; ++x) {
+        for (int y = 0; y < n; ++y) {
+            for (int z = 0; z < n; ++z) {
+                places.push_back(glm::vec3(x, y, z) / static_cast<float>(n - 1));
+            }
+        }
+    }
+    return places;
+}
+
+struct Lit {
+    Appearance appearance;
+    LightGrid grid;
+
+    Lit(const Frame& frame, const Effect& effect, const glm::vec3& eye = {0.0F, 0.5F, 100.0F})
+    {
+        findAppearance(frame, effect, lightAxes(effect.light.direction), appearance);
+        lightSmoke(frame, effect, appearance, eye, grid);
+    }
+};
+
+} // namespace
+
+class LightingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void appearanceFollowsTheLifecycle()
+    {
+        Effect effect = everythingOn();
+        effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
+        effect.life.sizeCurve = Curve{{0.0F, 1.0F}};
+        effect.look.dilution = 0.0F;
+        effect.look.opacity = 1.0F;
+        const auto frame = frameOf(effect, 13);
+        Appearance appearance;
+        findAppearance(*frame, effect, Axes{}, appearance);
+        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+            const Lifecycle cycle = lifecycle(*frame, i);
+            QCOMPARE(appearance.life[i], cycle.life);
+            QCOMPARE(appearance.alpha[i], cycle.alpha);
+            QCOMPARE(appearance.radius[i] > 0.0F, cycle.alpha > 0.0F);
+        }
+    }
+
+    void dilutionKeepsTheAmountOfSmoke()
+    {
+        Effect effect = thesisEffect(2000);
+        effect.timeline.prewarm = true;
+        effect.life.sizeCurve = Curve{{0.0F, 0.25F}, {1.0F, 1.0F}};
+        effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
+        effect.look.sizeVariance = 0.0F;
+        effect.look.opacity = 2.0F;
+        effect.look.dilution = 1.0F;
+        const auto frame = frameOf(effect, 0);
+        Appearance appearance;
+        findAppearance(*frame, effect, Axes{}, appearance);
+        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+            const Lifecycle cycle = lifecycle(*frame, i);
+            const float smoke = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] / (2.0F * cycle.alpha);
+            QVERIFY(std::abs(smoke / (0.25F * 0.25F * 0.25F * effect.look.size * effect.look.size) - 1.0F) < 0.02F);
+        }
+    }
+
+    void densityHoldsAllOfTheSmoke()
+    {
+        const Effect effect = evenLook();
+        const Lit lit(cloud(effect, box(12)), effect);
+        double sum = 0.0;
+        for (const float density : lit.grid.density) {
+            sum += static_cast<double>(density);
+        }
+        const double volume = std::pow(static_cast<double>(lit.grid.shape.cell), 3.0);
+        const double mass = 12.0 * 12.0 * 12.0 * 0.5 * M_PI * 0.01 / 3.0;
+        QVERIFY2(std::abs(sum * volume / mass - 1.0) < 1e-3, qPrintable(QString::number(sum * volume / mass)));
+    }
+
+    void lightFallsOffExponentiallyThroughABox()
+    {
+        // A box of even extinction: behind a depth s of it, light is exp(-sigma s).
+        Effect effect = evenLook();
+        effect.light.resolution = 24;
+        const Lit lit(cloud(effect, box(24)), effect);
+        const GridShape& shape = lit.grid.shape;
+        const std::size_t nu = static_cast<std::size_t>(shape.nu);
+        const std::size_t plane = nu * static_cast<std::size_t>(shape.nv);
+        const std::size_t middle = static_cast<std::size_t>(shape.nv / 2) * nu + nu / 2;
+        const double sigma = 24.0 * 24.0 * 24.0 * 0.5 * M_PI * 0.01 / 3.0;
+        for (int w = 4; w < shape.nw - 3; ++w) {
+            const double depth = static_cast<double>(shape.origin.z + static_cast<float>(w) * shape.cell - lit.appearance.low.z);
+            const double tau = static_cast<double>(lit.grid.light[(static_cast<std::size_t>(w) * plane + middle) * 4 + 3]);
+            const double light = static_cast<double>(lit.grid.light[(static_cast<std::size_t>(w) * plane + middle) * 4]);
+            QVERIFY(std::abs(light - std::exp(-tau)) < 1e-5);
+            QVERIFY2(std::abs(tau - sigma * depth) < 0.08 * sigma, qPrintable(QString("tau %1 expected %2").arg(tau).arg(sigma * depth)));
+        }
+    }
+
+    void oneThinPuffKeepsItsLight()
+    {
+        Effect effect = evenLook();
+        effect.look.opacity = 0.01F;
+        const Lit lit(cloud(effect, {{0.0F, 0.0F, 0.0F}, {5.0F, 5.0F, 5.0F}}), effect);
+        for (std::size_t i = 0; i < lit.grid.shape.cells(); ++i) {
+            QVERIFY(lit.grid.light[i * 4] > 0.99F && lit.grid.light[i * 4] < 1.001F);
+            QVERIFY(std::abs(lit.grid.light[i * 4 + 1] + lit.grid.light[i * 4 + 2] - 2.0F) < 0.02F); // sky and ground, each 1 where nothing is in the way
+        }
+    }
+
+    void phaseFunctionBrightensTowardsTheSun()
+    {
+        Effect effect = evenLook();
+        effect.look.opacity = 0.01F;
+        effect.light.anisotropy = 0.6F;
+        const Frame frame = cloud(effect, {{0.0F, 0.0F, 0.0F}, {0.1F, 0.1F, 0.1F}});
+        // Light travels down: an eye below looks into the sun.
+        const float into = Lit(frame, effect, {0.0F, -50.0F, 0.0F}).grid.light[0];
+        const float with = Lit(frame, effect, {0.0F, 50.0F, 0.0F}).grid.light[0];
+        QVERIFY(std::abs(into - (1.0F - 0.36F) / std::pow(0.4F, 3.0F)) < 0.1F); // (1 - g^2) / (1 - g)^3
+        QVERIFY(std::abs(with - (1.0F - 0.36F) / std::pow(1.6F, 3.0F)) < 0.01F);
+    }
+
+    void scatteringReachesDeepButDoesNotBrightenThinSmoke()
+    {
+        Effect effect = evenLook();
+        const Frame frame = cloud(effect, box(20));
+        const auto deepest = [&](float scattering) {
+            effect.light.scattering = scattering;
+            const Lit lit(frame, effect);
+            float least = 1e9F;
+            for (std::size_t i = 0; i < lit.grid.shape.cells(); ++i) {
+                least = std::min(least, lit.grid.light[i * 4]);
+            }
+            return least;
+        };
+        QVERIFY(deepest(0.8F) > 20.0F * deepest(0.0F));
+        effect.light.scattering = 0.8F;
+        effect.look.opacity = 0.001F;
+        QVERIFY(std::abs(Lit(cloud(effect, {{0.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 1.0F}}), effect).grid.light[0] - 1.0F) < 1e-3F);
+    }
+
+    void emptyFrameIsLitWithoutTrouble()
+    {
+        const Effect effect = evenLook();
+        Frame frame = cloud(effect, {{0.0F, 0.0F, 0.0F}});
+        frame.particles.birthStep[0] = Particles::kUnborn;
+        const Lit lit(frame, effect);
+        QVERIFY(lit.appearance.empty);
+    }
+};
+
+QTEST_GUILESS_MAIN(LightingTest)
+#include "lighting_test.moc"

@@ -1,0 +1,225 @@
+#include "tests/helpers.h"
+
+#include "core/base/file.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/preset/json_tree.h"
+#include "core/preset/library.h"
+#include "core/preset/schema.h"
+
+#include <QTemporaryDir>
+
+using namespace fumage;
+
+namespace {
+
+const std::string kHead = R"({"format": "fumage-preset", "version": 1, )";
+
+ErrorCode codeOf(const std::string& json)
+{
+    const Result<PresetReading> reading = parsePreset(json);
+    return reading ? ErrorCode::Cancelled : reading.error().code;
+}
+
+Preset presetOf(const Effect& effect)
+{
+    Preset preset;
+    preset.name = "A \"name\" with \u00e5";
+    preset.description = "two\nlines";
+    for (const Parameter& p : parameterTable()) {
+        setClamped(preset.effect, p, p.get(effect));
+    }
+    return preset;
+}
+
+} // namespace
+
+class PresetTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void writingAndReadingKeepsEverything()
+    {
+        const Preset preset = presetOf(tests::everythingOn());
+        const std::string json = formatPreset(preset);
+        const Result<PresetReading> reading = parsePreset(json);
+        QVERIFY2(reading.ok(), reading ? "" : reading.error().text().c_str());
+        QVERIFY(reading.value().warnings.empty());
+        QCOMPARE(reading.value().preset.name, preset.name);
+        QCOMPARE(reading.value().preset.description, preset.description);
+        QVERIFY(reading.value().preset.effect == preset.effect);
+        QCOMPARE(formatPreset(reading.value().preset), json);
+    }
+
+    void unknownMembersAreKeptAndNamed()
+    {
+        const std::string json = kHead + R"("motion": {"wnd": [1, {"a": "b"}]}, "future": {"x": 1}})";
+        const Result<PresetReading> reading = parsePreset(json, "my.json");
+        QVERIFY(reading.ok());
+        QVERIFY(reading.value().warnings[0].find("motion.wnd") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].find("motion.wind") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].find("my.json, line 1") != std::string::npos);
+        const std::string again = formatPreset(reading.value().preset);
+        const Result<PresetReading> second = parsePreset(again);
+        QVERIFY(second.ok());
+        QCOMPARE(second.value().preset.unknown.size(), std::size_t(2));
+        QCOMPARE(second.value().preset.unknown[0].json, std::string(R"([1, {"a": "b"}])"));
+        QCOMPARE(formatPreset(second.value().preset), again);
+    }
+
+    void outOfRangeIsClampedWithAWarning()
+    {
+        const Result<PresetReading> reading = parsePreset(kHead + R"("motion": {"randomness": 5}})");
+        QVERIFY(reading.ok());
+        QCOMPARE(reading.value().preset.effect.motion.randomness, 1.0F);
+        QVERIFY(reading.value().warnings[0].find("motion.randomness") != std::string::npos);
+    }
+
+    void missingParametersAreToldInOneLine()
+    {
+        const Result<PresetReading> reading = parsePreset(kHead + R"("name": "x"})");
+        QCOMPARE(reading.value().warnings.size(), std::size_t(1));
+        QVERIFY(reading.value().preset.effect == Effect{});
+    }
+
+    void badInputIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("json");
+        QTest::addColumn<int>("code");
+        const auto row = [](const char* name, const std::string& json, ErrorCode code) { QTest::newRow(name) << QByteArray::fromStdString(json) << int(code); };
+        row("empty", "", ErrorCode::Syntax);
+        row("not JSON", "hello", ErrorCode::Syntax);
+        row("truncated", formatPreset({}).substr(0, 700), ErrorCode::Syntax);
+        row("trailing rubbish", formatPreset({}) + "}", ErrorCode::Syntax);
+        row("key twice", kHead + R"("motion": {"wind": 1, "wind": 2}})", ErrorCode::Syntax);
+        row("array", "[1]", ErrorCode::WrongType);
+        row("other JSON", R"({"hello": 1})", ErrorCode::WrongType);
+        row("group is a number", kHead + R"("motion": 3})", ErrorCode::WrongType);
+        row("text for a number", kHead + R"("motion": {"wind": "fast"}})", ErrorCode::WrongType);
+        row("number for a flag", kHead + R"("timeline": {"loop": 1}})", ErrorCode::WrongType);
+        row("fraction for a whole number", kHead + R"("emitter": {"count": 10.5}})", ErrorCode::WrongType);
+        row("two numbers for a vector", kHead + R"("emitter": {"normal": [0, 1]}})", ErrorCode::WrongType);
+        row("nested vector", kHead + R"("emitter": {"normal": [[0, 1, 0]]}})", ErrorCode::WrongType);
+        row("empty curve", kHead + R"("life": {"size": []}})", ErrorCode::WrongType);
+        row("seventeen points", kHead + R"("life": {"size": [[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0]]}})", ErrorCode::WrongType);
+        row("unknown choice", kHead + R"("emitter": {"shape": "cube"}})", ErrorCode::UnknownName);
+        row("NaN", kHead + R"("motion": {"wind": NaN}})", ErrorCode::NotFinite);
+        row("infinity", kHead + R"("motion": {"wind": Infinity}})", ErrorCode::NotFinite);
+        row("1e999", kHead + R"("motion": {"wind": 1e999}})", ErrorCode::NotFinite);
+        row("too large for a float", kHead + R"("motion": {"wind": 1e200}})", ErrorCode::NotFinite);
+        row("version 2", R"({"format": "fumage-preset", "version": 2})", ErrorCode::WrongVersion);
+        row("version 0", R"({"format": "fumage-preset", "version": 0})", ErrorCode::WrongVersion);
+        row("version missing", R"({"format": "fumage-preset"})", ErrorCode::WrongVersion);
+        row("version is text", R"({"format": "fumage-preset", "version": "1"})", ErrorCode::WrongVersion);
+        row("not UTF-8", kHead + "\"name\": \"\xff\xfe\"}", ErrorCode::NotUtf8);
+        row("deep", std::string(1000, '['), ErrorCode::TooDeep);
+        row("deep objects", [] { std::string s; for (int i = 0; i < 1000; ++i) { s += "{\"a\":"; } return s; }(), ErrorCode::TooDeep);
+        row("10 MB of brackets", std::string(10'000'000, '['), ErrorCode::TooLarge);
+    }
+    void badInputIsRefused()
+    {
+        QFETCH(QByteArray, json);
+        QFETCH(int, code);
+        QCOMPARE(int(codeOf(json.toStdString())), code);
+    }
+
+    void everyPrefixOfAPresetIsAnError()
+    {
+        const std::string json = formatPreset({});
+        for (std::size_t i = 0; i + 2 < json.size(); ++i) {
+            const Result<PresetReading> reading = parsePreset(json.substr(0, i));
+            QVERIFY(!reading.ok());
+            QVERIFY(!reading.error().message.empty());
+        }
+    }
+
+    void errorsHaveLineAndColumn()
+    {
+        const std::string json = "{\n  \"format\": \"fumage-preset\",\n  \"version\": 1,\n  \"motion\": {\n    \"\u00e5\": 1, \"wind\": \"fast\"\n  }\n}";
+        QCOMPARE(parsePreset(json, "x.json").error().place, std::string("x.json, line 5, column 21"));
+        QCOMPARE(parsePreset("{\n  \"format\": tru\n}", "x.json").error().place, std::string("x.json, line 2, column 16"));
+    }
+
+    void placesOfValuesAreTheirFirstCharacter()
+    {
+        const std::string text = "{\"a\": -1.5e3, \"b\\\"\": \"x\\\\\", \"c\": [true,null , 7]}";
+        const JsonNode root = parseJson(text).value();
+        const auto textOf = [&](const JsonNode& node) { return text.substr(node.begin, node.end - node.begin); };
+        QCOMPARE(textOf(root), text);
+        QCOMPARE(textOf(*root.find("a")), std::string("-1.5e3"));
+        QCOMPARE(textOf(*root.find("b\"")), std::string("\"x\\\\\""));
+        QCOMPARE(textOf(root.find("c")->items[0]), std::string("true"));
+        QCOMPARE(textOf(root.find("c")->items[1]), std::string("null"));
+        QCOMPARE(textOf(root.find("c")->items[2]), std::string("7"));
+    }
+
+    void builtinPresetsAreCanonicalAndClean()
+    {
+        const std::vector<LibraryEntry> entries = builtinPresets();
+        QVERIFY(entries.size() >= 12);
+        for (const LibraryEntry& entry : entries) {
+            const Result<PresetReading> reading = loadPreset(entry);
+            QVERIFY2(reading.ok(), entry.id.c_str());
+            QVERIFY2(reading.value().warnings.empty(), reading.value().warnings.empty() ? "" : reading.value().warnings.front().c_str());
+            QVERIFY(!reading.value().preset.name.empty() && !reading.value().preset.description.empty());
+        }
+    }
+
+    void theDefaultPresetIsANewDocument()
+    {
+        QVERIFY(loadPreset(std::string("default")).value().preset.effect == presetOf(Effect{}).effect);
+    }
+
+    void theThesisPresetIsTheSource()
+    {
+        const Effect e = loadPreset(std::string("thesis-2012")).value().preset.effect;
+        QCOMPARE(e.emitter.shape, EmitterShape::Rectangle);
+        QCOMPARE(e.emitter.speed, 1.0F);
+        QCOMPARE(e.emitter.velocityRandomness, 1.0F);
+        QCOMPARE(e.emitter.count, 5000);
+        QCOMPARE(e.motion.randomness, 1.0F);
+        QCOMPARE(e.motion.rotation, 0.0F);
+        QCOMPARE(e.life.initialAlpha, 0.1F);
+        QCOMPARE(e.noise.basis, NoiseBasis::Lattice);
+        for (const float zero : {e.emitter.spread, e.motion.drag, e.motion.buoyancy, e.motion.pull, e.motion.gust, e.turbulence.strength, e.vortex.strength, e.life.lifetimeVariance, e.look.sizeVariance,
+                 e.look.spin, e.look.spinVariance, e.look.stretch, e.look.erosion, e.look.dilution, e.light.emission, e.noise.warp}) {
+            QCOMPARE(zero, 0.0F);
+        }
+        QVERIFY(!e.emitter.subframe);
+        QCOMPARE(e.look.mask, MaskShape::Square);
+    }
+
+    void unknownNamesAreAnsweredWithTheNearest()
+    {
+        const Error error = loadPreset(std::string("campfir")).error();
+        QCOMPARE(error.code, ErrorCode::UnknownName);
+        QVERIFY(error.remedy.find("campfire") != std::string::npos);
+    }
+
+    void savingToAnUnwritablePlaceKeepsWhatIsThere()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.path().toStdString() + "/p.json";
+        QVERIFY(writePresetFile(path, Preset{}).ok());
+        QVERIFY(readPresetFile(path).ok());
+        QCOMPARE(writePresetFile(folder.path().toStdString() + "/none/p.json", Preset{}).error().code, ErrorCode::FileNotFound);
+    }
+
+    void userPresetsAreFoundInTheirFolder()
+    {
+        const QTemporaryDir folder;
+        const std::string presets = folder.path().toStdString() + "/fumage/presets";
+        std::filesystem::create_directories(presets);
+        QVERIFY(writePresetFile(presets + "/mine.json", Preset{}).ok());
+        qputenv("XDG_DATA_HOME", folder.path().toUtf8());
+        QCOMPARE(userPresetFolder(), std::filesystem::path(presets));
+        QCOMPARE(presetsIn(userPresetFolder()).size(), std::size_t(1));
+        QVERIFY(loadPreset(std::string("mine")).ok());
+        qunsetenv("XDG_DATA_HOME");
+    }
+
+    void schemaIsJson() { QVERIFY(parseJson(presetSchema()).ok()); }
+};
+
+QTEST_GUILESS_MAIN(PresetTest)
+#include "preset_test.moc"

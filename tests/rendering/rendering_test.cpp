@@ -1,0 +1,334 @@
+#include "tests/helpers.h"
+
+#include "core/base/hash.h"
+#include "core/base/math.h"
+#include "core/rendering/view_transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+SpriteTexture flatTexture(float grey)
+{
+    return SpriteTexture::pack(16, {AlignedArray<float>(256, grey)});
+}
+
+Sprite disc(float x, float y, float radius, float opacity, const glm::vec3& colour)
+{
+    Sprite s;
+    s.x = x;
+    s.y = y;
+    s.halfWidth = s.halfHeight = radius;
+    s.m00 = s.m11 = 1.0F / radius;
+    s.opacity = opacity;
+    s.ambient[0] = colour.r;
+    s.ambient[1] = colour.g;
+    s.ambient[2] = colour.b;
+    s.texture = packTexture(0, TextureRef::kPlain, 0, 0, 0);
+    return s;
+}
+
+SpriteBatch batchOf(int width, int height, const std::vector<std::pair<Sprite, std::uint32_t>>& sprites)
+{
+    SpriteBatch batch;
+    batch.view.width = width;
+    batch.view.height = height;
+    for (const auto& [sprite, depth] : sprites) {
+        batch.sprites.push_back(sprite);
+        batch.depth.push_back(depth);
+    }
+    return batch;
+}
+
+Image compose(const SpriteBatch& batch, const SpriteTexture& texture)
+{
+    Compositor compositor;
+    Image image;
+    if (!compositor.compose(batch, texture, image)) {
+        qFatal("compose");
+    }
+    return image;
+}
+
+float profile(float r2)
+{
+    const float t = std::max(0.0F, 1.0F - r2);
+    return t * t;
+}
+
+} // namespace
+
+class RenderingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void emptyPictureIsTransparent()
+    {
+        const Image image = compose(batchOf(70, 40, {}), flatTexture(1.0F));
+        for (const float value : image.pixels) {
+            QCOMPARE(value, 0.0F);
+        }
+    }
+
+    void oneSpriteIsItsProfile()
+    {
+        const Image image = compose(batchOf(200, 100, {{disc(70.3F, 33.8F, 9.5F, 0.8F, {0.2F, 0.4F, 0.6F}), 5}}), flatTexture(1.0F));
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const float dx = static_cast<float>(x) + 0.5F - 70.3F;
+                const float dy = static_cast<float>(y) + 0.5F - 33.8F;
+                const float a = 0.8F * profile((dx * dx + dy * dy) / (9.5F * 9.5F));
+                const glm::vec4 pixel = image.at(x, y);
+                QVERIFY(std::abs(pixel.a - a) < 1e-5F);
+                QVERIFY(std::abs(pixel.r - 0.2F * a) < 1e-5F && std::abs(pixel.b - 0.6F * a) < 1e-5F);
+            }
+        }
+    }
+
+    void nearerCoversFarther()
+    {
+        const Sprite red = disc(32.0F, 16.0F, 12.0F, 0.5F, {1.0F, 0.0F, 0.0F});
+        const Sprite green = disc(32.0F, 16.0F, 12.0F, 0.5F, {0.0F, 1.0F, 0.0F});
+        const Image redFirst = compose(batchOf(64, 32, {{red, 1}, {green, 2}}), flatTexture(1.0F));
+        const Image greenFirst = compose(batchOf(64, 32, {{red, 2}, {green, 1}}), flatTexture(1.0F));
+        const glm::vec4 a = redFirst.at(32, 16);
+        const glm::vec4 b = greenFirst.at(32, 16);
+        QVERIFY(a.r > 0.4F && std::abs(a.g - a.r * (1.0F - a.r)) < 1e-4F);
+        QVERIFY(std::abs(a.r - b.g) < 1e-6F && std::abs(a.g - b.r) < 1e-6F);
+        QVERIFY(std::abs(a.a - b.a) < 1e-6F);
+    }
+
+    void equalDepthsKeepTheirOrder()
+    {
+        const Sprite red = disc(32.0F, 16.0F, 12.0F, 0.5F, {1.0F, 0.0F, 0.0F});
+        const Sprite green = disc(32.0F, 16.0F, 12.0F, 0.5F, {0.0F, 1.0F, 0.0F});
+        const glm::vec4 pixel = compose(batchOf(64, 32, {{red, 7}, {green, 7}}), flatTexture(1.0F)).at(32, 16);
+        QVERIFY(pixel.r > pixel.g);
+    }
+
+    void manySpritesEqualTheSumDoneByHand()
+    {
+        // Textured, rotated and plain ones of all sizes, over tile borders and picture edges, against a loop in double.
+        std::vector<AlignedArray<float>> slices(3, AlignedArray<float>(64 * 64));
+        for (std::size_t s = 0; s < slices.size(); ++s) {
+            for (std::size_t i = 0; i < slices[s].size(); ++i) {
+                slices[s][i] = unitFloat(mixBits(static_cast<std::uint32_t>(s * 10000 + i)));
+            }
+        }
+        const SpriteTexture texture = SpriteTexture::pack(64, slices);
+        SpriteBatch batch;
+        batch.view.width = 150;
+        batch.view.height = 90;
+        batch.style.hardness = 1.3F;
+        batch.style.texture = 0.7F;
+        batch.style.erosionSoftness = 0.5F;
+        batch.style.textureScale = 0.6F;
+        batch.style.lightX = 0.5F;
+        batch.style.lightY = -0.3F;
+        batch.style.relief = 0.4F;
+        batch.style.roundness = 0.3F;
+        for (std::uint32_t i = 0; i < 300; ++i) {
+            const auto random = [&](std::uint32_t stream) { return unitFloat(streamBits(mixBits(i), stream)); };
+            const float radius = i % 3 == 0 ? 1.0F + 4.0F * random(0) : 5.0F + 40.0F * random(0);
+            Sprite s = disc(150.0F * random(1), 90.0F * random(2), radius, 0.3F * random(3), {0.5F, 0.3F, 0.1F});
+            s.m00 = s.m11 = std::cos(6.28F * random(4)) / radius;
+            s.m01 = std::sin(6.28F * random(4)) / radius;
+            s.m10 = -s.m01;
+            s.direct[0] = s.direct[1] = s.direct[2] = 0.5F;
+            if (i % 3 != 0) {
+                s.texture = packTexture(i % 3, i % 5, i * 7U & 255U, i * 13U & 255U, i % 20);
+            }
+            batch.sprites.push_back(s);
+            batch.depth.push_back(i); // already sorted
+        }
+        const Image image = compose(batch, texture);
+        for (int y = 0; y < 90; y += 3) {
+            for (int x = 0; x < 150; x += 1) {
+                double through = 1.0;
+                double red = 0.0;
+                for (const Sprite& s : batch.sprites) {
+                    const double dx = x + 0.5 - static_cast<double>(s.x);
+                    const double dy = y + 0.5 - static_cast<double>(s.y);
+                    const double p = static_cast<double>(s.m00) * dx + static_cast<double>(s.m01) * dy;
+                    const double q = static_cast<double>(s.m10) * dx + static_cast<double>(s.m11) * dy;
+                    const double inside = std::clamp(1.3F * (1.0 - p * p - q * q), 0.0, 1.0);
+                    double a = inside * inside * static_cast<double>(s.opacity);
+                    double shade = 1.0;
+                    const TextureRef ref = unpackTexture(s.texture);
+                    if (ref.level != TextureRef::kPlain && a > 0.0) {
+                        const int edge = texture.levelSize(ref.level);
+                        const double u = p * 0.3F * edge + ref.u / 256.0 * edge - 0.5;
+                        const double v = q * 0.3F * edge + ref.v / 256.0 * edge - 0.5;
+                        const int iu = static_cast<int>(std::floor(u)) & (edge - 1);
+                        const int iv = static_cast<int>(std::floor(v)) & (edge - 1);
+                        const std::uint32_t t = texture.texels(ref.level, ref.slice)[iv * edge + iu];
+                        const auto byte = [&](unsigned shift) { return static_cast<double>(t >> shift & 255U); };
+                        const double fu = u - std::floor(u);
+                        const double fv = v - std::floor(v);
+                        const double low = byte(0) + fu * (byte(8) - byte(0));
+                        const double high = byte(16) + fu * (byte(24) - byte(16));
+                        const double grey = low + fv * (high - low);
+                        const double du = (byte(8) - byte(0)) + fv * ((byte(24) - byte(16)) - (byte(8) - byte(0)));
+                        const double kept = std::clamp((grey / 255.0 - static_cast<double>(ref.erosion)) / 0.5, 0.0, 1.0);
+                        a *= 1.0 - 0.7F + 0.7F * kept;
+                        const double scale = std::sqrt(std::abs(static_cast<double>(s.m00 * s.m11 - s.m01 * s.m10)));
+                        const double lp = (static_cast<double>(s.m00) * 0.5 + static_cast<double>(s.m01) * -0.3) / scale;
+                        const double lq = (static_cast<double>(s.m10) * 0.5 + static_cast<double>(s.m11) * -0.3) / scale;
+                        const double relief = 0.4 * 0.3 * edge / 255.0;
+                        shade = std::max(0.0, 1.0 + relief * (lp * du + lq * (high - low)) - 0.3 * (lp * p + lq * q));
+                    }
+                    red += through * a * (0.5 + 0.5 * shade);
+                    through *= 1.0 - a;
+                }
+                const glm::vec4 pixel = image.at(x, y);
+                QVERIFY2(std::abs(static_cast<double>(pixel.a) - (1.0 - through)) < 2e-3 && std::abs(static_cast<double>(pixel.r) - red) < 2e-3,
+                    qPrintable(QString("%1,%2: %3 %4, expected %5 %6").arg(x).arg(y).arg(pixel.a).arg(pixel.r).arg(1.0 - through).arg(red)));
+            }
+        }
+    }
+
+    void squareMaskIsASquare()
+    {
+        Sprite s = disc(20.0F, 20.0F, 1.0F, 1.0F, {1.0F, 1.0F, 1.0F});
+        s.m00 = s.m11 = 0.1F;
+        s.halfWidth = s.halfHeight = 10.0F;
+        s.texture = packTexture(0, 0, 0, 0, 0);
+        SpriteBatch batch = batchOf(40, 40, {{s, 1}});
+        batch.style.square = true;
+        const Image image = compose(batch, flatTexture(1.0F));
+        for (int y = 0; y < 40; ++y) {
+            for (int x = 0; x < 40; ++x) {
+                QCOMPARE(image.at(x, y).a, x >= 10 && x < 30 && y >= 10 && y < 30 ? 1.0F : 0.0F);
+            }
+        }
+    }
+
+    void depthSortIsStableAndSorted()
+    {
+        for (const std::size_t count : {0U, 1U, 50U, 95U, 96U, 5000U}) {
+            std::vector<DepthEntry> entries;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                entries.push_back(depthEntry(mixBits(i) >> 10U & 0x3fff00U, i));
+            }
+            std::vector<DepthEntry> expected = entries;
+            std::stable_sort(expected.begin(), expected.end(), [](DepthEntry a, DepthEntry b) { return (a >> 32U) < (b >> 32U); });
+            AlignedArray<DepthEntry> scratch;
+            sortByDepth(entries, scratch);
+            QVERIFY(entries == expected);
+        }
+    }
+
+    void cameraPutsTheTargetInTheMiddle()
+    {
+        Camera camera;
+        camera.target = {1.0F, 2.0F, 3.0F};
+        for (const float yaw : {0.0F, 77.0F, -160.0F}) {
+            for (const float pitch : {-60.0F, 0.0F, 89.0F}) {
+                camera.yaw = yaw;
+                camera.pitch = pitch;
+                const Projected p = project(makeView(camera, 0.0F, 640, 360), camera.target);
+                QVERIFY(std::abs(p.x - 320.0F) < 1e-2F && std::abs(p.y - 180.0F) < 1e-2F && std::abs(p.depth - camera.distance) < 1e-4F);
+            }
+        }
+    }
+
+    void lensSeesItsAngle()
+    {
+        Camera camera;
+        camera.mode = CameraMode::Fixed;
+        camera.position = {0.0F, 0.0F, 9.0F};
+        camera.view = {0.0F, 0.0F, -1.0F};
+        camera.focalLength = 50.0F;
+        // A 50 mm lens sees 36/50 of the distance across the longer side.
+        const View view = makeView(camera, 0.0F, 512, 512);
+        const Projected right = project(view, {9.0F * 36.0F / 50.0F / 2.0F, 0.0F, 0.0F});
+        QVERIFY(std::abs(right.x - 512.0F) < 1e-2F);
+        const Projected up = project(view, {0.0F, 1.0F, 0.0F});
+        QVERIFY(up.y < 256.0F);
+    }
+
+    void turntableGoesAround()
+    {
+        Camera camera;
+        camera.turntable = 90.0F;
+        const View view = makeView(camera, 1.0F, 100, 100);
+        QVERIFY(view.forward.x < -0.99F);
+    }
+
+    void srgbCurveMeetsTheStandard()
+    {
+        QVERIFY(std::abs(srgbFromLinear(0.0F)) < 1e-7F);
+        QVERIFY(std::abs(srgbFromLinear(1.0F) - 1.0F) < 1e-6F);
+        QVERIFY(std::abs(srgbFromLinear(0.5F) - 0.735357F) < 1e-5F);
+        QVERIFY(std::abs(srgbFromLinear(0.001F) - 0.01292F) < 1e-6F);
+    }
+
+    void encodingIsStraightAlphaWithExposure()
+    {
+        Image image;
+        image.resize(2, 1);
+        const float pixels[] = {0.1F, 0.05F, 0.0F, 0.2F, 0.0F, 0.0F, 0.0F, 0.0F};
+        std::copy_n(pixels, 8, image.pixels.begin());
+        Output output;
+        EncodedImage<std::uint8_t> out;
+        encode(image, output, out);
+        QCOMPARE(int(out.pixels[0]), 188); // sRGB of 0.5
+        QCOMPARE(int(out.pixels[1]), 137); // of 0.25
+        QCOMPARE(int(out.pixels[3]), 51);
+        for (int i = 4; i < 8; ++i) {
+            QCOMPARE(int(out.pixels[static_cast<std::size_t>(i)]), 0);
+        }
+        output.exposure = 1.0F;
+        EncodedImage<std::uint16_t> wide;
+        encode(image, output, wide);
+        QCOMPARE(int(wide.pixels[0]), 65535);
+        QVERIFY(std::abs(int(wide.pixels[1]) - int(65535.0F * srgbFromLinear(0.5F) + 0.5F)) <= 1);
+    }
+
+    void supersamplingKeepsTheMeanLight()
+    {
+        Effect effect = everythingOn();
+        effect.output.background = Background::Transparent;
+        const auto sum = [&](int factor) {
+            effect.output.supersample = factor;
+            const Image image = render(effect, 5);
+            double total = 0.0;
+            for (const float value : image.pixels) {
+                total += static_cast<double>(value);
+            }
+            return total;
+        };
+        const double one = sum(1);
+        QVERIFY(one > 0.0);
+        QVERIFY(std::abs(sum(3) / one - 1.0) < 0.02);
+    }
+
+    void hugePicturesAreRefusedBeforeAllocating()
+    {
+        Effect effect = everythingOn();
+        effect.output.supersample = 4;
+        Renderer renderer;
+        Image image;
+        const auto frame = frameOf(effect, 0);
+        QCOMPARE(renderer.render(*frame, effect, 32768, 32768, image).error().code, ErrorCode::TooLarge);
+    }
+
+    void cameraInsideTheSmokeIsNoTrouble()
+    {
+        Effect effect = everythingOn();
+        effect.camera.mode = CameraMode::Fixed;
+        effect.camera.position = {0.0F, 0.5F, 0.0F};
+        effect.camera.view = {0.0F, 1.0F, 0.0F};
+        const Image image = render(effect, 20);
+        for (const float value : image.pixels) {
+            QVERIFY(std::isfinite(value));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(RenderingTest)
+#include "rendering_test.moc"

@@ -1,0 +1,316 @@
+#include "tests/helpers.h"
+
+#include "core/base/hash.h"
+#include "core/simulation/step.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+Effect turbulent()
+{
+    Effect effect = thesisEffect(1);
+    effect.turbulence.strength = 1.0F;
+    effect.turbulence.scale = 1.0F;
+    effect.turbulence.octaves = 1;
+    effect.turbulence.growth = 0.0F;
+    effect.turbulence.onset = 0.0F;
+    effect.turbulence.drift = 0.0F;
+    effect.turbulence.evolution = 0.5F;
+    return effect;
+}
+
+struct Velocities {
+    std::vector<float> x, y, z;
+};
+
+Velocities turbulenceOf(const StepConstants& constants, const std::vector<float>& x, const std::vector<float>& y, const std::vector<float>& z)
+{
+    Velocities v{x, y, z};
+    turbulenceAt(constants, x, y, z, v.x, v.y, v.z);
+    return v;
+}
+
+/// Living particles by (random bits, age): where they are, whatever slot they lie in.
+std::map<std::pair<std::uint32_t, std::int64_t>, std::array<float, 6>> byIdentity(const Particles& p, std::int64_t step)
+{
+    std::map<std::pair<std::uint32_t, std::int64_t>, std::array<float, 6>> out;
+    for (std::size_t i = 0; i < p.capacity; ++i) {
+        if (p.birthStep[i] != Particles::kUnborn) {
+            out[{p.key[i], step - p.birthStep[i]}] = {p.x[i], p.y[i], p.z[i], p.vx[i], p.vy[i], p.vz[i]};
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+class SimulationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void scheduleCountsEveryBirthOnce()
+    {
+        for (const bool loop : {false, true}) {
+            for (const EmissionMode mode : {EmissionMode::Continuous, EmissionMode::Burst}) {
+                for (const int count : {1, 13, 997}) {
+                    Effect effect = thesisEffect(count);
+                    effect.timeline.loop = loop;
+                    effect.timeline.length = 40;
+                    effect.emitter.mode = mode;
+                    effect.emitter.burstDuration = 0.33F;
+                    const Schedule s = makeSchedule(effect);
+                    std::int64_t most = 0;
+                    for (std::int64_t step = 0; step < 700; ++step) {
+                        const std::int64_t births = s.birthsBefore(step + 1) - s.birthsBefore(step);
+                        QVERIFY(births >= 0);
+                        most = std::max(most, s.birthsBefore(step + 1) - s.birthsBefore(step - s.lifetimeSteps + 1));
+                    }
+                    QVERIFY(most <= s.capacity());
+                    QVERIFY(s.capacity() <= kMaxParticles);
+                    if (!loop && mode == EmissionMode::Continuous) {
+                        QCOMPARE(most, static_cast<std::int64_t>(count));
+                        QCOMPARE(s.capacity(), static_cast<std::int64_t>(count));
+                    }
+                }
+            }
+        }
+    }
+
+    void aBurstIsBornWithinItsDuration()
+    {
+        Effect effect = thesisEffect(600);
+        effect.emitter.mode = EmissionMode::Burst;
+        effect.emitter.burstDuration = 0.2F; // 6 steps
+        const Schedule s = makeSchedule(effect);
+        QCOMPARE(s.birthsBefore(3), std::int64_t(300));
+        QCOMPARE(s.birthsBefore(6), std::int64_t(600));
+        QCOMPARE(s.birthsBefore(1000), std::int64_t(600));
+    }
+
+    void anyFrameFromNothingEqualsPlayingToIt()
+    {
+        const Effect effect = everythingOn();
+        const Model model(effect);
+        const std::int64_t start = model.schedule().firstStep;
+        Particles played;
+        QVERIFY(advanceFromNothing(model, played, start).ok());
+        for (const std::int64_t step : {1, 2, 17, 150, 400}) {
+            Particles next = played;
+            QVERIFY(advance(model, next, start, start + step).ok());
+            Particles direct;
+            QVERIFY(advanceFromNothing(model, direct, start + step).ok());
+            QVERIFY(sameBits(next, direct));
+        }
+    }
+
+    void stepsMayBeTakenInAnyPortions()
+    {
+        const Model model(everythingOn());
+        Particles a;
+        QVERIFY(advanceFromNothing(model, a, 200).ok());
+        Particles b = a;
+        QVERIFY(advance(model, a, 200, 331).ok());
+        for (std::int64_t step = 200; step < 331; ++step) {
+            QVERIFY(advance(model, b, step, step + 1).ok());
+        }
+        QVERIFY(sameBits(a, b));
+    }
+
+    void framesDoNotDependOnTheirOrder()
+    {
+        const Effect effect = everythingOn();
+        Simulator forwards(effect);
+        std::map<int, std::shared_ptr<const Frame>> frames;
+        for (int n = 0; n <= 60; ++n) {
+            frames[n] = forwards.frame(n).value();
+        }
+        Simulator jumping(effect, 1000000);
+        for (const int n : {60, 3, 41, 40, 59, 0, 12, 60, 11}) {
+            QVERIFY(sameBits(jumping.frame(n).value()->particles, frames[n]->particles));
+        }
+    }
+
+    void aLoopClosesByItself()
+    {
+        // Not through the modulo of Simulator::frame(): the steps themselves come back to where they were.
+        for (const float fade : {0.02F, 0.2F}) { // lives longer and shorter than the loop
+            Effect effect = everythingOn();
+            effect.life.fadeRate = fade;
+            effect.timeline.loop = true;
+            effect.timeline.length = 48;
+            effect.turbulence.drift = 0.7F;
+            const Model model(effect);
+            const std::int64_t step = model.schedule().firstStep + 20;
+            Particles here;
+            QVERIFY(advanceFromNothing(model, here, step).ok());
+            Particles later = here;
+            QVERIFY(advance(model, later, step, step + model.schedule().loopSteps).ok());
+            const auto a = byIdentity(here, step);
+            const auto b = byIdentity(later, step + model.schedule().loopSteps);
+            QVERIFY(!a.empty());
+            QVERIFY(a == b);
+        }
+    }
+
+    void loopingFramesAWholeLoopApartAreOne()
+    {
+        Effect effect = everythingOn();
+        effect.timeline.loop = true;
+        effect.timeline.length = 30;
+        Simulator simulator(effect);
+        const auto first = simulator.frame(7).value();
+        const auto again = simulator.frame(37).value();
+        QVERIFY(sameBits(first->particles, again->particles));
+    }
+
+    void curlNoiseHasNoDivergence()
+    {
+        const StepConstants constants = Model(turbulent()).constants(7);
+        constexpr float h = 1e-2F;
+        double divergence = 0.0;
+        double gradient = 0.0;
+        for (std::uint32_t i = 0; i < 2000; ++i) {
+            const float cx = 10.0F * signedFloat(mixBits(3 * i));
+            const float cy = 10.0F * signedFloat(mixBits(3 * i + 1));
+            const float cz = 10.0F * signedFloat(mixBits(3 * i + 2));
+            const Velocities v = turbulenceOf(constants, {cx + h, cx - h, cx, cx, cx, cx}, {cy, cy, cy + h, cy - h, cy, cy}, {cz, cz, cz, cz, cz + h, cz - h});
+            const double dx = static_cast<double>(v.x[0] - v.x[1]) / (2.0 * static_cast<double>(h));
+            const double dy = static_cast<double>(v.y[2] - v.y[3]) / (2.0 * static_cast<double>(h));
+            const double dz = static_cast<double>(v.z[4] - v.z[5]) / (2.0 * static_cast<double>(h));
+            divergence += (dx + dy + dz) * (dx + dy + dz);
+            gradient += dx * dx + dy * dy + dz * dz;
+        }
+        QVERIFY(gradient > 100.0);
+        // What is left is the error of the central difference, of order h^2.
+        QVERIFY2(std::sqrt(divergence / gradient) < 0.01, qPrintable(QString::number(std::sqrt(divergence / gradient))));
+    }
+
+    void curlNoiseHasTheStrengthThatIsAsked()
+    {
+        const StepConstants constants = Model(turbulent()).constants(11);
+        std::vector<float> x(60000);
+        std::vector<float> y(x.size());
+        std::vector<float> z(x.size());
+        for (std::uint32_t i = 0; i < x.size(); ++i) {
+            x[i] = 200.0F * signedFloat(mixBits(3 * i));
+            y[i] = 200.0F * signedFloat(mixBits(3 * i + 1));
+            z[i] = 200.0F * signedFloat(mixBits(3 * i + 2));
+        }
+        const Velocities v = turbulenceOf(constants, x, y, z);
+        const std::vector<float>* components[] = {&v.x, &v.y, &v.z};
+        for (const std::vector<float>* component : components) {
+            const Moments m = Moments::of(*component);
+            QVERIFY2(std::abs(m.mean) < 0.03, qPrintable(QString::number(m.mean)));
+            QVERIFY2(std::abs(std::sqrt(m.variance) - 1.0) < 0.05, qPrintable(QString::number(std::sqrt(m.variance))));
+        }
+        QVERIFY(std::abs(correlation(v.x, v.y)) < 0.03);
+    }
+
+    void curlNoiseEvolvesSmoothly()
+    {
+        Effect effect = turbulent();
+        effect.turbulence.drift = 0.5F;
+        const Model model(effect);
+        const std::vector<float> x{0.3F, 1.7F, -2.2F};
+        double largest = 0.0;
+        Velocities before = turbulenceOf(model.constants(0), x, x, x);
+        for (int step = 1; step < 300; ++step) {
+            const Velocities now = turbulenceOf(model.constants(step), x, x, x);
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                largest = std::max(largest, std::abs(static_cast<double>(now.x[i] - before.x[i])));
+            }
+            before = now;
+        }
+        QVERIFY(largest > 0.001);
+        QVERIFY2(largest < 0.25, qPrintable(QString::number(largest)));
+    }
+
+    void swirlsGrowWithHeight()
+    {
+        Effect effect = turbulent();
+        effect.turbulence.growth = 1.0F;
+        const StepConstants constants = Model(effect).constants(3);
+        const auto roughness = [&](float height) {
+            double sum = 0.0;
+            for (std::uint32_t i = 0; i < 3000; ++i) {
+                const float x = 20.0F * signedFloat(mixBits(i));
+                const Velocities v = turbulenceOf(constants, {x, x + 0.1F}, {height, height}, {0.0F, 0.0F});
+                sum += std::pow(static_cast<double>(v.y[1] - v.y[0]), 2.0);
+            }
+            return std::sqrt(sum);
+        };
+        QVERIFY(roughness(0.1F) > 2.0 * roughness(4.0F));
+    }
+
+    void spreadIsACone()
+    {
+        Effect effect = thesisEffect(20000);
+        effect.emitter.spread = 30.0F;
+        effect.emitter.mode = EmissionMode::Burst;
+        effect.emitter.burstDuration = 0.0F;
+        const auto frame = frameOf(effect, 0);
+        float widest = 0.0F;
+        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+            const float cosine = frame->particles.vy[i] / std::sqrt(frame->particles.vx[i] * frame->particles.vx[i] + frame->particles.vy[i] * frame->particles.vy[i] + frame->particles.vz[i] * frame->particles.vz[i]);
+            widest = std::max(widest, std::acos(std::min(1.0F, cosine)) * 57.29578F);
+        }
+        QVERIFY(widest <= 30.1F && widest > 29.0F);
+    }
+
+    void discAndSphereAreFilledEvenly()
+    {
+        for (const EmitterShape shape : {EmitterShape::Disc, EmitterShape::Sphere}) {
+            Effect effect = thesisEffect(40000);
+            effect.emitter.shape = shape;
+            effect.emitter.radius = 2.0F;
+            effect.emitter.mode = EmissionMode::Burst;
+            effect.emitter.burstDuration = 0.0F;
+            const auto frame = frameOf(effect, 0);
+            int inner = 0;
+            for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+                const float r2 = frame->particles.x[i] * frame->particles.x[i] + frame->particles.y[i] * frame->particles.y[i] + frame->particles.z[i] * frame->particles.z[i];
+                QVERIFY(r2 <= 4.0001F);
+                inner += r2 < 1.0F ? 1 : 0;
+            }
+            const double share = shape == EmitterShape::Disc ? 0.25 : 0.125;
+            QVERIFY(std::abs(inner / 40000.0 - share) < 5.0 * std::sqrt(share * (1.0 - share) / 40000.0));
+        }
+    }
+
+    void lifetimesVaryDownwards()
+    {
+        Effect effect = thesisEffect(5000);
+        effect.emitter.mode = EmissionMode::Burst;
+        effect.emitter.burstDuration = 0.0F;
+        effect.life.lifetimeVariance = 0.5F;
+        const auto aliveAt = [&](int number) {
+            const auto frame = frameOf(effect, number);
+            int alive = 0;
+            for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+                alive += lifecycle(*frame, i).alive ? 1 : 0;
+            }
+            return alive;
+        };
+        QCOMPARE(aliveAt(74), 5000);
+        QVERIFY(std::abs(aliveAt(112) - 2500) < 250);
+        QVERIFY(aliveAt(149) < 100);
+    }
+
+    void cancellingStops()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        Simulator simulator(everythingOn());
+        QCOMPARE(simulator.frame(3, stop.get_token()).error().code, ErrorCode::Cancelled);
+        QVERIFY(simulator.frame(3).ok());
+    }
+};
+
+QTEST_GUILESS_MAIN(SimulationTest)
+#include "simulation_test.moc"
