@@ -23,8 +23,7 @@ struct PlannedStep {
 class ChunkRunner {
 public:
     ChunkRunner(const Model& model, Particles& particles)
-        : m_model(model)
-        , m_schedule(model.schedule())
+        : m_schedule(model.schedule())
         , m_birthPlace(model.effect().emitter, m_schedule.dt)
         , m_particles(particles)
         , m_capacity(static_cast<std::int64_t>(particles.capacity))
@@ -113,7 +112,6 @@ private:
         m_particles.birthStep[slot] = Particles::kUnborn;
     }
 
-    const Model& m_model;
     const Schedule& m_schedule;
     BirthPlace m_birthPlace;
     Particles& m_particles;

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Renders the pictures of the README and of resources/pictures: every built-in preset, and the default look.
+#   render.sh <fumage-cli>
+set -euo pipefail
+cli=$1
+here=$(cd "$(dirname "$0")" && pwd)
+sky=(--set output.background=colour --set "output.background_colour=[0.05,0.1,0.18]")
+"$cli" render default --frames 40 --size 960x640 --supersample 2 --set camera.distance=7.5 "${sky[@]}" --output "$here/default_wide.png"
+for preset in "$here"/../presets/*.json; do
+    name=$(basename "$preset" .json)
+    frame=70
+    case $name in
+    explosion) frame=16 ;;
+    dust) frame=26 ;;
+    esac
+    "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
+done
