@@ -308,7 +308,7 @@ constexpr std::array kTable{
     row<&E::camera, &Camera::view>({.key = "camera.view", .label = "View direction", .kind = Kind::Direction, .hard = kComponents, .soft = kComponents, .step = 0.01,
         .tip = "Where the fixed camera looks.", .visible = when("camera.mode", CameraMode::Fixed), .stage = Stage::Shade}),
     row<&E::camera, &Camera::focalLength>({.key = "camera.focal_length", .label = "Focal length", .hard = {5, 1000}, .soft = {15, 200}, .step = 1, .unit = Unit::Millimetres, .scale = Scale::Log,
-        .tip = "Of a lens on a sensor whose longer side is 36 mm; longer brings the smoke nearer.", .stage = Stage::Shade}),
+        .tip = "Of a lens on a sensor of 36 mm across the shorter side; longer brings the smoke nearer.", .stage = Stage::Shade}),
 
     // --- timeline --------------------------------------------------------------------------------------------------
     row<&E::timeline, &Timeline::length>({.key = "timeline.length", .label = "Length", .hard = {1, 100000}, .soft = {1, 600}, .step = 1, .unit = Unit::Frames,

@@ -30,7 +30,7 @@ View makeView(const Camera& camera, float seconds, int width, int height)
     View view;
     view.width = width;
     view.height = height;
-    view.focal = camera.focalLength / kSensorMillimetres * static_cast<float>(std::max(width, height));
+    view.focal = camera.focalLength / kSensorMillimetres * static_cast<float>(std::min(width, height));
     if (camera.mode == CameraMode::Fixed) {
         view.eye = camera.position;
         aim(view, camera.view);

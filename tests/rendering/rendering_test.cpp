@@ -249,6 +249,9 @@ private slots:
         QVERIFY(std::abs(right.x - 512.0F) < 1e-2F);
         const Projected up = project(view, {0.0F, 1.0F, 0.0F});
         QVERIFY(up.y < 256.0F);
+        // A wider picture shows more at the sides and the same in height.
+        const Projected top = project(makeView(camera, 0.0F, 1280, 512), {0.0F, 9.0F * 36.0F / 50.0F / 2.0F, 0.0F});
+        QVERIFY(std::abs(top.y) < 1e-2F);
     }
 
     void turntableGoesAround()
