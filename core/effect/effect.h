@@ -27,7 +27,7 @@ struct Emitter {
     glm::vec3 normal{0.0F, 1.0F, 0.0F};
     float width = 0.6F;
     float depth = 0.6F;
-    float radius = 0.3F;
+    float radius = 0.25F;
     int count = 100000;
     EmissionMode mode = EmissionMode::Continuous;
     float burstDuration = 0.2F;
@@ -87,9 +87,9 @@ struct Life {
 };
 
 struct Look {
-    float size = 0.16F;
+    float size = 0.115F;
     float sizeVariance = 0.6F;
-    float opacity = 1.4F;
+    float opacity = 2.1F;
     float dilution = 1.0F;
     glm::vec3 colour{0.82F, 0.82F, 0.82F};
     Gradient colourGradient{{0.0F, glm::vec3(1.0F)}};
@@ -130,14 +130,14 @@ struct Noise {
 struct Light {
     glm::vec3 direction{-0.6F, -0.64F, -0.48F};
     glm::vec3 colour{1.0F, 0.96F, 0.9F};
-    float intensity = 2.2F;
-    float shadow = 1.0F;
+    float intensity = 1.7F;
+    float shadow = 3.0F;
     float anisotropy = 0.3F;
-    float scattering = 0.6F;
+    float scattering = 0.45F;
     glm::vec3 sky{0.42F, 0.52F, 0.68F};
     glm::vec3 ground{0.20F, 0.18F, 0.16F};
-    float ambient = 0.7F;
-    float occlusion = 0.7F;
+    float ambient = 0.45F;
+    float occlusion = 1.0F;
     float emission = 0.0F;
     float emissionCooling = 2.0F;
     Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},
@@ -153,7 +153,7 @@ struct Light {
 struct Camera {
     CameraMode mode = CameraMode::Orbit;
     glm::vec3 target{0.0F, 1.7F, 0.0F};
-    float distance = 8.0F;
+    float distance = 6.0F;
     float yaw = 0.0F;
     float pitch = 4.0F;
     float turntable = 0.0F;

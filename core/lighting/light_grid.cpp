@@ -103,7 +103,9 @@ void lightSmoke(const Frame& frame, const Effect& effect, const Appearance& appe
     }
     out.shape = gridShape(appearance, axes, effect.light.resolution);
     splatAll(frame, appearance, out);
-    out.light.assign(out.shape.cells() * 4, 0.0F);
+    out.light.resize(out.shape.cells() * 4);
+    out.sky.assign(out.shape.cells(), 0.0F);
+    out.ground.assign(out.shape.cells(), 0.0F);
     out.scratch.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
 
     SunJob job;

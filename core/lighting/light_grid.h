@@ -23,6 +23,8 @@ struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
     AlignedArray<float> light;   ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+    AlignedArray<float> sky;     ///< one float a cell, before they go into light
+    AlignedArray<float> ground;
     AlignedArray<float> scratch;
     std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
 };

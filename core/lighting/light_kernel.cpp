@@ -82,17 +82,26 @@ void splat(const Particles& particles, const Appearance& appearance, const GridS
     }
 }
 
-/// exp(-depth * scale) * weights, added to the sky and ground channels of a line of cells u fastest.
-HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t count, float scale, float sky, float ground, float* HWY_RESTRICT light)
+/// exp(-depth * scale) * weights, added to the sky and ground of a line of cells, u fastest.
+HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t count, const AmbientDirection& direction, float scale, float* HWY_RESTRICT sky, float* HWY_RESTRICT ground)
 {
     const D d;
-    HWY_ALIGN float through[HWY_MAX_BYTES / sizeof(float)];
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        hn::Store(exponential(d, hn::Mul(hn::LoadU(d, depth + i), hn::Set(d, -scale))), d, through);
-        const std::size_t n = std::min(hn::Lanes(d), count - i);
-        for (std::size_t lane = 0; lane < n; ++lane) {
-            light[(i + lane) * 4 + 1] += sky * through[lane];
-            light[(i + lane) * 4 + 2] += ground * through[lane];
+    const V skyWeight = hn::Set(d, direction.sky);
+    const V groundWeight = hn::Set(d, direction.ground);
+    const auto through = [&](std::size_t i) HWY_ATTR { return exponential(d, hn::Mul(hn::LoadU(d, depth + i), hn::Set(d, -scale))); };
+    std::size_t i = 0;
+    for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
+        const V light = through(i);
+        hn::StoreU(mulAdd(light, skyWeight, hn::LoadU(d, sky + i)), d, sky + i);
+        hn::StoreU(mulAdd(light, groundWeight, hn::LoadU(d, ground + i)), d, ground + i);
+    }
+    if (i < count) {
+        // The next line belongs to another task: the last vector is added cell by cell.
+        HWY_ALIGN float rest[HWY_MAX_BYTES / sizeof(float)];
+        hn::Store(through(i), d, rest);
+        for (std::size_t lane = 0; i + lane < count; ++lane) {
+            sky[i + lane] += rest[lane] * direction.sky;
+            ground[i + lane] += rest[lane] * direction.ground;
         }
     }
 }
@@ -128,7 +137,7 @@ void ambient(LightGrid& grid, const AmbientDirection& direction, float occlusion
                 depth[u] = sum;
                 sum += 0.5F * density[u];
             }
-            addTransmittance(depth.data(), nu, scale, direction.sky, direction.ground, grid.light.data() + lineOf(v, index) * 4);
+            addTransmittance(depth.data(), nu, direction, scale, grid.sky.data() + lineOf(v, index), grid.ground.data() + lineOf(v, index));
         }
         return;
     }
@@ -140,7 +149,7 @@ void ambient(LightGrid& grid, const AmbientDirection& direction, float occlusion
     for (std::size_t i = 0; i < count; ++i) {
         const float* here = grid.density.data() + start(i);
         addHalf(here, i == 0 ? grid.scratch.data() : grid.density.data() + start(i - 1), nu, depth.data());
-        addTransmittance(depth.data(), nu, scale, direction.sky, direction.ground, grid.light.data() + start(i) * 4);
+        addTransmittance(depth.data(), nu, direction, scale, grid.sky.data() + start(i), grid.ground.data() + start(i));
     }
 }
 
@@ -190,6 +199,8 @@ void sun(LightGrid& grid, const SunJob& job, int row)
             for (std::size_t lane = 0; lane < n; ++lane) {
                 float* cell = grid.light.data() + (at + i + lane) * 4;
                 cell[0] = bright[lane];
+                cell[1] = grid.sky[at + i + lane];
+                cell[2] = grid.ground[at + i + lane];
                 cell[3] = taus[lane];
             }
         }

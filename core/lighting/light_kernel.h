@@ -29,7 +29,7 @@ struct SunJob {
     float anisotropy = 0.0F;
 };
 
-/// Sums optical depth along w for one row along v, and fills the sun channel.
+/// Sums optical depth along w for one row along v, and fills all four channels; sky and ground must be there.
 void addSun(LightGrid& grid, const SunJob& job, int row);
 
 } // namespace fumage

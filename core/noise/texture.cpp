@@ -13,7 +13,7 @@ namespace fumage {
 namespace {
 
 /// Rows that one task bakes: enough to reuse lattice rows, few enough to share the work.
-constexpr int kRowsATask = 64;
+constexpr int kRowsATask = 128;
 
 constexpr std::size_t kVectorPadding = 2 * kAlignment / sizeof(float);
 

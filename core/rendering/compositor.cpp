@@ -4,7 +4,6 @@
 #include "core/rendering/tile_kernel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -24,9 +23,10 @@ int tilesAcross(int pixels, int tile)
     return (pixels + tile - 1) / tile;
 }
 
-std::uint16_t tileIndex(float pixel, int tile, int count)
+/// The tile of a pixel, the nearest for pixels outside. Cutting off the fraction of what is not negative rounds down.
+std::uint16_t tileIndex(float pixel, float tilesAPixel, float lastTile)
 {
-    return static_cast<std::uint16_t>(std::clamp(static_cast<int>(std::floor(pixel / static_cast<float>(tile))), 0, count - 1));
+    return static_cast<std::uint16_t>(static_cast<int>(std::min(std::max(pixel * tilesAPixel, 0.0F), lastTile)));
 }
 
 struct Workspace {
@@ -40,6 +40,10 @@ void Compositor::findTiles(const SpriteBatch& batch, int columns, int rows)
 {
     const auto width = static_cast<float>(batch.view.width);
     const auto height = static_cast<float>(batch.view.height);
+    const auto lastColumn = static_cast<float>(columns - 1);
+    const auto lastRow = static_cast<float>(rows - 1);
+    constexpr float kColumns = 1.0F / static_cast<float>(kTileWidth);
+    constexpr float kRows = 1.0F / static_cast<float>(kTileHeight);
     m_ranges.resize(batch.sprites.size());
     parallelFor(m_blocks, [&](std::size_t block) {
         const std::size_t last = std::min(batch.sprites.size(), (block + 1) * kBlock);
@@ -54,7 +58,7 @@ void Compositor::findTiles(const SpriteBatch& batch, int columns, int rows)
             const float top = s.y - s.halfHeight;
             const float bottom = s.y + s.halfHeight;
             if (right > 0.0F && left < width && bottom > 0.0F && top < height) {
-                m_ranges[i] = {tileIndex(left, kTileWidth, columns), tileIndex(top, kTileHeight, rows), tileIndex(right, kTileWidth, columns), tileIndex(bottom, kTileHeight, rows)};
+                m_ranges[i] = {tileIndex(left, kColumns, lastColumn), tileIndex(top, kRows, lastRow), tileIndex(right, kColumns, lastColumn), tileIndex(bottom, kRows, lastRow)};
             }
         }
     });

@@ -83,7 +83,7 @@ inline constexpr float kNear = 0.02F;
 /// Larger sprites are not drawn: the camera is inside of them.
 inline constexpr float kLargestRadius = 16384.0F;
 /// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture.
-inline constexpr float kPlainRadius = 3.0F;
+inline constexpr float kPlainRadius = 5.0F;
 
 } // namespace fumage
 #endif
@@ -206,6 +206,11 @@ HWY_INLINE void shapeSprite(const SpriteJob& job, const SpriteBlock& block, std:
     sprite.m01 = s;
     sprite.m10 = -s;
     sprite.m11 = c;
+    if (job.stretch <= 0.0F && !job.style.square) {
+        sprite.halfWidth = radius;
+        sprite.halfHeight = radius;
+        return;
+    }
     if (job.stretch > 0.0F) {
         const float vx = block.stretchX[i];
         const float vy = block.stretchY[i];

@@ -58,14 +58,12 @@ public:
         if (last - first < m_capacity) {
             // The ring's free slots are those of the births that come next.
             forSlots(last, first + m_capacity, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                for (std::int64_t index = low; index < high; ++index) {
-                    clear(static_cast<std::size_t>(index - lap));
+                if (low < high) {
+                    clear(low - lap, high - lap);
                 }
             });
         }
-        for (auto slot = static_cast<std::size_t>(slots.end); slot < (chunk + 1) * Particles::kChunk; ++slot) {
-            clear(slot); // padding
-        }
+        clear(std::max(slots.begin, slots.end), static_cast<std::int64_t>((chunk + 1) * Particles::kChunk)); // padding
     }
 
 private:
@@ -103,13 +101,13 @@ private:
         }
     }
 
-    void clear(std::size_t slot) const
+    void clear(std::int64_t first, std::int64_t last) const
     {
         for (AlignedArray<float>* column : {&m_particles.x, &m_particles.y, &m_particles.z, &m_particles.vx, &m_particles.vy, &m_particles.vz}) {
-            (*column)[slot] = 0.0F;
+            std::fill(column->begin() + first, column->begin() + last, 0.0F);
         }
-        m_particles.key[slot] = 0U;
-        m_particles.birthStep[slot] = Particles::kUnborn;
+        std::fill(m_particles.key.begin() + first, m_particles.key.begin() + last, 0U);
+        std::fill(m_particles.birthStep.begin() + first, m_particles.birthStep.begin() + last, Particles::kUnborn);
     }
 
     const Schedule& m_schedule;

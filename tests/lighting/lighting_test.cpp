@@ -36,6 +36,8 @@ Effect evenLook()
     effect.look.dilution = 0.0F;
     effect.light.direction = {0.0F, -1.0F, 0.0F};
     effect.light.anisotropy = 0.0F;
+    effect.light.shadow = 1.0F;
+    effect.light.occlusion = 1.0F;
     effect.light.scattering = 0.0F;
     effect.light.intensity = 1.0F;
     effect.light.resolution = 64;
