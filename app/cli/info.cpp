@@ -22,7 +22,8 @@ Status info(const std::string& name)
     const Preset& preset = reading.value().preset;
     const Effect& effect = preset.effect;
     const Schedule schedule = makeSchedule(effect);
-    std::cout << preset.name << "\n" << preset.description << "\n\n";
+    std::cout << preset.name << "\n"
+              << preset.description << "\n\n";
     std::cout << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
     std::cout << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " frames/s" << (effect.timeline.loop ? ", looping" : "") << "\n";
     std::cout << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n\n";

@@ -76,7 +76,8 @@ Status render(const RenderOptions& options)
     sequence.output = options.output.empty() ? std::filesystem::path(options.effect.preset).stem() : std::filesystem::path(options.output);
 
     ProgressBar bar("Rendering");
-    return renderSequence(effect, sequence, [&](int done, int total) { bar.show(done, total); }, interruption());
+    return renderSequence(
+        effect, sequence, [&](int done, int total) { bar.show(done, total); }, interruption());
 }
 
 } // namespace

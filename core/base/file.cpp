@@ -67,7 +67,7 @@ int writeAll(int fd, std::span<const std::byte> bytes)
 /// The mode of the file that is replaced, or what the umask leaves of 0666.
 mode_t modeFor(const std::filesystem::path& path)
 {
-    struct stat information {};
+    struct stat information { };
     if (::stat(path.c_str(), &information) == 0) {
         return information.st_mode & 07777U;
     }
@@ -84,7 +84,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
     if (file.get() < 0) {
         return fromErrno(errno, path, ErrorCode::ReadFailed, "read");
     }
-    struct stat information {};
+    struct stat information { };
     if (::fstat(file.get(), &information) != 0) {
         return fromErrno(errno, path, ErrorCode::ReadFailed, "read");
     }
@@ -117,7 +117,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
 
 Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
-    struct stat information {};
+    struct stat information { };
     if (::stat(path.c_str(), &information) == 0 && !S_ISREG(information.st_mode)) {
         return fromErrno(S_ISDIR(information.st_mode) ? EISDIR : ENOTDIR, path, ErrorCode::WriteFailed, "write");
     }

@@ -32,8 +32,8 @@ enum class ErrorCode {
 struct Error {
     ErrorCode code = ErrorCode::ReadFailed;
     std::string message; ///< what happened, naming the thing
-    std::string place;   ///< file, line and column, or key; empty where there is none
-    std::string remedy;  ///< what to do, as an imperative; empty where the message says it
+    std::string place; ///< file, line and column, or key; empty where there is none
+    std::string remedy; ///< what to do, as an imperative; empty where the message says it
 
     /// @return "place: message. remedy" on one line.
     [[nodiscard]] std::string text() const
@@ -84,7 +84,7 @@ private:
     std::variant<T, Error> m_state;
 };
 
-struct Done {};
+struct Done { };
 
 /// Result of something that succeeds without a value: `return Done{};`.
 using Status = Result<Done>;

@@ -9,18 +9,43 @@
 namespace fumage {
 
 /// What a parameter is, for its editor, its JSON and its checks.
-enum class Kind { Bool, Int, Float, Choice, Seed, Direction, Vector, Colour, Curve, Gradient };
+enum class Kind { Bool,
+    Int,
+    Float,
+    Choice,
+    Seed,
+    Direction,
+    Vector,
+    Colour,
+    Curve,
+    Gradient };
 
 /// The unit that a value is shown and stored in.
-enum class Unit { None, Metres, Seconds, PerSecond, MetresPerSecond, MetresPerSecond2, Degrees, DegreesPerSecond, PerMetre,
-    PerSecond2, Hertz, Frames, FramesPerSecond, Pixels, Millimetres, Stops, Kilograms };
+enum class Unit { None,
+    Metres,
+    Seconds,
+    PerSecond,
+    MetresPerSecond,
+    MetresPerSecond2,
+    Degrees,
+    DegreesPerSecond,
+    PerMetre,
+    PerSecond2,
+    Hertz,
+    Frames,
+    FramesPerSecond,
+    Pixels,
+    Millimetres,
+    Stops,
+    Kilograms };
 
-enum class Scale { Linear, Log };
+enum class Scale { Linear,
+    Log };
 
 /// The first stage of the work that a change makes stale; what lies before it stays valid.
 enum class Stage {
-    Shade,    ///< light and paint the same particles again
-    Noise,    ///< bake the noise texture again
+    Shade, ///< light and paint the same particles again
+    Noise, ///< bake the noise texture again
     Simulate, ///< step the particles again
 };
 
@@ -30,7 +55,7 @@ using Value = std::variant<bool, int, float, std::uint32_t, glm::vec3, Curve, Gr
 /// The parameter matters only while another one has one value: its editor is hidden otherwise.
 struct VisibleWhen {
     std::string_view key; ///< empty: always
-    int value = 0;        ///< of a Bool, Int or Choice
+    int value = 0; ///< of a Bool, Int or Choice
 };
 
 struct Range {
@@ -40,7 +65,7 @@ struct Range {
 
 /// One row of the table: all there is to know about a parameter.
 struct Parameter {
-    std::string_view key;   ///< "group.name": JSON path, --set key, objectName of the editor, anchor in the help
+    std::string_view key; ///< "group.name": JSON path, --set key, objectName of the editor, anchor in the help
     std::string_view label; ///< key for tr()
     Kind kind = Kind::Float;
     Range hard; ///< refused or clamped outside; of every component

@@ -13,9 +13,9 @@
 namespace fumage {
 
 enum class ImageFormat {
-    Png8,     ///< sRGB with exposure and view transform, straight alpha
-    Png16,    ///< the same in 16 bits
-    ExrHalf,  ///< linear, premultiplied, without exposure and view transform
+    Png8, ///< sRGB with exposure and view transform, straight alpha
+    Png16, ///< the same in 16 bits
+    ExrHalf, ///< linear, premultiplied, without exposure and view transform
     ExrFloat, ///< the same in 32 bits
 };
 

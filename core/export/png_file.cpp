@@ -22,7 +22,7 @@ void append(png_structp png, png_bytep data, png_size_t size)
     sink->bytes.insert(sink->bytes.end(), from, from + size);
 }
 
-void flush(png_structp /*png*/) {}
+void flush(png_structp /*png*/) { }
 
 void fail(png_structp png, png_const_charp message)
 {
@@ -30,7 +30,7 @@ void fail(png_structp png, png_const_charp message)
     png_longjmp(png, 1);
 }
 
-void ignore(png_structp /*png*/, png_const_charp /*message*/) {}
+void ignore(png_structp /*png*/, png_const_charp /*message*/) { }
 
 /// Between setjmp and longjmp no object may be made that needs its destructor: all of them live in the caller.
 bool writePng(png_structp png, png_infop info, const PngPixels& pixels)

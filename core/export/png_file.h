@@ -13,9 +13,9 @@ namespace fumage {
 struct PngPixels {
     int width = 0;
     int height = 0;
-    int channels = 4;           ///< 1 grey, 4 RGBA with straight alpha
-    int bits = 8;               ///< 8 or 16; 16 in the byte order of this machine
-    bool srgb = true;           ///< the values are sRGB; else plain data
+    int channels = 4; ///< 1 grey, 4 RGBA with straight alpha
+    int bits = 8; ///< 8 or 16; 16 in the byte order of this machine
+    bool srgb = true; ///< the values are sRGB; else plain data
     std::span<const std::byte> bytes;
 };
 

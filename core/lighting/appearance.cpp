@@ -22,7 +22,7 @@ inline constexpr int kLifeTableSize = 1024;
 
 /// Constants of one pass over the particles.
 struct AppearanceJob {
-    std::array<float, kLifeTableSize> size{};  ///< by life: share of the radius
+    std::array<float, kLifeTableSize> size{}; ///< by life: share of the radius
     std::array<float, kLifeTableSize> alpha{}; ///< by life: factor of the fading alpha, opacity and dilution included
     std::int32_t step = 0;
     float dt = 0.0F;

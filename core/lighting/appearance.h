@@ -10,11 +10,11 @@ namespace fumage {
 /// What the look makes of each particle of a frame: how large and how dense it is now. Dead ones have radius 0.
 struct Appearance {
     AlignedArray<float> radius; ///< m
-    AlignedArray<float> alpha;  ///< opacity at the centre, in [0, 1]
-    AlignedArray<float> life;   ///< share of its life that has passed, in [0, 1)
-    glm::vec3 low{0.0F};        ///< bounds of living centres in the axes that were asked for, m
+    AlignedArray<float> alpha; ///< opacity at the centre, in [0, 1]
+    AlignedArray<float> life; ///< share of its life that has passed, in [0, 1)
+    glm::vec3 low{0.0F}; ///< bounds of living centres in the axes that were asked for, m
     glm::vec3 high{0.0F};
-    float largestMass = 0.0F;   ///< upper bound of alpha * area, m^2
+    float largestMass = 0.0F; ///< upper bound of alpha * area, m^2
     bool empty = true;
 };
 

@@ -12,7 +12,7 @@ namespace fumage {
 struct GridShape {
     Axes axes;
     glm::vec3 origin{0.0F}; ///< of cell (0, 0, 0)'s centre, in the axes, m
-    float cell = 1.0F;      ///< edge of a cell, m
+    float cell = 1.0F; ///< edge of a cell, m
     int nu = 1, nv = 1, nw = 1;
 
     [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv) * static_cast<std::size_t>(nw); }
@@ -22,8 +22,8 @@ struct GridShape {
 struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
-    AlignedArray<float> light;   ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
-    AlignedArray<float> sky;     ///< one float a cell, before they go into light
+    AlignedArray<float> light; ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+    AlignedArray<float> sky; ///< one float a cell, before they go into light
     AlignedArray<float> ground;
     AlignedArray<float> scratch;
     std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker

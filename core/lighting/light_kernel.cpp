@@ -219,17 +219,20 @@ HWY_EXPORT(sun);
 
 void splatChunk(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density)
 {
-    HWY_DYNAMIC_DISPATCH(splat)(particles, appearance, shape, unitsPerMass, chunk, density);
+    HWY_DYNAMIC_DISPATCH(splat)
+    (particles, appearance, shape, unitsPerMass, chunk, density);
 }
 
 void addAmbient(LightGrid& grid, const AmbientDirection& direction, float occlusion, int line)
 {
-    HWY_DYNAMIC_DISPATCH(ambient)(grid, direction, occlusion, line);
+    HWY_DYNAMIC_DISPATCH(ambient)
+    (grid, direction, occlusion, line);
 }
 
 void addSun(LightGrid& grid, const SunJob& job, int row)
 {
-    HWY_DYNAMIC_DISPATCH(sun)(grid, job, row);
+    HWY_DYNAMIC_DISPATCH(sun)
+    (grid, job, row);
 }
 
 } // namespace fumage

@@ -10,9 +10,9 @@ void splatChunk(const Particles& particles, const Appearance& appearance, const 
 
 /// One of the six directions along the grid's axes from which light of sky and ground comes.
 struct AmbientDirection {
-    int axis = 0;          ///< 0 u, 1 v, 2 w
+    int axis = 0; ///< 0 u, 1 v, 2 w
     bool reversed = false; ///< light travels towards lower indices
-    float sky = 0.0F;      ///< weight in the light of the sky
+    float sky = 0.0F; ///< weight in the light of the sky
     float ground = 0.0F;
 };
 

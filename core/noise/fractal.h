@@ -8,7 +8,7 @@ namespace fumage {
 
 /// One octave of noise on a tile.
 struct Octave {
-    LatticePeriod period;   ///< lattice cells across the tile, and along z
+    LatticePeriod period; ///< lattice cells across the tile, and along z
     float amplitude = 1.0F; ///< persistence^n, divided by the sum over all octaves
     std::uint32_t seed = 0;
 };

@@ -204,22 +204,26 @@ RowPositions rowPositions(int size, int cells, Interpolation kind, bool squareWe
 
 void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, LatticeRow& row)
 {
-    HWY_DYNAMIC_DISPATCH(gradientRow)(octave, y, layers, fz, weightZ, row);
+    HWY_DYNAMIC_DISPATCH(gradientRow)
+    (octave, y, layers, fz, weightZ, row);
 }
 
 void fillGradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
 {
-    HWY_DYNAMIC_DISPATCH(gradientCoefficients)(below, above, fy, weightY, amplitude, cells, out);
+    HWY_DYNAMIC_DISPATCH(gradientCoefficients)
+    (below, above, fy, weightY, amplitude, cells, out);
 }
 
 void addRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(addPixelRow)(positions, coefficients, values);
+    HWY_DYNAMIC_DISPATCH(addPixelRow)
+    (positions, coefficients, values);
 }
 
 void addSimplexRow(const Octave& octave, int size, float y, float z, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(simplexRow)(octave, size, y, z, values);
+    HWY_DYNAMIC_DISPATCH(simplexRow)
+    (octave, size, y, z, values);
 }
 
 } // namespace fumage

@@ -15,11 +15,11 @@ struct RowCoefficients {
 
 /// Where the pixels of a row lie in the cells of an octave; the same for all rows.
 struct RowPositions {
-    AlignedArray<float> fraction;      ///< f of each pixel
-    AlignedArray<float> weight;        ///< w(f)
-    AlignedArray<std::int32_t> cell;   ///< cell of each pixel
-    AlignedArray<std::int32_t> lane;   ///< cell of each pixel, counted from that of the first pixel of its block of kBlock
-    bool uniform = false;              ///< every block of kBlock pixels lies in one cell
+    AlignedArray<float> fraction; ///< f of each pixel
+    AlignedArray<float> weight; ///< w(f)
+    AlignedArray<std::int32_t> cell; ///< cell of each pixel
+    AlignedArray<std::int32_t> lane; ///< cell of each pixel, counted from that of the first pixel of its block of kBlock
+    bool uniform = false; ///< every block of kBlock pixels lies in one cell
 
     static constexpr std::size_t kBlock = kAlignment / sizeof(float); ///< the widest vector
 };
@@ -27,7 +27,7 @@ struct RowPositions {
 /// Gradients of one row of lattice points, blended between two layers of z.
 struct LatticeRow {
     AlignedArray<float> x, y, z; ///< x and y components; the part of the dot product along z
-    int row = -1;                ///< which row, after wrapping; -1: none
+    int row = -1; ///< which row, after wrapping; -1: none
 };
 
 /// Fills positions for size pixels over cells cells.

@@ -11,7 +11,12 @@ namespace fumage {
 
 /// A JSON value that knows where it stands in its text, so that errors can say so.
 struct JsonNode {
-    enum class Type { Null, Bool, Number, String, Array, Object };
+    enum class Type { Null,
+        Bool,
+        Number,
+        String,
+        Array,
+        Object };
 
     Type type = Type::Null;
     std::size_t begin = 0; ///< bytes [begin, end) of the text
@@ -20,7 +25,7 @@ struct JsonNode {
     double number = 0.0; ///< finite
     bool isWhole = false; ///< written without fraction or exponent
     std::string string;
-    std::vector<JsonNode> items;   ///< of an array, or the values of an object, in the order of the file
+    std::vector<JsonNode> items; ///< of an array, or the values of an object, in the order of the file
     std::vector<std::string> keys; ///< of an object: keys[i] belongs to items[i]; they differ
 
     [[nodiscard]] const JsonNode* find(std::string_view key) const;

@@ -6,8 +6,8 @@ namespace fumage {
 
 /// Where a preset of the library comes from.
 struct LibraryEntry {
-    std::string id;                   ///< "chimney": the file's name without ending
-    std::filesystem::path path;       ///< empty where it is built in
+    std::string id; ///< "chimney": the file's name without ending
+    std::filesystem::path path; ///< empty where it is built in
 };
 
 /// The presets that are compiled into the library, in alphabetical order.

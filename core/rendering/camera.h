@@ -22,8 +22,8 @@ struct View {
 [[nodiscard]] View makeView(const Camera& camera, float seconds, int width, int height);
 
 struct Projected {
-    float x = 0.0F;     ///< pixels from the left
-    float y = 0.0F;     ///< pixels from the top
+    float x = 0.0F; ///< pixels from the left
+    float y = 0.0F; ///< pixels from the top
     float depth = 0.0F; ///< m along the view; not in front of the camera where 0 or less
 };
 

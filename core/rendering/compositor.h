@@ -41,8 +41,8 @@ private:
     void countTiles(std::size_t tiles, int columns);
     void fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns);
 
-    std::vector<TileRange> m_ranges;           ///< one a sprite
-    std::vector<std::uint32_t> m_counts;       ///< block major: sprites of each block in each tile, then their offsets
+    std::vector<TileRange> m_ranges; ///< one a sprite
+    std::vector<std::uint32_t> m_counts; ///< block major: sprites of each block in each tile, then their offsets
     std::vector<std::uint64_t> m_tileTotals;
     AlignedArray<DepthEntry> m_entries;
     std::vector<std::uint64_t> m_tileStarts;

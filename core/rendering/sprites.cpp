@@ -37,7 +37,7 @@ struct SpriteJob {
     SpriteBatch* out = nullptr;
 
     View view;
-    std::array<Float4, kColourTableSize> albedo{};   ///< by life
+    std::array<Float4, kColourTableSize> albedo{}; ///< by life
     std::array<Float4, kColourTableSize> emission{}; ///< by heat
     Float4 sun{};
     Float4 sky{};
@@ -47,7 +47,7 @@ struct SpriteJob {
     std::int32_t step = 0;
     float dt = 0.0F;
     float rotationVariance = 0.0F; ///< radians
-    float spin = 0.0F;             ///< radians/s
+    float spin = 0.0F; ///< radians/s
     float spinVariance = 0.0F;
     float textureSlicesPerSecond = 0.0F;
     float emissionCooling = 0.0F;
@@ -104,7 +104,10 @@ void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& block)
     const D d;
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
-    enum : std::uint32_t { kRotationStream = 30, kSpinStream = 31, kSliceStream = 32, kHeatStream = 20 };
+    enum : std::uint32_t { kRotationStream = 30,
+        kSpinStream = 31,
+        kSliceStream = 32,
+        kHeatStream = 20 };
     const Particles& particles = *job.particles;
     const View& view = job.view;
     const GridShape& grid = job.light->shape;
@@ -397,7 +400,8 @@ void makeSprites(const Frame& frame, const Effect& effect, const Appearance& app
     out.view = view;
     parallelFor(frame.particles.chunks(), [&](std::size_t chunk) {
         for (std::size_t block = 0; block < Particles::kChunk; block += SpriteBlock::kSize) {
-            HWY_DYNAMIC_DISPATCH(spriteBlock)(job, chunk * Particles::kChunk + block);
+            HWY_DYNAMIC_DISPATCH(spriteBlock)
+            (job, chunk * Particles::kChunk + block);
         }
     });
 }

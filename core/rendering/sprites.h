@@ -18,19 +18,19 @@ struct alignas(64) Sprite {
     float halfWidth = 0.0F; ///< of the box around it, pixels; 0: not visible
     float halfHeight = 0.0F;
     float m00 = 0.0F, m01 = 0.0F, m10 = 0.0F, m11 = 0.0F;
-    float direct[3] = {};      ///< colour of what the sun gives, linear
-    float opacity = 0.0F;      ///< at the centre, in [0, 1]; for a plain sprite with the texture in it
-    float ambient[3] = {};     ///< colour of everything else
+    float direct[3] = {}; ///< colour of what the sun gives, linear
+    float opacity = 0.0F; ///< at the centre, in [0, 1]; for a plain sprite with the texture in it
+    float ambient[3] = {}; ///< colour of everything else
     std::uint32_t texture = 0; ///< see packTexture()
 };
 
 /// Where a textured sprite reads the noise, in 32 bits.
 struct TextureRef {
-    int slice = 0;            ///< 0..127
-    int level = kPlain;       ///< resolution; kPlain: the sprite is too small to show a texture
-    std::uint32_t u = 0;      ///< offset into the tile, in 1/256 of it
+    int slice = 0; ///< 0..127
+    int level = kPlain; ///< resolution; kPlain: the sprite is too small to show a texture
+    std::uint32_t u = 0; ///< offset into the tile, in 1/256 of it
     std::uint32_t v = 0;
-    float erosion = 0.0F;     ///< the noise below this is gone, in 1/32
+    float erosion = 0.0F; ///< the noise below this is gone, in 1/32
 
     static constexpr int kPlain = 15;
 };
@@ -46,11 +46,11 @@ struct TextureRef {
 /// What all sprites of a frame share.
 struct SpriteStyle {
     bool square = false;
-    float hardness = 1.0F;     ///< 1 / softness
-    float texture = 0.0F;      ///< how much the noise disturbs the alpha
+    float hardness = 1.0F; ///< 1 / softness
+    float texture = 0.0F; ///< how much the noise disturbs the alpha
     float erosionSoftness = 1.0F;
     float textureScale = 1.0F; ///< tiles across the sprite
-    float lightX = 0.0F;       ///< way of the light on the screen, y down, length up to 1
+    float lightX = 0.0F; ///< way of the light on the screen, y down, length up to 1
     float lightY = 0.0F;
     float relief = 0.0F;
     float roundness = 0.0F;

@@ -18,7 +18,6 @@ namespace fumage::HWY_NAMESPACE {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-
 /// Rows and columns of the tile inside the box of a sprite; pixel centres lie at halves.
 struct Box {
     int left, right, top, bottom; ///< inclusive
@@ -35,8 +34,8 @@ HWY_INLINE Box boxOf(const Sprite& sprite, const Tile& tile)
 /// The rim p^2 + q^2 = 1 as xx dx^2 + 2 xy dx dy + yy dy^2 = 1, solved row by row.
 struct Ellipse {
     float xx, xy, yy;
-    float slant;    ///< centre of a row moves by this for each dy
-    float height;   ///< yy without the slant
+    float slant; ///< centre of a row moves by this for each dy
+    float height; ///< yy without the slant
     float halfRoot; ///< half width of the middle row
 
     explicit Ellipse(const Sprite& s)
@@ -170,7 +169,7 @@ struct TexturedSprite {
     float erosion, erosionScale; ///< of grey values 0..255
     float plainOpacity, noiseOpacity;
     float reliefU, reliefV; ///< shading by the noise's slope, per grey value
-    float roundX, roundY;   ///< shading by the place in the sprite, per pixel
+    float roundX, roundY; ///< shading by the place in the sprite, per pixel
 
     TexturedSprite(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite)
     {
@@ -201,15 +200,15 @@ struct TexturedSprite {
 
 /// Values that a pair of rows shares, each for both rows.
 struct RowPair {
-    float u[2], v[2];       ///< texture coordinates at dx = 0
-    float round[2];         ///< shading at dx = 0
+    float u[2], v[2]; ///< texture coordinates at dx = 0
+    float round[2]; ///< shading at dx = 0
     float slope[2], rest[2]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend dx + slope)
-    float p[2], q[2];       ///< place in the sprite at dx = 0
+    float p[2], q[2]; ///< place in the sprite at dx = 0
 };
 
 /// A vector of pixels in a pair of rows.
 struct Strip {
-    float x;            ///< of the first pixel
+    float x; ///< of the first pixel
     std::uint32_t pair; ///< index of its rows
     std::size_t offset; ///< into the planes
 };
@@ -453,7 +452,8 @@ HWY_EXPORT(paint);
 
 void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image)
 {
-    HWY_DYNAMIC_DISPATCH(paint)(batch, texture, entries, tile, image);
+    HWY_DYNAMIC_DISPATCH(paint)
+    (batch, texture, entries, tile, image);
 }
 
 } // namespace fumage

@@ -18,7 +18,15 @@ using V = hn::Vec<D>;
 using DU = hn::RebindToUnsigned<D>;
 using VU = hn::Vec<DU>;
 
-enum BirthStream : std::uint32_t { kAcross = 0, kAlong = 1, kBody = 2, kVelocityX = 3, kVelocityY = 4, kVelocityZ = 5, kConeAngle = 6, kConeTurn = 7, kBetweenSteps = 8 };
+enum BirthStream : std::uint32_t { kAcross = 0,
+    kAlong = 1,
+    kBody = 2,
+    kVelocityX = 3,
+    kVelocityY = 4,
+    kVelocityZ = 5,
+    kConeAngle = 6,
+    kConeTurn = 7,
+    kBetweenSteps = 8 };
 
 struct Triple {
     V x, y, z;
@@ -154,7 +162,8 @@ BirthPlace::BirthPlace(const Emitter& from, float effectDt)
 
 void bearParticles(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
 {
-    HWY_DYNAMIC_DISPATCH(bear)(place, randomIndex, step, slot, count, particles);
+    HWY_DYNAMIC_DISPATCH(bear)
+    (place, randomIndex, step, slot, count, particles);
 }
 
 } // namespace fumage

@@ -17,8 +17,8 @@ struct Frame {
 
 /// What fading and dying make of a particle; the same rules as the drawing kernels.
 struct Lifecycle {
-    float age = 0.0F;   ///< s
-    float life = 0.0F;  ///< share of its life that has passed, in [0, 1)
+    float age = 0.0F; ///< s
+    float life = 0.0F; ///< share of its life that has passed, in [0, 1)
     float alpha = 0.0F; ///< Ai - fade * age (eq. XIII), with lifetime variance as a faster fade
     bool alive = false;
 };

@@ -11,7 +11,10 @@ namespace fumage {
 namespace {
 
 // Streams of the random numbers that belong to the whole effect and not to a particle.
-enum EffectStream : std::uint32_t { kGustStrength = 101, kGustAngle = 102, kRotation = 103, kTurbulence = 104 };
+enum EffectStream : std::uint32_t { kGustStrength = 101,
+    kGustAngle = 102,
+    kRotation = 103,
+    kTurbulence = 104 };
 
 /// Gusts turn the wind by at most this, degrees.
 constexpr float kGustAngleRange = 60.0F;

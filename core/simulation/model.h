@@ -25,9 +25,9 @@ struct StepConstants {
     float dt = 0.0F;
     std::int32_t step = 0;
 
-    bool plain = true;        ///< nothing but the terms of the 2012 model without rotation
-    glm::vec3 steady{0.0F};   ///< a (1 - r) dt of wind and gravity, m/s
-    glm::vec3 random{0.0F};   ///< a r dt, times 2^-31: multiplies a random int32
+    bool plain = true; ///< nothing but the terms of the 2012 model without rotation
+    glm::vec3 steady{0.0F}; ///< a (1 - r) dt of wind and gravity, m/s
+    glm::vec3 random{0.0F}; ///< a r dt, times 2^-31: multiplies a random int32
 
     float randomness = 0.0F;
     float buoyancy = 0.0F; ///< times dt, m/s

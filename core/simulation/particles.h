@@ -15,11 +15,11 @@ struct Particles {
     /// Slots that are stepped together: their arrays stay in the first-level cache.
     static constexpr std::size_t kChunk = 1024;
 
-    AlignedArray<float> x, y, z;    ///< position, m
+    AlignedArray<float> x, y, z; ///< position, m
     AlignedArray<float> vx, vy, vz; ///< velocity without the turbulence that carries the particle, m/s
-    AlignedArray<std::uint32_t> key;       ///< random bits of the particle, see birthKey()
-    AlignedArray<std::int32_t> birthStep;  ///< kUnborn where the slot is empty
-    std::size_t capacity = 0;              ///< slots in use at most
+    AlignedArray<std::uint32_t> key; ///< random bits of the particle, see birthKey()
+    AlignedArray<std::int32_t> birthStep; ///< kUnborn where the slot is empty
+    std::size_t capacity = 0; ///< slots in use at most
 
     /// Makes room and empties every slot.
     void reset(std::size_t slots)

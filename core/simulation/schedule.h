@@ -11,13 +11,13 @@ namespace fumage {
 /// Births repeat with a period of periodSteps; each period has birthsPerPeriod of them, spread over its first windowSteps.
 /// A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1.
 struct Schedule {
-    float dt = 0.0F;                  ///< seconds a step
-    std::int64_t lifetimeSteps = 1;   ///< L = ceil(Ai / (fade dt)), eq. XIII of the 2012 model
+    float dt = 0.0F; ///< seconds a step
+    std::int64_t lifetimeSteps = 1; ///< L = ceil(Ai / (fade dt)), eq. XIII of the 2012 model
     std::int64_t birthsPerPeriod = 1;
     std::int64_t periodSteps = 1;
-    std::int64_t windowSteps = 1;     ///< at most periodSteps
-    std::int64_t firstStep = 0;       ///< the step of frame 0; smoke may have been rising before it
-    std::int64_t loopSteps = 0;       ///< 0 where the effect does not loop
+    std::int64_t windowSteps = 1; ///< at most periodSteps
+    std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it
+    std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;
 
     /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step 0.

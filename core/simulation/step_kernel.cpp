@@ -237,16 +237,19 @@ HWY_EXPORT(evaluateTurbulence);
 void stepChunk(const StepConstants& constants, Particles& particles, std::size_t chunk)
 {
     if (constants.plain) {
-        HWY_DYNAMIC_DISPATCH(stepPlain)(constants, particles, chunk);
+        HWY_DYNAMIC_DISPATCH(stepPlain)
+        (constants, particles, chunk);
     } else {
-        HWY_DYNAMIC_DISPATCH(stepWhole)(constants, particles, chunk);
+        HWY_DYNAMIC_DISPATCH(stepWhole)
+        (constants, particles, chunk);
     }
 }
 
 void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y, std::span<const float> z,
     std::span<float> vx, std::span<float> vy, std::span<float> vz)
 {
-    HWY_DYNAMIC_DISPATCH(evaluateTurbulence)(constants, x.data(), y.data(), z.data(), vx.data(), vy.data(), vz.data(), x.size());
+    HWY_DYNAMIC_DISPATCH(evaluateTurbulence)
+    (constants, x.data(), y.data(), z.data(), vx.data(), vy.data(), vz.data(), x.size());
 }
 
 } // namespace fumage

@@ -11,10 +11,10 @@ namespace fumage::benchmarks {
 struct Claim {
     std::string what;
     std::string benchmark; ///< full name as Google Benchmark prints it
-    std::string baseline;  ///< name of another: the figure is baseline time / benchmark time; empty: the counter or time itself
-    std::string counter;   ///< user counter to show; empty: milliseconds
-    double target = 0.0;   ///< 0: shown only
-    bool atMost = false;   ///< the figure should not exceed the target; else reach it
+    std::string baseline; ///< name of another: the figure is baseline time / benchmark time; empty: the counter or time itself
+    std::string counter; ///< user counter to show; empty: milliseconds
+    double target = 0.0; ///< 0: shown only
+    bool atMost = false; ///< the figure should not exceed the target; else reach it
 };
 
 /// Runs what --benchmark_filter selects and prints the claims whose benchmarks ran.

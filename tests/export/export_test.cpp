@@ -87,7 +87,7 @@ private slots:
     {
         const std::vector<std::byte> bytes = encodeImage(ramp(), Output{}, ImageFormat::Png16).value();
         QCOMPARE(int(bytes[24]), 16); // IHDR: bit depth
-        QCOMPARE(int(bytes[25]), 6);  // RGBA
+        QCOMPARE(int(bytes[25]), 6); // RGBA
         EncodedImage<std::uint16_t> expected;
         encode(ramp(), Output{}, expected);
         QVERIFY(readPng16(bytes) == expected.pixels);
@@ -154,7 +154,8 @@ private slots:
         QCOMPARE(QDir(folder.path() + "/made/here").entryList(QDir::Files), QStringList({"f_002.png", "f_005.png", "f_008.png"}));
         std::stop_source stop;
         const SequenceOptions other = options(folder.path().toStdString() + "/other/g_###.png", {0, 50, 1});
-        const Status status = renderSequence(effect, other, [&](int done, int) { if (done == 2) { stop.request_stop(); } }, stop.get_token());
+        const Status status = renderSequence(
+            effect, other, [&](int done, int) { if (done == 2) { stop.request_stop(); } }, stop.get_token());
         QCOMPARE(status.error().code, ErrorCode::Cancelled);
         for (const QString& name : QDir(folder.path() + "/other").entryList(QDir::Files)) {
             QVERIFY(name.endsWith(".png"));

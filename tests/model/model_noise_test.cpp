@@ -70,7 +70,7 @@ private slots:
         QTest::addColumn<float>("quarter");
         QTest::newRow("linear") << int(Interpolation::Linear) << 0.25F;
         QTest::newRow("cosine") << int(Interpolation::Cosine) << 0.14644661F; // (1 - cos 45) / 2
-        QTest::newRow("cubic") << int(Interpolation::Cubic) << 0.15625F;      // 3/16 - 2/64
+        QTest::newRow("cubic") << int(Interpolation::Cubic) << 0.15625F; // 3/16 - 2/64
         QTest::newRow("quintic") << int(Interpolation::Quintic) << 0.10351563F; // 6/1024 - 15/256 + 10/64
     }
     void interpolationWeights()

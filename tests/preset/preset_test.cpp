@@ -113,7 +113,8 @@ private slots:
         row("version is text", R"({"format": "fumage-preset", "version": "1"})", ErrorCode::WrongVersion);
         row("not UTF-8", kHead + "\"name\": \"\xff\xfe\"}", ErrorCode::NotUtf8);
         row("deep", std::string(1000, '['), ErrorCode::TooDeep);
-        row("deep objects", [] { std::string s; for (int i = 0; i < 1000; ++i) { s += "{\"a\":"; } return s; }(), ErrorCode::TooDeep);
+        row(
+            "deep objects", [] { std::string s; for (int i = 0; i < 1000; ++i) { s += "{\"a\":"; } return s; }(), ErrorCode::TooDeep);
         row("10 MB of brackets", std::string(10'000'000, '['), ErrorCode::TooLarge);
     }
     void badInputIsRefused()
