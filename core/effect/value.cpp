@@ -284,7 +284,7 @@ Clamped clampValue(const Parameter& parameter, const Value& value)
     case Kind::Gradient: clamped = clampGradient(parameter, std::get<Gradient>(value)); break;
     }
     const bool changed = clamped != value;
-    return {std::move(clamped), changed};
+    return {clamped, changed};
 }
 
 std::vector<const Parameter*> differences(const Effect& a, const Effect& b)

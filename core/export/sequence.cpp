@@ -80,7 +80,7 @@ std::filesystem::path framePath(const SequenceOptions& options, int frame)
     return options.output.parent_path() / name;
 }
 
-Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, std::stop_token stop)
+Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
 {
     if (Status status = makeFolder(options.output); !status) {
         return status;

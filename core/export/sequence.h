@@ -43,6 +43,6 @@ using SequenceProgress = std::function<void(int done, int total)>;
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
 /// A file is encoded and written while the next frame is simulated.
 /// @error that of the first frame that fails; files before it stay
-[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, std::stop_token stop = {});
+[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

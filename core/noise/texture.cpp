@@ -214,7 +214,7 @@ Result<NoiseTile> bakeBend(const Noise& noise, std::uint32_t stream, int size, f
 
 } // namespace
 
-Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, std::stop_token stop)
+Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, const std::stop_token& stop)
 {
     if (size < 1 || size > kMaxTextureSize) {
         return Error{ErrorCode::TooLarge, "a noise tile of " + std::to_string(size) + " pixels", "", "Choose 1 to " + std::to_string(kMaxTextureSize)};
@@ -261,7 +261,7 @@ Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, std::st
     return tile;
 }
 
-Result<NoiseTile> bakeNoise(const Noise& noise, int size, float depth, std::stop_token stop)
+Result<NoiseTile> bakeNoise(const Noise& noise, int size, float depth, const std::stop_token& stop)
 {
     Result<NoiseTile> baked = bakeFractal(noise, size, depth, stop);
     if (!baked) {

@@ -25,10 +25,10 @@ struct NoiseTile {
 /// @error       TooLarge before allocating; Cancelled if stop was requested
 /// Thread-safe. O(size^2 * octaves). Same result for any thread count.
 /// Source: the 2012 model (lattice values); Perlin, "Improving Noise", SIGGRAPH 2002 (gradients); seamless because lattices repeat.
-[[nodiscard]] Result<NoiseTile> bakeNoise(const Noise& noise, int size, float depth, std::stop_token stop = {});
+[[nodiscard]] Result<NoiseTile> bakeNoise(const Noise& noise, int size, float depth, const std::stop_token& stop = {});
 
 /// The sum of octaves without warp, sharpness and coverage, about 0: what bakeNoise() starts from.
 /// @return size * size floats, in [-1, 1] for lattice values, with a standard deviation of about 1/3 for gradients
-[[nodiscard]] Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, std::stop_token stop = {});
+[[nodiscard]] Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, const std::stop_token& stop = {});
 
 } // namespace fumage

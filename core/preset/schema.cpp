@@ -35,7 +35,7 @@ Json listOf(Json item)
 
 Json valueSchema(const Parameter& parameter)
 {
-    const Json component = ranged("number", parameter.hard);
+    Json component = ranged("number", parameter.hard);
     const Json position = ranged("number", {0.0, 1.0});
     switch (parameter.kind) {
     case Kind::Bool: return {{"type", "boolean"}};

@@ -128,7 +128,7 @@ void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std:
     });
 }
 
-Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, std::stop_token stop)
+Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop)
 {
     const int width = batch.view.width;
     const int height = batch.view.height;

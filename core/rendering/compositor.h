@@ -30,7 +30,7 @@ public:
     /// @param image resized; every pixel is written
     /// @error TooLarge, Cancelled
     /// O(sprites + covered pixels). The same bits for any thread count and instruction set.
-    [[nodiscard]] Status compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, std::stop_token stop = {});
+    [[nodiscard]] Status compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop = {});
 
 private:
     struct TileRange {

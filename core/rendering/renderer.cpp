@@ -36,7 +36,7 @@ Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
     return Done{};
 }
 
-Status Renderer::render(const Frame& frame, const Effect& effect, int width, int height, Image& image, std::stop_token stop)
+Status Renderer::render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop)
 {
     const int factor = effect.output.supersample;
     const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect.timeline.frameRate);

@@ -29,7 +29,7 @@ public:
     /// @param image  resized; linear premultiplied light, before exposure and view transform
     /// @error TooLarge before allocating, Cancelled
     /// A pure function of its arguments, to the bit.
-    [[nodiscard]] Status render(const Frame& frame, const Effect& effect, int width, int height, Image& image, std::stop_token stop = {});
+    [[nodiscard]] Status render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop = {});
 
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 

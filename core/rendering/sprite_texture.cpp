@@ -68,7 +68,7 @@ SpriteTexture SpriteTexture::pack(int size, const std::vector<AlignedArray<float
     return texture;
 }
 
-Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, std::stop_token stop)
+Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_token& stop)
 {
     const int size = std::max(kSmallest, static_cast<int>(std::bit_ceil(static_cast<unsigned>(noise.resolution))));
     SpriteTexture texture(size, noise.slices);

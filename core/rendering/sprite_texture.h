@@ -21,7 +21,7 @@ public:
     static constexpr int kSmallest = 4;
 
     /// @error Cancelled
-    [[nodiscard]] static Result<SpriteTexture> bake(const Noise& noise, std::stop_token stop = {});
+    [[nodiscard]] static Result<SpriteTexture> bake(const Noise& noise, const std::stop_token& stop = {});
 
     /// Builds the levels from slices that are already baked.
     /// @param slices each size * size values in [0, 1]; size a power of two, kSmallest or more

@@ -172,12 +172,12 @@ Status run(const Model& model, Particles& particles, std::int64_t from, std::int
 
 } // namespace
 
-Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, std::stop_token stop)
+Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop)
 {
     return run(model, particles, from, to, stop, [](std::size_t) {});
 }
 
-Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, std::stop_token stop)
+Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop)
 {
     if (after.x.size() != before.x.size()) {
         after.reset(before.capacity);
@@ -186,7 +186,7 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
     return run(model, after, from, to, stop, [&](std::size_t chunk) { copyChunk(before, after, chunk); });
 }
 
-Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, std::stop_token stop)
+Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop)
 {
     particles.reset(static_cast<std::size_t>(model.schedule().capacity()));
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);

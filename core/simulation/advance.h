@@ -16,12 +16,12 @@ namespace fumage {
 /// @param from,to   steps, from <= to
 /// @error Cancelled; the particles are then between steps and must be thrown away
 /// O(particles * steps). The same bits for any number of threads, and for any way to split [from, to].
-[[nodiscard]] Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, std::stop_token stop = {});
+[[nodiscard]] Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop = {});
 
 /// The same out of place: the state at step from is read, the one at step to written into another.
-[[nodiscard]] Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, std::stop_token stop = {});
+[[nodiscard]] Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop = {});
 
 /// Fills the state at a step from nothing, through a pre-roll of at most one lifetime.
-[[nodiscard]] Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, std::stop_token stop = {});
+[[nodiscard]] Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -39,7 +39,7 @@ std::shared_ptr<Frame> Simulator::blankFrame()
     return m_pool.emplace_back(std::make_shared<Frame>());
 }
 
-Result<std::shared_ptr<const Frame>> Simulator::frame(int number, std::stop_token stop)
+Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const std::stop_token& stop)
 {
     const Schedule& schedule = m_model->schedule();
     if (schedule.loopSteps != 0) {

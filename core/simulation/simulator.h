@@ -20,7 +20,7 @@ public:
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
     /// @error Cancelled
-    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, std::stop_token stop = {});
+    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const std::stop_token& stop = {});
 
     [[nodiscard]] const Model& model() const { return *m_model; }
 
