@@ -8,6 +8,7 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/lighting/appearance.h"
+#include "core/simulation/streams.h"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +53,6 @@ Bounds appearanceChunk(const AppearanceJob& job, const Particles& particles, std
     const hn::RebindToSigned<decltype(d)> di;
     const hn::RebindToUnsigned<decltype(d)> du;
     using V = hn::Vec<decltype(d)>;
-    constexpr std::uint32_t kLifetimeStream = 21;
-    constexpr std::uint32_t kSizeStream = 22;
     const V one = hn::Set(d, 1.0F);
     const V zero = hn::Zero(d);
     const V fullLife = hn::Set(d, job.lifetimeSteps);

@@ -33,9 +33,6 @@ public:
 
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 
-    /// The sprites of the last picture.
-    [[nodiscard]] const SpriteBatch& batch() const { return m_batch; }
-
 private:
     [[nodiscard]] Status updateTexture(const Noise& noise, const std::stop_token& stop);
 

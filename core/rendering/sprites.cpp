@@ -9,6 +9,7 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/rendering/sprites.h"
+#include "core/simulation/streams.h"
 
 #include <algorithm>
 #include <array>
@@ -104,10 +105,6 @@ void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& block)
     const D d;
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
-    enum : std::uint32_t { kRotationStream = 30,
-        kSpinStream = 31,
-        kSliceStream = 32,
-        kHeatStream = 20 };
     const Particles& particles = *job.particles;
     const View& view = job.view;
     const GridShape& grid = job.light->shape;

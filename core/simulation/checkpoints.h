@@ -22,8 +22,6 @@ public:
     /// @return the last frame at or before a number, or nullptr
     [[nodiscard]] std::shared_ptr<const Frame> nearestBefore(int number) const;
 
-    [[nodiscard]] std::size_t count() const { return m_frames.size(); }
-
 private:
     std::size_t m_bytes;
     std::map<int, std::shared_ptr<const Frame>> m_frames;

@@ -7,6 +7,7 @@
 #include "core/base/math-inl.h"
 #include "core/base/math.h"
 #include "core/simulation/emitter.h"
+#include "core/simulation/streams.h"
 
 #include <algorithm>
 
@@ -17,16 +18,6 @@ using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using DU = hn::RebindToUnsigned<D>;
 using VU = hn::Vec<DU>;
-
-enum BirthStream : std::uint32_t { kAcross = 0,
-    kAlong = 1,
-    kBody = 2,
-    kVelocityX = 3,
-    kVelocityY = 4,
-    kVelocityZ = 5,
-    kConeAngle = 6,
-    kConeTurn = 7,
-    kBetweenSteps = 8 };
 
 struct Triple {
     V x, y, z;
@@ -58,8 +49,8 @@ HWY_INLINE VU birthKeys(DU du, std::uint32_t seed, VU low, VU high)
 HWY_INLINE Triple birthPosition(D d, const BirthPlace& place, VU key)
 {
     const Emitter& emitter = place.emitter;
-    const V u = signedStream(d, key, kAcross);
-    const V v = signedStream(d, key, kAlong);
+    const V u = signedStream(d, key, kBirthAcross);
+    const V v = signedStream(d, key, kBirthAlong);
     const Triple centre = broadcast(d, emitter.position);
     if (emitter.shape == EmitterShape::Rectangle) {
         const V across = hn::Mul(u, hn::Set(d, 0.5F * emitter.width));
@@ -69,7 +60,7 @@ HWY_INLINE Triple birthPosition(D d, const BirthPlace& place, VU key)
     V sine = hn::Zero(d);
     V cosine = hn::Zero(d);
     sinCos(d, hn::Mul(u, hn::Set(d, kPi)), sine, cosine);
-    const V body = unitStream(d, key, kBody);
+    const V body = unitStream(d, key, kBirthBody);
     if (emitter.shape == EmitterShape::Disc) {
         const V r = hn::Mul(hn::Set(d, emitter.radius), hn::Sqrt(body));
         return add(d, add(d, centre, place.basis.across, hn::Mul(r, cosine)), place.basis.along, hn::Mul(r, sine));
@@ -91,17 +82,17 @@ HWY_INLINE Triple birthVelocity(D d, const BirthPlace& place, VU key)
         V tiltCosine = hn::Zero(d);
         V turnSine = hn::Zero(d);
         V turnCosine = hn::Zero(d);
-        sinCos(d, hn::Mul(hn::Set(d, place.spread), hn::Sqrt(unitStream(d, key, kConeAngle))), tiltSine, tiltCosine);
-        sinCos(d, hn::Mul(hn::Set(d, kPi), signedStream(d, key, kConeTurn)), turnSine, turnCosine);
+        sinCos(d, hn::Mul(hn::Set(d, place.spread), hn::Sqrt(unitStream(d, key, kBirthConeAngle))), tiltSine, tiltCosine);
+        sinCos(d, hn::Mul(hn::Set(d, kPi), signedStream(d, key, kBirthConeTurn)), turnSine, turnCosine);
         n = {hn::Mul(n.x, tiltCosine), hn::Mul(n.y, tiltCosine), hn::Mul(n.z, tiltCosine)};
         n = add(d, add(d, n, place.basis.across, hn::Mul(tiltSine, turnCosine)), place.basis.along, hn::Mul(tiltSine, turnSine));
     }
     const V random = hn::Set(d, emitter.velocityRandomness);
     const V calm = hn::Set(d, 1.0F - emitter.velocityRandomness);
     const V speed = hn::Set(d, emitter.speed);
-    return {hn::Mul(hn::Mul(n.x, mulAdd(random, signedStream(d, key, kVelocityX), calm)), speed),
-        hn::Mul(hn::Mul(n.y, mulAdd(random, unitStream(d, key, kVelocityY), calm)), speed),
-        hn::Mul(hn::Mul(n.z, mulAdd(random, signedStream(d, key, kVelocityZ), calm)), speed)};
+    return {hn::Mul(hn::Mul(n.x, mulAdd(random, signedStream(d, key, kBirthVelocityX), calm)), speed),
+        hn::Mul(hn::Mul(n.y, mulAdd(random, unitStream(d, key, kBirthVelocityY), calm)), speed),
+        hn::Mul(hn::Mul(n.z, mulAdd(random, signedStream(d, key, kBirthVelocityZ), calm)), speed)};
 }
 
 void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
@@ -121,7 +112,7 @@ void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, 
         const Triple v = birthVelocity(d, place, key);
         Triple p = birthPosition(d, place, key);
         if (place.emitter.subframe) {
-            const V ahead = hn::Mul(hn::Set(d, place.dt), unitStream(d, key, kBetweenSteps));
+            const V ahead = hn::Mul(hn::Set(d, place.dt), unitStream(d, key, kBirthBetweenSteps));
             p = {mulAdd(v.x, ahead, p.x), mulAdd(v.y, ahead, p.y), mulAdd(v.z, ahead, p.z)};
         }
         hn::Store(p.x, d, columns[0]);

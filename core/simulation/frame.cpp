@@ -1,6 +1,7 @@
 #include "core/simulation/frame.h"
 
 #include "core/base/hash.h"
+#include "core/simulation/streams.h"
 
 namespace fumage {
 
@@ -10,7 +11,6 @@ Lifecycle lifecycle(const Frame& frame, std::size_t slot)
     if (birth == Particles::kUnborn) {
         return {};
     }
-    constexpr std::uint32_t kLifetimeStream = 21;
     const Effect& effect = frame.model->effect();
     const Schedule& schedule = frame.model->schedule();
     const auto age = static_cast<float>(frame.step - birth);

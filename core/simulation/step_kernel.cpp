@@ -7,6 +7,7 @@
 #include "core/base/math-inl.h"
 #include "core/noise/simplex-inl.h"
 #include "core/simulation/step.h"
+#include "core/simulation/streams.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -140,7 +141,6 @@ void stepWhole(const StepConstants& constants, Particles& particles, std::size_t
     const D d;
     const hn::RebindToUnsigned<D> du;
     const hn::RebindToSigned<D> di;
-    constexpr std::uint32_t kHeatStream = 20;
     const std::size_t begin = chunk * Particles::kChunk;
     const std::size_t end = begin + Particles::kChunk;
     const V dt = hn::Set(d, constants.dt);

@@ -199,11 +199,23 @@ private slots:
         QCOMPARE(run({"validate", "--strict", copy}).code, 0);
     }
 
+    void builtinPresetFilesAreCanonical()
+    {
+        const QDir presets(FUMAGE_SOURCE_DIR "/resources/presets");
+        for (const QString& name : presets.entryList({"*.json"})) {
+            QFile file(presets.filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QCOMPARE(run({"presets", "--show", presets.filePath(name)}).out, file.readAll());
+        }
+    }
+
     void parametersAreListedAsMarkdown()
     {
         const Outcome outcome = run({"parameters", "--markdown"});
         QCOMPARE(outcome.code, 0);
-        QVERIFY(outcome.out.contains("`motion.wind_angle`"));
+        QFile reference(FUMAGE_SOURCE_DIR "/resources/parameters.md");
+        QVERIFY(reference.open(QIODevice::ReadOnly));
+        QCOMPARE(outcome.out, reference.readAll());
     }
 
     void progressIsQuietInAPipe()
