@@ -63,25 +63,33 @@ void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float f
 void gradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
 {
     const D d;
+    const float* HWY_RESTRICT belowX = below.x.data();
+    const float* HWY_RESTRICT belowY = below.y.data();
+    const float* HWY_RESTRICT belowZ = below.z.data();
+    const float* HWY_RESTRICT aboveX = above.x.data();
+    const float* HWY_RESTRICT aboveY = above.y.data();
+    const float* HWY_RESTRICT aboveZ = above.z.data();
+    float* HWY_RESTRICT c0 = out.c0.data();
+    float* HWY_RESTRICT c1 = out.c1.data();
+    float* HWY_RESTRICT d0 = out.d0.data();
+    float* HWY_RESTRICT d1 = out.d1.data();
     const V t = hn::Set(d, weightY);
     const V up = hn::Set(d, fy);
     const V down = hn::Set(d, fy - 1.0F);
     const V scale = hn::Set(d, amplitude * kGradientScale);
     const auto count = static_cast<std::size_t>(cells);
-    // First the value and slope along x at every lattice column, kept in c0 and c1, then their differences.
     for (std::size_t i = 0; i <= count; i += hn::Lanes(d)) {
-        const V slope = mix(hn::LoadU(d, below.x.data() + i), hn::LoadU(d, above.x.data() + i), t);
-        const V low = mulAdd(hn::LoadU(d, below.y.data() + i), up, hn::LoadU(d, below.z.data() + i));
-        const V high = mulAdd(hn::LoadU(d, above.y.data() + i), down, hn::LoadU(d, above.z.data() + i));
-        hn::StoreU(hn::Mul(slope, scale), d, out.c1.data() + i);
-        hn::StoreU(hn::Mul(mix(low, high, t), scale), d, out.c0.data() + i);
+        const V slope = mix(hn::Load(d, belowX + i), hn::Load(d, aboveX + i), t);
+        const V low = mulAdd(hn::Load(d, belowY + i), up, hn::Load(d, belowZ + i));
+        const V high = mulAdd(hn::Load(d, aboveY + i), down, hn::Load(d, aboveZ + i));
+        hn::StoreU(hn::Mul(slope, scale), d, c1 + i);
+        hn::StoreU(hn::Mul(mix(low, high, t), scale), d, c0 + i);
     }
+    // The upper column of a cell is the lower one of the next, seen from the other side: d0 and d1 are the differences.
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const V c0 = hn::LoadU(d, out.c0.data() + i);
-        const V c1 = hn::LoadU(d, out.c1.data() + i);
-        const V nextC1 = hn::LoadU(d, out.c1.data() + i + 1);
-        hn::StoreU(hn::Sub(hn::Sub(hn::LoadU(d, out.c0.data() + i + 1), nextC1), c0), d, out.d0.data() + i);
-        hn::StoreU(hn::Sub(nextC1, c1), d, out.d1.data() + i);
+        const V nextC1 = hn::LoadU(d, c1 + i + 1);
+        hn::StoreU(hn::Sub(hn::Sub(hn::LoadU(d, c0 + i + 1), nextC1), hn::LoadU(d, c0 + i)), d, d0 + i);
+        hn::StoreU(hn::Sub(nextC1, hn::LoadU(d, c1 + i)), d, d1 + i);
     }
 }
 
