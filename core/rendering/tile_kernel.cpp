@@ -61,13 +61,14 @@ struct Ellipse {
 };
 
 /// Adds a layer of opacity a and colour c under what is there.
-HWY_INLINE void under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue)
+template <class Tag, class W = hn::Vec<Tag>>
+HWY_INLINE void under(Tag d, float* HWY_RESTRICT through, W a, W red, W green, W blue)
 {
     float* HWY_RESTRICT toRed = through + Tile::kPixels;
     float* HWY_RESTRICT toGreen = through + 2 * Tile::kPixels;
     float* HWY_RESTRICT toBlue = through + 3 * Tile::kPixels;
-    const V before = hn::LoadU(d, through);
-    const V weight = hn::Mul(a, before);
+    const W before = hn::LoadU(d, through);
+    const W weight = hn::Mul(a, before);
     hn::StoreU(mulAdd(weight, red, hn::LoadU(d, toRed)), d, toRed);
     hn::StoreU(mulAdd(weight, green, hn::LoadU(d, toGreen)), d, toGreen);
     hn::StoreU(mulAdd(weight, blue, hn::LoadU(d, toBlue)), d, toBlue);
@@ -80,49 +81,59 @@ HWY_INLINE std::size_t tileOffset(const Tile& tile, int x, int y)
 }
 
 /// x coordinates of a vector of pixels relative to the sprite; exact before the subtraction, so that they do not depend on the vector's width.
-HWY_INLINE V offsets(D d, V halves, int first, V centre)
+template <class Tag, class W = hn::Vec<Tag>>
+HWY_INLINE W offsets(Tag d, W halves, int first, W centre)
 {
     return hn::Sub(hn::Add(halves, hn::Set(d, static_cast<float>(first))), centre);
 }
 
 /// The same vector of pixels in two neighbouring rows: twice the independent work for a chain of operations that wait for one another.
-struct Rows {
-    V a, b;
+template <class W>
+struct RowsOf {
+    W a, b;
 };
+using Rows = RowsOf<V>;
 
-HWY_INLINE Rows both(V v)
+template <class W>
+HWY_INLINE RowsOf<W> both(W v)
 {
     return {v, v};
 }
 
-HWY_INLINE Rows operator+(Rows x, Rows y)
+template <class W>
+HWY_INLINE RowsOf<W> operator+(RowsOf<W> x, RowsOf<W> y)
 {
     return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)};
 }
 
-HWY_INLINE Rows operator-(Rows x, Rows y)
+template <class W>
+HWY_INLINE RowsOf<W> operator-(RowsOf<W> x, RowsOf<W> y)
 {
     return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)};
 }
 
-HWY_INLINE Rows operator*(Rows x, Rows y)
+template <class W>
+HWY_INLINE RowsOf<W> operator*(RowsOf<W> x, RowsOf<W> y)
 {
     return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)};
 }
 
-HWY_INLINE Rows clampRows(Rows x, V low, V high)
+template <class W>
+HWY_INLINE RowsOf<W> clampRows(RowsOf<W> x, W low, W high)
 {
     return {hn::Min(hn::Max(x.a, low), high), hn::Min(hn::Max(x.b, low), high)};
 }
 
 /// Something that is linear in dy, at two rows.
-HWY_INLINE Rows atRows(D d, float constant, float slope, float dy)
+template <class Tag>
+HWY_INLINE RowsOf<hn::Vec<Tag>> atRows(Tag d, float constant, float slope, float dy)
 {
     return {hn::Set(d, constant + slope * dy), hn::Set(d, constant + slope * (dy + 1.0F))};
 }
 
 /// hardness (1 - yy dy^2) at two rows: what the profile still has before dx is known.
-HWY_INLINE Rows restOfRows(D d, float yy, float hardness, float dy)
+template <class Tag>
+HWY_INLINE RowsOf<hn::Vec<Tag>> restOfRows(Tag d, float yy, float hardness, float dy)
 {
     const float next = dy + 1.0F;
     return {hn::Set(d, hardness * (1.0F - yy * dy * dy)), hn::Set(d, hardness * (1.0F - yy * next * next))};
@@ -131,30 +142,33 @@ HWY_INLINE Rows restOfRows(D d, float yy, float hardness, float dy)
 /// A sprite too small for its texture: a soft disc of one colour.
 void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
 {
-    const D d;
+    // Few of these are wider than eight pixels: wider vectors would blend mostly nothing.
+    const hn::CappedTag<float, 8> d;
+    using W = hn::Vec<decltype(d)>;
+    using Pair = RowsOf<W>;
     const Box box = boxOf(sprite, tile);
     const float xx = sprite.m00 * sprite.m00 + sprite.m10 * sprite.m10;
     const float xy = sprite.m00 * sprite.m01 + sprite.m10 * sprite.m11;
     const float yy = sprite.m01 * sprite.m01 + sprite.m11 * sprite.m11;
-    const V red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
-    const V green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
-    const V blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
-    const V opacity = hn::Set(d, sprite.opacity);
-    const V bend = hn::Set(d, xx * style.hardness);
-    const V zero = hn::Zero(d);
-    const V one = hn::Set(d, 1.0F);
-    const V halves = hn::Iota(d, 0.5F);
-    const V centre = hn::Set(d, sprite.x);
+    const W red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
+    const W green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
+    const W blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
+    const W opacity = hn::Set(d, sprite.opacity);
+    const W bend = hn::Set(d, xx * style.hardness);
+    const W zero = hn::Zero(d);
+    const W one = hn::Set(d, 1.0F);
+    const W halves = hn::Iota(d, 0.5F);
+    const W centre = hn::Set(d, sprite.x);
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int y = box.top; y <= box.bottom; y += 2) {
         const float dy = (static_cast<float>(y) + 0.5F) - sprite.y;
-        const Rows slope = atRows(d, 0.0F, 2.0F * xy * style.hardness, dy);
-        const Rows rest = restOfRows(d, yy, style.hardness, dy);
+        const Pair slope = atRows(d, 0.0F, 2.0F * xy * style.hardness, dy);
+        const Pair rest = restOfRows(d, yy, style.hardness, dy);
         float* at = tile.planes.data() + tileOffset(tile, box.left, y);
         for (int x = box.left; x <= box.right; x += lanes, at += lanes) {
-            const Rows dx = both(offsets(d, halves, x, centre));
-            const Rows inside = clampRows(rest - dx * (both(hn::Mul(bend, dx.a)) + slope), zero, one);
-            const Rows alpha = both(opacity) * (inside * inside);
+            const Pair dx = both(offsets(d, halves, x, centre));
+            const Pair inside = clampRows(rest - dx * (both(hn::Mul(bend, dx.a)) + slope), zero, one);
+            const Pair alpha = both(opacity) * (inside * inside);
             under(d, at, alpha.a, red, green, blue);
             under(d, at + Tile::kStride, alpha.b, red, green, blue);
         }
