@@ -18,13 +18,13 @@ inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 28U;
 
 /// Blends sprites into a picture, near to far, in linear premultiplied floats.
 ///
-/// Sprites are binned into tiles that fit the first-level cache; each tile sorts its own by depth and stops once nothing behind can be seen
+/// Sprites are binned into tiles that stay in the cache; each tile sorts its own by depth and stops once nothing behind can be seen
 /// (transmittance under 1/1024 everywhere). A sprite over what is already there: C += T a c, T *= 1 - a (Porter and Duff 1984, "under").
 /// Keeps its buffers from one picture to the next. Not thread-safe; uses all threads inside.
 class Compositor {
 public:
     static constexpr int kTileWidth = 64;
-    static constexpr int kTileHeight = 32;
+    static constexpr int kTileHeight = 64;
 
     /// @param batch made for batch.view.width by batch.view.height pixels
     /// @param image resized; every pixel is written
