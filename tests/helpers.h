@@ -74,6 +74,15 @@ inline std::shared_ptr<const Frame> frameOf(const Effect& effect, int number)
     return simulator.frame(number).value();
 }
 
+inline int livingCount(const Frame& frame)
+{
+    int alive = 0;
+    for (std::size_t i = 0; i < frame.particles.capacity; ++i) {
+        alive += lifecycle(frame, i).alive ? 1 : 0;
+    }
+    return alive;
+}
+
 inline Image render(const Effect& effect, int number)
 {
     Renderer renderer;

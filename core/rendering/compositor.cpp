@@ -64,23 +64,29 @@ void Compositor::findTiles(const SpriteBatch& batch, int columns, int rows)
     });
 }
 
+template <class Visit>
+void Compositor::forTilesOfBlock(std::size_t block, int columns, const Visit& visit) const
+{
+    const std::size_t last = std::min(m_ranges.size(), (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < last; ++i) {
+        const TileRange& range = m_ranges[i];
+        if (range.left > range.right) {
+            continue;
+        }
+        for (std::size_t row = range.top; row <= range.bottom; ++row) {
+            for (std::size_t column = range.left; column <= range.right; ++column) {
+                visit(i, row * static_cast<std::size_t>(columns) + column);
+            }
+        }
+    }
+}
+
 void Compositor::countTiles(std::size_t tiles, int columns)
 {
     m_counts.assign(m_blocks * tiles, 0U);
     parallelFor(m_blocks, [&](std::size_t block) {
         std::uint32_t* counts = m_counts.data() + block * tiles;
-        const std::size_t last = std::min(m_ranges.size(), (block + 1) * kBlock);
-        for (std::size_t i = block * kBlock; i < last; ++i) {
-            const TileRange& range = m_ranges[i];
-            if (range.left > range.right) {
-                continue;
-            }
-            for (std::size_t row = range.top; row <= range.bottom; ++row) {
-                for (std::size_t column = range.left; column <= range.right; ++column) {
-                    ++counts[row * static_cast<std::size_t>(columns) + column];
-                }
-            }
-        }
+        forTilesOfBlock(block, columns, [&](std::size_t, std::size_t tile) { ++counts[tile]; });
     });
     // Counts become the offset of each block within its tile: entries of a tile lie in the order of their slots.
     m_tileTotals.assign(tiles, 0U);
@@ -109,22 +115,11 @@ void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std:
     parallelFor(m_blocks, [&](std::size_t block) {
         std::vector<std::uint32_t> at(m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + firstTile),
             m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + lastTile));
-        const std::size_t last = std::min(m_ranges.size(), (block + 1) * kBlock);
-        for (std::size_t i = block * kBlock; i < last; ++i) {
-            const TileRange& range = m_ranges[i];
-            if (range.left > range.right) {
-                continue;
+        forTilesOfBlock(block, columns, [&](std::size_t sprite, std::size_t tile) {
+            if (tile >= firstTile && tile < lastTile) {
+                m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] = depthEntry(batch.depth[sprite], static_cast<std::uint32_t>(sprite));
             }
-            const DepthEntry entry = depthEntry(batch.depth[i], static_cast<std::uint32_t>(i));
-            for (std::size_t row = range.top; row <= range.bottom; ++row) {
-                for (std::size_t column = range.left; column <= range.right; ++column) {
-                    const std::size_t tile = row * static_cast<std::size_t>(columns) + column;
-                    if (tile >= firstTile && tile < lastTile) {
-                        m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] = entry;
-                    }
-                }
-            }
-        }
+        });
     });
 }
 

@@ -37,6 +37,9 @@ private:
         std::uint16_t left, top, right, bottom; ///< tiles, inclusive; left > right where hidden
     };
 
+    /// Calls visit(sprite, tile) for the sprites of one block and the tiles that each touches, in their order.
+    template <class Visit>
+    void forTilesOfBlock(std::size_t block, int columns, const Visit& visit) const;
     void findTiles(const SpriteBatch& batch, int columns, int rows);
     void countTiles(std::size_t tiles, int columns);
     void fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns);

@@ -31,17 +31,26 @@ HWY_INLINE Box boxOf(const Sprite& sprite, const Tile& tile)
         std::max(tile.top, first(std::max(sprite.y - sprite.halfHeight, -1e6F))), std::min(tile.bottom - 1, last(std::min(sprite.y + sprite.halfHeight, 1e6F)))};
 }
 
-/// The rim p^2 + q^2 = 1 as xx dx^2 + 2 xy dx dy + yy dy^2 = 1, solved row by row.
-struct Ellipse {
+/// The rim p^2 + q^2 = 1 as xx dx^2 + 2 xy dx dy + yy dy^2 = 1.
+struct Rim {
     float xx, xy, yy;
+
+    explicit Rim(const Sprite& s)
+        : xx(s.m00 * s.m00 + s.m10 * s.m10)
+        , xy(s.m00 * s.m01 + s.m10 * s.m11)
+        , yy(s.m01 * s.m01 + s.m11 * s.m11)
+    {
+    }
+};
+
+/// A rim that can be solved row by row.
+struct Ellipse : Rim {
     float slant; ///< centre of a row moves by this for each dy
     float height; ///< yy without the slant
     float halfRoot; ///< half width of the middle row
 
     explicit Ellipse(const Sprite& s)
-        : xx(s.m00 * s.m00 + s.m10 * s.m10)
-        , xy(s.m00 * s.m01 + s.m10 * s.m11)
-        , yy(s.m01 * s.m01 + s.m11 * s.m11)
+        : Rim(s)
         , slant(-xy / xx)
         , height(yy + xy * slant)
         , halfRoot(1.0F / std::sqrt(xx))
@@ -147,14 +156,12 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
     using W = hn::Vec<decltype(d)>;
     using Pair = RowsOf<W>;
     const Box box = boxOf(sprite, tile);
-    const float xx = sprite.m00 * sprite.m00 + sprite.m10 * sprite.m10;
-    const float xy = sprite.m00 * sprite.m01 + sprite.m10 * sprite.m11;
-    const float yy = sprite.m01 * sprite.m01 + sprite.m11 * sprite.m11;
+    const Rim rim(sprite);
     const W red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
     const W green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
     const W blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
     const W opacity = hn::Set(d, sprite.opacity);
-    const W bend = hn::Set(d, xx * style.hardness);
+    const W bend = hn::Set(d, rim.xx * style.hardness);
     const W zero = hn::Zero(d);
     const W one = hn::Set(d, 1.0F);
     const W halves = hn::Iota(d, 0.5F);
@@ -162,8 +169,8 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int y = box.top; y <= box.bottom; y += 2) {
         const float dy = (static_cast<float>(y) + 0.5F) - sprite.y;
-        const Pair slope = atRows(d, 0.0F, 2.0F * xy * style.hardness, dy);
-        const Pair rest = restOfRows(d, yy, style.hardness, dy);
+        const Pair slope = atRows(d, 0.0F, 2.0F * rim.xy * style.hardness, dy);
+        const Pair rest = restOfRows(d, rim.yy, style.hardness, dy);
         float* at = tile.planes.data() + tileOffset(tile, box.left, y);
         for (int x = box.left; x <= box.right; x += lanes, at += lanes) {
             const Pair dx = both(offsets(d, halves, x, centre));
@@ -390,9 +397,7 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
 void clearTile(Tile& tile)
 {
     std::fill_n(tile.planes.begin(), Tile::kPixels, 1.0F);
-    for (std::size_t colour = 1; colour < 4; ++colour) {
-        std::fill_n(tile.planes.begin() + static_cast<std::ptrdiff_t>(colour * Tile::kPixels), Tile::kPixels, 0.0F);
-    }
+    std::fill(tile.planes.begin() + Tile::kPixels, tile.planes.end(), 0.0F);
 }
 
 bool isOpaque(const Tile& tile)

@@ -35,16 +35,14 @@ public:
     {
         const Slots slots = slotsOf(chunk);
         bool occupied = false;
-        forSlots(firstAlive(from), firstUnborn(from), slots, [&](std::int64_t low, std::int64_t high, std::int64_t) { occupied = occupied || low < high; });
+        forSlots(firstAlive(from), firstUnborn(from), slots, [&](std::int64_t, std::int64_t, std::int64_t) { occupied = true; });
         for (const PlannedStep& step : steps) {
             if (occupied) {
                 stepChunk(step.constants, m_particles, chunk);
             }
             forSlots(step.firstBirth, step.endBirth, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                if (low < high) {
-                    bear(low, high, lap, step.constants.step);
-                    occupied = true;
-                }
+                bear(low, high, lap, step.constants.step);
+                occupied = true;
             });
         }
     }
@@ -58,9 +56,7 @@ public:
         if (last - first < m_capacity) {
             // The ring's free slots are those of the births that come next.
             forSlots(last, first + m_capacity, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                if (low < high) {
-                    clear(low - lap, high - lap);
-                }
+                clear(low - lap, high - lap);
             });
         }
         clear(std::max(slots.begin, slots.end), static_cast<std::int64_t>((chunk + 1) * Particles::kChunk)); // padding
@@ -83,7 +79,11 @@ private:
     void forSlots(std::int64_t first, std::int64_t last, const Slots& slots, const Visit& visit) const
     {
         for (std::int64_t lap = first / m_capacity * m_capacity; lap < last; lap += m_capacity) {
-            visit(std::max(first, lap + slots.begin), std::min(last, lap + slots.end), lap);
+            const std::int64_t low = std::max(first, lap + slots.begin);
+            const std::int64_t high = std::min(last, lap + slots.end);
+            if (low < high) {
+                visit(low, high, lap);
+            }
         }
     }
 

@@ -173,10 +173,7 @@ private slots:
     {
         const Effect effect = everythingOn();
         const auto frame = frameOf(effect, 4);
-        qsizetype alive = 0;
-        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
-            alive += lifecycle(*frame, i).alive ? 1 : 0;
-        }
+        const int alive = livingCount(*frame);
         const QByteArray csv = QByteArray::fromStdString(dumpCsv(*frame, effect));
         QCOMPARE(csv.count('\n'), alive + 1);
         QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius\n"));

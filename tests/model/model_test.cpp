@@ -332,10 +332,7 @@ private slots:
             Simulator simulator(effect);
             for (const int number : {149, 150, 151, 299, 300, 777}) {
                 const auto frame = simulator.frame(number).value();
-                int alive = 0;
-                for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
-                    alive += lifecycle(*frame, i).alive ? 1 : 0;
-                }
+                const int alive = livingCount(*frame);
                 QCOMPARE(alive, count);
             }
         }
@@ -344,10 +341,7 @@ private slots:
     void equationXIII_populationGrowsLinearlyBefore()
     {
         const auto frame = frameOf(thesisEffect(3000), 74);
-        int alive = 0;
-        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
-            alive += lifecycle(*frame, i).alive ? 1 : 0;
-        }
+        const int alive = livingCount(*frame);
         QCOMPARE(alive, 1500); // half of the lifetime of 150 steps
     }
 

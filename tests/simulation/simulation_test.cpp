@@ -291,10 +291,7 @@ private slots:
         effect.life.lifetimeVariance = 0.5F;
         const auto aliveAt = [&](int number) {
             const auto frame = frameOf(effect, number);
-            int alive = 0;
-            for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
-                alive += lifecycle(*frame, i).alive ? 1 : 0;
-            }
+            const int alive = livingCount(*frame);
             return alive;
         };
         QCOMPARE(aliveAt(74), 5000);
