@@ -31,16 +31,13 @@ Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
     if (!baked) {
         return baked.error();
     }
-    m_texture = std::move(baked).value();
+    m_texture = std::make_shared<const SpriteTexture>(std::move(baked).value());
     m_noise = noise;
     return Done{};
 }
 
-Status Renderer::render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop)
+Status Renderer::prepare(const Frame& frame, const Effect& effect, const View& view, const std::stop_token& stop)
 {
-    const int factor = effect.output.supersample;
-    const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect.timeline.frameRate);
-    const View view = makeView(effect.camera, seconds, width * factor, height * factor);
     {
         const Stopwatch stopwatch(m_times.texture);
         if (Status status = updateTexture(effect.noise, stop); !status) {
@@ -52,13 +49,25 @@ Status Renderer::render(const Frame& frame, const Effect& effect, int width, int
         findAppearance(frame, effect, lightAxes(effect.light.direction), m_appearance);
         lightSmoke(frame, effect, m_appearance, view.eye, m_light);
     }
-    {
-        const Stopwatch stopwatch(m_times.sprites);
-        makeSprites(frame, effect, m_appearance, m_light, *m_texture, view, m_batch);
-    }
+    const Stopwatch stopwatch(m_times.sprites);
+    makeSprites(frame, effect, m_appearance, m_light, *m_texture, view, m_batch);
+    return Done{};
+}
+
+Status Renderer::composite(Image& image, const std::stop_token& stop)
+{
     const Stopwatch stopwatch(m_times.composite);
-    Image& target = factor == 1 ? image : m_large;
-    if (Status status = m_compositor.compose(m_batch, *m_texture, target, stop); !status) {
+    return m_compositor.compose(m_batch, *m_texture, image, stop);
+}
+
+Status Renderer::render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop)
+{
+    const int factor = effect.output.supersample;
+    const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect.timeline.frameRate);
+    if (Status status = prepare(frame, effect, makeView(effect.camera, seconds, width * factor, height * factor), stop); !status) {
+        return status;
+    }
+    if (Status status = composite(factor == 1 ? image : m_large, stop); !status) {
         return status;
     }
     if (factor > 1) {

@@ -5,7 +5,7 @@
 #include "core/simulation/frame.h"
 
 #include <chrono>
-#include <optional>
+#include <memory>
 #include <stop_token>
 
 namespace fumage {
@@ -31,13 +31,25 @@ public:
     /// A pure function of its arguments, to the bit.
     [[nodiscard]] Status render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop = {});
 
+    /// The first part of render(), for those who draw the sprites themselves or look through a view of their own: afterwards batch()
+    /// and texture() hold what there is to draw.
+    /// @error Cancelled
+    [[nodiscard]] Status prepare(const Frame& frame, const Effect& effect, const View& view, const std::stop_token& stop = {});
+
+    /// Paints what prepare() has left, at the size of its view, with transparency.
+    /// @error TooLarge before allocating, Cancelled
+    [[nodiscard]] Status composite(Image& image, const std::stop_token& stop = {});
+
+    /// Valid after prepare() or render() and until the next of them.
+    [[nodiscard]] const SpriteBatch& batch() const { return m_batch; }
+    [[nodiscard]] const std::shared_ptr<const SpriteTexture>& texture() const { return m_texture; }
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 
 private:
     [[nodiscard]] Status updateTexture(const Noise& noise, const std::stop_token& stop);
 
     Noise m_noise;
-    std::optional<SpriteTexture> m_texture;
+    std::shared_ptr<const SpriteTexture> m_texture;
     Appearance m_appearance;
     LightGrid m_light;
     SpriteBatch m_batch;

@@ -22,10 +22,10 @@ struct Particles {
     std::size_t capacity = 0; ///< slots in use at most
 
     /// Makes room and empties every slot.
-    void reset(std::size_t slots)
+    void reset(std::size_t slotCount)
     {
-        capacity = slots;
-        const std::size_t padded = roundUp(slots, kChunk);
+        capacity = slotCount;
+        const std::size_t padded = roundUp(slotCount, kChunk);
         for (AlignedArray<float>* column : {&x, &y, &z, &vx, &vy, &vz}) {
             column->assign(padded, 0.0F);
         }

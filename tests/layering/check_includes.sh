@@ -14,6 +14,7 @@ forbid() { # <folder> <pattern of includes> <why>
 forbid core 'Q[A-Z]|Qt|GL/|epoxy' 'core knows no Qt and no OpenGL'
 forbid core 'ui/|app/' 'core does not know the editor or the programs'
 forbid app/cli 'Q[A-Z]|Qt|ui/' 'the command line knows no Qt'
+forbid ui 'app/' 'the editor library does not know the programs'
 forbid core/base 'core/(effect|preset|noise|simulation|lighting|rendering|export)/' 'base stands below everything'
 forbid core/effect 'core/(preset|noise|simulation|lighting|rendering|export)/' 'effect knows only base'
 forbid core/preset 'core/(noise|simulation|lighting|rendering|export)/' 'preset knows effect and base'

@@ -1,0 +1,101 @@
+#include "ui/document/commands.h"
+
+#include <algorithm>
+
+namespace fumage::ui {
+
+namespace {
+
+enum CommandId {
+    kEdit = 1,
+    kReplace = 2,
+};
+
+} // namespace
+
+EditCommand::EditCommand(Document& document, std::vector<Change> changes, const QString& text, Gesture gesture)
+    : QUndoCommand(text)
+    , m_document(document)
+    , m_changes(std::move(changes))
+    , m_gesture(gesture)
+{
+}
+
+void EditCommand::undo()
+{
+    Effect effect = m_document.effect();
+    for (const Change& change : m_changes) {
+        change.parameter->set(effect, change.before);
+    }
+    m_document.write(effect);
+}
+
+void EditCommand::redo()
+{
+    Effect effect = m_document.effect();
+    for (const Change& change : m_changes) {
+        change.parameter->set(effect, change.after);
+    }
+    m_document.write(effect);
+}
+
+int EditCommand::id() const
+{
+    return m_gesture.id == 0 ? -1 : kEdit;
+}
+
+bool EditCommand::mergeWith(const QUndoCommand* other)
+{
+    const auto* next = dynamic_cast<const EditCommand*>(other);
+    if (next == nullptr || next->m_gesture.id != m_gesture.id) {
+        return false;
+    }
+    for (const Change& change : next->m_changes) {
+        const auto mine = std::find_if(m_changes.begin(), m_changes.end(), [&](const Change& c) { return c.parameter == change.parameter; });
+        if (mine == m_changes.end()) {
+            m_changes.push_back(change);
+        } else {
+            mine->after = change.after;
+        }
+    }
+    // A drag back to where it began leaves no trace.
+    setObsolete(std::all_of(m_changes.begin(), m_changes.end(), [](const Change& c) { return c.before == c.after; }));
+    return true;
+}
+
+ReplaceCommand::ReplaceCommand(Document& document, const Effect& after, const QString& text, Gesture gesture)
+    : QUndoCommand(text)
+    , m_document(document)
+    , m_before(document.effect())
+    , m_after(after)
+    , m_gesture(gesture)
+{
+}
+
+void ReplaceCommand::undo()
+{
+    m_document.write(m_before);
+}
+
+void ReplaceCommand::redo()
+{
+    m_document.write(m_after);
+}
+
+int ReplaceCommand::id() const
+{
+    return m_gesture.id == 0 ? -1 : kReplace;
+}
+
+bool ReplaceCommand::mergeWith(const QUndoCommand* other)
+{
+    const auto* next = dynamic_cast<const ReplaceCommand*>(other);
+    if (next == nullptr || next->m_gesture.id != m_gesture.id) {
+        return false;
+    }
+    m_after = next->m_after;
+    setObsolete(m_before == m_after);
+    return true;
+}
+
+} // namespace fumage::ui

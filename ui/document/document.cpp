@@ -1,0 +1,130 @@
+#include "ui/document/document.h"
+
+#include "ui/document/commands.h"
+#include "ui/document/parameter_text.h"
+#include "ui/document/text.h"
+
+#include "core/effect/value.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+namespace fumage::ui {
+
+namespace {
+
+QString namesOf(const std::vector<EditCommand::Change>& changes)
+{
+    QStringList names;
+    for (const EditCommand::Change& change : changes) {
+        names += fullLabelOf(*change.parameter);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent)
+{
+    connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+QString Document::displayName() const
+{
+    if (!m_path.isEmpty()) {
+        return QFileInfo(m_path).completeBaseName();
+    }
+    return m_preset.name.empty() ? tr("Untitled") : toQString(m_preset.name);
+}
+
+bool Document::isModified() const
+{
+    return m_unsavedFromStart || !m_undo.isClean();
+}
+
+Gesture Document::beginGesture()
+{
+    return {++m_gestures};
+}
+
+void Document::edit(const Parameter& parameter, const Value& value, Gesture gesture)
+{
+    edit({{&parameter, value}}, {}, gesture);
+}
+
+void Document::edit(const std::vector<Assignment>& assignments, const QString& text, Gesture gesture)
+{
+    std::vector<EditCommand::Change> changes;
+    for (const Assignment& assignment : assignments) {
+        const Value before = assignment.parameter->get(effect());
+        const Value after = clampValue(*assignment.parameter, assignment.value).value;
+        if (before != after) {
+            changes.push_back({assignment.parameter, before, after});
+        }
+    }
+    if (!changes.empty()) {
+        const QString name = text.isEmpty() ? namesOf(changes) : text;
+        m_undo.push(new EditCommand(*this, std::move(changes), name, gesture));
+    }
+}
+
+void Document::replaceEffect(const Effect& effect, const QString& text, Gesture gesture)
+{
+    if (!(effect == m_preset.effect)) {
+        m_undo.push(new ReplaceCommand(*this, effect, text, gesture));
+    }
+}
+
+void Document::reset(const Parameter& parameter)
+{
+    edit({{&parameter, parameter.get(m_reference)}}, tr("Reset %1").arg(fullLabelOf(parameter)));
+}
+
+void Document::load(const Preset& preset, const QString& path, bool modified)
+{
+    m_undo.clear();
+    m_preset = preset;
+    m_path = path;
+    m_unsavedFromStart = modified;
+    rebase();
+    emit loaded();
+    emit effectChanged(Stage::Simulate);
+}
+
+Status Document::save(const QString& path)
+{
+    Preset preset = m_preset;
+    if (preset.name.empty() || path != m_path) {
+        preset.name = QFileInfo(path).completeBaseName().toStdString();
+    }
+    if (Status status = writePresetFile(path.toStdString(), preset); !status) {
+        return status;
+    }
+    m_preset = preset;
+    m_path = path;
+    m_unsavedFromStart = false;
+    m_undo.setClean();
+    rebase();
+    return Done{};
+}
+
+void Document::rebase()
+{
+    m_reference = m_preset.effect;
+    emit titleChanged();
+}
+
+void Document::write(const Effect& effect)
+{
+    const std::vector<const Parameter*> changed = differences(m_preset.effect, effect);
+    m_preset.effect = effect;
+    Stage from = Stage::Shade;
+    for (const Parameter* parameter : changed) {
+        from = std::max(from, parameter->stage);
+    }
+    emit effectChanged(from);
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,68 @@
+#include "ui/document/parameter_text.h"
+
+#include "ui/document/text.h"
+
+#include "core/base/text.h"
+#include "core/effect/parameter_table.h"
+
+#include <QCoreApplication>
+
+namespace fumage::ui {
+
+namespace {
+
+/// The context of all texts of the table in the translation files.
+constexpr const char* kContext = "Parameters";
+
+QString translated(std::string_view text)
+{
+    return QCoreApplication::translate(kContext, std::string(text).c_str());
+}
+
+QString rangeOf(const Parameter& parameter)
+{
+    if (parameter.kind != Kind::Float && parameter.kind != Kind::Int) {
+        return {};
+    }
+    return QStringLiteral("%1 … %2 %3").arg(parameter.hard.low).arg(parameter.hard.high).arg(toQString(unitSymbol(parameter.unit))).trimmed();
+}
+
+} // namespace
+
+QString labelOf(const Parameter& parameter)
+{
+    return translated(parameter.label);
+}
+
+QString groupLabelOf(std::string_view group)
+{
+    return translated(groupLabel(group));
+}
+
+QString choiceLabelOf(std::string_view choice)
+{
+    QString text = translated(choice);
+    text[0] = text[0].toUpper();
+    return text;
+}
+
+QString fullLabelOf(const Parameter& parameter)
+{
+    return QStringLiteral("%1: %2").arg(groupLabelOf(parameter.group()), labelOf(parameter));
+}
+
+QString toolTipOf(const Parameter& parameter)
+{
+    QString text = QStringLiteral("<p><b>%1</b><br>%2</p>").arg(fullLabelOf(parameter).toHtmlEscaped(), translated(parameter.tip).toHtmlEscaped());
+    QStringList facts;
+    if (const QString range = rangeOf(parameter); !range.isEmpty()) {
+        facts += QCoreApplication::translate(kContext, "Range: %1").arg(range.toHtmlEscaped());
+    }
+    if (!parameter.source.empty()) {
+        facts += QCoreApplication::translate(kContext, "Source: %1").arg(translated(parameter.source).toHtmlEscaped());
+    }
+    facts += QStringLiteral("<code>%1</code>").arg(toQString(parameter.key).toHtmlEscaped());
+    return text + QStringLiteral("<p>%1</p>").arg(facts.join(QStringLiteral("<br>")));
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/effect/parameter.h"
+
+#include <QString>
+
+namespace fumage::ui {
+
+// What the parameter table says, in the language of the user. The English texts of the table are the keys.
+
+[[nodiscard]] QString labelOf(const Parameter& parameter);
+[[nodiscard]] QString groupLabelOf(std::string_view group);
+[[nodiscard]] QString choiceLabelOf(std::string_view choice);
+
+/// "Motion: Wind angle", as undo steps and lists name a parameter outside of its panel.
+[[nodiscard]] QString fullLabelOf(const Parameter& parameter);
+
+/// What a parameter does, its unit, range, key and source, as rich text.
+[[nodiscard]] QString toolTipOf(const Parameter& parameter);
+
+} // namespace fumage::ui

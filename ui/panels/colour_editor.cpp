@@ -1,0 +1,92 @@
+#include "ui/panels/colour_editor.h"
+
+#include "ui/document/parameter_text.h"
+#include "ui/panels/number_field.h"
+
+#include "core/rendering/view_transform.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+
+namespace fumage::ui {
+
+QColor screenColour(const glm::vec3& linear)
+{
+    const auto channel = [](float value) { return std::clamp(srgbFromLinear(std::max(0.0F, value)), 0.0F, 1.0F); };
+    return QColor::fromRgbF(channel(linear.r), channel(linear.g), channel(linear.b));
+}
+
+glm::vec3 linearColour(const QColor& screen)
+{
+    // IEC 61966-2-1
+    const auto channel = [](float value) { return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F); };
+    return {channel(screen.redF()), channel(screen.greenF()), channel(screen.blueF())};
+}
+
+void chooseColour(QWidget* parent, const QString& title, const glm::vec3& before, const std::function<void(const glm::vec3&, bool)>& changed)
+{
+    auto* dialog = new QColorDialog(screenColour(before), parent);
+    dialog->setObjectName(QStringLiteral("colourDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    QObject::connect(dialog, &QColorDialog::currentColorChanged, parent, [changed](const QColor& colour) { changed(linearColour(colour), false); });
+    QObject::connect(dialog, &QColorDialog::colorSelected, parent, [changed](const QColor& colour) { changed(linearColour(colour), true); });
+    QObject::connect(dialog, &QColorDialog::rejected, parent, [changed, before] { changed(before, true); });
+    dialog->open();
+}
+
+ColourEditor::ColourEditor(const Parameter& parameter, QWidget* parent)
+    : ParameterEditor(parameter, parent)
+    , m_swatch(new QToolButton(this))
+{
+    name(*m_swatch, QStringLiteral("swatch"), tr("swatch"));
+    m_swatch->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_swatch->setIconSize({34, 16});
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_swatch);
+    const std::array<QString, 3> names{QStringLiteral("r"), QStringLiteral("g"), QStringLiteral("b")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        m_fields[i] = addField(names[i], names[i]);
+        row->addWidget(m_fields[i], 1);
+        connect(m_fields[i], &NumberField::edited, this, [this, i](double number, bool finished) {
+            m_value[static_cast<int>(i)] = static_cast<float>(number);
+            showValue();
+            emit edited(m_value, finished);
+        });
+    }
+    setFocusProxy(m_swatch);
+    connect(m_swatch, &QToolButton::clicked, this, [this] {
+        chooseColour(this, fullLabelOf(this->parameter()), m_value, [this](const glm::vec3& colour, bool finished) {
+            m_value = colour;
+            showValue();
+            emit edited(m_value, finished);
+        });
+    });
+}
+
+void ColourEditor::showValue()
+{
+    QPixmap swatch(m_swatch->iconSize() * devicePixelRatioF());
+    swatch.setDevicePixelRatio(devicePixelRatioF());
+    swatch.fill(screenColour(m_value));
+    m_swatch->setIcon(swatch);
+    for (int i = 0; i < 3; ++i) {
+        m_fields[static_cast<std::size_t>(i)]->setValue(std::round(static_cast<double>(m_value[i]) * 1e4) / 1e4);
+    }
+}
+
+void ColourEditor::setValue(const Value& value)
+{
+    m_value = std::get<glm::vec3>(value);
+    showValue();
+}
+
+} // namespace fumage::ui

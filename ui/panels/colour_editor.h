@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/panels/parameter_editor.h"
+
+#include <QColor>
+
+#include <array>
+#include <functional>
+
+class QToolButton;
+
+namespace fumage::ui {
+
+/// A colour of linear light as the screen shows it; brighter than white is cut off.
+[[nodiscard]] QColor screenColour(const glm::vec3& linear);
+[[nodiscard]] glm::vec3 linearColour(const QColor& screen);
+
+/// Lets a person choose a colour; changes are seen at once.
+/// @param changed called with each colour and, at the end, whether it was accepted
+void chooseColour(QWidget* parent, const QString& title, const glm::vec3& before, const std::function<void(const glm::vec3&, bool finished)>& changed);
+
+/// A swatch that opens a colour dialog.
+class ColourEditor : public ParameterEditor {
+public:
+    ColourEditor(const Parameter& parameter, QWidget* parent);
+    void setValue(const Value& value) override;
+
+private:
+    void showValue();
+
+    QToolButton* m_swatch;
+    std::array<NumberField*, 3> m_fields{};
+    glm::vec3 m_value{1.0F};
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ui/panels/parameter_row.h"
+
+#include <QScrollArea>
+
+#include <vector>
+
+class QLineEdit;
+class QToolButton;
+
+namespace fumage::ui {
+
+/// A group of parameters under a heading that folds it.
+class ParameterGroup : public QWidget {
+    Q_OBJECT
+
+public:
+    ParameterGroup(std::string_view group, Document& document, Locks& locks, QWidget* parent);
+
+    [[nodiscard]] bool isOpen() const;
+    void setOpen(bool open);
+    void sync();
+    /// Shows the rows that match and are of use as the effect stands. @return whether there is one
+    bool filter(const QStringList& words);
+
+private:
+    void showRows();
+
+    Document& m_document;
+    QToolButton* m_heading;
+    QWidget* m_content;
+    std::vector<ParameterRow*> m_rows;
+    QStringList m_words;
+};
+
+/// All parameters of the effect, generated from the parameter table: a search field above groups that fold.
+class EffectPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    EffectPanel(Document& document, Locks& locks, QWidget* parent = nullptr);
+
+    /// Scrolls to a group and opens it.
+    void showGroup(std::string_view group);
+    /// Puts the cursor into the search field.
+    void search();
+    [[nodiscard]] QStringList openGroups() const;
+    void setOpenGroups(const QStringList& groups);
+
+    QSize sizeHint() const override { return {372, 700}; }
+
+private:
+    void sync();
+    void filter(const QString& text);
+
+    QLineEdit* m_search;
+    QScrollArea* m_scroll;
+    std::vector<ParameterGroup*> m_groups;
+};
+
+} // namespace fumage::ui

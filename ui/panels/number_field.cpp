@@ -1,0 +1,205 @@
+#include "ui/panels/number_field.h"
+
+#include "ui/document/text.h"
+#include "ui/panels/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kBurstMs = 500;
+constexpr double kDragThreshold = 3.0; ///< pixels
+constexpr double kFine = 0.1;
+constexpr double kCoarse = 10.0;
+constexpr double kNotch = 120.0;
+
+} // namespace
+
+NumberField::NumberField(const NumberScale& scale, QWidget* parent)
+    : QLineEdit(parent)
+    , m_scale(scale)
+{
+    setAlignment(Qt::AlignRight);
+    setCursor(Qt::SizeHorCursor);
+    setFocusPolicy(Qt::StrongFocus);
+    setContextMenuPolicy(Qt::NoContextMenu); // the row has one
+    m_burst.setSingleShot(true);
+    m_burst.setInterval(kBurstMs);
+    connect(&m_burst, &QTimer::timeout, this, [this] { emit edited(m_value, true); });
+    connect(this, &QLineEdit::returnPressed, this, [this] {
+        commitText();
+        selectAll();
+    });
+    showValue();
+}
+
+QSize NumberField::sizeHint() const
+{
+    const int width = fontMetrics().horizontalAdvance(QStringLiteral("00000.00 m/s²"));
+    return {width, QLineEdit::sizeHint().height()};
+}
+
+void NumberField::setValue(double value)
+{
+    m_value = value;
+    if (!(hasFocus() && isModified())) {
+        showValue();
+    }
+}
+
+void NumberField::showValue()
+{
+    const QString unit = toQString(unitSymbol(m_scale.unit));
+    const bool attached = unit == QStringLiteral("°");
+    const QString number = formatNumber(m_value);
+    setText(unit.isEmpty() ? number : number + (attached ? QString() : QStringLiteral(" ")) + unit);
+    setCursorPosition(0);
+    if (hasFocus()) {
+        selectAll();
+    }
+    setModified(false);
+}
+
+void NumberField::commitText()
+{
+    if (!isModified()) {
+        return;
+    }
+    const std::optional<double> number = parseNumber(text(), m_scale.unit);
+    setModified(false);
+    if (!number) {
+        const QString unit = toQString(unitSymbol(m_scale.unit));
+        QToolTip::showText(mapToGlobal(QPoint(0, height())),
+            unit.isEmpty() ? tr("“%1” is not a number.").arg(text()) : tr("“%1” is not a number in %2.").arg(text(), unit), this);
+        showValue();
+        return;
+    }
+    const double inside = std::clamp(*number, m_scale.hard.low, m_scale.hard.high);
+    m_value = m_scale.whole ? std::round(inside) : inside;
+    showValue();
+    emit edited(m_value, true);
+}
+
+void NumberField::stepBy(double steps)
+{
+    commitText();
+    m_value = m_scale.stepped(m_value, steps);
+    showValue();
+    m_burst.start();
+    emit edited(m_value, false);
+}
+
+void NumberField::endBurst()
+{
+    if (m_burst.isActive()) {
+        m_burst.stop();
+        emit edited(m_value, true);
+    }
+}
+
+void NumberField::mousePressEvent(QMouseEvent* event)
+{
+    if (hasFocus() || event->button() != Qt::LeftButton) {
+        QLineEdit::mousePressEvent(event);
+        return;
+    }
+    m_pressed = true;
+    m_dragged = false;
+    m_pressedAt = event->position();
+    m_valueAtPress = m_value;
+}
+
+void NumberField::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_pressed) {
+        QLineEdit::mouseMoveEvent(event);
+        return;
+    }
+    const double way = event->position().x() - m_pressedAt.x();
+    if (!m_dragged && std::abs(way) < kDragThreshold) {
+        return;
+    }
+    m_dragged = true;
+    const double steps = event->modifiers().testFlag(Qt::ShiftModifier) ? way * kFine : way;
+    double value = m_scale.stepped(m_valueAtPress, steps);
+    if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        const double grid = m_scale.step * kCoarse;
+        value = m_scale.settled(std::round(value / grid) * grid);
+    }
+    if (value != m_value) {
+        m_value = value;
+        showValue();
+        emit edited(value, false);
+    }
+}
+
+void NumberField::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (!m_pressed) {
+        QLineEdit::mouseReleaseEvent(event);
+        return;
+    }
+    m_pressed = false;
+    if (m_dragged) {
+        emit edited(m_value, true);
+    } else {
+        setFocus(Qt::MouseFocusReason);
+        selectAll();
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event)
+{
+    // Without the focus the wheel belongs to the panel that scrolls.
+    if (!hasFocus() || event->angleDelta().y() == 0) {
+        event->ignore();
+        return;
+    }
+    stepBy(event->angleDelta().y() / kNotch * (event->modifiers().testFlag(Qt::ShiftModifier) ? kFine : 1.0));
+    event->accept();
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Up: stepBy(1.0); return;
+    case Qt::Key_Down: stepBy(-1.0); return;
+    case Qt::Key_PageUp: stepBy(kCoarse); return;
+    case Qt::Key_PageDown: stepBy(-kCoarse); return;
+    case Qt::Key_Escape:
+        if (isModified()) {
+            showValue();
+            return;
+        }
+        break;
+    default: break;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void NumberField::focusInEvent(QFocusEvent* event)
+{
+    QLineEdit::focusInEvent(event);
+    setCursor(Qt::IBeamCursor);
+    selectAll();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event)
+{
+    commitText();
+    endBurst();
+    setCursor(Qt::SizeHorCursor);
+    QLineEdit::focusOutEvent(event);
+    deselect();
+    setCursorPosition(0);
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ui/panels/number_scale.h"
+
+#include <QLineEdit>
+#include <QTimer>
+
+namespace fumage::ui {
+
+/// A number that can be dragged sideways, typed with its unit, stepped with the arrow keys, and with the wheel while it has the focus.
+/// Shift moves finely, Ctrl snaps to tens of steps. Escape puts back what was there.
+class NumberField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit NumberField(const NumberScale& scale, QWidget* parent = nullptr);
+
+    [[nodiscard]] double value() const { return m_value; }
+    /// Shows a value without telling anybody; leaves alone what is being typed.
+    void setValue(double value);
+
+    QSize sizeHint() const override;
+
+signals:
+    /// @param finished the gesture is over: released, typed, or no more wheel for a moment
+    void edited(double value, bool finished);
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void showValue();
+    void commitText();
+    void stepBy(double steps);
+    void endBurst();
+
+    NumberScale m_scale;
+    double m_value = 0.0;
+    QTimer m_burst;
+    bool m_pressed = false;
+    bool m_dragged = false;
+    QPointF m_pressedAt;
+    double m_valueAtPress = 0.0;
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,86 @@
+#include "ui/panels/number_text.h"
+
+#include "ui/document/text.h"
+
+#include <array>
+#include <cmath>
+
+#include <QLocale>
+#include <QRegularExpression>
+
+namespace fumage::ui {
+
+namespace {
+
+/// Another name for a unit, or another size of it.
+struct Alias {
+    Unit unit;
+    const char16_t* name;
+    double factor; ///< of the unit itself
+};
+
+constexpr std::array kAliases{
+    Alias{Unit::Metres, u"cm", 0.01},
+    Alias{Unit::Metres, u"mm", 0.001},
+    Alias{Unit::Metres, u"km", 1000.0},
+    Alias{Unit::Seconds, u"ms", 0.001},
+    Alias{Unit::Seconds, u"min", 60.0},
+    Alias{Unit::MetresPerSecond, u"km/h", 1.0 / 3.6},
+    Alias{Unit::MetresPerSecond, u"cm/s", 0.01},
+    Alias{Unit::MetresPerSecond2, u"m/s2", 1.0},
+    Alias{Unit::MetresPerSecond2, u"m/s^2", 1.0},
+    Alias{Unit::Degrees, u"deg", 1.0},
+    Alias{Unit::Degrees, u"rad", 57.295779513082321},
+    Alias{Unit::DegreesPerSecond, u"deg/s", 1.0},
+    Alias{Unit::DegreesPerSecond, u"rad/s", 57.295779513082321},
+    Alias{Unit::Millimetres, u"cm", 10.0},
+    Alias{Unit::Kilograms, u"g", 0.001},
+    Alias{Unit::None, u"k", 1000.0},
+    Alias{Unit::None, u"M", 1000000.0},
+    Alias{Unit::None, u"%", 0.01},
+};
+
+std::optional<double> factorOf(const QString& name, Unit unit)
+{
+    if (name.isEmpty() || name == toQString(unitSymbol(unit))) {
+        return 1.0;
+    }
+    for (const Alias& alias : kAliases) {
+        if (alias.unit == unit && name == QStringView(alias.name)) {
+            return alias.factor;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+QString formatNumber(double value)
+{
+    constexpr int kDigits = 6;
+    constexpr double kLargestWhole = 4294967295.0;
+    if (value == std::round(value) && std::abs(value) <= kLargestWhole) {
+        return QString::number(static_cast<qint64>(value));
+    }
+    return QLocale::c().toString(value, 'g', kDigits);
+}
+
+std::optional<double> parseNumber(const QString& text, Unit unit)
+{
+    static const QRegularExpression pattern(QStringLiteral(R"(^\s*([+\-\x{2212}]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+\-]?\d+)?)\s*(.*?)\s*$)"));
+    const QRegularExpressionMatch match = pattern.match(text);
+    if (!match.hasMatch()) {
+        return std::nullopt;
+    }
+    QString digits = match.captured(1);
+    digits.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
+    bool ok = false;
+    const double number = QLocale::c().toDouble(digits, &ok);
+    const std::optional<double> factor = factorOf(match.captured(2), unit);
+    if (!ok || !std::isfinite(number) || !factor) {
+        return std::nullopt;
+    }
+    return number * *factor;
+}
+
+} // namespace fumage::ui

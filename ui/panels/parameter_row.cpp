@@ -1,0 +1,145 @@
+#include "ui/panels/parameter_row.h"
+
+#include "ui/document/parameter_text.h"
+#include "ui/document/text.h"
+
+#include "core/effect/value.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QMessageBox>
+#include <QStyle>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kLabelWidth = 124;
+
+/// Editors that need the whole width stand below their label.
+bool isTall(const Parameter& parameter)
+{
+    return parameter.kind == Kind::Curve || parameter.kind == Kind::Gradient || parameter.kind == Kind::Direction;
+}
+
+} // namespace
+
+ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks& locks, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_locks(locks)
+    , m_label(new QLabel(labelOf(parameter), this))
+    , m_editor(makeEditor(parameter, this))
+{
+    setObjectName(toQString(parameter.key) + QStringLiteral(".row"));
+    m_label->setObjectName(toQString(parameter.key) + QStringLiteral(".label"));
+    m_label->setProperty("role", QStringLiteral("parameter"));
+    m_label->setToolTip(m_editor->toolTip());
+    m_label->setBuddy(m_editor);
+    m_label->installEventFilter(this);
+    auto* layout = new QBoxLayout(isTall(parameter) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
+    layout->setContentsMargins(0, 1, 0, 1);
+    layout->setSpacing(4);
+    if (!isTall(parameter)) {
+        m_label->setFixedWidth(kLabelWidth);
+    }
+    layout->addWidget(m_label);
+    layout->addWidget(m_editor, 1);
+    connect(m_editor, &ParameterEditor::edited, this, &ParameterRow::edit);
+    connect(&m_locks, &Locks::changed, this, &ParameterRow::showState);
+}
+
+void ParameterRow::edit(const Value& value, bool finished)
+{
+    if (m_gesture.id == 0) {
+        m_gesture = m_document.beginGesture();
+    }
+    m_document.edit(parameter(), value, m_gesture);
+    if (finished) {
+        m_gesture = {};
+        // What the document made of it: clamped perhaps, or unchanged.
+        m_hasShown = false;
+        sync();
+    }
+}
+
+void ParameterRow::sync()
+{
+    const Value value = parameter().get(m_document.effect());
+    if (!m_hasShown || !(value == m_shown)) {
+        m_shown = value;
+        m_hasShown = true;
+        m_editor->setValue(value);
+    }
+    showState();
+}
+
+void ParameterRow::showState()
+{
+    const bool changed = !(m_shown == parameter().get(m_document.reference()));
+    const bool locked = m_locks.contains(parameter());
+    const QString text = (changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()) + (locked ? QStringLiteral(" 🔒") : QString());
+    if (m_label->text() != text) {
+        m_label->setText(text);
+        m_label->setProperty("changed", changed);
+        m_label->style()->unpolish(m_label);
+        m_label->style()->polish(m_label);
+    }
+}
+
+bool ParameterRow::matches(const QStringList& words) const
+{
+    const QString all = fullLabelOf(parameter()) + QLatin1Char(' ') + toQString(parameter().key) + QLatin1Char(' ') + toQString(parameter().tip);
+    return std::all_of(words.begin(), words.end(), [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+}
+
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_label && event->type() == QEvent::MouseButtonDblClick) {
+        m_document.reset(parameter());
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ParameterRow::copy(bool asAssignment) const
+{
+    const QString text = toQString(formatText(parameter(), parameter().get(m_document.effect())));
+    QApplication::clipboard()->setText(asAssignment ? QStringLiteral("--set '%1=%2'").arg(toQString(parameter().key), text) : text);
+}
+
+void ParameterRow::paste()
+{
+    const Result<Value> value = parseValue(parameter(), QApplication::clipboard()->text().trimmed().toStdString());
+    if (value) {
+        m_document.edit(parameter(), value.value());
+    } else {
+        QMessageBox::warning(this, tr("Paste"), toQString(value.error().text()));
+    }
+}
+
+void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
+{
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("parameterMenu"));
+    QAction* reset = menu.addAction(tr("Reset"), this, [this] { m_document.reset(parameter()); });
+    reset->setEnabled(!(m_shown == parameter().get(m_document.reference())));
+    menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(parameter(), parameter().get(Effect())); });
+    menu.addSeparator();
+    menu.addAction(tr("Copy"), this, [this] { copy(false); });
+    menu.addAction(tr("Paste"), this, &ParameterRow::paste);
+    menu.addAction(tr("Copy as --set"), this, [this] { copy(true); });
+    menu.addSeparator();
+    QAction* lock = menu.addAction(tr("Lock against randomising"));
+    lock->setCheckable(true);
+    lock->setChecked(m_locks.contains(parameter()));
+    connect(lock, &QAction::toggled, this, [this](bool on) { m_locks.set(parameter(), on); });
+    menu.exec(event->globalPos());
+}
+
+} // namespace fumage::ui

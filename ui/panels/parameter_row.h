@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/locks.h"
+#include "ui/panels/parameter_editor.h"
+
+#include <QLabel>
+
+namespace fumage::ui {
+
+/// One parameter in a panel: its label, a mark where it differs from the preset, and its editor, bound to the document.
+class ParameterRow : public QWidget {
+    Q_OBJECT
+
+public:
+    ParameterRow(const Parameter& parameter, Document& document, Locks& locks, QWidget* parent);
+
+    [[nodiscard]] const Parameter& parameter() const { return m_editor->parameter(); }
+    [[nodiscard]] ParameterEditor& editor() const { return *m_editor; }
+
+    /// Shows what the document holds.
+    void sync();
+    /// @param words all of which have to be found in label, group, key or tip
+    [[nodiscard]] bool matches(const QStringList& words) const;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void edit(const Value& value, bool finished);
+    void showState();
+    void copy(bool asAssignment) const;
+    void paste();
+
+    Document& m_document;
+    Locks& m_locks;
+    QLabel* m_label;
+    ParameterEditor* m_editor;
+    Gesture m_gesture; ///< of the edits since the last finished one
+    Value m_shown;
+    bool m_hasShown = false;
+};
+
+} // namespace fumage::ui

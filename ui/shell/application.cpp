@@ -1,0 +1,39 @@
+#include "ui/shell/application.h"
+
+#include "ui/shell/session.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QIcon>
+#include <QSurfaceFormat>
+
+namespace fumage::ui {
+
+int runEditor(int argc, char** argv)
+{
+    QSurfaceFormat format;
+    constexpr int kMajor = 3;
+    constexpr int kMinor = 3;
+    format.setVersion(kMajor, kMinor);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSwapInterval(0); // the player keeps the time
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("Fumage"));
+    QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("fumage"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/fumage.svg")));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QCoreApplication::translate("main", "An editor for smoke."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("files"), QCoreApplication::translate("main", "Presets to open, each in a window of its own."), QStringLiteral("[files...]"));
+    parser.process(application);
+
+    Session session;
+    session.start(parser.positionalArguments());
+    return QApplication::exec();
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,216 @@
+#include "ui/shell/document_files.h"
+
+#include "ui/document/text.h"
+
+#include "core/preset/library.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace fumage::ui {
+
+namespace {
+
+const QString kEnding = QStringLiteral(".json");
+
+QString presetFilter()
+{
+    return DocumentFiles::tr("Presets (*.json)") + QStringLiteral(";;") + DocumentFiles::tr("All files (*)");
+}
+
+QString libraryFolder()
+{
+    return toQString(userPresetFolder().string());
+}
+
+} // namespace
+
+DocumentFiles::DocumentFiles(Document& document, Settings& settings, QWidget* window)
+    : QObject(window)
+    , m_document(document)
+    , m_settings(settings)
+    , m_window(window)
+{
+}
+
+void DocumentFiles::report(const QString& title, const Error& error) const
+{
+    QMessageBox box(QMessageBox::Warning, title, toQString(error.message), QMessageBox::Ok, m_window);
+    box.setObjectName(QStringLiteral("errorBox"));
+    QStringList more;
+    if (!error.place.empty()) {
+        more += toQString(error.place);
+    }
+    if (!error.remedy.empty()) {
+        more += toQString(error.remedy) + QLatin1Char('.');
+    }
+    box.setInformativeText(more.join(QLatin1Char('\n')));
+    box.exec();
+}
+
+void DocumentFiles::showWarnings(const QString& name, const std::vector<std::string>& warnings) const
+{
+    if (warnings.empty()) {
+        return;
+    }
+    QMessageBox box(QMessageBox::Information, tr("Opened with changes"), tr("“%1” was opened, but some of it had to be put right.").arg(name), QMessageBox::Ok, m_window);
+    box.setObjectName(QStringLiteral("warningBox"));
+    QStringList lines;
+    for (const std::string& warning : warnings) {
+        lines += toQString(warning);
+    }
+    constexpr int kShown = 6;
+    box.setInformativeText(QStringList(lines.mid(0, kShown)).join(QLatin1Char('\n')));
+    if (lines.size() > kShown) {
+        box.setDetailedText(lines.join(QLatin1Char('\n')));
+    }
+    box.exec();
+}
+
+bool DocumentFiles::mayLeave()
+{
+    if (!m_document.isModified()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(m_document.displayName()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    box.setObjectName(QStringLiteral("unsavedBox"));
+    box.setInformativeText(tr("They are lost if you do not save them."));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save: return save();
+    case QMessageBox::Discard: return true;
+    default: return false;
+    }
+}
+
+void DocumentFiles::newDocument()
+{
+    if (mayLeave()) {
+        m_document.load(Preset(), {});
+    }
+}
+
+void DocumentFiles::open()
+{
+    const QString folder = m_document.filePath().isEmpty() ? libraryFolder() : QFileInfo(m_document.filePath()).path();
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), folder, presetFilter());
+    if (!path.isEmpty()) {
+        openFile(path);
+    }
+}
+
+bool DocumentFiles::openFile(const QString& path)
+{
+    // Read first: a broken file must not cost the document that is open.
+    const Result<PresetReading> reading = readPresetFile(path.toStdString());
+    if (!reading) {
+        if (reading.error().code == ErrorCode::FileNotFound) {
+            m_settings.removeRecentFile(path);
+        }
+        report(tr("Cannot open “%1”").arg(QFileInfo(path).fileName()), reading.error());
+        return false;
+    }
+    if (!mayLeave()) {
+        return false;
+    }
+    m_document.load(reading.value().preset, path);
+    m_settings.addRecentFile(path);
+    showWarnings(QFileInfo(path).fileName(), reading.value().warnings);
+    return true;
+}
+
+bool DocumentFiles::openPreset(const Preset& preset)
+{
+    if (!mayLeave()) {
+        return false;
+    }
+    m_document.load(preset, {});
+    return true;
+}
+
+bool DocumentFiles::saveTo(const QString& path)
+{
+    if (const Status status = m_document.save(path); !status) {
+        report(tr("Cannot save “%1”").arg(QFileInfo(path).fileName()), status.error());
+        return false;
+    }
+    m_settings.addRecentFile(path);
+    if (QFileInfo(path).absolutePath() == QDir(libraryFolder()).absolutePath()) {
+        emit libraryChanged();
+    }
+    return true;
+}
+
+bool DocumentFiles::save()
+{
+    return m_document.filePath().isEmpty() ? saveAs() : saveTo(m_document.filePath());
+}
+
+QString DocumentFiles::suggestedPath() const
+{
+    if (!m_document.filePath().isEmpty()) {
+        return m_document.filePath();
+    }
+    QDir().mkpath(libraryFolder());
+    return QDir(libraryFolder()).filePath(m_document.displayName() + kEnding);
+}
+
+bool DocumentFiles::saveAs()
+{
+    QFileDialog dialog(m_window, tr("Save as"), suggestedPath(), presetFilter());
+    dialog.setObjectName(QStringLiteral("saveDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kEnding.mid(1));
+    dialog.selectFile(QFileInfo(suggestedPath()).fileName());
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
+}
+
+void DocumentFiles::saveToLibrary()
+{
+    bool ok = false;
+    const QString name = QInputDialog::getText(m_window, tr("Save to the library"), tr("Name of the preset"), QLineEdit::Normal, m_document.displayName(), &ok).trimmed();
+    if (!ok || name.isEmpty()) {
+        return;
+    }
+    QString file = name;
+    file.replace(QLatin1Char('/'), QLatin1Char('-'));
+    const QString path = QDir(libraryFolder()).filePath(file + kEnding);
+    if (!QDir().mkpath(libraryFolder())) {
+        report(tr("Cannot save “%1”").arg(name), {ErrorCode::PermissionDenied, "the folder of your presets cannot be made", libraryFolder().toStdString(), "Save the preset somewhere else"});
+        return;
+    }
+    if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name)) != QMessageBox::Yes) {
+        return;
+    }
+    saveTo(path);
+}
+
+void DocumentFiles::revert()
+{
+    m_document.replaceEffect(m_document.reference(), tr("Revert"));
+}
+
+void DocumentFiles::copyPreset() const
+{
+    QApplication::clipboard()->setText(toQString(formatPreset(m_document.preset())));
+}
+
+void DocumentFiles::pastePreset()
+{
+    const Result<PresetReading> reading = parsePreset(QApplication::clipboard()->text().toStdString(), "the clipboard");
+    if (!reading) {
+        report(tr("Cannot paste a preset"), reading.error());
+        return;
+    }
+    m_document.replaceEffect(reading.value().preset.effect, tr("Paste a preset"));
+    showWarnings(tr("The clipboard"), reading.value().warnings);
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/shell/settings.h"
+
+#include <QObject>
+
+namespace fumage::ui {
+
+/// Opening, saving and giving up the document of one window, with the questions and messages that belong to it.
+class DocumentFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param window parent of dialogs
+    DocumentFiles(Document& document, Settings& settings, QWidget* window);
+
+    /// Asks what shall become of unsaved changes. @return whether to go on
+    [[nodiscard]] bool mayLeave();
+
+    void newDocument();
+    void open();
+    /// @return whether the file is open now
+    bool openFile(const QString& path);
+    /// Shows a preset that has no file of its own.
+    bool openPreset(const Preset& preset);
+    bool save();
+    bool saveAs();
+    /// Writes a copy to the user's presets and goes on with it.
+    void saveToLibrary();
+    void revert();
+    void copyPreset() const;
+    void pastePreset();
+
+signals:
+    /// A file was written to the user's presets.
+    void libraryChanged();
+
+private:
+    bool saveTo(const QString& path);
+    [[nodiscard]] QString suggestedPath() const;
+    void report(const QString& title, const Error& error) const;
+    void showWarnings(const QString& name, const std::vector<std::string>& warnings) const;
+
+    Document& m_document;
+    Settings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/locks.h"
+#include "ui/document/recovery.h"
+#include "ui/shell/action_table.h"
+#include "ui/shell/document_files.h"
+#include "ui/shell/session.h"
+#include "ui/timeline/player.h"
+
+#include <QMainWindow>
+
+class QLabel;
+
+namespace fumage::ui {
+
+class EffectPanel;
+class NoisePane;
+class TimelineBar;
+class Viewport;
+
+/// One window on one document: puts the parts together and connects them.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(Session& session);
+    ~MainWindow() override;
+
+    [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] Player& player() { return m_player; }
+    [[nodiscard]] Viewport& viewport() { return *m_viewport; }
+    [[nodiscard]] NoisePane& noisePane() { return *m_noisePane; }
+    [[nodiscard]] DocumentFiles& files() { return m_files; }
+    [[nodiscard]] ActionSet& actions() { return m_actions; }
+
+    /// Says something that must not be missed and need not be answered.
+    void notify(const QString& message);
+    /// What an empty session shows first.
+    void begin();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildDocks();
+    QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void buildMenus();
+    void buildToolBar();
+    void addChoices(QMenu& menu);
+    void rebuildRecentFiles();
+    void connectFileActions();
+    void connectEditActions();
+    void connectViewActions();
+    void connectPlayActions();
+    void connectCompareActions();
+    void showTitle();
+    void arrangeDocks();
+    void restoreLayout();
+    void saveLayout();
+    void compare(bool split, bool other);
+
+    Session& m_session;
+    Document m_document;
+    Player m_player;
+    Locks m_locks;
+    ActionSet m_actions;
+    DocumentFiles m_files;
+    Recovery m_recovery;
+    Effect m_other; ///< B of the comparison
+    EffectPanel* m_effectPanel = nullptr;
+    NoisePane* m_noisePane = nullptr;
+    TimelineBar* m_timeline = nullptr;
+    Viewport* m_viewport = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    QMenu* m_panelMenu = nullptr;
+    QHash<QString, QDockWidget*> m_docks;
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "ui/shell/settings.h"
+#include "ui/viewport/gl_support.h"
+
+#include <QList>
+#include <QObject>
+#include <QPointer>
+
+namespace fumage::ui {
+
+class MainWindow;
+
+/// What all windows of the program share: settings, what OpenGL can do, and who else is open.
+class Session : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    [[nodiscard]] Settings& settings() { return m_settings; }
+    [[nodiscard]] GlSupport glSupport() const { return m_glSupport; }
+
+    /// Opens a window; it deletes itself when it is closed.
+    MainWindow* openWindow();
+    /// Opens the files that were named, else what a crash has left, else an empty window with the start dialog.
+    void start(const QStringList& files);
+    void closeAll();
+
+    void applyTheme(Theme theme);
+
+private:
+    bool recover();
+
+    Settings m_settings;
+    GlSupport m_glSupport;
+    QList<QPointer<MainWindow>> m_windows;
+};
+
+} // namespace fumage::ui

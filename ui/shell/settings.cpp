@@ -1,0 +1,149 @@
+#include "ui/shell/settings.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+const QString kRecent = QStringLiteral("files/recent");
+const QString kFavourites = QStringLiteral("presets/favourites");
+const QString kTheme = QStringLiteral("face/theme");
+const QString kLanguage = QStringLiteral("face/language");
+const QString kNavigation = QStringLiteral("viewport/navigation");
+const QString kStart = QStringLiteral("start/shown");
+
+/// A number that an older or newer version may have written, as an enumerator that this one knows.
+template <class Enum>
+Enum known(const QVariant& value, Enum last)
+{
+    return static_cast<Enum>(std::clamp(value.toInt(), 0, static_cast<int>(last)));
+}
+
+} // namespace
+
+Settings::Settings(QObject* parent)
+    : QObject(parent)
+    , m_settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("fumage"), QStringLiteral("fumage"))
+{
+}
+
+QStringList Settings::recentFiles() const
+{
+    return m_settings.value(kRecent).toStringList();
+}
+
+void Settings::addRecentFile(const QString& path)
+{
+    const QString whole = QFileInfo(path).absoluteFilePath();
+    QStringList files = recentFiles();
+    files.removeAll(whole);
+    files.prepend(whole);
+    m_settings.setValue(kRecent, QStringList(files.mid(0, kMostRecent)));
+    emit recentFilesChanged();
+}
+
+void Settings::removeRecentFile(const QString& path)
+{
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    m_settings.setValue(kRecent, files);
+    emit recentFilesChanged();
+}
+
+QStringList Settings::favourites() const
+{
+    return m_settings.value(kFavourites).toStringList();
+}
+
+void Settings::setFavourite(const QString& preset, bool favourite)
+{
+    QStringList all = favourites();
+    all.removeAll(preset);
+    if (favourite) {
+        all.append(preset);
+    }
+    m_settings.setValue(kFavourites, all);
+    emit favouritesChanged();
+}
+
+Theme Settings::theme() const
+{
+    return known(m_settings.value(kTheme), Theme::Light);
+}
+
+void Settings::setTheme(Theme theme)
+{
+    m_settings.setValue(kTheme, static_cast<int>(theme));
+}
+
+QString Settings::language() const
+{
+    return m_settings.value(kLanguage).toString();
+}
+
+void Settings::setLanguage(const QString& code)
+{
+    m_settings.setValue(kLanguage, code);
+}
+
+NavigationStyle Settings::navigationStyle() const
+{
+    return known(m_settings.value(kNavigation), NavigationStyle::Unity);
+}
+
+void Settings::setNavigationStyle(NavigationStyle style)
+{
+    m_settings.setValue(kNavigation, static_cast<int>(style));
+}
+
+bool Settings::showsStartDialog() const
+{
+    return m_settings.value(kStart, true).toBool();
+}
+
+void Settings::setShowsStartDialog(bool shows)
+{
+    m_settings.setValue(kStart, shows);
+}
+
+QByteArray Settings::bytes(const QString& key) const
+{
+    return m_settings.value(key).toByteArray();
+}
+
+void Settings::setBytes(const QString& key, const QByteArray& value)
+{
+    m_settings.setValue(key, value);
+}
+
+QStringList Settings::list(const QString& key, const QStringList& otherwise) const
+{
+    return m_settings.value(key, otherwise).toStringList();
+}
+
+void Settings::setList(const QString& key, const QStringList& value)
+{
+    m_settings.setValue(key, value);
+}
+
+QString Settings::text(const QString& key, const QString& otherwise) const
+{
+    return m_settings.value(key, otherwise).toString();
+}
+
+void Settings::setText(const QString& key, const QString& value)
+{
+    m_settings.setValue(key, value);
+}
+
+QString Settings::recoveryFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fumage/recovery");
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "ui/face/theme.h"
+#include "ui/viewport/navigation.h"
+
+#include <QSettings>
+#include <QStringList>
+
+namespace fumage::ui {
+
+/// What is remembered from one start to the next.
+class Settings : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Settings(QObject* parent = nullptr);
+
+    [[nodiscard]] QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+    void removeRecentFile(const QString& path);
+
+    [[nodiscard]] QStringList favourites() const;
+    void setFavourite(const QString& preset, bool favourite);
+
+    [[nodiscard]] Theme theme() const;
+    void setTheme(Theme theme);
+    /// Language code such as "sv"; empty: that of the system.
+    [[nodiscard]] QString language() const;
+    void setLanguage(const QString& code);
+    [[nodiscard]] NavigationStyle navigationStyle() const;
+    void setNavigationStyle(NavigationStyle style);
+    [[nodiscard]] bool showsStartDialog() const;
+    void setShowsStartDialog(bool shows);
+
+    [[nodiscard]] QByteArray bytes(const QString& key) const;
+    void setBytes(const QString& key, const QByteArray& value);
+    [[nodiscard]] QStringList list(const QString& key, const QStringList& otherwise) const;
+    void setList(const QString& key, const QStringList& value);
+    [[nodiscard]] QString text(const QString& key, const QString& otherwise) const;
+    void setText(const QString& key, const QString& value);
+
+    /// Where unsaved work is kept.
+    [[nodiscard]] static QString recoveryFolder();
+
+signals:
+    void recentFilesChanged();
+    void favouritesChanged();
+
+private:
+    QSettings m_settings;
+};
+
+} // namespace fumage::ui

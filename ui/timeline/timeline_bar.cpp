@@ -1,0 +1,255 @@
+#include "ui/timeline/timeline_bar.h"
+
+#include "ui/face/icons.h"
+
+#include "core/effect/parameter_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr double kMargin = 12.0;
+constexpr double kGripReach = 7.0;
+constexpr double kRangeTop = 2.0; ///< of the strip that holds the range
+constexpr double kRangeHeight = 8.0;
+constexpr double kLeastTickGap = 52.0;
+
+/// 1, 2, 5, 10, 20, 50 ... frames between numbers.
+int tickStep(double pixelsAFrame)
+{
+    for (int power = 1;; power *= 10) {
+        for (const int factor : {1, 2, 5}) {
+            if (power * factor * pixelsAFrame >= kLeastTickGap) {
+                return power * factor;
+            }
+        }
+    }
+}
+
+} // namespace
+
+TimelineRuler::TimelineRuler(Player& player, QWidget* parent)
+    : QWidget(parent)
+    , m_player(player)
+{
+    setObjectName(QStringLiteral("timelineRuler"));
+    setAccessibleName(tr("Timeline"));
+    setToolTip(tr("Drag to go to any frame; drag the ends of the bar to play a part"));
+    setFixedHeight(sizeHint().height());
+    connect(&player, &Player::frameChanged, this, qOverload<>(&QWidget::update));
+    connect(&player, &Player::settingsChanged, this, qOverload<>(&QWidget::update));
+}
+
+void TimelineRuler::setCached(const QList<int>& frames)
+{
+    m_cached = frames;
+    update();
+}
+
+double TimelineRuler::xOf(double frame) const
+{
+    return kMargin + (width() - 2.0 * kMargin) * frame / std::max(1, m_player.length() - 1);
+}
+
+int TimelineRuler::frameAt(double x) const
+{
+    return static_cast<int>(std::lround((x - kMargin) / (width() - 2.0 * kMargin) * std::max(1, m_player.length() - 1)));
+}
+
+void TimelineRuler::mousePressEvent(QMouseEvent* event)
+{
+    const QPointF at = event->position();
+    m_grip = Grip::Cursor;
+    if (at.y() <= kRangeTop + kRangeHeight + 2.0) {
+        if (std::abs(at.x() - xOf(m_player.first())) < kGripReach) {
+            m_grip = Grip::First;
+        } else if (std::abs(at.x() - xOf(m_player.last())) < kGripReach) {
+            m_grip = Grip::Last;
+        }
+    }
+    m_wasPlaying = m_player.isPlaying() && m_grip == Grip::Cursor;
+    if (m_wasPlaying) {
+        m_player.pause();
+    }
+    mouseMoveEvent(event);
+}
+
+void TimelineRuler::mouseMoveEvent(QMouseEvent* event)
+{
+    const int frame = frameAt(event->position().x());
+    switch (m_grip) {
+    case Grip::None: break;
+    case Grip::Cursor: m_player.setFrame(frame); break;
+    case Grip::First: m_player.setRange(std::min(frame, m_player.last()), m_player.last()); break;
+    case Grip::Last: m_player.setRange(m_player.first(), std::max(frame, m_player.first())); break;
+    }
+}
+
+void TimelineRuler::mouseReleaseEvent(QMouseEvent*)
+{
+    m_grip = Grip::None;
+    if (m_wasPlaying) {
+        m_wasPlaying = false;
+        m_player.play();
+    }
+}
+
+void TimelineRuler::paintTicks(QPainter& painter) const
+{
+    const double perFrame = (width() - 2.0 * kMargin) / std::max(1, m_player.length() - 1);
+    const int step = tickStep(perFrame);
+    QColor colour = palette().text().color();
+    colour.setAlpha(150);
+    painter.setPen(colour);
+    for (int frame = 0; frame < m_player.length(); frame += step) {
+        const double x = xOf(frame);
+        painter.drawLine(QLineF(x, 14.0, x, 20.0));
+        painter.drawText(QRectF(x - 30.0, 20.0, 60.0, 16.0), Qt::AlignHCenter | Qt::AlignTop, QString::number(frame));
+    }
+}
+
+void TimelineRuler::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), palette().base());
+    QColor range = palette().highlight().color();
+    range.setAlpha(110);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(range);
+    painter.drawRoundedRect(QRectF(QPointF(xOf(m_player.first()) - 4.0, kRangeTop), QPointF(xOf(m_player.last()) + 4.0, kRangeTop + kRangeHeight)), 3.0, 3.0);
+    const double half = std::max(0.5, (xOf(1) - xOf(0)) / 2.0);
+    for (const int frame : m_cached) {
+        painter.fillRect(QRectF(xOf(frame) - half, kRangeTop + kRangeHeight + 1.0, 2.0 * half + 0.5, 2.5), QColor(86, 170, 110));
+    }
+    paintTicks(painter);
+    const double x = xOf(m_player.frame());
+    painter.setPen(QPen(palette().highlight().color(), 2.0));
+    painter.drawLine(QLineF(x, 0.0, x, height()));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().highlight());
+    painter.drawPolygon(QPolygonF{{x - 6.0, 0.0}, {x + 6.0, 0.0}, {x, 9.0}});
+}
+
+TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_player(player)
+    , m_ruler(new TimelineRuler(player, this))
+    , m_frame(new QSpinBox(this))
+    , m_time(new QLabel(this))
+{
+    setObjectName(QStringLiteral("timeline"));
+    auto* controls = new QHBoxLayout;
+    controls->setSpacing(2);
+    QToolButton* start = addButton(QStringLiteral("toStart"), QStringLiteral("to-start"), tr("To the first frame (Home)"));
+    QToolButton* back = addButton(QStringLiteral("stepBack"), QStringLiteral("step-back"), tr("One frame back (Left)"));
+    m_play = addButton(QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
+    QToolButton* forward = addButton(QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("One frame on (Right)"));
+    QToolButton* end = addButton(QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("To the last frame (End)"));
+    m_loop = addButton(QStringLiteral("repeat"), QStringLiteral("loop"), tr("Start again after the last frame"));
+    m_loop->setCheckable(true);
+    for (QToolButton* button : {start, back, m_play, forward, end, m_loop}) {
+        controls->addWidget(button);
+    }
+    m_frame->setObjectName(QStringLiteral("frameField"));
+    m_frame->setAccessibleName(tr("Frame"));
+    m_frame->setToolTip(tr("The frame that is shown"));
+    m_frame->setKeyboardTracking(false);
+    controls->addSpacing(8);
+    controls->addWidget(m_frame);
+    m_time->setProperty("role", QStringLiteral("secondary"));
+    controls->addWidget(m_time);
+    controls->addStretch();
+
+    auto* speed = new QComboBox(this);
+    speed->setObjectName(QStringLiteral("playSpeed"));
+    speed->setAccessibleName(tr("Speed"));
+    speed->setToolTip(tr("Speed of playing"));
+    for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
+        speed->addItem(QStringLiteral("%1×").arg(factor), factor);
+    }
+    speed->setCurrentIndex(speed->findData(1.0));
+    auto* rate = new QSpinBox(this);
+    rate->setObjectName(QStringLiteral("frameRateField"));
+    rate->setAccessibleName(tr("Frames per second"));
+    rate->setToolTip(tr("Frames per second of the effect"));
+    rate->setKeyboardTracking(false);
+    const Parameter& rateParameter = *findParameter("timeline.frame_rate");
+    rate->setRange(static_cast<int>(rateParameter.hard.low), static_cast<int>(rateParameter.hard.high));
+    rate->setSuffix(tr(" frames/s"));
+    controls->addWidget(speed);
+    controls->addWidget(rate);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 6);
+    layout->setSpacing(4);
+    layout->addLayout(controls);
+    layout->addWidget(m_ruler);
+
+    connect(start, &QToolButton::clicked, &player, &Player::toStart);
+    connect(end, &QToolButton::clicked, &player, &Player::toEnd);
+    connect(back, &QToolButton::clicked, this, [&player] { player.stepBy(-1); });
+    connect(forward, &QToolButton::clicked, this, [&player] { player.stepBy(1); });
+    connect(m_play, &QToolButton::clicked, &player, &Player::toggle);
+    connect(m_loop, &QToolButton::toggled, &player, &Player::setRepeats);
+    connect(speed, &QComboBox::currentIndexChanged, this, [speed, &player] { player.setSpeed(speed->currentData().toDouble()); });
+    connect(m_frame, &QSpinBox::valueChanged, &player, &Player::setFrame);
+    connect(rate, &QSpinBox::valueChanged, this, [this, &rateParameter](int value) { m_document.edit(rateParameter, value); });
+    connect(&player, &Player::frameChanged, this, &TimelineBar::showTime);
+    connect(&player, &Player::settingsChanged, this, &TimelineBar::sync);
+    connect(&player, &Player::playingChanged, this, &TimelineBar::sync);
+    connect(&document, &Document::effectChanged, this, [this, rate] {
+        const QSignalBlocker blocker(rate);
+        rate->setValue(m_document.effect().timeline.frameRate);
+        m_player.setTimeline(m_document.effect().timeline.length, m_document.effect().timeline.frameRate);
+        sync();
+    });
+    rate->setValue(document.effect().timeline.frameRate);
+    player.setTimeline(document.effect().timeline.length, document.effect().timeline.frameRate);
+    sync();
+}
+
+QToolButton* TimelineBar::addButton(const QString& name, const QString& icon, const QString& tip)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setAccessibleName(tip);
+    button->setToolTip(tip);
+    button->setIcon(themedIcon(icon));
+    button->setAutoRaise(true);
+    return button;
+}
+
+void TimelineBar::sync()
+{
+    m_play->setIcon(themedIcon(m_player.isPlaying() ? QStringLiteral("pause") : QStringLiteral("play")));
+    const QSignalBlocker loopBlocker(m_loop);
+    const QSignalBlocker frameBlocker(m_frame);
+    m_loop->setChecked(m_player.repeats());
+    m_frame->setRange(0, m_player.length() - 1);
+    m_frame->setSuffix(tr(" of %1").arg(m_player.length() - 1));
+    showTime();
+}
+
+void TimelineBar::showTime()
+{
+    const QSignalBlocker blocker(m_frame);
+    m_frame->setValue(m_player.frame());
+    m_time->setText(tr("%1 s").arg(static_cast<double>(m_player.frame()) / m_document.effect().timeline.frameRate, 0, 'f', 2));
+}
+
+} // namespace fumage::ui

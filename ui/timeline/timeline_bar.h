@@ -1,0 +1,73 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/timeline/player.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QLabel;
+class QSpinBox;
+class QToolButton;
+
+namespace fumage::ui {
+
+/// The ruler: a cursor to drag, the range that is played with its ends to drag, and the frames whose pictures are kept.
+class TimelineRuler : public QWidget {
+    Q_OBJECT
+
+public:
+    TimelineRuler(Player& player, QWidget* parent);
+
+    void setCached(const QList<int>& frames);
+    [[nodiscard]] double xOf(double frame) const;
+
+    QSize sizeHint() const override { return {400, 40}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    enum class Grip {
+        None,
+        Cursor,
+        First,
+        Last,
+    };
+    [[nodiscard]] int frameAt(double x) const;
+    void paintTicks(QPainter& painter) const;
+
+    Player& m_player;
+    QList<int> m_cached;
+    Grip m_grip = Grip::None;
+    bool m_wasPlaying = false;
+};
+
+/// Play, step, scrub, range, loop, speed and frame rate.
+class TimelineBar : public QWidget {
+    Q_OBJECT
+
+public:
+    TimelineBar(Document& document, Player& player, QWidget* parent = nullptr);
+
+    [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
+
+private:
+    QToolButton* addButton(const QString& name, const QString& icon, const QString& tip);
+    void sync();
+    void showTime();
+
+    Document& m_document;
+    Player& m_player;
+    TimelineRuler* m_ruler;
+    QToolButton* m_play;
+    QToolButton* m_loop;
+    QSpinBox* m_frame;
+    QLabel* m_time;
+};
+
+} // namespace fumage::ui

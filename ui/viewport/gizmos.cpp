@@ -1,0 +1,261 @@
+#include "ui/viewport/gizmos.h"
+
+#include "ui/viewport/navigation.h"
+#include "ui/viewport/overlays.h"
+
+#include "core/base/vector.h"
+#include "core/effect/parameter_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QLineF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <glm/geometric.hpp>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr float kDegrees = 57.2957795F;
+constexpr float kSnapDegrees = 15.0F;
+constexpr float kSnapMetres = 0.1F;
+
+constexpr float kNormalPixels = 80.0F;
+constexpr float kWindPixels = 110.0F;
+constexpr float kVortexPixels = 140.0F;
+constexpr float kLightShare = 0.36F; ///< of the shorter side of the view
+constexpr double kReachPixels = 12.0; ///< how near the mouse has to be
+
+QString gizmoText(const char* text)
+{
+    return QCoreApplication::translate("Gizmos", text);
+}
+
+/// Metres that a length on the screen has at a point.
+float metres(const View& view, const glm::vec3& at, float pixels)
+{
+    constexpr float kNearest = 0.05F;
+    return pixels * std::max(kNearest, project(view, at).depth) / view.focal;
+}
+
+glm::vec3 windDirection(const Effect& effect)
+{
+    const float angle = effect.motion.windAngle / kDegrees;
+    return {std::cos(angle), 0.0F, std::sin(angle)};
+}
+
+/// Where the light's handle stands: around the middle of the picture.
+glm::vec3 lightAnchor(const Effect& effect, const View& view)
+{
+    return effect.camera.mode == CameraMode::Orbit ? effect.camera.target : view.eye + view.forward * effect.camera.distance;
+}
+
+float lightReach(const Effect& effect, const View& view)
+{
+    return metres(view, lightAnchor(effect, view), kLightShare * static_cast<float>(std::min(view.width, view.height)));
+}
+
+float snapAngle(float radians)
+{
+    const float step = kSnapDegrees / kDegrees;
+    return std::round(radians / step) * step;
+}
+
+glm::vec3 snapDirection(const glm::vec3& direction)
+{
+    const float pitch = snapAngle(std::asin(std::clamp(direction.y, -1.0F, 1.0F)));
+    const float yaw = snapAngle(std::atan2(direction.z, direction.x));
+    return {std::cos(pitch) * std::cos(yaw), std::sin(pitch), std::cos(pitch) * std::sin(yaw)};
+}
+
+/// The direction from a centre to where the mouse meets a ball around it; beyond its rim, to the rim. The half that the
+/// direction pointed to at the beginning, towards the eye or away, is the one that is met.
+glm::vec3 directionOnBall(const View& view, const glm::vec3& centre, float radius, const glm::vec3& before, QPointF mouse)
+{
+    const glm::vec3 ray = rayThrough(view, mouse);
+    const glm::vec3 toCentre = centre - view.eye;
+    const float along = glm::dot(toCentre, ray);
+    const glm::vec3 nearest = view.eye + ray * along - centre;
+    const float inside = radius * radius - glm::dot(nearest, nearest);
+    if (inside <= 0.0F) {
+        return glm::normalize(nearest);
+    }
+    const bool away = glm::dot(before, view.forward) > 0.0F;
+    const float half = std::sqrt(inside);
+    return glm::normalize(nearest + ray * (away ? half : -half));
+}
+
+const Parameter& parameter(std::string_view key)
+{
+    return *findParameter(key);
+}
+
+std::vector<Assignment> dragEmitter(const Effect& effect, const View& view, QPointF mouse, bool snap)
+{
+    // In the plane through the emitter that faces the camera.
+    const glm::vec3 ray = rayThrough(view, mouse);
+    const float depth = project(view, effect.emitter.position).depth;
+    glm::vec3 position = view.eye + ray * (depth / glm::dot(ray, view.forward));
+    if (snap) {
+        position = glm::vec3(std::round(position.x / kSnapMetres), std::round(position.y / kSnapMetres), std::round(position.z / kSnapMetres)) * kSnapMetres;
+    }
+    return {{&parameter("emitter.position"), position}};
+}
+
+std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF mouse, bool snap)
+{
+    const glm::vec3 ray = rayThrough(view, mouse);
+    const glm::vec3 from = effect.emitter.position;
+    constexpr float kLevel = 1e-4F;
+    // Seen from the side the ground is a line: then only left and right can be told.
+    const float distance = std::abs(ray.y) > kLevel ? (from.y - view.eye.y) / ray.y : -1.0F;
+    glm::vec3 way = distance > 0.0F ? view.eye + ray * distance - from : view.right * static_cast<float>(mouse.x() - static_cast<double>(project(view, from).x));
+    way.y = 0.0F;
+    if (glm::length(way) <= 0.0F) {
+        return {};
+    }
+    float angle = std::atan2(way.z, way.x);
+    angle = snap ? snapAngle(angle) : angle;
+    // Whole degrees are what a hand means.
+    return {{&parameter("motion.wind_angle"), std::round(angle * kDegrees)}};
+}
+
+} // namespace
+
+std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
+{
+    const glm::vec3 emitter = effect.emitter.position;
+    const auto tip = [&](const glm::vec3& direction, float pixels) { return emitter + direction * metres(view, emitter, pixels); };
+    const glm::vec3 middle = lightAnchor(effect, view);
+    std::vector<Gizmo> gizmos{
+        {GizmoId::EmitterPosition, emitter, emitter, QColor(0xff, 0xb0, 0x40), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Emitter"))},
+        {GizmoId::EmitterNormal, emitter, tip(glm::normalize(effect.emitter.normal), kNormalPixels), QColor(0xff, 0xb0, 0x40), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Normal"))},
+        {GizmoId::Wind, emitter, tip(windDirection(effect), kWindPixels), QColor(0x4c, 0xb8, 0xe8), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Wind")) + QStringLiteral(" θ %1°").arg(std::lround(effect.motion.windAngle))},
+        {GizmoId::Light, middle, middle - glm::normalize(effect.light.direction) * lightReach(effect, view), QColor(0xff, 0xe4, 0x80), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Light"))}};
+    if (effect.vortex.strength != 0.0F) {
+        gizmos.push_back({GizmoId::VortexAxis, emitter, tip(glm::normalize(effect.vortex.axis), kVortexPixels), QColor(0xb0, 0x8c, 0xf0), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Vortex"))});
+    }
+    return gizmos;
+}
+
+std::optional<GizmoId> gizmoAt(const Effect& effect, const View& view, QPointF mouse)
+{
+    std::optional<GizmoId> found;
+    double nearest = kReachPixels;
+    for (const Gizmo& gizmo : gizmosOf(effect, view)) {
+        const Projected at = project(view, gizmo.to);
+        const double distance = QLineF(mouse, QPointF(static_cast<double>(at.x), static_cast<double>(at.y))).length();
+        if (at.depth > 0.0F && distance < nearest) {
+            nearest = distance;
+            found = gizmo.id;
+        }
+    }
+    return found;
+}
+
+std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap)
+{
+    const glm::vec3 emitter = effect.emitter.position;
+    const auto onBall = [&](const glm::vec3& centre, float radius, const glm::vec3& before) {
+        const glm::vec3 direction = directionOnBall(view, centre, radius, before, mouse);
+        return snap ? snapDirection(direction) : direction;
+    };
+    switch (id) {
+    case GizmoId::EmitterPosition: return dragEmitter(effect, view, mouse, snap);
+    case GizmoId::EmitterNormal:
+        return {{&parameter("emitter.normal"), onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
+    case GizmoId::Wind: return dragWind(effect, view, mouse, snap);
+    case GizmoId::VortexAxis:
+        return {{&parameter("vortex.axis"), onBall(emitter, metres(view, emitter, kVortexPixels), effect.vortex.axis)}};
+    case GizmoId::Light:
+        return {{&parameter("light.direction"), -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
+    }
+    return {};
+}
+
+namespace {
+
+void paintArrow(QPainter& painter, const QLineF& line, const QColor& colour, bool hot)
+{
+    constexpr double kThin = 1.6;
+    constexpr double kThick = 3.0;
+    constexpr double kHead = 11.0;
+    constexpr double kHeadAngle = 24.0;
+    painter.setPen(QPen(QColor(0, 0, 0, 110), kThick + 1.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line);
+    painter.setPen(QPen(colour, hot ? kThick : kThin, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(line);
+    if (line.length() < kHead) {
+        painter.setBrush(colour);
+        painter.drawEllipse(line.p2(), 5.0, 5.0);
+        return;
+    }
+    QLineF side(line.p2(), line.p1());
+    side.setLength(kHead);
+    QPolygonF head{line.p2()};
+    for (const double turn : {kHeadAngle, -2.0 * kHeadAngle}) {
+        side.setAngle(side.angle() + turn);
+        head << side.p2();
+    }
+    painter.setBrush(colour);
+    painter.drawPolygon(head);
+}
+
+void paintSun(QPainter& painter, QPointF at, const QColor& colour, bool hot)
+{
+    constexpr int kRays = 8;
+    constexpr double kDisc = 6.0;
+    constexpr double kRayEnd = 12.0;
+    painter.setPen(QPen(colour, hot ? 2.4 : 1.6, Qt::SolidLine, Qt::RoundCap));
+    for (int i = 0; i < kRays; ++i) {
+        QLineF ray(at, at + QPointF(kRayEnd, 0.0));
+        ray.setAngle(360.0 * i / kRays);
+        painter.drawLine(ray.pointAt(0.75), ray.p2());
+    }
+    painter.setBrush(colour);
+    painter.drawEllipse(at, kDisc, kDisc);
+}
+
+void paintLabel(QPainter& painter, QPointF at, const QString& text, const QColor& colour)
+{
+    const QPointF offset(14.0, 4.0);
+    painter.setPen(QColor(0, 0, 0, 160));
+    painter.drawText(at + offset + QPointF(1.0, 1.0), text);
+    painter.setPen(colour);
+    painter.drawText(at + offset, text);
+}
+
+} // namespace
+
+void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Gizmo& gizmo : gizmosOf(effect, view)) {
+        const std::optional<QLineF> line = projectLine(view, gizmo.from, gizmo.to);
+        if (!line) {
+            continue;
+        }
+        const bool isHot = hot == gizmo.id;
+        if (gizmo.id == GizmoId::Light) {
+            painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 90), 1.0, Qt::DashLine));
+            painter.drawLine(*line);
+            paintSun(painter, line->p2(), gizmo.colour, isHot);
+        } else if (gizmo.id == GizmoId::EmitterPosition) {
+            painter.setPen(QPen(QColor(0, 0, 0, 140), 1.0));
+            painter.setBrush(isHot ? gizmo.colour.lighter() : gizmo.colour);
+            painter.drawEllipse(line->p2(), 5.0, 5.0);
+            continue;
+        } else {
+            paintArrow(painter, *line, gizmo.colour, isHot);
+        }
+        paintLabel(painter, line->p2(), gizmo.label, gizmo.colour);
+    }
+    painter.restore();
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "ui/document/document.h"
+
+#include "core/rendering/camera.h"
+
+#include <QColor>
+#include <QPointF>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace fumage::ui {
+
+/// The handles in the viewport that stand for parameters and can be dragged.
+enum class GizmoId {
+    EmitterPosition,
+    EmitterNormal,
+    Wind,
+    VortexAxis,
+    Light,
+};
+
+struct Gizmo {
+    GizmoId id;
+    glm::vec3 from; ///< m
+    glm::vec3 to; ///< the handle
+    QColor colour;
+    QString label;
+};
+
+/// The gizmos of an effect, of the same size on the screen from any distance; the vortex only where there is one.
+[[nodiscard]] std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view);
+
+/// @return the gizmo whose handle lies under the mouse, the nearest to it
+[[nodiscard]] std::optional<GizmoId> gizmoAt(const Effect& effect, const View& view, QPointF mouse);
+
+/// What a drag of a gizmo to a place means.
+/// @param effect as it was when the drag began
+/// @param snap   angles to 15 degrees, positions to 0.1 m
+[[nodiscard]] std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap);
+
+void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot);
+
+} // namespace fumage::ui

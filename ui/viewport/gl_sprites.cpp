@@ -1,0 +1,175 @@
+#include "ui/viewport/gl_sprites.h"
+
+#include "core/base/math.h"
+
+#include <QCoreApplication>
+#include <QVector2D>
+#include <QVector3D>
+
+#include <cstddef>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr float kLnTwo = 0.693147180559945309F;
+
+/// A member of Sprite as an attribute of an instance.
+struct Attribute {
+    GLuint location;
+    GLint floats;
+    std::size_t offset;
+};
+constexpr Attribute kFloats[] = {
+    {0, 4, offsetof(Sprite, x)},
+    {1, 4, offsetof(Sprite, m00)},
+    {2, 4, offsetof(Sprite, direct)},
+    {3, 3, offsetof(Sprite, ambient)},
+};
+constexpr GLuint kPackedLocation = 4;
+
+} // namespace
+
+GlSprites::GlSprites()
+{
+    initializeOpenGLFunctions();
+    compile(m_spriteProgram, QStringLiteral("sprite"));
+    compile(m_resolveProgram, QStringLiteral("resolve"));
+    m_nothing.create();
+    m_vertices.create();
+    m_instances.create();
+    m_instances.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    const QOpenGLVertexArrayObject::Binder binder(&m_vertices);
+    m_instances.bind();
+    for (const Attribute& attribute : kFloats) {
+        glEnableVertexAttribArray(attribute.location);
+        glVertexAttribPointer(attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite), reinterpret_cast<const void*>(attribute.offset));
+        glVertexAttribDivisor(attribute.location, 1);
+    }
+    glEnableVertexAttribArray(kPackedLocation);
+    glVertexAttribIPointer(kPackedLocation, 1, GL_UNSIGNED_INT, sizeof(Sprite), reinterpret_cast<const void*>(offsetof(Sprite, texture)));
+    glVertexAttribDivisor(kPackedLocation, 1);
+    m_instances.release();
+}
+
+GlSprites::~GlSprites()
+{
+    glDeleteTextures(1, &m_noise);
+}
+
+void GlSprites::compile(QOpenGLShaderProgram& program, const QString& name)
+{
+    const bool linked = program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/%1.vert").arg(name))
+        && program.addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/%1.frag").arg(name)) && program.link();
+    if (!linked) {
+        m_failure = QCoreApplication::translate("GlSprites", "The graphics driver refuses the shader %1: %2").arg(name, program.log());
+    }
+}
+
+void GlSprites::uploadTexture(const SpriteTexture& texture)
+{
+    glDeleteTextures(1, &m_noise);
+    glGenTextures(1, &m_noise);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, texture.levels() - 1);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (int level = 0; level < texture.levels(); ++level) {
+        const int edge = texture.levelSize(level);
+        const auto texels = static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge);
+        std::vector<std::uint8_t> greys(texels * static_cast<std::size_t>(texture.slices()));
+        for (int slice = 0; slice < texture.slices(); ++slice) {
+            const std::uint32_t* from = texture.texels(level, slice);
+            for (std::size_t i = 0; i < texels; ++i) {
+                greys[static_cast<std::size_t>(slice) * texels + i] = static_cast<std::uint8_t>(from[i] & 255U);
+            }
+        }
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_R8, edge, edge, texture.slices(), 0, GL_RED, GL_UNSIGNED_BYTE, greys.data());
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+}
+
+void GlSprites::upload(const SpriteScene& scene)
+{
+    m_instances.bind();
+    m_instances.allocate(scene.sprites.data(), static_cast<int>(scene.sprites.size() * sizeof(Sprite)));
+    m_instances.release();
+    if (scene.texture != m_uploadedTexture) {
+        uploadTexture(*scene.texture);
+        m_uploadedTexture = scene.texture;
+    }
+}
+
+void GlSprites::drawSprites(const SpriteScene& scene, const QSize& pixels)
+{
+    if (!m_light || m_light->size() != pixels) {
+        m_light = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D, GL_RGBA16F);
+    }
+    m_light->bind();
+    glViewport(0, 0, pixels.width(), pixels.height());
+    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise);
+
+    const SpriteStyle& style = scene.style;
+    m_spriteProgram.bind();
+    m_spriteProgram.setUniformValue("size", QVector2D(static_cast<float>(scene.view.width), static_cast<float>(scene.view.height)));
+    m_spriteProgram.setUniformValue("noise", 0);
+    m_spriteProgram.setUniformValue("square", style.square);
+    m_spriteProgram.setUniformValue("hardness", style.hardness);
+    m_spriteProgram.setUniformValue("textureAmount", style.texture);
+    m_spriteProgram.setUniformValue("erosionSoftness", style.erosionSoftness);
+    m_spriteProgram.setUniformValue("textureScale", style.textureScale);
+    m_spriteProgram.setUniformValue("light", QVector2D(style.lightX, style.lightY));
+    m_spriteProgram.setUniformValue("relief", style.relief);
+    m_spriteProgram.setUniformValue("roundness", style.roundness);
+    const QOpenGLVertexArrayObject::Binder binder(&m_vertices);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.sprites.size()));
+    m_spriteProgram.release();
+    glDisable(GL_BLEND);
+}
+
+void GlSprites::resolve(const Picture& picture, const QSize& pixels, GLuint target)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, pixels.width(), pixels.height());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, m_light->texture());
+    const Output& output = picture.output;
+    const bool own = output.background == Background::Colour;
+    const glm::vec3 behind = own ? output.backgroundColour : picture.backdrop.colour;
+    const float gain = portableExp(output.exposure * kLnTwo);
+    m_resolveProgram.bind();
+    m_resolveProgram.setUniformValue("smoke", 0);
+    m_resolveProgram.setUniformValue("background", QVector3D(behind.r, behind.g, behind.b));
+    m_resolveProgram.setUniformValue("checker", !own && picture.backdrop.kind == Backdrop::Kind::Checker);
+    m_resolveProgram.setUniformValue("gain", gain);
+    m_resolveProgram.setUniformValue("backdropGain", own ? 1.0F : 1.0F / gain);
+    m_resolveProgram.setUniformValue("filmic", output.viewTransform == ViewTransform::Filmic);
+    m_resolveProgram.setUniformValue("height", static_cast<float>(pixels.height()));
+    const QOpenGLVertexArrayObject::Binder binder(&m_nothing);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_resolveProgram.release();
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void GlSprites::draw(const Picture& picture, const QSize& pixels, GLuint target)
+{
+    if (!m_failure.isEmpty()) {
+        return;
+    }
+    if (picture.scene != m_uploaded) {
+        upload(*picture.scene);
+        m_uploaded = picture.scene;
+    }
+    drawSprites(*picture.scene, pixels);
+    resolve(picture, pixels, target);
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/viewport/picture.h"
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLTexture>
+#include <QOpenGLVertexArrayObject>
+
+#include <memory>
+
+namespace fumage::ui {
+
+/// Draws the sprites of a picture with OpenGL 3.3: one instanced quad a particle, far to near, into a half-float buffer of linear
+/// light, then exposure, view transform and backdrop. The same formulas as the compositor, which is the reference.
+///
+/// Made, used and destroyed with its context current.
+class GlSprites : protected QOpenGLFunctions_3_3_Core {
+public:
+    GlSprites();
+    ~GlSprites();
+    GlSprites(const GlSprites&) = delete;
+    GlSprites& operator=(const GlSprites&) = delete;
+
+    /// @param picture with a scene
+    /// @param pixels  of the target
+    /// @param target  framebuffer that is drawn into; all of it is written
+    void draw(const Picture& picture, const QSize& pixels, GLuint target);
+
+    /// Empty where all is well; else what the driver said.
+    [[nodiscard]] const QString& failure() const { return m_failure; }
+
+private:
+    void compile(QOpenGLShaderProgram& program, const QString& name);
+    void upload(const SpriteScene& scene);
+    void uploadTexture(const SpriteTexture& texture);
+    void drawSprites(const SpriteScene& scene, const QSize& pixels);
+    void resolve(const Picture& picture, const QSize& pixels, GLuint target);
+
+    QString m_failure;
+    QOpenGLShaderProgram m_spriteProgram;
+    QOpenGLShaderProgram m_resolveProgram;
+    QOpenGLVertexArrayObject m_vertices;
+    QOpenGLVertexArrayObject m_nothing; ///< for the triangle that covers the screen, which needs no data
+    QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
+    std::unique_ptr<QOpenGLFramebufferObject> m_light;
+    GLuint m_noise = 0;
+    std::shared_ptr<const SpriteScene> m_uploaded;
+    std::shared_ptr<const SpriteTexture> m_uploadedTexture;
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace fumage::ui {
+
+/// What OpenGL is good for on this machine.
+enum class GlSupport {
+    None, ///< no context at all: the picture is shown by a plain widget
+    Software, ///< a context that the processor draws: the compositor is faster than it
+    Hardware,
+};
+
+/// Tries to make an OpenGL 3.3 core context. Takes some 10 ms; call it once, on the GUI thread.
+/// The environment variable FUMAGE_OPENGL=none|software|hardware answers instead where it is set.
+[[nodiscard]] GlSupport probeOpenGl();
+
+} // namespace fumage::ui

@@ -1,0 +1,130 @@
+#include "ui/viewport/overlays.h"
+
+#include "core/base/vector.h"
+
+#include <cmath>
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <glm/geometric.hpp>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kGridHalf = 10; ///< lines to each side, 1 m apart
+constexpr int kOutlineCorners = 48;
+
+void drawLine(QPainter& painter, const View& view, const glm::vec3& from, const glm::vec3& to)
+{
+    if (const std::optional<QLineF> line = projectLine(view, from, to)) {
+        painter.drawLine(*line);
+    }
+}
+
+void drawLoop(QPainter& painter, const View& view, const std::vector<glm::vec3>& corners)
+{
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        drawLine(painter, view, corners[i], corners[(i + 1) % corners.size()]);
+    }
+}
+
+std::vector<glm::vec3> circle(const glm::vec3& centre, const glm::vec3& u, const glm::vec3& v)
+{
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < kOutlineCorners; ++i) {
+        const float angle = 6.2831853F * static_cast<float>(i) / static_cast<float>(kOutlineCorners);
+        corners.push_back(centre + u * std::cos(angle) + v * std::sin(angle));
+    }
+    return corners;
+}
+
+} // namespace
+
+std::optional<QLineF> projectLine(const View& view, glm::vec3 from, glm::vec3 to)
+{
+    constexpr float kNearest = 0.02F;
+    const float a = glm::dot(from - view.eye, view.forward);
+    const float b = glm::dot(to - view.eye, view.forward);
+    if (a < kNearest && b < kNearest) {
+        return std::nullopt;
+    }
+    const auto cut = [&] { return from + (to - from) * ((kNearest - a) / (b - a)); };
+    if (a < kNearest) {
+        from = cut();
+    } else if (b < kNearest) {
+        to = cut();
+    }
+    const Projected start = project(view, from);
+    const Projected end = project(view, to);
+    return QLineF(static_cast<double>(start.x), static_cast<double>(start.y), static_cast<double>(end.x), static_cast<double>(end.y));
+}
+
+void paintGrid(QPainter& painter, const View& view)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    constexpr auto kReach = static_cast<float>(kGridHalf);
+    for (int i = -kGridHalf; i <= kGridHalf; ++i) {
+        const auto at = static_cast<float>(i);
+        const int strength = i == 0 ? 0 : 34;
+        painter.setPen(QPen(i == 0 ? QColor(216, 92, 84, 150) : QColor(200, 205, 215, strength), 1.0));
+        drawLine(painter, view, {-kReach, 0.0F, at}, {kReach, 0.0F, at});
+        painter.setPen(QPen(i == 0 ? QColor(88, 134, 226, 150) : QColor(200, 205, 215, strength), 1.0));
+        drawLine(painter, view, {at, 0.0F, -kReach}, {at, 0.0F, kReach});
+    }
+    painter.restore();
+}
+
+void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(0xff, 0xb0, 0x40, 210), 1.6));
+    const glm::vec3 normal = glm::normalize(emitter.normal);
+    const PlaneBasis basis = planeBasis(normal);
+    const glm::vec3 centre = emitter.position;
+    if (emitter.shape == EmitterShape::Rectangle) {
+        const glm::vec3 u = basis.across * (0.5F * emitter.width);
+        const glm::vec3 v = basis.along * (0.5F * emitter.depth);
+        drawLoop(painter, view, {centre - u - v, centre + u - v, centre + u + v, centre - u + v});
+    } else {
+        drawLoop(painter, view, circle(centre, basis.across * emitter.radius, basis.along * emitter.radius));
+    }
+    if (emitter.shape == EmitterShape::Sphere) {
+        drawLoop(painter, view, circle(centre, basis.across * emitter.radius, normal * emitter.radius));
+        drawLoop(painter, view, circle(centre, basis.along * emitter.radius, normal * emitter.radius));
+    }
+    painter.restore();
+}
+
+void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(80, 220, 110, 170), 1.2));
+    for (const Track& track : tracks) {
+        for (std::size_t i = 1; i < track.size(); ++i) {
+            drawLine(painter, view, track[i - 1], track[i]);
+        }
+    }
+    painter.restore();
+}
+
+void paintFrame(QPainter& painter, const QRectF& frame, const QRectF& window, const QString& label)
+{
+    painter.save();
+    QPainterPath outside;
+    outside.addRect(window);
+    QPainterPath inside;
+    inside.addRect(frame);
+    painter.fillPath(outside.subtracted(inside), QColor(0, 0, 0, 90));
+    painter.setPen(QPen(QColor(255, 255, 255, 120), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.drawText(frame.adjusted(8.0, 6.0, -8.0, -6.0), Qt::AlignBottom | Qt::AlignRight, label);
+    painter.restore();
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/viewport/picture.h"
+
+#include <QLineF>
+#include <QObject>
+#include <QRectF>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace fumage::ui {
+
+/// What can be drawn over the smoke.
+enum class Overlay {
+    Grid = 1,
+    Emitter = 2,
+    Gizmos = 4,
+    Tracks = 8,
+    Frame = 16,
+    Readout = 32,
+};
+Q_DECLARE_FLAGS(Overlays, Overlay)
+Q_DECLARE_OPERATORS_FOR_FLAGS(Overlays)
+
+/// A line in space on the screen, cut off where it passes the eye; nothing where all of it lies behind.
+[[nodiscard]] std::optional<QLineF> projectLine(const View& view, glm::vec3 from, glm::vec3 to);
+
+void paintGrid(QPainter& painter, const View& view);
+void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view);
+/// Figure 2 of the 2012 model: the ways of particles, in green.
+void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view);
+/// The frame that is exported, with what lies outside of it dimmed.
+void paintFrame(QPainter& painter, const QRectF& frame, const QRectF& window, const QString& label);
+
+} // namespace fumage::ui

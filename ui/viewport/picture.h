@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/effect/effect.h"
+#include "core/rendering/camera.h"
+#include "core/rendering/renderer.h"
+
+#include <QImage>
+#include <QMetaType>
+
+#include <memory>
+#include <vector>
+
+namespace fumage::ui {
+
+/// What lies behind smoke that is transparent.
+struct Backdrop {
+    enum class Kind {
+        Colour,
+        Checker,
+    };
+    Kind kind = Kind::Colour;
+    glm::vec3 colour{0.0F}; ///< linear RGB
+    friend bool operator==(const Backdrop&, const Backdrop&) = default;
+};
+
+/// How much a picture may give up to be there in time.
+enum class Haste {
+    None, ///< all pixels and all particles; given up when something newer is asked for
+    Playing, ///< fewer pixels where a frame would come late
+    Dragging, ///< fewer pixels, and fewer but larger particles
+};
+
+struct PictureRequest {
+    std::shared_ptr<const Effect> effect;
+    quint64 revision = 0; ///< of the effect: pictures of one revision and frame are alike
+    int frame = 0;
+    int width = 1; ///< pixels of the screen
+    int height = 1;
+    Backdrop backdrop;
+    Haste haste = Haste::None;
+    bool tracks = false; ///< find the ways of some particles
+    bool sprites = false; ///< hand over the sprites instead of painting them
+};
+
+/// Where a particle has been, from its birth on, m.
+using Track = std::vector<glm::vec3>;
+
+/// Sprites for a graphics card: far to near, with all that they need.
+struct SpriteScene {
+    std::vector<Sprite> sprites;
+    SpriteStyle style;
+    View view;
+    std::shared_ptr<const SpriteTexture> texture;
+};
+
+/// A picture of the smoke for the screen, or the sprites to make one.
+struct Picture {
+    QImage image; ///< opaque; smaller than the screen where there was haste
+    std::shared_ptr<const SpriteScene> scene; ///< instead of the image, where sprites were asked for
+    std::vector<Track> tracks; ///< where they were asked for
+    Output output; ///< exposure and view transform for the scene
+    Backdrop backdrop;
+    quint64 revision = 0;
+    int frame = 0;
+    bool complete = false; ///< nothing was given up
+    bool thinned = false; ///< fewer particles than the effect has
+    int particles = 0; ///< alive at most
+    qint64 stepNs = 0;
+    RenderTimes times;
+};
+using PicturePtr = std::shared_ptr<const Picture>;
+
+/// The camera's view in a window of another shape: the frame that is exported fits in, with its surroundings around it.
+[[nodiscard]] View windowView(const Effect& effect, int frame, int width, int height);
+
+/// Where the exported frame lies in such a window, in its pixels.
+[[nodiscard]] QRectF exportFrame(const Effect& effect, int width, int height);
+
+} // namespace fumage::ui

@@ -1,0 +1,202 @@
+#include "ui/viewport/smoke_studio.h"
+
+#include "ui/viewport/tracks.h"
+
+#include "core/base/math.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/effect/variation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <QElapsedTimer>
+
+namespace fumage::ui {
+
+namespace {
+
+/// Time for a picture while the hand moves: 30 frames/s, less what the screen needs.
+constexpr qint64 kBudgetNs = 28'000'000;
+/// Share of it that particles may take; the rest is for pixels.
+constexpr qint64 kParticleBudgetNs = kBudgetNs * 3 / 4;
+
+constexpr int kCheckerPixels = 16;
+
+/// Puts what lies behind the smoke under it, in linear light, so that exposure leaves it alone.
+void fillBackdrop(Image& image, const Backdrop& backdrop, const Output& output)
+{
+    constexpr float kLnTwo = 0.693147180559945309F;
+    const float gain = portableExp(-output.exposure * kLnTwo);
+    if (backdrop.kind == Backdrop::Kind::Colour) {
+        fillBackground(image, backdrop.colour * gain);
+        return;
+    }
+    constexpr float kDark = 0.10F;
+    constexpr float kLight = 0.16F;
+    for (int y = 0; y < image.height; ++y) {
+        float* pixel = image.row(y);
+        for (int x = 0; x < image.width; ++x, pixel += 4) {
+            const float grey = gain * ((x / kCheckerPixels + y / kCheckerPixels) % 2 == 0 ? kDark : kLight) * (1.0F - pixel[3]);
+            pixel[0] += grey;
+            pixel[1] += grey;
+            pixel[2] += grey;
+            pixel[3] = 1.0F;
+        }
+    }
+}
+
+QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
+{
+    const QImage view(encoded.pixels.data(), encoded.width, encoded.height, encoded.width * 4, QImage::Format_RGBX8888);
+    return view.convertToFormat(QImage::Format_RGB32);
+}
+
+} // namespace
+
+bool simulateAlike(const Effect& a, const Effect& b)
+{
+    const std::vector<const Parameter*> changed = differences(a, b);
+    return std::none_of(changed.begin(), changed.end(), [](const Parameter* parameter) { return parameter->stage == Stage::Simulate; });
+}
+
+SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
+{
+    Plan plan;
+    plan.effect = *request.effect;
+    if (request.haste == Haste::None) {
+        return plan;
+    }
+    const Schedule schedule = makeSchedule(plan.effect);
+    // Particles are of all ages: a pre-roll takes half a life each.
+    const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
+    const bool warm = m_complete && simulateAlike(m_complete->effect, plan.effect);
+    const int ahead = request.frame - m_lastFrame;
+    plan.stepsEach = warm && ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
+    if (request.haste == Haste::Dragging) {
+        const int affordable = m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach);
+        // Halves, so that a drag keeps the particles that it has.
+        int count = plan.effect.emitter.count;
+        while (count > affordable) {
+            count /= 2;
+        }
+        plan.keepsAll = count == plan.effect.emitter.count;
+        plan.effect = thinned(plan.effect, std::max(1, count));
+    }
+    const double pixels = static_cast<double>(request.width) * request.height;
+    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect.emitter.count, plan.stepsEach, pixels);
+    plan.complete = plan.keepsAll && plan.scale == 1.0;
+    return plan;
+}
+
+Simulator& SmokeStudio::simulatorFor(const Effect& effect, bool complete)
+{
+    std::optional<Running>& running = complete ? m_complete : m_thinned;
+    if (!running || !simulateAlike(running->effect, effect)) {
+        running.reset();
+        // What cannot be seen needs no checkpoints to come back to.
+        running.emplace(Running{effect, Simulator(effect, complete ? Simulator::kDefaultCheckpointBytes : 0)});
+    }
+    return running->simulator;
+}
+
+std::shared_ptr<const Frame> SmokeStudio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
+{
+    Simulator& simulator = simulatorFor(plan.effect, plan.keepsAll);
+    Result<std::shared_ptr<const Frame>> result = simulator.frame(frame, stop);
+    if (!result) {
+        return nullptr;
+    }
+    if (plan.keepsAll) {
+        m_lastFrame = frame;
+    }
+    return result.value();
+}
+
+std::shared_ptr<const SpriteScene> SmokeStudio::collectSprites() const
+{
+    const SpriteBatch& batch = m_renderer.batch();
+    AlignedArray<DepthEntry> entries;
+    AlignedArray<DepthEntry> scratch;
+    entries.resize(batch.sprites.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < batch.sprites.size(); ++i) {
+        if (batch.depth[i] != SpriteBatch::kHidden) {
+            entries[count++] = depthEntry(batch.depth[i], static_cast<std::uint32_t>(i));
+        }
+    }
+    sortByDepth({entries.data(), count}, scratch);
+    auto scene = std::make_shared<SpriteScene>();
+    scene->sprites.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        scene->sprites[i] = batch.sprites[entryIndex(entries[count - 1 - i])];
+    }
+    scene->style = batch.style;
+    scene->view = batch.view;
+    scene->texture = m_renderer.texture();
+    return scene;
+}
+
+bool SmokeStudio::paint(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
+{
+    if (request.sprites) {
+        picture.scene = collectSprites();
+        return true;
+    }
+    if (!m_renderer.composite(m_image, stop)) {
+        return false;
+    }
+    if (plan.effect.output.background == Background::Colour) {
+        fillBackground(m_image, plan.effect.output.backgroundColour);
+    } else {
+        fillBackdrop(m_image, request.backdrop, plan.effect.output);
+    }
+    encode(m_image, plan.effect.output, m_encoded);
+    picture.image = toScreen(m_encoded);
+    return true;
+}
+
+PicturePtr SmokeStudio::make(const PictureRequest& request, const std::stop_token& stop)
+{
+    const Plan plan = planFor(request);
+    auto picture = std::make_shared<Picture>();
+    QElapsedTimer timer;
+    timer.start();
+    const std::shared_ptr<const Frame> frame = simulate(plan, request.frame, stop);
+    if (!frame) {
+        return nullptr;
+    }
+    picture->stepNs = timer.nsecsElapsed();
+    const int particles = plan.effect.emitter.count;
+    m_costs.noteSteps(particles * plan.stepsEach, picture->stepNs);
+
+    const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
+    const int width = scaled(request.width);
+    const int height = scaled(request.height);
+    timer.restart();
+    if (!m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop)) {
+        return nullptr;
+    }
+    m_costs.noteSprites(particles, timer.nsecsElapsed());
+    timer.restart();
+    if (!paint(request, plan, *picture, stop)) {
+        return nullptr;
+    }
+    m_costs.notePixels(static_cast<double>(width) * height, timer.nsecsElapsed());
+
+    if (request.tracks) {
+        picture->tracks = findTracks(*request.effect, request.frame);
+    }
+    picture->output = plan.effect.output;
+    picture->backdrop = request.backdrop;
+    picture->revision = request.revision;
+    picture->frame = request.frame;
+    picture->complete = plan.complete;
+    picture->thinned = !plan.keepsAll;
+    picture->particles = particles;
+    picture->times = m_renderer.times();
+    return picture;
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,19 @@
+#include "ui/viewport/smoke_worker.h"
+
+namespace fumage::ui {
+
+SmokeWorker::SmokeWorker(QObject* parent)
+    : QObject(parent)
+    , m_job(
+          [this](const PictureRequest& request, const std::stop_token& stop) {
+              if (PicturePtr picture = m_studio.make(request, stop)) {
+                  QMetaObject::invokeMethod(
+                      this, [this, picture = std::move(picture)] { emit pictureReady(picture); }, Qt::QueuedConnection);
+              }
+          },
+          // Hasty pictures are never given up: a hand that moves all the time would not see one.
+          [](const PictureRequest& request) { return request.haste == Haste::None; })
+{
+}
+
+} // namespace fumage::ui

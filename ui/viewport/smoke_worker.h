@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/viewport/picture.h"
+#include "ui/viewport/smoke_studio.h"
+#include "ui/work/latest_job.h"
+
+#include <QObject>
+
+namespace fumage::ui {
+
+/// Makes pictures of an effect on a thread of its own: simulation, light, sprites and paint. The newest request is the one that counts.
+class SmokeWorker : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SmokeWorker(QObject* parent = nullptr);
+
+    void request(PictureRequest request) { m_job.post(std::move(request)); }
+
+signals:
+    /// On the thread of this object.
+    void pictureReady(fumage::ui::PicturePtr picture);
+
+private:
+    SmokeStudio m_studio; ///< used by the thread of the job alone
+    LatestJob<PictureRequest> m_job;
+};
+
+} // namespace fumage::ui

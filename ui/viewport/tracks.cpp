@@ -1,0 +1,38 @@
+#include "ui/viewport/tracks.h"
+
+#include "core/effect/variation.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+
+namespace fumage::ui {
+
+std::vector<Track> findTracks(const Effect& effect, int frame)
+{
+    constexpr int kParticles = 60;
+    constexpr int kFrames = 150;
+    Simulator simulator(thinned(effect, kParticles), 0);
+    std::vector<Track> tracks;
+    std::vector<std::int32_t> births;
+    for (int number = std::max(0, frame - kFrames); number <= frame; ++number) {
+        const Result<std::shared_ptr<const Frame>> result = simulator.frame(number);
+        if (!result) {
+            return {};
+        }
+        const Particles& particles = result.value()->particles;
+        tracks.resize(particles.capacity);
+        births.resize(particles.capacity, Particles::kUnborn);
+        for (std::size_t i = 0; i < particles.capacity; ++i) {
+            if (births[i] != particles.birthStep[i]) {
+                births[i] = particles.birthStep[i];
+                tracks[i].clear();
+            }
+            if (births[i] != Particles::kUnborn) {
+                tracks[i].emplace_back(particles.x[i], particles.y[i], particles.z[i]);
+            }
+        }
+    }
+    return tracks;
+}
+
+} // namespace fumage::ui

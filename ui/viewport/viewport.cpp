@@ -1,0 +1,465 @@
+#include "ui/viewport/viewport.h"
+
+#include "ui/viewport/tracks.h"
+
+#include <cmath>
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kRestMs = 160;
+constexpr int kWheelRestMs = 400;
+constexpr int kCacheKiB = 256 * 1024;
+constexpr double kNotch = 120.0; ///< eighths of a degree, as Qt counts the wheel
+constexpr double kDividerReach = 8.0;
+
+int kibibytes(const Picture& picture)
+{
+    const qsizetype sprites = picture.scene ? static_cast<qsizetype>(picture.scene->sprites.size() * sizeof(Sprite)) : 0;
+    return static_cast<int>((picture.image.sizeInBytes() + sprites) / 1024) + 1;
+}
+
+} // namespace
+
+Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_player(player)
+    , m_surface(makeSurface(support, this, [this](QPainter& painter) { paintOverlay(painter); }))
+    , m_cache(kCacheKiB)
+{
+    setObjectName(QStringLiteral("viewport"));
+    QWidget* surface = m_surface->widget();
+    surface->setObjectName(QStringLiteral("viewport.surface"));
+    surface->setAccessibleName(tr("Smoke"));
+    surface->setFocusPolicy(Qt::StrongFocus);
+    surface->setMouseTracking(true);
+    surface->installEventFilter(this);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(surface);
+
+    constexpr float kDarkBlueGrey[] = {0.012F, 0.015F, 0.021F};
+    m_backdrop.colour = {kDarkBlueGrey[0], kDarkBlueGrey[1], kDarkBlueGrey[2]};
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    m_wheelRest.setSingleShot(true);
+    m_wheelRest.setInterval(kWheelRestMs);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_moving = false;
+        refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
+    });
+    connect(&m_wheelRest, &QTimer::timeout, this, [this] { m_wheelGesture = {}; });
+    connect(&m_worker, &SmokeWorker::pictureReady, this, &Viewport::receive);
+    connect(&m_document, &Document::effectChanged, this, &Viewport::effectChanged);
+    connect(&m_player, &Player::frameChanged, this, &Viewport::frameChanged);
+    connect(&m_player, &Player::playingChanged, this, [this](bool playing) {
+        m_frameMs = 0.0;
+        if (!playing) {
+            m_rest.start();
+        }
+    });
+}
+
+Viewport::~Viewport() = default;
+
+View Viewport::view() const
+{
+    return windowView(m_document.effect(), m_player.frame(), std::max(1, width()), std::max(1, height()));
+}
+
+void Viewport::setOverlay(Overlay overlay, bool on)
+{
+    m_overlays.setFlag(overlay, on);
+    if (overlay == Overlay::Tracks) {
+        invalidate();
+        refresh(Haste::None);
+    }
+    m_surface->widget()->update();
+}
+
+void Viewport::setBackdrop(const Backdrop& backdrop)
+{
+    m_backdrop = backdrop;
+    invalidate();
+    refresh(Haste::None);
+}
+
+void Viewport::setCompare(Compare compare, const Effect& other)
+{
+    m_compare = compare;
+    m_other = other;
+    if (compare == Compare::Off) {
+        m_otherWorker.reset();
+        m_otherShown.reset();
+    } else {
+        if (!m_otherWorker) {
+            m_otherWorker = std::make_unique<SmokeWorker>();
+            connect(m_otherWorker.get(), &SmokeWorker::pictureReady, this, &Viewport::receiveOther);
+        }
+        requestOther(Haste::None);
+    }
+    m_surface->widget()->update();
+}
+
+// --- pictures ------------------------------------------------------------------------------------------------------------
+
+bool Viewport::isSeen() const
+{
+    return isVisible() && !window()->isMinimized();
+}
+
+void Viewport::effectChanged(Stage)
+{
+    invalidate();
+    m_moving = true;
+    m_rest.start();
+    refresh(Haste::Dragging);
+}
+
+void Viewport::frameChanged()
+{
+    if (!m_player.isPlaying()) {
+        m_rest.start();
+    }
+    refresh(m_moving ? Haste::Dragging : Haste::Playing);
+}
+
+void Viewport::invalidate()
+{
+    ++m_revision;
+    m_cache.clear();
+    emit cacheChanged();
+}
+
+/// Shows what is known of the present frame, or asks for it.
+void Viewport::refresh(Haste haste)
+{
+    if (!isSeen()) {
+        return;
+    }
+    if (m_compare != Compare::Off) {
+        requestOther(haste);
+    }
+    const PicturePtr* known = m_cache.object(m_player.frame());
+    if (known != nullptr) {
+        display(*known);
+        const bool good = (*known)->complete || haste == Haste::Dragging || (haste == Haste::Playing && !(*known)->thinned);
+        if (good) {
+            return;
+        }
+    }
+    request(haste);
+}
+
+PictureRequest Viewport::makeRequest(Haste haste) const
+{
+    const double ratio = devicePixelRatioF();
+    PictureRequest request;
+    request.effect = std::make_shared<const Effect>(m_document.effect());
+    request.revision = m_revision;
+    request.frame = m_player.frame();
+    request.width = std::max(1, static_cast<int>(std::lround(width() * ratio)));
+    request.height = std::max(1, static_cast<int>(std::lround(height() * ratio)));
+    request.backdrop = m_backdrop;
+    request.haste = haste;
+    request.tracks = m_overlays.testFlag(Overlay::Tracks);
+    request.sprites = m_surface->drawsSprites();
+    return request;
+}
+
+void Viewport::request(Haste haste)
+{
+    m_asked = m_player.frame();
+    m_player.setHeld(true);
+    m_worker.request(makeRequest(haste));
+}
+
+void Viewport::requestOther(Haste haste)
+{
+    PictureRequest other = makeRequest(haste);
+    // Both halves are seen through the camera of the document.
+    Effect effect = m_other;
+    effect.camera = m_document.effect().camera;
+    effect.output = m_document.effect().output;
+    other.effect = std::make_shared<const Effect>(effect);
+    other.sprites = false;
+    other.tracks = false;
+    m_otherWorker->request(other);
+}
+
+void Viewport::receive(const PicturePtr& picture)
+{
+    if (picture->frame == m_asked) {
+        m_player.setHeld(false);
+    }
+    if (picture->revision == m_revision) {
+        m_cache.insert(picture->frame, new PicturePtr(picture), kibibytes(*picture));
+        emit cacheChanged();
+    }
+    display(picture);
+}
+
+void Viewport::receiveOther(const PicturePtr& picture)
+{
+    if (m_compare != Compare::Off) {
+        m_otherShown = picture;
+        m_surface->widget()->update();
+    }
+}
+
+void Viewport::display(const PicturePtr& picture)
+{
+    if (picture == m_shown) {
+        return;
+    }
+    if (m_sinceShown.isValid()) {
+        constexpr double kShareOfNewest = 0.15;
+        constexpr double kNanosecondsAMillisecond = 1e6;
+        const double ms = static_cast<double>(m_sinceShown.nsecsElapsed()) / kNanosecondsAMillisecond;
+        m_frameMs = m_frameMs == 0.0 ? ms : m_frameMs + (ms - m_frameMs) * kShareOfNewest;
+    }
+    m_sinceShown.start();
+    m_shown = picture;
+    m_surface->show(picture);
+    emit pictureShown(picture);
+}
+
+void Viewport::followVisibility()
+{
+    m_player.setSuspended(!isSeen());
+    if (isSeen()) {
+        refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
+    }
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    invalidate();
+    m_moving = true;
+    m_rest.start();
+    refresh(Haste::Dragging);
+}
+
+void Viewport::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    window()->installEventFilter(this);
+    followVisibility();
+}
+
+void Viewport::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    followVisibility();
+}
+
+// --- camera --------------------------------------------------------------------------------------------------------------
+
+void Viewport::applyCamera(const Camera& camera, const QString& text, Gesture gesture)
+{
+    m_document.edit(assignmentsOf(camera), text, gesture);
+}
+
+void Viewport::frameAll()
+{
+    glm::vec3 low = m_document.effect().emitter.position;
+    glm::vec3 high = low;
+    const std::vector<Track> tracks = findTracks(m_document.effect(), m_player.frame());
+    for (const Track& track : tracks) {
+        if (!track.empty()) {
+            low = glm::min(low, track.back());
+            high = glm::max(high, track.back());
+        }
+    }
+    applyCamera(framing(m_document.effect().camera, low, high), tr("Frame all"), {});
+}
+
+void Viewport::lookFrom(float yaw, float pitch)
+{
+    applyCamera(lookingFrom(m_document.effect().camera, yaw, pitch), tr("Change view"), {});
+}
+
+// --- mouse ---------------------------------------------------------------------------------------------------------------
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == window() && event->type() == QEvent::WindowStateChange) {
+        followVisibility();
+    }
+    if (watched != m_surface->widget()) {
+        return false;
+    }
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+        press(static_cast<QMouseEvent&>(*event));
+        return true;
+    case QEvent::MouseMove:
+        move(static_cast<QMouseEvent&>(*event));
+        return true;
+    case QEvent::MouseButtonRelease:
+        release();
+        return true;
+    case QEvent::Wheel:
+        wheel(static_cast<QWheelEvent&>(*event));
+        return true;
+    case QEvent::Leave:
+        setHot(std::nullopt);
+        return false;
+    default:
+        return false;
+    }
+}
+
+double Viewport::dividerX() const
+{
+    return m_divider * width();
+}
+
+void Viewport::press(QMouseEvent& event)
+{
+    m_surface->widget()->setFocus(Qt::MouseFocusReason);
+    Drag drag;
+    drag.start = event.position();
+    drag.before = m_document.effect();
+    drag.view = view();
+    if (event.button() == Qt::LeftButton && m_compare == Compare::Split && std::abs(event.position().x() - dividerX()) < kDividerReach) {
+        drag.divider = true;
+    } else if (event.button() == Qt::LeftButton && m_overlays.testFlag(Overlay::Gizmos) && !event.modifiers().testFlag(Qt::AltModifier)) {
+        drag.gizmo = gizmoAt(m_document.effect(), drag.view, event.position());
+    }
+    if (!drag.gizmo && !drag.divider) {
+        drag.move = cameraMoveFor(m_style, event.button(), event.modifiers());
+        if (!drag.move) {
+            return;
+        }
+    }
+    drag.gesture = m_document.beginGesture();
+    m_drag = drag;
+}
+
+void Viewport::move(QMouseEvent& event)
+{
+    if (!m_drag) {
+        setHot(m_overlays.testFlag(Overlay::Gizmos) ? gizmoAt(m_document.effect(), view(), event.position()) : std::nullopt);
+        return;
+    }
+    const Drag& drag = *m_drag;
+    const QPointF way = event.position() - drag.start;
+    if (drag.divider) {
+        m_divider = std::clamp(event.position().x() / std::max(1, width()), 0.02, 0.98);
+        m_surface->widget()->update();
+    } else if (drag.gizmo) {
+        m_document.edit(dragGizmo(*drag.gizmo, drag.before, drag.view, event.position(), event.modifiers().testFlag(Qt::ControlModifier)), {}, drag.gesture);
+    } else if (drag.move == CameraMove::Orbit) {
+        applyCamera(orbited(drag.before.camera, way, drag.view), tr("Orbit"), drag.gesture);
+    } else if (drag.move == CameraMove::Pan) {
+        applyCamera(panned(drag.before.camera, way, drag.view), tr("Pan"), drag.gesture);
+    } else {
+        constexpr double kNotchesAPixel = 0.03;
+        applyCamera(zoomed(drag.before.camera, -way.y() * kNotchesAPixel, drag.view), tr("Zoom"), drag.gesture);
+    }
+}
+
+void Viewport::release()
+{
+    m_drag.reset();
+}
+
+void Viewport::wheel(QWheelEvent& event)
+{
+    if (m_drag || event.angleDelta().y() == 0) {
+        return;
+    }
+    if (m_wheelGesture.id == 0) {
+        m_wheelGesture = m_document.beginGesture();
+    }
+    m_wheelRest.start();
+    applyCamera(zoomed(m_document.effect().camera, event.angleDelta().y() / kNotch, view()), tr("Zoom"), m_wheelGesture);
+}
+
+void Viewport::setHot(std::optional<GizmoId> gizmo)
+{
+    if (gizmo != m_hot) {
+        m_hot = gizmo;
+        m_surface->widget()->setCursor(gizmo ? Qt::OpenHandCursor : Qt::ArrowCursor);
+        m_surface->widget()->update();
+    }
+}
+
+// --- paint ---------------------------------------------------------------------------------------------------------------
+
+void Viewport::paintOther(QPainter& painter)
+{
+    if (m_compare == Compare::Off || !m_otherShown) {
+        return;
+    }
+    const double left = m_compare == Compare::Split ? dividerX() : 0.0;
+    painter.save();
+    painter.setClipRect(QRectF(left, 0.0, width() - left, height()));
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(rect(), m_otherShown->image);
+    painter.restore();
+    if (m_compare == Compare::Split) {
+        painter.setPen(QPen(QColor(255, 255, 255, 200), 2.0));
+        painter.drawLine(QLineF(left, 0.0, left, height()));
+        painter.drawText(QRectF(left - 28.0, 10.0, 20.0, 20.0), Qt::AlignCenter, QStringLiteral("A"));
+    }
+    painter.setPen(QColor(255, 255, 255, 220));
+    painter.drawText(QRectF(left + 8.0, 10.0, 20.0, 20.0), Qt::AlignCenter, QStringLiteral("B"));
+}
+
+void Viewport::paintReadout(QPainter& painter) const
+{
+    if (!m_shown) {
+        return;
+    }
+    const auto ms = [](std::chrono::nanoseconds time) { return QString::number(std::chrono::duration<double, std::milli>(time).count(), 'f', 1); };
+    QStringList lines;
+    if (m_player.isPlaying() && m_frameMs > 0.0) {
+        lines += tr("%1 frames/s").arg(1000.0 / m_frameMs, 0, 'f', 0);
+    }
+    lines += tr("%L1 particles").arg(m_shown->particles);
+    lines += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(m_shown->stepNs)));
+    lines += tr("light %1 ms").arg(ms(m_shown->times.light + m_shown->times.sprites));
+    lines += tr("composite %1 ms").arg(ms(m_shown->times.composite));
+    const QString text = lines.join(QStringLiteral("   "));
+    painter.setPen(QColor(0, 0, 0, 170));
+    painter.drawText(QPointF(13.0, height() - 11.0), text);
+    painter.setPen(QColor(225, 230, 238, 200));
+    painter.drawText(QPointF(12.0, height() - 12.0), text);
+}
+
+void Viewport::paintOverlay(QPainter& painter)
+{
+    paintOther(painter);
+    const View seen = view();
+    const Effect& effect = m_document.effect();
+    if (m_overlays.testFlag(Overlay::Grid)) {
+        paintGrid(painter, seen);
+    }
+    if (m_overlays.testFlag(Overlay::Tracks) && m_shown) {
+        paintTracks(painter, m_shown->tracks, seen);
+    }
+    if (m_overlays.testFlag(Overlay::Emitter)) {
+        paintEmitter(painter, effect.emitter, seen);
+    }
+    if (m_overlays.testFlag(Overlay::Gizmos)) {
+        paintGizmos(painter, effect, seen, m_drag ? m_drag->gizmo : m_hot);
+    }
+    if (m_overlays.testFlag(Overlay::Frame)) {
+        paintFrame(painter, exportFrame(effect, width(), height()), rect(), QStringLiteral("%1 × %2").arg(effect.output.width).arg(effect.output.height));
+    }
+    if (m_overlays.testFlag(Overlay::Readout)) {
+        paintReadout(painter);
+    }
+}
+
+} // namespace fumage::ui
