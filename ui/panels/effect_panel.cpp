@@ -165,6 +165,17 @@ void EffectPanel::showGroup(std::string_view name)
     }
 }
 
+void EffectPanel::showParameter(const QString& key)
+{
+    auto* editor = findChild<ParameterEditor*>(key);
+    if (editor == nullptr) {
+        return;
+    }
+    showGroup(editor->parameter().group());
+    m_scroll->ensureWidgetVisible(editor);
+    editor->setFocus(Qt::ShortcutFocusReason);
+}
+
 void EffectPanel::search()
 {
     m_search->setFocus(Qt::ShortcutFocusReason);

@@ -43,6 +43,8 @@ public:
 
     /// Scrolls to a group and opens it.
     void showGroup(std::string_view group);
+    /// Opens the group of a parameter, scrolls to it and gives it the focus.
+    void showParameter(const QString& key);
     /// Puts the cursor into the search field.
     void search();
     [[nodiscard]] QStringList openGroups() const;

@@ -1,13 +1,21 @@
 #include "ui/shell/main_window.h"
 
 #include "ui/document/text.h"
+#include "ui/export/export_dialog.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/colour_editor.h"
 #include "ui/panels/effect_panel.h"
+#include "ui/presets/preset_browser.h"
+#include "ui/presets/start_dialog.h"
+#include "ui/presets/variations_panel.h"
+#include "ui/shell/command_search.h"
+#include "ui/shell/help.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/viewport/viewport.h"
 
 #include "core/effect/variation.h"
+
+#include <cmath>
 
 #include <QActionGroup>
 #include <QApplication>
@@ -77,6 +85,9 @@ MainWindow::MainWindow(Session& session)
     connectViewActions();
     connectPlayActions();
     connectCompareActions();
+    connectHelpActions();
+    connectPresets();
+    connectExport();
     m_viewport->setNavigationStyle(session.settings().navigationStyle());
     connect(m_viewport, &Viewport::cacheChanged, this, [this] { m_timeline->ruler().setCached(m_viewport->cachedFrames()); });
     connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
@@ -112,29 +123,45 @@ void MainWindow::buildDocks()
     history->setObjectName(QStringLiteral("historyView"));
     history->setEmptyLabel(tr("As opened"));
     history->setAccessibleName(tr("Undo history"));
+    m_browser = new PresetBrowser;
+    m_variations = new VariationsPanel(m_document, m_locks);
+    addDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser, Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel, Qt::RightDockWidgetArea);
     addDock(QStringLiteral("dock.noise"), tr("Noise"), m_noisePane, Qt::LeftDockWidgetArea);
-    addDock(QStringLiteral("dock.history"), tr("History"), history, Qt::LeftDockWidgetArea);
+    addDock(QStringLiteral("dock.history"), tr("History"), history, Qt::RightDockWidgetArea);
+    addDock(QStringLiteral("dock.variations"), tr("Variations"), m_variations, Qt::RightDockWidgetArea);
     arrangeDocks();
 }
 
 void MainWindow::arrangeDocks()
 {
-    QDockWidget* parameters = m_docks.value(QStringLiteral("dock.parameters"));
+    QDockWidget* presets = m_docks.value(QStringLiteral("dock.presets"));
     QDockWidget* noise = m_docks.value(QStringLiteral("dock.noise"));
+    QDockWidget* parameters = m_docks.value(QStringLiteral("dock.parameters"));
+    QDockWidget* variations = m_docks.value(QStringLiteral("dock.variations"));
     QDockWidget* history = m_docks.value(QStringLiteral("dock.history"));
-    for (QDockWidget* dock : m_docks) {
+    for (QDockWidget* dock : std::as_const(m_docks)) {
         dock->setFloating(false);
         dock->show();
     }
-    addDockWidget(Qt::RightDockWidgetArea, parameters);
+    addDockWidget(Qt::LeftDockWidgetArea, presets);
     addDockWidget(Qt::LeftDockWidgetArea, noise);
-    addDockWidget(Qt::LeftDockWidgetArea, history);
-    tabifyDockWidget(noise, history);
-    noise->raise();
-    constexpr int kLeft = 280;
-    constexpr int kRight = 372;
-    resizeDocks({noise, parameters}, {kLeft, kRight}, Qt::Horizontal);
+    splitDockWidget(presets, noise, Qt::Vertical);
+    addDockWidget(Qt::RightDockWidgetArea, parameters);
+    tabifyDockWidget(parameters, variations);
+    tabifyDockWidget(variations, history);
+    parameters->raise();
+    constexpr int kLeft = 268;
+    constexpr int kRight = 376;
+    resizeDocks({presets, parameters}, {kLeft, kRight}, Qt::Horizontal);
+    constexpr int kNoise = 430;
+    resizeDocks({presets, noise}, {height() - kNoise, kNoise}, Qt::Vertical);
+}
+
+void MainWindow::raiseDock(const QString& name)
+{
+    m_docks.value(name)->show();
+    m_docks.value(name)->raise();
 }
 
 void MainWindow::buildMenus()
@@ -259,9 +286,18 @@ void MainWindow::connectEditActions()
         m_document.replaceEffect(varied, tr("Randomise a little"));
     });
     m_actions.on("edit.resetAll", this, [this] { m_document.replaceEffect(m_document.reference(), tr("Reset all parameters")); });
+    m_actions.on("edit.variations", this, [this] { raiseDock(QStringLiteral("dock.variations")); });
+    m_actions.on("edit.commands", this, [this] {
+        auto* search = new CommandSearch(m_actions, this);
+        search->setAttribute(Qt::WA_DeleteOnClose);
+        connect(search, &CommandSearch::parameterChosen, this, [this](const QString& key) {
+            raiseDock(QStringLiteral("dock.parameters"));
+            m_effectPanel->showParameter(key);
+        });
+        search->show();
+    });
     m_actions.on("edit.search", this, [this] {
-        m_docks.value(QStringLiteral("dock.parameters"))->show();
-        m_docks.value(QStringLiteral("dock.parameters"))->raise();
+        raiseDock(QStringLiteral("dock.parameters"));
         m_effectPanel->search();
     });
 }
@@ -325,6 +361,57 @@ void MainWindow::connectCompareActions()
     connect(&m_document, &Document::loaded, this, [this] { m_other = m_document.effect(); });
 }
 
+void MainWindow::connectHelpActions()
+{
+    m_actions.on("help.reference", this, [this] { showReference(this); });
+    m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
+    m_actions.on("help.about", this, [this] { showAbout(this); });
+}
+
+void MainWindow::connectPresets()
+{
+    Settings& settings = m_session.settings();
+    m_browser->setFavourites(settings.favourites());
+    connect(m_browser, &PresetBrowser::opened, &m_files, &DocumentFiles::openPreset);
+    connect(m_browser, &PresetBrowser::applied, this, [this](const Preset& preset) {
+        m_document.replaceEffect(preset.effect, tr("Put in “%1”").arg(toQString(preset.name)));
+    });
+    connect(m_browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
+    connect(&settings, &Settings::favouritesChanged, m_browser, [this, &settings] { m_browser->setFavourites(settings.favourites()); });
+    connect(&m_files, &DocumentFiles::libraryChanged, &m_browser->list(), &PresetList::reload);
+}
+
+void MainWindow::connectExport()
+{
+    m_exportJob = new ExportJob(this);
+    const auto dialog = [this]() -> ExportDialog& {
+        if (m_exportDialog == nullptr) {
+            m_exportDialog = new ExportDialog(m_document, m_player, m_locks, *m_exportJob, this);
+            connect(m_exportDialog, &ExportDialog::shownChanged, this, [this](bool shown) { m_actions.get("view.frame").setChecked(shown); });
+        }
+        m_exportDialog->show();
+        m_exportDialog->raise();
+        return *m_exportDialog;
+    };
+    m_actions.on("file.export", this, [dialog] { dialog(); });
+    m_actions.on("file.exportAgain", this, [this, dialog] {
+        if (m_exportJob->lastPlan()) {
+            m_exportJob->start(m_document.effect(), *m_exportJob->lastPlan());
+        } else {
+            dialog();
+        }
+    });
+    connect(m_noisePane, &NoisePane::exportRequested, this, [dialog] { dialog().setKind(ExportKind::NoiseTexture); });
+    // The status bar tells those who have closed the dialog.
+    connect(m_exportJob, &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
+        statusBar()->showMessage(tr("Exporting: %1 of %2 files, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)));
+    });
+    constexpr int kShownMs = 8000;
+    connect(m_exportJob, &ExportJob::finished, this, [this](const QString& file) { statusBar()->showMessage(tr("Exported %1").arg(file), kShownMs); });
+    connect(m_exportJob, &ExportJob::cancelled, this, [this] { statusBar()->showMessage(tr("Export cancelled"), kShownMs); });
+    connect(m_exportJob, &ExportJob::failed, this, [this](const QString& message) { statusBar()->showMessage(tr("Export failed: %1").arg(message)); });
+}
+
 void MainWindow::notify(const QString& message)
 {
     statusBar()->showMessage(message);
@@ -332,6 +419,16 @@ void MainWindow::notify(const QString& message)
 
 void MainWindow::begin()
 {
+    if (!m_session.settings().showsStartDialog()) {
+        return;
+    }
+    auto* dialog = new StartDialog(m_session.settings().recentFiles(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &StartDialog::presetChosen, this, [this](const Preset& preset) { m_files.openPreset(preset); });
+    connect(dialog, &StartDialog::fileChosen, this, [this](const QString& path) { m_files.openFile(path); });
+    connect(dialog, &StartDialog::openRequested, &m_files, &DocumentFiles::open);
+    connect(dialog, &QDialog::finished, this, [this, dialog] { m_session.settings().setShowsStartDialog(dialog->showAgain()); });
+    dialog->open();
 }
 
 // --- window --------------------------------------------------------------------------------------------------------------
@@ -375,7 +472,9 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.constFirst().isLocalFile()) {
+    if (event->mimeData()->hasFormat(PresetList::mimeType())) {
+        event->acceptProposedAction();
+    } else if (!urls.isEmpty() && urls.constFirst().isLocalFile()) {
         event->acceptProposedAction();
     }
 }
@@ -383,6 +482,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
+    const QString id = QString::fromUtf8(event->mimeData()->data(PresetList::mimeType()));
+    if (const Preset* preset = m_browser->list().presetOfId(id)) {
+        QMetaObject::invokeMethod(
+            this, [this, copy = *preset] { m_files.openPreset(copy); }, Qt::QueuedConnection);
+        return;
+    }
     // The question about unsaved changes must not hold the program that the file comes from.
     const QString path = event->mimeData()->urls().constFirst().toLocalFile();
     QMetaObject::invokeMethod(

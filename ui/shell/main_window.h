@@ -15,8 +15,12 @@ class QLabel;
 namespace fumage::ui {
 
 class EffectPanel;
+class ExportDialog;
+class ExportJob;
 class NoisePane;
+class PresetBrowser;
 class TimelineBar;
+class VariationsPanel;
 class Viewport;
 
 /// One window on one document: puts the parts together and connects them.
@@ -31,6 +35,7 @@ public:
     [[nodiscard]] Player& player() { return m_player; }
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
     [[nodiscard]] NoisePane& noisePane() { return *m_noisePane; }
+    [[nodiscard]] ExportJob& exportJob() { return *m_exportJob; }
     [[nodiscard]] DocumentFiles& files() { return m_files; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
 
@@ -56,6 +61,10 @@ private:
     void connectViewActions();
     void connectPlayActions();
     void connectCompareActions();
+    void connectHelpActions();
+    void connectPresets();
+    void connectExport();
+    void raiseDock(const QString& name);
     void showTitle();
     void arrangeDocks();
     void restoreLayout();
@@ -74,6 +83,10 @@ private:
     NoisePane* m_noisePane = nullptr;
     TimelineBar* m_timeline = nullptr;
     Viewport* m_viewport = nullptr;
+    PresetBrowser* m_browser = nullptr;
+    VariationsPanel* m_variations = nullptr;
+    ExportJob* m_exportJob = nullptr;
+    ExportDialog* m_exportDialog = nullptr;
     QMenu* m_recentMenu = nullptr;
     QMenu* m_panelMenu = nullptr;
     QHash<QString, QDockWidget*> m_docks;

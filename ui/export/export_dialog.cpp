@@ -1,0 +1,308 @@
+#include "ui/export/export_dialog.h"
+
+#include "ui/document/text.h"
+#include "ui/panels/parameter_row.h"
+
+#include "core/effect/parameter_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+namespace {
+
+/// The parameters that an export asks about.
+constexpr std::array<std::string_view, 5> kParameters{"output.width", "output.height", "output.supersample", "output.background", "output.background_colour"};
+
+bool isPicture(ExportKind kind)
+{
+    return kind == ExportKind::Sequence || kind == ExportKind::Picture;
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_player(player)
+    , m_locks(locks)
+    , m_job(job)
+    , m_kind(new QComboBox(this))
+    , m_format(new QComboBox(this))
+    , m_path(new QLineEdit(this))
+    , m_first(addFrameField(QStringLiteral("export.first"), tr("First frame")))
+    , m_last(addFrameField(QStringLiteral("export.last"), tr("Last frame")))
+    , m_step(addFrameField(QStringLiteral("export.step"), tr("Every so many frames")))
+    , m_files(new QLabel(this))
+    , m_state(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_export(new QPushButton(tr("Export"), this))
+    , m_cancel(new QPushButton(tr("Cancel"), this))
+    , m_show(new QPushButton(tr("Show in folder"), this))
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export"));
+    m_kind->setObjectName(QStringLiteral("export.kind"));
+    m_kind->setAccessibleName(tr("What"));
+    m_kind->addItems({tr("Image sequence"), tr("Single picture"), tr("Noise texture"), tr("Particles")});
+    m_format->setObjectName(QStringLiteral("export.format"));
+    m_format->setAccessibleName(tr("Format"));
+    m_path->setObjectName(QStringLiteral("export.path"));
+    m_path->setAccessibleName(tr("File"));
+    m_path->setToolTip(tr("A run of # becomes the number of the frame"));
+    m_step->setMinimum(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(12);
+    buildForm();
+    buildProgress();
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &ExportDialog::followKind);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followPlan);
+    connect(m_path, &QLineEdit::textEdited, this, [this] { m_pathIsSuggested = false; });
+    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::followPlan);
+    for (QSpinBox* field : {m_first, m_last, m_step}) {
+        connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
+    }
+    connect(&document, &Document::effectChanged, this, &ExportDialog::followPlan);
+    connect(&document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
+    constexpr int kWidth = 520;
+    resize(kWidth, sizeHint().height());
+    followKind();
+    followJob();
+}
+
+QSpinBox* ExportDialog::addFrameField(const QString& name, const QString& spoken)
+{
+    auto* field = new QSpinBox(this);
+    field->setObjectName(name);
+    field->setAccessibleName(spoken);
+    field->setToolTip(spoken);
+    field->setRange(0, kMaxFrame);
+    return field;
+}
+
+void ExportDialog::buildForm()
+{
+    auto* form = new QFormLayout;
+    form->setLabelAlignment(Qt::AlignLeft);
+    form->setHorizontalSpacing(16);
+    form->addRow(tr("What"), m_kind);
+    form->addRow(tr("Format"), m_format);
+    auto* place = new QHBoxLayout;
+    auto* choose = new QPushButton(tr("Choose…"), this);
+    choose->setObjectName(QStringLiteral("export.choose"));
+    place->addWidget(m_path, 1);
+    place->addWidget(choose);
+    form->addRow(tr("File"), place);
+    auto* range = new QHBoxLayout;
+    range->addWidget(m_first);
+    range->addWidget(new QLabel(tr("to"), this));
+    range->addWidget(m_last);
+    range->addWidget(new QLabel(tr("every"), this));
+    range->addWidget(m_step);
+    range->addStretch();
+    form->addRow(tr("Frames"), range);
+    auto* box = static_cast<QVBoxLayout*>(layout());
+    box->addLayout(form);
+    for (const std::string_view key : kParameters) {
+        m_rows.push_back(new ParameterRow(*findParameter(key), m_document, m_locks, this));
+        box->addWidget(m_rows.back());
+    }
+    m_files->setObjectName(QStringLiteral("export.files"));
+    m_files->setProperty("role", QStringLiteral("secondary"));
+    m_files->setWordWrap(true);
+    box->addWidget(m_files);
+    connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
+}
+
+void ExportDialog::buildProgress()
+{
+    m_progress->setObjectName(QStringLiteral("export.progress"));
+    m_state->setObjectName(QStringLiteral("export.state"));
+    m_state->setWordWrap(true);
+    m_export->setObjectName(QStringLiteral("export.begin"));
+    m_export->setDefault(true);
+    m_cancel->setObjectName(QStringLiteral("export.cancel"));
+    m_show->setObjectName(QStringLiteral("export.show"));
+    auto* close = new QPushButton(tr("Close"), this);
+    close->setObjectName(QStringLiteral("export.close"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_show);
+    buttons->addStretch();
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(close);
+    buttons->addWidget(m_export);
+    auto* box = static_cast<QVBoxLayout*>(layout());
+    box->addWidget(m_progress);
+    box->addWidget(m_state);
+    box->addLayout(buttons);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::begin);
+    connect(m_cancel, &QPushButton::clicked, &m_job, &ExportJob::cancel);
+    connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
+    connect(close, &QPushButton::clicked, this, &QWidget::close);
+    connect(&m_job, &ExportJob::started, this, [this] {
+        m_progress->setRange(0, 0);
+        m_state->clear();
+        followJob();
+    });
+    connect(&m_job, &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
+        m_progress->setRange(0, total);
+        m_progress->setValue(done);
+        m_state->setText(tr("%1 of %2 files, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)));
+    });
+    connect(&m_job, &ExportJob::finished, this, [this](const QString& firstFile) {
+        m_written = firstFile;
+        m_state->setText(tr("Done: %1").arg(QDir::toNativeSeparators(firstFile)));
+        followJob();
+    });
+    connect(&m_job, &ExportJob::cancelled, this, [this] {
+        m_state->setText(tr("Cancelled. Files that were complete are kept."));
+        followJob();
+    });
+    connect(&m_job, &ExportJob::failed, this, [this](const QString& message) {
+        m_state->setText(message);
+        followJob();
+    });
+}
+
+ExportKind ExportDialog::kind() const
+{
+    return static_cast<ExportKind>(m_kind->currentIndex());
+}
+
+void ExportDialog::setKind(ExportKind kind)
+{
+    m_kind->setCurrentIndex(static_cast<int>(kind));
+}
+
+ExportPlan ExportDialog::plan() const
+{
+    ExportPlan plan;
+    plan.kind = kind();
+    plan.path = m_path->text();
+    plan.frames = {m_first->value(), m_last->value(), m_step->value()};
+    if (kind() == ExportKind::Particles) {
+        plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
+    } else {
+        plan.format = static_cast<ImageFormat>(std::max(0, m_format->currentIndex()));
+    }
+    return plan;
+}
+
+QString ExportDialog::suggestedPath() const
+{
+    const QString folder = m_document.filePath().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) : QFileInfo(m_document.filePath()).path();
+    QString name = m_document.displayName().toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
+    switch (kind()) {
+    case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
+    case ExportKind::Picture: break;
+    case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
+    case ExportKind::Particles: name += QStringLiteral("-particles"); break;
+    }
+    return QDir(folder).filePath(name) + endingOf(plan());
+}
+
+void ExportDialog::followKind()
+{
+    const QSignalBlocker blocker(m_format);
+    m_format->clear();
+    if (kind() == ExportKind::Particles) {
+        m_format->addItems({tr("CSV, one particle a line"), tr("PLY, binary points")});
+    } else {
+        m_format->addItems({tr("PNG, 8 bits"), tr("PNG, 16 bits"), tr("OpenEXR, half floats, linear"), tr("OpenEXR, floats, linear")});
+    }
+    m_pathIsSuggested = true;
+    followPlan();
+}
+
+void ExportDialog::followPlan()
+{
+    const bool picture = isPicture(kind());
+    for (ParameterRow* row : m_rows) {
+        row->sync();
+        row->setVisible(picture && fumage::isVisible(row->parameter(), m_document.effect()));
+    }
+    m_first->setEnabled(kind() != ExportKind::NoiseTexture);
+    m_last->setEnabled(kind() == ExportKind::Sequence);
+    m_step->setEnabled(kind() == ExportKind::Sequence);
+    if (m_pathIsSuggested) {
+        const QSignalBlocker blocker(m_path);
+        m_path->setText(suggestedPath());
+    }
+    const ExportPlan now = plan();
+    const bool possible = !m_path->text().trimmed().isEmpty() && m_first->value() <= m_last->value();
+    if (kind() == ExportKind::Sequence && possible) {
+        m_files->setText(tr("%n file(s): %1 … %2", nullptr, now.frames.count()).arg(QFileInfo(firstFileOf(now)).fileName(), QFileInfo(lastFileOf(now)).fileName()));
+    } else {
+        m_files->setText(possible ? QFileInfo(firstFileOf(now)).fileName() : tr("Choose a file, and a first frame that comes before the last."));
+    }
+    m_export->setEnabled(possible && !m_job.isRunning());
+}
+
+void ExportDialog::followJob()
+{
+    const bool running = m_job.isRunning();
+    m_progress->setVisible(running);
+    m_cancel->setVisible(running);
+    m_show->setVisible(!running && !m_written.isEmpty());
+    m_state->setVisible(!m_state->text().isEmpty() || running);
+    followPlan();
+}
+
+void ExportDialog::begin()
+{
+    m_written.clear();
+    m_job.start(m_document.effect(), plan());
+}
+
+void ExportDialog::browse()
+{
+    const QString chosen = QFileDialog::getSaveFileName(this, tr("Export to"), m_path->text());
+    if (!chosen.isEmpty()) {
+        m_pathIsSuggested = false;
+        m_path->setText(chosen);
+    }
+}
+
+void ExportDialog::showInFolder()
+{
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(m_written).path()));
+}
+
+void ExportDialog::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    if (!m_job.isRunning()) {
+        m_first->setValue(m_player.first());
+        m_last->setValue(m_player.last());
+    }
+    followJob();
+    emit shownChanged(true);
+}
+
+void ExportDialog::hideEvent(QHideEvent* event)
+{
+    QDialog::hideEvent(event);
+    emit shownChanged(false);
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/locks.h"
+#include "ui/export/export_job.h"
+#include "ui/timeline/player.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace fumage::ui {
+
+class ParameterRow;
+
+/// What is to be written and where; does not block the window it belongs to. Size and background are parameters of the document.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, QWidget* parent);
+
+    [[nodiscard]] ExportPlan plan() const;
+    void setKind(ExportKind kind);
+
+signals:
+    /// While it is open, the exported frame should be seen in the picture.
+    void shownChanged(bool shown);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    QSpinBox* addFrameField(const QString& name, const QString& spoken);
+    void buildForm();
+    void buildProgress();
+    void followKind();
+    void followPlan();
+    void followJob();
+    void begin();
+    void browse();
+    void showInFolder();
+    [[nodiscard]] ExportKind kind() const;
+    [[nodiscard]] QString suggestedPath() const;
+
+    Document& m_document;
+    Player& m_player;
+    Locks& m_locks;
+    ExportJob& m_job;
+    QComboBox* m_kind;
+    QComboBox* m_format;
+    QLineEdit* m_path;
+    QSpinBox* m_first;
+    QSpinBox* m_last;
+    QSpinBox* m_step;
+    QLabel* m_files;
+    QLabel* m_state;
+    QProgressBar* m_progress;
+    QPushButton* m_export;
+    QPushButton* m_cancel;
+    QPushButton* m_show;
+    std::vector<ParameterRow*> m_rows;
+    QString m_written; ///< first file of the last export
+    bool m_pathIsSuggested = true;
+};
+
+} // namespace fumage::ui

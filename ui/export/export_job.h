@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/export/export_plan.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <optional>
+#include <thread>
+
+namespace fumage::ui {
+
+/// One export at a time, on a thread of its own, while the artist goes on working.
+class ExportJob : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ExportJob(QObject* parent = nullptr);
+
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    /// The plan of the last export that was begun.
+    [[nodiscard]] const std::optional<ExportPlan>& lastPlan() const { return m_lastPlan; }
+
+    /// @param effect copied: later changes do not touch what is being written
+    void start(const Effect& effect, const ExportPlan& plan);
+    void cancel();
+
+signals:
+    void started();
+    /// @param secondsLeft less than 0 while it cannot be told
+    void progressed(int done, int total, double secondsLeft);
+    void finished(const QString& firstFile);
+    void cancelled();
+    void failed(const QString& message);
+
+private:
+    void end(const Status& status);
+
+    std::optional<ExportPlan> m_lastPlan;
+    QElapsedTimer m_timer;
+    bool m_running = false;
+    std::jthread m_thread;
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,102 @@
+#include "ui/presets/preset_browser.h"
+
+#include "ui/document/text.h"
+#include "ui/face/icons.h"
+
+#include <QFile>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kThumbnail = 104;
+
+} // namespace
+
+PresetBrowser::PresetBrowser(QWidget* parent)
+    : QWidget(parent)
+    , m_search(new QLineEdit(this))
+    , m_onlyFavourites(new QToolButton(this))
+    , m_list(new PresetList(kThumbnail, this))
+{
+    setObjectName(QStringLiteral("presetBrowser"));
+    m_search->setObjectName(QStringLiteral("presetSearch"));
+    m_search->setAccessibleName(tr("Search presets"));
+    m_search->setPlaceholderText(tr("Search presets"));
+    m_search->setClearButtonEnabled(true);
+    m_onlyFavourites->setObjectName(QStringLiteral("onlyFavourites"));
+    m_onlyFavourites->setAccessibleName(tr("Favourites only"));
+    m_onlyFavourites->setToolTip(tr("Favourites only"));
+    m_onlyFavourites->setIcon(themedIcon(QStringLiteral("star")));
+    m_onlyFavourites->setCheckable(true);
+    m_onlyFavourites->setAutoRaise(true);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_list->setFrameShape(QFrame::NoFrame);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_search, 1);
+    top->addWidget(m_onlyFavourites);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(6);
+    layout->addLayout(top);
+    layout->addWidget(m_list, 1);
+    connect(m_search, &QLineEdit::textChanged, this, &PresetBrowser::filter);
+    connect(m_onlyFavourites, &QToolButton::toggled, this, &PresetBrowser::filter);
+    connect(m_list, &PresetList::chosen, this, &PresetBrowser::opened);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &PresetBrowser::showMenu);
+}
+
+void PresetBrowser::setFavourites(const QStringList& ids)
+{
+    m_favourites = ids;
+    m_list->setFavourites(ids);
+    filter();
+}
+
+void PresetBrowser::filter()
+{
+    m_list->filter(m_search->text(), m_onlyFavourites->isChecked());
+}
+
+void PresetBrowser::remove(const QString& path)
+{
+    const auto answer = QMessageBox::question(this, tr("Delete the preset"), tr("Delete “%1”? The file goes to the trash.").arg(path));
+    if (answer != QMessageBox::Yes) {
+        return;
+    }
+    if (!QFile::moveToTrash(path)) {
+        QMessageBox::warning(this, tr("Delete the preset"), tr("“%1” cannot be moved to the trash. Delete the file by hand.").arg(path));
+    }
+    m_list->reload();
+}
+
+void PresetBrowser::showMenu(const QPoint& at)
+{
+    const QListWidgetItem* item = m_list->itemAt(at);
+    const Preset* preset = m_list->presetOf(item);
+    const LibraryEntry* entry = m_list->entryOf(item);
+    if (entry == nullptr) {
+        return;
+    }
+    QMenu menu(this);
+    if (preset != nullptr) {
+        menu.addAction(tr("Open"), this, [this, preset] { emit opened(*preset); });
+        menu.addAction(tr("Put into this document"), this, [this, preset] { emit applied(*preset); });
+        const QString id = m_list->idOf(item);
+        const bool favourite = m_favourites.contains(id);
+        menu.addAction(favourite ? tr("No longer a favourite") : tr("Make a favourite"), this, [this, id, favourite] { emit favouriteChanged(id, !favourite); });
+    }
+    if (!entry->path.empty()) {
+        menu.addSeparator();
+        menu.addAction(tr("Delete…"), this, [this, path = toQString(entry->path.string())] { remove(path); });
+    }
+    menu.exec(m_list->viewport()->mapToGlobal(at));
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,92 @@
+#include "ui/presets/start_dialog.h"
+
+#include "ui/face/icons.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kThumbnail = 128;
+
+QLabel* makeTitle(const QString& text, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setProperty("role", QStringLiteral("title"));
+    return label;
+}
+
+} // namespace
+
+StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
+    : QDialog(parent)
+    , m_again(new QCheckBox(tr("Show this when Fumage starts"), this))
+{
+    setObjectName(QStringLiteral("startDialog"));
+    setWindowTitle(tr("Begin with a smoke"));
+    auto* list = new PresetList(kThumbnail, this);
+    auto* files = new QListWidget(this);
+    files->setObjectName(QStringLiteral("startRecent"));
+    files->setAccessibleName(tr("Recent files"));
+    for (const QString& path : recentFiles) {
+        auto* item = new QListWidgetItem(QFileInfo(path).completeBaseName(), files);
+        item->setToolTip(path);
+        item->setData(Qt::UserRole, path);
+    }
+    auto* open = new QPushButton(tr("Open a file…"), this);
+    open->setObjectName(QStringLiteral("startOpen"));
+    auto* empty = new QPushButton(tr("The default smoke"), this);
+    empty->setObjectName(QStringLiteral("startDefault"));
+    m_again->setObjectName(QStringLiteral("startAgain"));
+    m_again->setChecked(true);
+
+    auto* left = new QVBoxLayout;
+    left->addWidget(makeTitle(tr("Presets"), this));
+    left->addWidget(list, 1);
+    auto* right = new QVBoxLayout;
+    right->addWidget(makeTitle(tr("Recent files"), this));
+    right->addWidget(files, 1);
+    right->addWidget(open);
+    right->addWidget(empty);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(16);
+    columns->addLayout(left, 3);
+    columns->addLayout(right, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(12);
+    layout->addLayout(columns, 1);
+    layout->addWidget(m_again);
+    constexpr QSize kUsual(960, 620);
+    resize(kUsual);
+
+    connect(list, &PresetList::chosen, this, [this](const Preset& preset) {
+        accept();
+        emit presetChosen(preset);
+    });
+    // One click is enough here: there is nothing else that one could want of a picture.
+    connect(list, &QListWidget::itemClicked, list, &QListWidget::itemActivated);
+    connect(files, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        accept();
+        emit fileChosen(item->data(Qt::UserRole).toString());
+    });
+    connect(files, &QListWidget::itemClicked, files, &QListWidget::itemActivated);
+    connect(open, &QPushButton::clicked, this, [this] {
+        accept();
+        emit openRequested();
+    });
+    connect(empty, &QPushButton::clicked, this, &QDialog::accept);
+}
+
+bool StartDialog::showAgain() const
+{
+    return m_again->isChecked();
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/presets/preset_list.h"
+
+#include <QDialog>
+
+#include <functional>
+
+class QCheckBox;
+
+namespace fumage::ui {
+
+/// What an empty session shows first: presets to begin with and the files of last time.
+class StartDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    StartDialog(const QStringList& recentFiles, QWidget* parent);
+
+    [[nodiscard]] bool showAgain() const;
+
+signals:
+    void presetChosen(const fumage::Preset& preset);
+    void fileChosen(const QString& path);
+    void openRequested();
+
+private:
+    QCheckBox* m_again;
+};
+
+} // namespace fumage::ui

@@ -1,0 +1,91 @@
+#include "ui/presets/thumbnailer.h"
+
+#include "ui/viewport/smoke_studio.h"
+
+#include "core/effect/variation.h"
+
+#include <algorithm>
+
+namespace fumage::ui {
+
+namespace {
+
+/// Enough for a picture of a hand's width, few enough for a dozen of them in a second.
+constexpr int kParticles = 16000;
+
+/// A burst is at its best soon after it, steady smoke when it has been rising for a while.
+int tellingFrame(const Effect& effect)
+{
+    const double life = static_cast<double>(effect.life.initialAlpha / effect.life.fadeRate);
+    const double seconds = effect.emitter.mode == EmissionMode::Burst ? std::min(0.4 * life, static_cast<double>(effect.emitter.burstDuration) + 0.8) : life;
+    return std::clamp(static_cast<int>(seconds * effect.timeline.frameRate), 0, std::max(0, effect.timeline.length - 1));
+}
+
+} // namespace
+
+QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop)
+{
+    Effect small = thinned(effect, kParticles);
+    small.output.width = edge;
+    small.output.height = edge;
+    small.timeline.prewarm = true;
+    PictureRequest request;
+    request.effect = std::make_shared<const Effect>(small);
+    request.frame = tellingFrame(small);
+    request.width = edge;
+    request.height = edge;
+    request.backdrop.colour = {0.012F, 0.015F, 0.021F};
+    const PicturePtr picture = SmokeStudio().make(request, stop);
+    return picture ? picture->image : QImage();
+}
+
+Thumbnailer::Thumbnailer(QObject* parent)
+    : QObject(parent)
+    , m_thread([this](const std::stop_token& stop) { run(stop); })
+{
+}
+
+Thumbnailer::~Thumbnailer()
+{
+    m_thread.request_stop();
+}
+
+void Thumbnailer::request(const QString& name, const Effect& effect, int edge)
+{
+    const std::lock_guard lock(m_mutex);
+    const auto same = std::find_if(m_jobs.begin(), m_jobs.end(), [&](const Job& job) { return job.name == name; });
+    if (same != m_jobs.end()) {
+        *same = {name, effect, edge};
+    } else {
+        m_jobs.push_back({name, effect, edge});
+    }
+    m_wake.notify_one();
+}
+
+void Thumbnailer::clear()
+{
+    const std::lock_guard lock(m_mutex);
+    m_jobs.clear();
+}
+
+void Thumbnailer::run(const std::stop_token& stop)
+{
+    while (!stop.stop_requested()) {
+        Job job;
+        {
+            std::unique_lock lock(m_mutex);
+            if (!m_wake.wait(lock, stop, [this] { return !m_jobs.empty(); })) {
+                return;
+            }
+            job = std::move(m_jobs.front());
+            m_jobs.pop_front();
+        }
+        const QImage image = renderThumbnail(job.effect, job.edge, stop);
+        if (!image.isNull()) {
+            QMetaObject::invokeMethod(
+                this, [this, name = job.name, image] { emit ready(name, image); }, Qt::QueuedConnection);
+        }
+    }
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/effect/effect.h"
+
+#include <QHash>
+#include <QImage>
+#include <QObject>
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+namespace fumage::ui {
+
+/// Renders small pictures of effects, one after the other, on a thread of its own.
+class Thumbnailer : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Thumbnailer(QObject* parent = nullptr);
+    ~Thumbnailer() override;
+
+    /// Asks for a picture; one that was asked for under the same name and has not begun is replaced.
+    /// @param edge pixels
+    void request(const QString& name, const Effect& effect, int edge);
+    /// Forgets what has not begun.
+    void clear();
+
+signals:
+    void ready(const QString& name, const QImage& image);
+
+private:
+    struct Job {
+        QString name;
+        Effect effect;
+        int edge = 0;
+    };
+    void run(const std::stop_token& stop);
+
+    std::mutex m_mutex;
+    std::condition_variable_any m_wake;
+    std::deque<Job> m_jobs;
+    std::jthread m_thread;
+};
+
+/// A small picture of an effect at its most telling frame, over the dark of the viewport.
+[[nodiscard]] QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop = {});
+
+} // namespace fumage::ui

@@ -1,0 +1,170 @@
+#include "ui/presets/variations_panel.h"
+
+#include "ui/face/icons.h"
+
+#include "core/effect/parameter_table.h"
+#include "core/effect/variation.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QRandomGenerator>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kEdge = 112;
+constexpr int kLargestAmount = 40; ///< percent of the soft range
+constexpr int kUsualAmount = 10;
+constexpr int kColumns = 3;
+
+} // namespace
+
+VariationsPanel::VariationsPanel(Document& document, Locks& locks, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_locks(locks)
+    , m_amount(new QSlider(Qt::Horizontal, this))
+    , m_back(new QToolButton(this))
+    , m_locked(new QLabel(this))
+{
+    setObjectName(QStringLiteral("variations"));
+    auto* grid = new QGridLayout;
+    grid->setSpacing(4);
+    for (int i = 0; i < kCells; ++i) {
+        auto* cell = new QToolButton(this);
+        cell->setObjectName(QStringLiteral("variation.%1").arg(i));
+        cell->setAccessibleName(i == kMiddle ? tr("The present smoke") : tr("Variation %1").arg(i + 1));
+        cell->setToolTip(i == kMiddle ? tr("The smoke as it is") : tr("Click to adopt this variation"));
+        cell->setIconSize({kEdge, kEdge});
+        cell->setCheckable(i == kMiddle);
+        cell->setChecked(i == kMiddle);
+        m_cells[static_cast<std::size_t>(i)] = cell;
+        grid->addWidget(cell, i / kColumns, i % kColumns, Qt::AlignCenter);
+        connect(cell, &QToolButton::clicked, this, [this, i] { adopt(i); });
+    }
+    m_back->setObjectName(QStringLiteral("variations.back"));
+    m_back->setIcon(themedIcon(QStringLiteral("back")));
+    m_back->setToolTip(tr("Back to the smoke before this one"));
+    m_back->setAccessibleName(m_back->toolTip());
+    auto* dice = new QToolButton(this);
+    dice->setObjectName(QStringLiteral("variations.dice"));
+    dice->setIcon(themedIcon(QStringLiteral("dice")));
+    dice->setToolTip(tr("Other variations"));
+    dice->setAccessibleName(dice->toolTip());
+    m_amount->setObjectName(QStringLiteral("variations.amount"));
+    m_amount->setAccessibleName(tr("How far they differ"));
+    m_amount->setToolTip(tr("How far they differ"));
+    m_amount->setRange(1, kLargestAmount);
+    m_amount->setValue(kUsualAmount);
+    m_locked->setProperty("role", QStringLiteral("secondary"));
+    m_locked->setWordWrap(true);
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(m_back);
+    bar->addWidget(dice);
+    bar->addWidget(new QLabel(tr("Subtle"), this));
+    bar->addWidget(m_amount, 1);
+    bar->addWidget(new QLabel(tr("Wild"), this));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addLayout(bar);
+    layout->addLayout(grid);
+    layout->addWidget(m_locked);
+    layout->addStretch();
+    constexpr int kSettleMs = 200;
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(kSettleMs);
+    connect(&m_settle, &QTimer::timeout, this, &VariationsPanel::fill);
+    connect(dice, &QToolButton::clicked, this, &VariationsPanel::throwDice);
+    connect(m_back, &QToolButton::clicked, this, &VariationsPanel::goBack);
+    connect(m_amount, &QSlider::valueChanged, this, &VariationsPanel::fill);
+    connect(&m_locks, &Locks::changed, this, &VariationsPanel::fill);
+    connect(&m_thumbnailer, &Thumbnailer::ready, this, &VariationsPanel::receive);
+    connect(&document, &Document::effectChanged, this, &VariationsPanel::follow);
+    connect(&document, &Document::loaded, this, [this] { m_lineage.clear(); });
+}
+
+void VariationsPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    fill();
+}
+
+int VariationsPanel::thumbnailEdge() const
+{
+    return static_cast<int>(kEdge * devicePixelRatioF());
+}
+
+void VariationsPanel::throwDice()
+{
+    m_seed = QRandomGenerator::global()->generate();
+    fill();
+}
+
+void VariationsPanel::fill()
+{
+    if (!isVisible()) {
+        return;
+    }
+    ++m_generation;
+    m_thumbnailer.clear();
+    m_back->setEnabled(!m_lineage.empty());
+    int locked = 0;
+    for (const Parameter& parameter : parameterTable()) {
+        locked += m_locks.contains(parameter) ? 1 : 0;
+    }
+    m_locked->setText(locked == 0 ? tr("Lock parameters in their context menu to keep them as they are.") : tr("%n locked parameter(s) stay as they are.", nullptr, locked));
+    const float amount = static_cast<float>(m_amount->value()) / 100.0F;
+    for (int i = 0; i < kCells; ++i) {
+        Effect& effect = m_effects[static_cast<std::size_t>(i)];
+        effect = m_document.effect();
+        if (i != kMiddle) {
+            effect = vary(effect, amount, m_seed + static_cast<quint32>(i), [this](const Parameter& p) { return isCharacter(p) && !m_locks.contains(p); });
+        }
+        m_thumbnailer.request(QStringLiteral("%1/%2").arg(m_generation).arg(i), effect, thumbnailEdge());
+    }
+}
+
+void VariationsPanel::receive(const QString& name, const QImage& image)
+{
+    const QStringList parts = name.split(QLatin1Char('/'));
+    if (parts[0].toULongLong() != m_generation) {
+        return;
+    }
+    QPixmap pixmap = QPixmap::fromImage(image);
+    pixmap.setDevicePixelRatio(devicePixelRatioF());
+    m_cells[static_cast<std::size_t>(parts[1].toInt())]->setIcon(pixmap);
+}
+
+void VariationsPanel::adopt(int cell)
+{
+    if (cell == kMiddle) {
+        m_cells[kMiddle]->setChecked(true);
+        return;
+    }
+    m_lineage.push_back(m_document.effect());
+    m_seed = QRandomGenerator::global()->generate();
+    m_document.replaceEffect(effectOf(cell), tr("Adopt a variation"));
+}
+
+void VariationsPanel::goBack()
+{
+    if (!m_lineage.empty()) {
+        const Effect before = m_lineage.back();
+        m_lineage.pop_back();
+        m_document.replaceEffect(before, tr("Back from a variation"));
+    }
+}
+
+void VariationsPanel::follow()
+{
+    if (!(m_effects[kMiddle] == m_document.effect())) {
+        m_settle.start();
+    }
+}
+
+} // namespace fumage::ui

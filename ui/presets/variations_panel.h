@@ -1,0 +1,61 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/locks.h"
+#include "ui/presets/thumbnailer.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <vector>
+
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace fumage::ui {
+
+/// Nine neighbours of the smoke, the present one in the middle: click to adopt one, and they become its neighbours; back through the
+/// ones that were adopted. The answer to parameters that are hard to manipulate one by one.
+class VariationsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    VariationsPanel(Document& document, Locks& locks, QWidget* parent = nullptr);
+
+    static constexpr int kCells = 9;
+    static constexpr int kMiddle = 4;
+
+    /// The effect of a cell; that in the middle is the document's.
+    [[nodiscard]] const Effect& effectOf(int cell) const { return m_effects[static_cast<std::size_t>(cell)]; }
+
+    QSize sizeHint() const override { return {380, 460}; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void throwDice();
+    void fill();
+    void adopt(int cell);
+    void goBack();
+    void follow();
+    void receive(const QString& name, const QImage& image);
+    [[nodiscard]] int thumbnailEdge() const;
+
+    Document& m_document;
+    Locks& m_locks;
+    Thumbnailer m_thumbnailer;
+    std::array<QToolButton*, kCells> m_cells{};
+    std::array<Effect, kCells> m_effects;
+    std::vector<Effect> m_lineage; ///< what was adopted from, oldest first
+    QSlider* m_amount;
+    QToolButton* m_back;
+    QLabel* m_locked;
+    QTimer m_settle; ///< the smoke is changing: wait until it is still
+    quint32 m_seed = 1;
+    quint64 m_generation = 0;
+};
+
+} // namespace fumage::ui
