@@ -29,7 +29,8 @@ NumberField::NumberField(const NumberScale& scale, QWidget* parent)
 {
     setAlignment(Qt::AlignRight);
     setCursor(Qt::SizeHorCursor);
-    setFocusPolicy(Qt::StrongFocus);
+    // A press may become a drag: the release of a click gives the focus.
+    setFocusPolicy(Qt::TabFocus);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
     m_burst.setSingleShot(true);
     m_burst.setInterval(kBurstMs);

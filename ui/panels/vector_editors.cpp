@@ -101,6 +101,7 @@ DirectionEditor::DirectionEditor(const Parameter& parameter, QWidget* parent)
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
+    grid->setColumnStretch(1, 1);
     auto* components = new QHBoxLayout;
     for (int i = 0; i < 3; ++i) {
         NumberField* field = addField(kNames[static_cast<std::size_t>(i)], kNames[static_cast<std::size_t>(i)]);
@@ -132,6 +133,7 @@ DirectionEditor::Angle DirectionEditor::addAngle(const QString& suffix, const QS
     name(*angle.field, suffix + QStringLiteral(".field"), label);
     grid.addWidget(makeSmallLabel(label, angle.field), row, 0);
     grid.addWidget(angle.slider, row, 1);
+    angle.field->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     grid.addWidget(angle.field, row, 2);
     return angle;
 }

@@ -43,6 +43,7 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     open->setObjectName(QStringLiteral("startOpen"));
     auto* empty = new QPushButton(tr("The default smoke"), this);
     empty->setObjectName(QStringLiteral("startDefault"));
+    empty->setDefault(true);
     m_again->setObjectName(QStringLiteral("startAgain"));
     m_again->setChecked(true);
 

@@ -112,6 +112,18 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
     dock->setWidget(content);
     addDockWidget(area, dock);
     m_docks.insert(name, dock);
+    // The tab of a tabbed panel says its name: a bar with the same name below it would say it twice.
+    const auto followTabs = [this, dock] {
+        const bool tabbed = !dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty();
+        if (tabbed != (dock->titleBarWidget() != nullptr)) {
+            QWidget* old = dock->titleBarWidget();
+            dock->setTitleBarWidget(tabbed ? new QWidget(dock) : nullptr);
+            delete old;
+        }
+    };
+    connect(dock, &QDockWidget::visibilityChanged, this, followTabs, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::topLevelChanged, this, followTabs, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::dockLocationChanged, this, followTabs, Qt::QueuedConnection);
     return dock;
 }
 

@@ -74,6 +74,11 @@ View Viewport::view() const
     return windowView(m_document.effect(), m_player.frame(), std::max(1, width()), std::max(1, height()));
 }
 
+bool Viewport::isSettled() const
+{
+    return m_shown && m_shown->complete && m_shown->revision == m_revision && m_shown->frame == m_player.frame();
+}
+
 void Viewport::setOverlay(Overlay overlay, bool on)
 {
     m_overlays.setFlag(overlay, on);

@@ -26,6 +26,8 @@ public:
 
     /// What is on the screen; null before the first picture.
     [[nodiscard]] const PicturePtr& picture() const { return m_shown; }
+    /// Whether that is all there is to show of the document at this frame: nothing was given up, nothing is on its way.
+    [[nodiscard]] bool isSettled() const;
     /// Frames whose pictures are kept, for the timeline.
     [[nodiscard]] QList<int> cachedFrames() const { return m_cache.keys(); }
     [[nodiscard]] View view() const; ///< in logical pixels, as the mouse sees it

@@ -1,0 +1,218 @@
+#include "editor_helpers.h"
+
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+
+#include "core/effect/value.h"
+#include "core/effect/variation.h"
+#include "core/preset/library.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class DocumentTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aDragIsOneUndoStep()
+    {
+        Document document;
+        const Parameter& gravity = *findParameter("motion.gravity");
+        const Gesture gesture = document.beginGesture();
+        for (int i = 1; i <= 20; ++i) {
+            document.edit(gravity, static_cast<float>(i), gesture);
+        }
+        QCOMPARE(document.undoStack()->count(), 1);
+        QCOMPARE(document.effect().motion.gravity, 20.0F);
+        document.undoStack()->undo();
+        QCOMPARE(document.effect().motion.gravity, Effect().motion.gravity);
+        document.undoStack()->redo();
+        QCOMPARE(document.effect().motion.gravity, 20.0F);
+    }
+
+    void twoDragsAreTwoUndoSteps()
+    {
+        Document document;
+        const Parameter& gravity = *findParameter("motion.gravity");
+        document.edit(gravity, 1.0F, document.beginGesture());
+        document.edit(gravity, 2.0F, document.beginGesture());
+        QCOMPARE(document.undoStack()->count(), 2);
+    }
+
+    void aDragBackToWhereItBeganLeavesNoTrace()
+    {
+        Document document;
+        const Parameter& gravity = *findParameter("motion.gravity");
+        const Gesture gesture = document.beginGesture();
+        document.edit(gravity, 3.0F, gesture);
+        document.edit(gravity, Effect().motion.gravity, gesture);
+        QCOMPARE(document.undoStack()->count(), 0);
+        QVERIFY(!document.isModified());
+    }
+
+    void anEditThatChangesNothingIsNoStep()
+    {
+        Document document;
+        QSignalSpy changes(&document, &Document::effectChanged);
+        document.edit(*findParameter("motion.gravity"), Effect().motion.gravity);
+        QCOMPARE(document.undoStack()->count(), 0);
+        QCOMPARE(changes.size(), 0);
+    }
+
+    void valuesAreClampedToTheirHardRange()
+    {
+        Document document;
+        document.edit(*findParameter("noise.octaves"), 99);
+        QCOMPARE(document.effect().noise.octaves, static_cast<int>(findParameter("noise.octaves")->hard.high));
+    }
+
+    void severalParametersInOneGestureAreOneStep()
+    {
+        Document document;
+        const Gesture gesture = document.beginGesture();
+        document.edit({{findParameter("camera.yaw"), 10.0F}, {findParameter("camera.pitch"), 20.0F}}, u"Orbit"_q, gesture);
+        document.edit({{findParameter("camera.yaw"), 15.0F}, {findParameter("camera.distance"), 9.0F}}, u"Orbit"_q, gesture);
+        QCOMPARE(document.undoStack()->count(), 1);
+        document.undoStack()->undo();
+        QVERIFY(document.effect() == Effect());
+    }
+
+    void theStageSaysWhatIsStale()
+    {
+        Document document;
+        QSignalSpy changes(&document, &Document::effectChanged);
+        document.edit(*findParameter("look.opacity"), 5.0F);
+        document.edit(*findParameter("noise.sharpness"), 5.0F);
+        document.edit(*findParameter("motion.wind"), 5.0F);
+        QCOMPARE(changes.size(), 3);
+        QCOMPARE(changes[0][0].value<Stage>(), Stage::Shade);
+        QCOMPARE(changes[1][0].value<Stage>(), Stage::Noise);
+        QCOMPARE(changes[2][0].value<Stage>(), Stage::Simulate);
+    }
+
+    void resetGoesBackToThePreset()
+    {
+        Document document;
+        Preset preset;
+        preset.effect.motion.gravity = 4.0F;
+        document.load(preset, {});
+        document.edit(*findParameter("motion.gravity"), 7.0F);
+        document.reset(*findParameter("motion.gravity"));
+        QCOMPARE(document.effect().motion.gravity, 4.0F);
+        QCOMPARE(document.undoStack()->count(), 2);
+    }
+
+    void savingMakesTheDocumentClean()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(u"smoke.json"_q);
+        Document document;
+        document.edit(*findParameter("motion.gravity"), 7.0F);
+        QVERIFY(document.isModified());
+        QVERIFY(document.save(path).ok());
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.displayName(), u"smoke"_q);
+        const Result<PresetReading> reading = readPresetFile(path.toStdString());
+        QVERIFY(reading.ok());
+        QVERIFY(reading.value().preset.effect == document.effect());
+        document.undoStack()->undo();
+        QVERIFY(document.isModified());
+    }
+
+    void savingWhereItCannotBeSavedChangesNothing()
+    {
+        Document document;
+        document.edit(*findParameter("motion.gravity"), 7.0F);
+        const Status status = document.save(u"/nowhere/at/all/smoke.json"_q);
+        QVERIFY(!status.ok());
+        QVERIFY(toQString(status.error().text()).contains(u"/nowhere/at/all"_q));
+        QVERIFY(document.isModified());
+        QVERIFY(document.filePath().isEmpty());
+    }
+
+    void unknownMembersOfAFileAreKept()
+    {
+        QTemporaryDir folder;
+        const std::string json = formatPreset(Preset());
+        std::string more = json;
+        more.insert(more.find("\"emitter\""), "\"flavour\": \"vanilla\",\n  ");
+        const Result<PresetReading> reading = parsePreset(more);
+        QVERIFY(reading.ok());
+        Document document;
+        document.load(reading.value().preset, {});
+        QVERIFY(document.save(folder.filePath(u"a.json"_q)).ok());
+        QFile file(folder.filePath(u"a.json"_q));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("\"flavour\": \"vanilla\""));
+    }
+
+    void everyParameterSurvivesEditUndoAndRedo_data()
+    {
+        QTest::addColumn<QString>("key");
+        for (const Parameter& parameter : parameterTable()) {
+            QTest::newRow(std::string(parameter.key).c_str()) << toQString(parameter.key);
+        }
+    }
+    void everyParameterSurvivesEditUndoAndRedo()
+    {
+        QFETCH(QString, key);
+        const Parameter& parameter = *findParameter(key.toStdString());
+        // Another value of the same parameter from among the built-in presets, or from a variation.
+        Effect other = vary(Effect(), 0.3F, 5, [](const Parameter&) { return true; });
+        for (const LibraryEntry& entry : builtinPresets()) {
+            const Effect effect = loadPreset(entry).value().preset.effect;
+            if (!(parameter.get(effect) == parameter.get(Effect()))) {
+                other = effect;
+            }
+        }
+        Document document;
+        document.edit(parameter, parameter.get(other));
+        QVERIFY(parameter.get(document.effect()) == clampValue(parameter, parameter.get(other)).value);
+        while (document.undoStack()->canUndo()) {
+            document.undoStack()->undo();
+        }
+        QVERIFY(document.effect() == Effect());
+        while (document.undoStack()->canRedo()) {
+            document.undoStack()->redo();
+        }
+        QVERIFY(parameter.get(document.effect()) == parameter.get(other));
+    }
+
+    void unsavedWorkIsOnDiskAMomentAfterAChange()
+    {
+        QTemporaryDir folder;
+        Document document;
+        Recovery recovery(document, QDir(folder.path()));
+        document.edit(*findParameter("motion.gravity"), 7.0F);
+        QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 1);
+        QVERIFY(Recovery::take(QDir(folder.path())).empty()); // its program is running
+        document.undoStack()->undo();
+        QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 0);
+    }
+
+    void aCopyWithoutAProgramIsTakenOnce()
+    {
+        QTemporaryDir folder;
+        Preset preset;
+        preset.effect.motion.gravity = 7.0F;
+        QVERIFY(writePresetFile((folder.path() + u"/left.json"_q).toStdString(), preset).ok());
+        const std::vector<Recovery::Found> found = Recovery::take(QDir(folder.path()));
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].preset.effect.motion.gravity, 7.0F);
+        QVERIFY(Recovery::take(QDir(folder.path())).empty());
+    }
+
+    void aBrokenCopyStays()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(u"left.json"_q));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{ half a fi");
+        file.close();
+        QVERIFY(Recovery::take(QDir(folder.path())).empty());
+        QVERIFY(file.exists());
+    }
+};
+
+FUMAGE_TEST_MAIN(DocumentTest)
+#include "document_test.moc"

@@ -1,0 +1,394 @@
+#include "editor_helpers.h"
+
+#include "ui/panels/curve_editor.h"
+#include "ui/panels/effect_panel.h"
+#include "ui/panels/gradient_editor.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/number_slider.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/vector_editors.h"
+
+#include "core/effect/value.h"
+#include "core/preset/library.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+
+#include <glm/geometric.hpp>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class PanelsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_document = std::make_unique<Document>();
+        m_locks = std::make_unique<Locks>();
+        m_panel = std::make_unique<EffectPanel>(*m_document, *m_locks);
+        m_panel->resize(400, 900);
+        QStringList all;
+        for (const Parameter& parameter : parameterTable()) {
+            all += toQString(parameter.group());
+        }
+        m_panel->setOpenGroups(all);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_document.reset();
+    }
+
+    // --- over the whole table ---------------------------------------------------------------------------------------
+
+    void everyParameterHasAnEditorWithTipAndUnit_data() { addParameters(); }
+    void everyParameterHasAnEditorWithTipAndUnit()
+    {
+        QFETCH(QString, key);
+        const Parameter& parameter = *findParameter(key.toStdString());
+        auto* editor = m_panel->findChild<ParameterEditor*>(key);
+        QVERIFY(editor != nullptr);
+        QVERIFY(editor->toolTip().contains(toQString(parameter.tip).toHtmlEscaped()));
+        QVERIFY(!editor->accessibleName().isEmpty());
+        auto* label = m_panel->findChild<QLabel*>(key + u".label"_q);
+        QVERIFY(label != nullptr && label->text().contains(labelOf(parameter)));
+        const auto fields = editor->findChildren<NumberField*>();
+        const bool hasUnit = parameter.unit != Unit::None && !fields.isEmpty();
+        QVERIFY(!hasUnit || fields.first()->text().contains(toQString(unitSymbol(parameter.unit))));
+        for (const QWidget* child : editor->findChildren<QWidget*>(QRegularExpression(u"^"_q + QRegularExpression::escape(key)))) {
+            QVERIFY2(!child->accessibleName().isEmpty(), qPrintable(child->objectName()));
+        }
+    }
+
+    void openingThePanelChangesNothing()
+    {
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QVERIFY(m_document->effect() == Effect());
+        m_panel->setOpenGroups({});
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void showingAnyPresetChangesNothing()
+    {
+        for (const LibraryEntry& entry : builtinPresets()) {
+            const Preset preset = loadPreset(entry).value().preset;
+            m_document->load(preset, {});
+            QCoreApplication::processEvents();
+            QVERIFY2(m_document->effect() == preset.effect, entry.id.c_str());
+            QCOMPARE(m_document->undoStack()->count(), 0);
+        }
+    }
+
+    void everyEditorWritesWhatItShows_data() { addParameters(); }
+    void everyEditorWritesWhatItShows()
+    {
+        // Editor -> document -> JSON -> editor, with another value than the default.
+        QFETCH(QString, key);
+        const Parameter& parameter = *findParameter(key.toStdString());
+        auto* editor = m_panel->findChild<ParameterEditor*>(key);
+        const Value before = parameter.get(m_document->effect());
+        nudge(*editor);
+        const Value after = parameter.get(m_document->effect());
+        QVERIFY(!(before == after));
+        const Result<PresetReading> reading = parsePreset(formatPreset(m_document->preset()));
+        QVERIFY(reading.ok() && reading.value().warnings.empty());
+        QVERIFY(parameter.get(reading.value().preset.effect) == after);
+        Document second;
+        second.load(reading.value().preset, {});
+        EffectPanel other(second, *m_locks);
+        QVERIFY(second.effect() == reading.value().preset.effect);
+        const auto fields = editor->findChildren<NumberField*>();
+        const auto otherFields = other.findChild<ParameterEditor*>(key)->findChildren<NumberField*>();
+        for (int i = 0; i < fields.size(); ++i) {
+            QCOMPARE(otherFields[i]->text(), fields[i]->text());
+        }
+    }
+
+    // --- numbers ----------------------------------------------------------------------------------------------------
+
+    void numbersAreReadWithUnitsAndBothDecimalSigns_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("unit");
+        QTest::addColumn<double>("expected"); // NaN: refused
+        const auto add = [](const char* text, Unit unit, double expected) { QTest::newRow(text) << QString::fromUtf8(text) << static_cast<int>(unit) << expected; };
+        add("1.5", Unit::Metres, 1.5);
+        add("1,5", Unit::Metres, 1.5);
+        add(" -2 m ", Unit::Metres, -2.0);
+        add("150 cm", Unit::Metres, 1.5);
+        add("150cm", Unit::Metres, 1.5);
+        add("500 ms", Unit::Seconds, 0.5);
+        add("36 km/h", Unit::MetresPerSecond, 10.0);
+        add("\u22123", Unit::None, -3.0);
+        add("1e3", Unit::None, 1000.0);
+        add("50%", Unit::None, 0.5);
+        add("20k", Unit::None, 20000.0);
+        add("45\u00b0", Unit::Degrees, 45.0);
+        add("45", Unit::Degrees, 45.0);
+        add("nan", Unit::None, qQNaN());
+        add("inf", Unit::None, qQNaN());
+        add("1e999", Unit::None, qQNaN());
+        add("5 kg", Unit::Metres, qQNaN());
+        add("five", Unit::Metres, qQNaN());
+        add("", Unit::Metres, qQNaN());
+        add("1.2.3", Unit::Metres, qQNaN());
+    }
+    void numbersAreReadWithUnitsAndBothDecimalSigns()
+    {
+        QFETCH(QString, text);
+        QFETCH(int, unit);
+        QFETCH(double, expected);
+        const std::optional<double> number = parseNumber(text, static_cast<Unit>(unit));
+        QCOMPARE(number.has_value(), !qIsNaN(expected));
+        if (number) {
+            QVERIFY(qAbs(*number - expected) <= 1e-12 * qMax(1.0, qAbs(expected)));
+        }
+    }
+
+    void radiansBecomeDegrees()
+    {
+        QVERIFY(qAbs(*parseNumber(u"3.14159265358979 rad"_q, Unit::Degrees) - 180.0) < 1e-9);
+    }
+
+    void aSliderGoesOverItsSoftRangeAndBack_data() { addParameters(); }
+    void aSliderGoesOverItsSoftRangeAndBack()
+    {
+        QFETCH(QString, key);
+        const Parameter& parameter = *findParameter(key.toStdString());
+        if (parameter.kind != Kind::Float && parameter.kind != Kind::Int) {
+            return;
+        }
+        const NumberScale scale = NumberScale::of(parameter);
+        QVERIFY(qAbs(scale.valueAt(0.0) - scale.soft.low) <= 0.5 * scale.step);
+        QVERIFY(qAbs(scale.valueAt(1.0) - scale.soft.high) <= qMax(0.5 * scale.step, 1e-3 * scale.soft.high));
+        QCOMPARE(scale.position(scale.soft.low), 0.0);
+        QCOMPARE(scale.position(scale.soft.high), 1.0);
+        double last = scale.valueAt(0.0);
+        for (int i = 1; i <= 50; ++i) {
+            const double next = scale.valueAt(i / 50.0);
+            QVERIFY(next >= last && next >= scale.hard.low && next <= scale.hard.high);
+            last = next;
+        }
+    }
+
+    void typingWithoutChangingCommitsNothing()
+    {
+        // The field shows six digits of a longer number; passing through it must not round the document.
+        Preset preset;
+        preset.effect.motion.wind = 0.123456789F;
+        m_document->load(preset, {});
+        NumberField* field = this->field("motion.wind.field");
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Tab);
+        QVERIFY(m_document->effect() == preset.effect);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void nonsenseIsRefusedAndTheOldNumberStays()
+    {
+        NumberField* field = this->field("motion.wind.field");
+        const QString before = field->text();
+        typeInto(*field, u"windy"_q);
+        QCOMPARE(field->text(), before);
+        QVERIFY(m_document->effect() == Effect());
+    }
+
+    void escapePutsBackWhatWasThere()
+    {
+        NumberField* field = this->field("motion.wind.field");
+        const QString before = field->text();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, u"3"_q);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QCOMPARE(field->text(), before);
+        QVERIFY(m_document->effect() == Effect());
+    }
+
+    void aFieldIsDraggedSidewaysWithFineAndSnappingKeys()
+    {
+        NumberField* field = this->field("motion.gravity.field");
+        const QPoint from(field->width() / 2, field->height() / 2);
+        dragMouse(*field, from, from + QPoint(20, 0));
+        const float coarse = m_document->effect().motion.gravity;
+        QCOMPARE(coarse, 20 * 0.05F);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        m_document->undoStack()->undo();
+        dragMouse(*field, from, from + QPoint(20, 0), Qt::LeftButton, Qt::ShiftModifier);
+        QCOMPARE(m_document->effect().motion.gravity, coarse / 10.0F);
+        m_document->undoStack()->undo();
+        dragMouse(*field, from, from + QPoint(24, 0), Qt::LeftButton, Qt::ControlModifier);
+        QCOMPARE(m_document->effect().motion.gravity, 1.0F);
+        QVERIFY(!field->hasFocus());
+    }
+
+    void theWheelIsDeafWithoutTheFocus()
+    {
+        NumberField* field = this->field("motion.gravity.field");
+        QVERIFY(!field->hasFocus());
+        turnWheel(*field, 3);
+        auto* slider = m_panel->findChild<NumberSlider*>(u"motion.gravity.slider"_q);
+        turnWheel(*slider, 3);
+        QVERIFY(m_document->effect() == Effect());
+    }
+
+    void aBurstOfTheWheelIsOneStep()
+    {
+        NumberField* field = this->field("motion.gravity.field");
+        field->setFocus();
+        for (int i = 0; i < 5; ++i) {
+            turnWheel(*field, 1);
+        }
+        QVERIFY(m_document->effect().motion.gravity > 0.0F);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
+    // --- directions -------------------------------------------------------------------------------------------------
+
+    void aDirectionStaysAUnitVector()
+    {
+        typeInto(*field("emitter.normal.x"), u"0.6"_q);
+        const glm::vec3 normal = m_document->effect().emitter.normal;
+        QVERIFY(qAbs(normal.x - 0.6F) < 1e-4F);
+        QVERIFY(qAbs(normal.y - 0.8F) < 1e-4F);
+        QVERIFY(qAbs(glm::length(normal) - 1.0F) < 1e-5F);
+    }
+
+    void yawAndPitchAreTheSameDirection()
+    {
+        typeInto(*field("emitter.normal.pitch.field"), u"0"_q);
+        typeInto(*field("emitter.normal.yaw.field"), u"90"_q);
+        const glm::vec3 normal = m_document->effect().emitter.normal;
+        QVERIFY(glm::length(normal - glm::vec3(0.0F, 0.0F, 1.0F)) < 1e-5F);
+        QCOMPARE(field("emitter.normal.z")->text(), u"1"_q);
+    }
+
+    void aComponentCanBeSetWhereTheOthersAreNothing()
+    {
+        const glm::vec3 up = withComponent({0.0F, 1.0F, 0.0F}, 1, 0.0F);
+        QVERIFY(qAbs(glm::length(up) - 1.0F) < 1e-6F);
+        QCOMPARE(up.y, 0.0F);
+    }
+
+    // --- curves and gradients ---------------------------------------------------------------------------------------
+
+    void aPointOfACurveIsDraggedAddedAndTakenAway()
+    {
+        auto* area = m_panel->findChild<CurveArea*>(u"life.size.area"_q);
+        const Curve before = m_document->effect().life.sizeCurve;
+        const QPoint last = area->toScreen(before.points().back()).toPoint();
+        dragMouse(*area, last, last + QPoint(0, 40));
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QVERIFY(m_document->effect().life.sizeCurve.points().back().y < before.points().back().y);
+        m_document->undoStack()->undo();
+        const QPoint middle = area->toScreen({0.7F, 0.2F}).toPoint();
+        QTest::mouseClick(area, Qt::LeftButton, {}, middle);
+        QCOMPARE(m_document->effect().life.sizeCurve.count, before.count + 1);
+        QTest::keyClick(area, Qt::Key_Delete);
+        QVERIFY(m_document->effect().life.sizeCurve == before);
+    }
+
+    void aStopOfAGradientIsAddedAndTakenAway()
+    {
+        auto* bar = m_panel->findChild<GradientBar*>(u"light.emission_colours.bar"_q);
+        const Gradient before = m_document->effect().light.emissionGradient;
+        QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(bar->width() / 2, 8));
+        QCOMPARE(m_document->effect().light.emissionGradient.count, before.count + 1);
+        QTest::keyClick(bar, Qt::Key_Delete);
+        QVERIFY(m_document->effect().light.emissionGradient == before);
+    }
+
+    // --- panel ------------------------------------------------------------------------------------------------------
+
+    void searchFindsByLabelGroupAndTip()
+    {
+        auto* search = m_panel->findChild<QLineEdit*>(u"parameterSearch"_q);
+        QTest::keyClicks(search, u"wind"_q);
+        QVERIFY(row("motion.wind")->isVisible());
+        QVERIFY(row("motion.wind_angle")->isVisible());
+        QVERIFY(row("motion.gust")->isVisible()); // its tip speaks of the wind
+        QVERIFY(!row("noise.octaves")->isVisible());
+        search->setText(u"noise octaves"_q);
+        QVERIFY(row("noise.octaves")->isVisible());
+        QVERIFY(!row("turbulence.octaves")->isVisible());
+        search->clear();
+        QVERIFY(row("motion.wind")->isVisible());
+    }
+
+    void rowsThatHaveNoInfluenceAreHidden()
+    {
+        QVERIFY(row("emitter.radius")->isVisible());
+        m_document->edit(*findParameter("emitter.shape"), static_cast<int>(EmitterShape::Rectangle));
+        QVERIFY(row("emitter.width")->isVisible());
+        m_document->edit(*findParameter("emitter.shape"), static_cast<int>(EmitterShape::Disc));
+        QVERIFY(!row("emitter.width")->isVisible());
+    }
+
+    void aChangedParameterIsMarkedUntilItIsReset()
+    {
+        auto* label = m_panel->findChild<QLabel*>(u"motion.gravity.label"_q);
+        QVERIFY(!label->property("changed").toBool());
+        typeInto(*field("motion.gravity.field"), u"4"_q);
+        QVERIFY(label->property("changed").toBool());
+        QTest::mouseDClick(label, Qt::LeftButton);
+        QVERIFY(!label->property("changed").toBool());
+        QCOMPARE(m_document->effect().motion.gravity, Effect().motion.gravity);
+    }
+
+private:
+    static void addParameters()
+    {
+        QTest::addColumn<QString>("key");
+        for (const Parameter& parameter : parameterTable()) {
+            QTest::newRow(std::string(parameter.key).c_str()) << toQString(parameter.key);
+        }
+    }
+
+    ParameterRow* row(const char* key) { return m_panel->findChild<ParameterRow*>(QString::fromLatin1(key) + u".row"_q); }
+    NumberField* field(const char* name)
+    {
+        auto* found = m_panel->findChild<NumberField*>(QString::fromLatin1(name));
+        Q_ASSERT(found != nullptr);
+        return found;
+    }
+
+    static void typeInto(NumberField& field, const QString& text)
+    {
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+
+    /// Changes a parameter through its widgets, whatever they are.
+    static void nudge(ParameterEditor& editor)
+    {
+        if (auto* box = editor.findChild<QCheckBox*>()) {
+            box->click();
+        } else if (auto* choice = editor.findChild<QComboBox*>()) {
+            choice->setCurrentIndex((choice->currentIndex() + 1) % choice->count());
+        } else if (auto* area = editor.findChild<CurveArea*>()) {
+            QTest::mouseClick(area, Qt::LeftButton, {}, area->toScreen({0.55F, 0.3F}).toPoint());
+        } else if (auto* bar = editor.findChild<GradientBar*>()) {
+            QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(bar->width() / 3, 8));
+        } else {
+            auto* field = editor.findChildren<NumberField*>().first();
+            const double low = editor.parameter().hard.low;
+            const double high = editor.parameter().hard.high;
+            const double next = field->value() + 1.0 <= high ? field->value() + 1.0 : low + 0.37 * (high - low);
+            typeInto(*field, formatNumber(field->value() == 0.0 && high <= 1.0 ? 0.3 : next));
+        }
+    }
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Locks> m_locks;
+    std::unique_ptr<EffectPanel> m_panel;
+};
+
+FUMAGE_TEST_MAIN(PanelsTest)
+#include "panels_test.moc"

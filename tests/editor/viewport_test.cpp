@@ -1,0 +1,304 @@
+// Cameras, gizmos and the studio that makes pictures: what needs no window.
+#include "editor_helpers.h"
+
+#include "ui/viewport/gizmos.h"
+#include "ui/viewport/haste.h"
+#include "ui/viewport/navigation.h"
+#include "ui/viewport/smoke_worker.h"
+#include "ui/viewport/tracks.h"
+
+#include "core/effect/variation.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+Effect smallEffect()
+{
+    Effect effect;
+    effect.emitter.count = 2000;
+    effect.turbulence.octaves = 2;
+    effect.light.resolution = 24;
+    effect.noise.resolution = 32;
+    effect.noise.slices = 8;
+    return effect;
+}
+
+PictureRequest requestFor(const Effect& effect, int frame = 20)
+{
+    PictureRequest request;
+    request.effect = std::make_shared<const Effect>(effect);
+    request.frame = frame;
+    request.width = 160;
+    request.height = 120;
+    return request;
+}
+
+QPointF onScreen(const View& view, const glm::vec3& point)
+{
+    const Projected at = project(view, point);
+    return {static_cast<double>(at.x), static_cast<double>(at.y)};
+}
+
+const Gizmo gizmoOf(const Effect& effect, const View& view, GizmoId id)
+{
+    for (const Gizmo& gizmo : gizmosOf(effect, view)) {
+        if (gizmo.id == id) {
+            return gizmo;
+        }
+    }
+    return {};
+}
+
+Effect applied(Effect effect, const std::vector<Assignment>& assignments)
+{
+    for (const Assignment& assignment : assignments) {
+        assignment.parameter->set(effect, assignment.value);
+    }
+    return effect;
+}
+
+} // namespace
+
+class ViewportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // --- camera -----------------------------------------------------------------------------------------------------
+
+    void panningKeepsThePointUnderTheMouse()
+    {
+        const Effect effect;
+        const View view = windowView(effect, 0, 800, 600);
+        const QPointF before = onScreen(view, effect.camera.target);
+        Effect moved = effect;
+        moved.camera = panned(effect.camera, {37.0, -21.0}, view);
+        const QPointF after = onScreen(windowView(moved, 0, 800, 600), effect.camera.target);
+        QVERIFY(QLineF(after, before + QPointF(37.0, -21.0)).length() < 0.1);
+    }
+
+    void orbitingKeepsDistanceAndTarget()
+    {
+        const Camera camera = orbited(Effect().camera, {100.0, 60.0}, windowView(Effect(), 0, 800, 600));
+        QCOMPARE(camera.distance, Effect().camera.distance);
+        QVERIFY(camera.target == Effect().camera.target);
+        QVERIFY(camera.yaw != Effect().camera.yaw && camera.pitch != Effect().camera.pitch);
+    }
+
+    void orbitingNeverGoesOverThePole()
+    {
+        const Camera camera = orbited(Effect().camera, {0.0, 5000.0}, windowView(Effect(), 0, 800, 600));
+        QVERIFY(camera.pitch <= 89.0F);
+    }
+
+    void framingHoldsTheWholeBox()
+    {
+        Effect effect;
+        effect.camera = framing(effect.camera, {-3.0F, 0.0F, -1.0F}, {2.0F, 5.0F, 4.0F});
+        const View view = windowView(effect, 0, 600, 600);
+        for (int i = 0; i < 8; ++i) {
+            const QPointF at = onScreen(view, {i & 1 ? -3.0F : 2.0F, i & 2 ? 0.0F : 5.0F, i & 4 ? -1.0F : 4.0F});
+            QVERIFY(QRectF(0, 0, 600, 600).contains(at));
+        }
+    }
+
+    void buttonsMeanWhatTheirProgramsTaughtTheHand()
+    {
+        using S = NavigationStyle;
+        QCOMPARE(cameraMoveFor(S::Blender, Qt::MiddleButton, {}), CameraMove::Orbit);
+        QCOMPARE(cameraMoveFor(S::Blender, Qt::MiddleButton, Qt::ShiftModifier), CameraMove::Pan);
+        QCOMPARE(cameraMoveFor(S::Blender, Qt::MiddleButton, Qt::ControlModifier), CameraMove::Zoom);
+        QCOMPARE(cameraMoveFor(S::Maya, Qt::LeftButton, Qt::AltModifier), CameraMove::Orbit);
+        QCOMPARE(cameraMoveFor(S::Maya, Qt::MiddleButton, Qt::AltModifier), CameraMove::Pan);
+        QCOMPARE(cameraMoveFor(S::Maya, Qt::RightButton, Qt::AltModifier), CameraMove::Zoom);
+        QCOMPARE(cameraMoveFor(S::Unity, Qt::MiddleButton, {}), CameraMove::Pan);
+        QVERIFY(!cameraMoveFor(S::Blender, Qt::RightButton, {}).has_value());
+    }
+
+    void theExportedFrameIsTheSameInAnyWindow()
+    {
+        // A point at the corner of the exported picture lies at the corner of the frame in the window.
+        Effect effect;
+        effect.output.width = 640;
+        effect.output.height = 256;
+        const View picture = makeView(effect.camera, 0.0F, 640, 256);
+        for (const QSize size : {QSize(900, 700), QSize(500, 900), QSize(640, 256)}) {
+            const View view = windowView(effect, 0, size.width(), size.height());
+            const QRectF frame = exportFrame(effect, size.width(), size.height());
+            const glm::vec3 corner = picture.eye + rayThrough(picture, {0.0, 0.0}) * 5.0F;
+            QVERIFY(QLineF(onScreen(view, corner), frame.topLeft()).length() < 0.05);
+        }
+    }
+
+    // --- gizmos -----------------------------------------------------------------------------------------------------
+
+    void aGizmoIsFoundUnderTheMouse()
+    {
+        Effect effect;
+        effect.vortex.strength = 1.0F;
+        const View view = windowView(effect, 0, 800, 600);
+        for (const Gizmo& gizmo : gizmosOf(effect, view)) {
+            QCOMPARE(gizmoAt(effect, view, onScreen(view, gizmo.to)), gizmo.id);
+        }
+        QVERIFY(!gizmoAt(effect, view, {5.0, 5.0}).has_value());
+    }
+
+    void aGizmoThatIsNotMovedChangesNothing_data() { addGizmos(); }
+    void aGizmoThatIsNotMovedChangesNothing()
+    {
+        QFETCH(int, id);
+        Effect effect;
+        effect.vortex.strength = 1.0F;
+        effect.emitter.normal = glm::normalize(glm::vec3(0.3F, 0.8F, 0.4F));
+        effect.motion.windAngle = 40.0F;
+        const View view = windowView(effect, 0, 800, 600);
+        const auto gizmo = static_cast<GizmoId>(id);
+        const Effect after = applied(effect, dragGizmo(gizmo, effect, view, onScreen(view, gizmoOf(effect, view, gizmo).to), false));
+        QVERIFY(glm::length(after.emitter.normal - effect.emitter.normal) < 0.02F);
+        QVERIFY(glm::length(after.emitter.position - effect.emitter.position) < 0.01F);
+        QVERIFY(glm::length(after.vortex.axis - effect.vortex.axis) < 0.02F);
+        QVERIFY(glm::length(glm::normalize(after.light.direction) - glm::normalize(effect.light.direction)) < 0.02F);
+        QVERIFY(qAbs(after.motion.windAngle - effect.motion.windAngle) < 1.5F);
+    }
+
+    void aDraggedGizmoGoesWhereTheMouseGoes_data() { addGizmos(); }
+    void aDraggedGizmoGoesWhereTheMouseGoes()
+    {
+        QFETCH(int, id);
+        Effect effect;
+        effect.vortex.strength = 1.0F;
+        effect.camera.pitch = 30.0F;
+        const View view = windowView(effect, 0, 800, 600);
+        const auto gizmo = static_cast<GizmoId>(id);
+        const QPointF to = onScreen(view, gizmoOf(effect, view, gizmo).to) + QPointF(-24.0, 18.0);
+        const Effect after = applied(effect, dragGizmo(gizmo, effect, view, to, false));
+        QVERIFY(!(after == effect));
+        const QPointF now = onScreen(view, gizmoOf(after, view, gizmo).to);
+        // The wind keeps its length and whole degrees: its direction is what follows.
+        if (gizmo == GizmoId::Wind) {
+            const QPointF from = onScreen(view, effect.emitter.position);
+            QVERIFY(qAbs(QLineF(from, now).angleTo(QLineF(from, to))) < 3.0 || qAbs(QLineF(from, now).angleTo(QLineF(from, to))) > 357.0);
+        } else {
+            QVERIFY(QLineF(now, to).length() < 2.0);
+        }
+    }
+
+    void snappedAnglesAreMultiplesOfFifteenDegrees()
+    {
+        const Effect effect;
+        const View view = windowView(effect, 0, 800, 600);
+        Effect above = effect;
+        above.camera.pitch = 60.0F;
+        const View fromAbove = windowView(above, 0, 800, 600);
+        const Effect after = applied(above, dragGizmo(GizmoId::Wind, above, fromAbove, {300.0, 520.0}, true));
+        QVERIFY(qAbs(std::remainder(after.motion.windAngle, 15.0F)) < 0.01F);
+        const Effect turned = applied(effect, dragGizmo(GizmoId::EmitterNormal, effect, view, onScreen(view, gizmoOf(effect, view, GizmoId::EmitterNormal).to) + QPointF(31, 9), true));
+        const float pitch = std::asin(turned.emitter.normal.y) * 57.29578F;
+        QVERIFY(qAbs(std::remainder(pitch, 15.0F)) < 0.01F);
+    }
+
+    // --- pictures ---------------------------------------------------------------------------------------------------
+
+    void theSameFrameIsTheSamePictureWhateverCameBefore()
+    {
+        SmokeStudio studio;
+        const Effect effect = smallEffect();
+        const QImage first = studio.make(requestFor(effect, 30), {})->image;
+        QVERIFY(studio.make(requestFor(effect, 90), {}) != nullptr);
+        QVERIFY(studio.make(requestFor(effect, 3), {}) != nullptr);
+        QCOMPARE(studio.make(requestFor(effect, 30), {})->image, first);
+        QCOMPARE(SmokeStudio().make(requestFor(effect, 30), {})->image, first);
+    }
+
+    void hasteGivesUpPixelsAndParticlesButSaysSo()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.count = 400000;
+        SmokeStudio studio;
+        PictureRequest request = requestFor(effect, 10);
+        request.haste = Haste::Dragging;
+        const PicturePtr hasty = studio.make(request, {});
+        QVERIFY(hasty->thinned && !hasty->complete && hasty->particles < 400000);
+        request.haste = Haste::None;
+        const PicturePtr whole = studio.make(request, {});
+        QVERIFY(whole->complete && !whole->thinned);
+        QCOMPARE(whole->particles, 400000);
+        QCOMPARE(whole->image.size(), QSize(160, 120));
+    }
+
+    void aStoppedPictureIsNone()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.count = 1000000;
+        std::stop_source source;
+        source.request_stop();
+        QVERIFY(SmokeStudio().make(requestFor(effect), source.get_token()) == nullptr);
+    }
+
+    void theNewestRequestIsTheOneThatCounts()
+    {
+        SmokeWorker worker;
+        QList<int> frames;
+        connect(&worker, &SmokeWorker::pictureReady, this, [&](const PicturePtr& picture) { frames += picture->frame; });
+        for (int i = 0; i < 50; ++i) {
+            worker.request(requestFor(smallEffect(), i));
+        }
+        QTRY_VERIFY(frames.contains(49));
+        QVERIFY(frames.size() < 50);
+        QCOMPARE(frames.last(), 49);
+    }
+
+    void tracksBeginAtTheEmitter()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.subframe = false;
+        const std::vector<Track> tracks = findTracks(effect, 60);
+        int whole = 0;
+        for (const Track& track : tracks) {
+            // Those that were born before the first frame that was looked at begin on their way.
+            whole += track.size() > 5 && track.size() < 55 && glm::length(track.front()) <= effect.emitter.radius + 0.05F ? 1 : 0;
+        }
+        QVERIFY(whole > 5);
+    }
+
+    void costsAreLearned()
+    {
+        CostEstimate costs;
+        for (int i = 0; i < 30; ++i) {
+            costs.noteSprites(1000, 1'000'000); // 1 us each
+            costs.noteSteps(1'000'000.0, 10'000'000); // 10 ns each
+            costs.notePixels(1e6, 10'000'000);
+        }
+        const int affordable = costs.particlesWithin(20'000'000, 1.0);
+        QVERIFY(qAbs(affordable - 20'000'000 / 1010) < 100);
+        QCOMPARE(costs.scaleWithin(30'000'000, 1000, 1.0, 1e6), 1.0);
+        QVERIFY(costs.scaleWithin(30'000'000, 28000, 1.0, 1e6) < 1.0);
+    }
+
+    // --- variations -------------------------------------------------------------------------------------------------
+
+    void thinnedSmokeCoversAsMuch()
+    {
+        const Effect effect;
+        const Effect few = thinned(effect, 1000);
+        QCOMPARE(few.emitter.count, 1000);
+        const auto cover = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size) * static_cast<double>(e.look.size); };
+        QVERIFY(qAbs(cover(few) / cover(effect) - 1.0) < 1e-4);
+        QVERIFY(thinned(effect, 10'000'000) == effect);
+    }
+
+private:
+    static void addGizmos()
+    {
+        QTest::addColumn<int>("id");
+        QTest::newRow("emitter position") << static_cast<int>(GizmoId::EmitterPosition);
+        QTest::newRow("emitter normal") << static_cast<int>(GizmoId::EmitterNormal);
+        QTest::newRow("wind") << static_cast<int>(GizmoId::Wind);
+        QTest::newRow("vortex axis") << static_cast<int>(GizmoId::VortexAxis);
+        QTest::newRow("light") << static_cast<int>(GizmoId::Light);
+    }
+};
+
+FUMAGE_TEST_MAIN(ViewportTest)
+#include "viewport_test.moc"
