@@ -4,7 +4,7 @@ layout(location = 0) in vec4 box; // centre, half width and height, in pixels
 layout(location = 1) in vec4 matrix; // m00, m01, m10, m11
 layout(location = 2) in vec4 direct; // colour of the sun's light, opacity
 layout(location = 3) in vec3 ambient;
-layout(location = 4) in uint packed;
+layout(location = 4) in uint packedLook;
 
 uniform vec2 size; // pixels of the view that the sprites were made for
 
@@ -23,5 +23,5 @@ void main()
     rows = matrix;
     sun = direct;
     around = ambient;
-    look = packed;
+    look = packedLook;
 }

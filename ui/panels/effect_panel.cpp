@@ -120,6 +120,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     }
     list->addStretch();
     m_scroll->setWidget(content);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);

@@ -99,7 +99,9 @@ ActionSet::ActionSet(QWidget* window)
     for (const ActionSpec& spec : kSpecs) {
         auto* action = new QAction(actionText(spec.text), this);
         action->setObjectName(QLatin1String(spec.id));
-        action->setShortcuts(QKeySequence::listFromString(QLatin1String(spec.keys)));
+        if (spec.keys[0] != '\0') {
+            action->setShortcuts(QKeySequence::listFromString(QLatin1String(spec.keys)));
+        }
         action->setCheckable(spec.checkable);
         if (spec.icon[0] != '\0') {
             action->setIcon(themedIcon(QLatin1String(spec.icon)));

@@ -24,6 +24,15 @@ QString presetFilter()
     return DocumentFiles::tr("Presets (*.json)") + QStringLiteral(";;") + DocumentFiles::tr("All files (*)");
 }
 
+/// Takes over what is being typed into a field: it is meant to be saved too.
+void finishTyping()
+{
+    if (QWidget* typing = QApplication::focusWidget()) {
+        typing->clearFocus();
+        typing->setFocus();
+    }
+}
+
 QString libraryFolder()
 {
     return toQString(userPresetFolder().string());
@@ -75,6 +84,7 @@ void DocumentFiles::showWarnings(const QString& name, const std::vector<std::str
 
 bool DocumentFiles::mayLeave()
 {
+    finishTyping();
     if (!m_document.isModified()) {
         return true;
     }
@@ -137,6 +147,7 @@ bool DocumentFiles::openPreset(const Preset& preset)
 
 bool DocumentFiles::saveTo(const QString& path)
 {
+    finishTyping();
     if (const Status status = m_document.save(path); !status) {
         report(tr("Cannot save “%1”").arg(QFileInfo(path).fileName()), status.error());
         return false;

@@ -101,7 +101,19 @@ MainWindow::MainWindow(Session& session)
     m_player.play();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    if (QWidget* typing = focusWidget()) {
+        typing->clearFocus();
+    }
+    // The parts look at document and player, which are members and would be gone before them.
+    disconnect(m_document.undoStack(), nullptr, this, nullptr);
+    disconnect(&m_document, nullptr, this, nullptr);
+    delete m_exportDialog;
+    delete m_exportJob;
+    qDeleteAll(m_docks);
+    delete takeCentralWidget();
+}
 
 // --- parts ---------------------------------------------------------------------------------------------------------------
 

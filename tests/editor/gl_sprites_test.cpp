@@ -1,0 +1,139 @@
+// The sprites that OpenGL draws, held against the compositor's picture.
+#include "editor_helpers.h"
+
+#include "ui/viewport/gl_sprites.h"
+#include "ui/viewport/viewport.h"
+
+#include "core/preset/library.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+
+#include <cmath>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+constexpr int kEdge = 320;
+constexpr double kLeastPsnr = 40.0; // dB; what a person cannot tell apart side by side
+
+double psnr(const QImage& a, const QImage& b)
+{
+    double squares = 0.0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y);
+            const QRgb q = b.pixel(x, y);
+            for (const int difference : {qRed(p) - qRed(q), qGreen(p) - qGreen(q), qBlue(p) - qBlue(q)}) {
+                squares += difference * difference;
+            }
+        }
+    }
+    const double mean = squares / (3.0 * a.width() * a.height());
+    return mean == 0.0 ? 99.0 : 10.0 * std::log10(255.0 * 255.0 / mean);
+}
+
+} // namespace
+
+class GlSpritesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        m_surface.create();
+        QVERIFY(m_context.create());
+        QVERIFY(m_context.makeCurrent(&m_surface));
+        m_sprites = std::make_unique<GlSprites>();
+        QVERIFY2(m_sprites->failure().isEmpty(), qPrintable(m_sprites->failure()));
+    }
+    void cleanupTestCase()
+    {
+        QVERIFY(m_context.makeCurrent(&m_surface));
+        m_sprites.reset();
+        m_context.doneCurrent();
+    }
+
+    void openGlShowsWhatTheCompositorPaints_data()
+    {
+        QTest::addColumn<QString>("preset");
+        QTest::addColumn<bool>("checker");
+        for (const LibraryEntry& entry : builtinPresets()) {
+            QTest::newRow(entry.id.c_str()) << toQString(entry.id) << false;
+        }
+        QTest::newRow("default on a checker, filmic, exposed") << u"default"_q << true;
+    }
+    void openGlShowsWhatTheCompositorPaints()
+    {
+        QFETCH(QString, preset);
+        QFETCH(bool, checker);
+        Effect effect = loadPreset(preset.toStdString()).value().preset.effect;
+        constexpr int kMost = 30000; // llvmpipe has to draw them all
+        effect.emitter.count = qMin(effect.emitter.count, kMost);
+        if (checker) {
+            effect.output.exposure = 0.7F;
+            effect.output.viewTransform = ViewTransform::Filmic;
+        }
+        PictureRequest request;
+        request.effect = std::make_shared<const Effect>(effect);
+        request.frame = qMin(45, effect.timeline.length - 1);
+        request.width = kEdge;
+        request.height = kEdge;
+        request.backdrop.colour = {0.02F, 0.03F, 0.05F};
+        request.backdrop.kind = checker ? Backdrop::Kind::Checker : Backdrop::Kind::Colour;
+        SmokeStudio studio;
+        const QImage reference = studio.make(request, {})->image;
+        request.sprites = true;
+        const PicturePtr scene = studio.make(request, {});
+        QVERIFY(scene->image.isNull() && scene->scene && !scene->scene->sprites.empty());
+
+        QVERIFY(m_context.makeCurrent(&m_surface));
+        QOpenGLFramebufferObject target(kEdge, kEdge);
+        m_sprites->draw(*scene, {kEdge, kEdge}, target.handle());
+        const QImage drawn = target.toImage().convertToFormat(QImage::Format_RGB32);
+        const double decibels = psnr(reference, drawn);
+        if (decibels < kLeastPsnr) {
+            reference.save(u"/tmp/fumage_reference.png"_q);
+            drawn.save(u"/tmp/fumage_drawn.png"_q);
+        }
+        QVERIFY2(decibels >= kLeastPsnr, qPrintable(QStringLiteral("%1 dB").arg(decibels)));
+        qInfo("%s: %.1f dB", qPrintable(preset), decibels);
+    }
+
+    void aViewportOnAGraphicsCardShowsThem()
+    {
+        Document document;
+        Player player;
+        Viewport viewport(document, player, GlSupport::Hardware);
+        Preset preset = loadPreset("chimney").value().preset;
+        preset.effect.emitter.count = 8000;
+        document.load(preset, {});
+        for (const Overlay overlay : {Overlay::Grid, Overlay::Emitter, Overlay::Gizmos, Overlay::Readout}) {
+            viewport.setOverlay(overlay, false);
+        }
+        viewport.resize(kEdge, kEdge);
+        viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        QTRY_VERIFY(viewport.isSettled());
+        QVERIFY(viewport.picture()->scene != nullptr);
+        PictureRequest request;
+        request.effect = std::make_shared<const Effect>(document.effect());
+        request.width = kEdge;
+        request.height = kEdge;
+        request.backdrop = viewport.backdrop();
+        const QImage reference = SmokeStudio().make(request, {})->image;
+        auto* surface = qobject_cast<QOpenGLWidget*>(viewport.surface());
+        QVERIFY(psnr(reference, surface->grabFramebuffer().convertToFormat(QImage::Format_RGB32)) >= kLeastPsnr);
+    }
+
+private:
+    QOffscreenSurface m_surface;
+    QOpenGLContext m_context;
+    std::unique_ptr<GlSprites> m_sprites;
+};
+
+FUMAGE_TEST_MAIN(GlSpritesTest)
+#include "gl_sprites_test.moc"
