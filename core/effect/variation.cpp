@@ -63,7 +63,10 @@ Value moved(const Parameter& parameter, const Value& value, float amount, Dice& 
     if (const glm::vec3* vector = std::get_if<glm::vec3>(&value)) {
         glm::vec3 out = *vector;
         for (int i = 0; i < 3; ++i) {
-            out[i] += static_cast<float>(share());
+            // A colour keeps its character where channels move by a share of themselves; black has room to become dark.
+            constexpr float kFromBlack = 0.05F;
+            const float reach = parameter.kind == Kind::Colour ? out[i] + kFromBlack : 1.0F;
+            out[i] += reach * static_cast<float>(share());
         }
         return out;
     }

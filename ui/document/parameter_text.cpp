@@ -56,10 +56,10 @@ QString toolTipOf(const Parameter& parameter)
     QString text = QStringLiteral("<p><b>%1</b><br>%2</p>").arg(fullLabelOf(parameter).toHtmlEscaped(), translated(parameter.tip).toHtmlEscaped());
     QStringList facts;
     if (const QString range = rangeOf(parameter); !range.isEmpty()) {
-        facts += QCoreApplication::translate(kContext, "Range: %1").arg(range.toHtmlEscaped());
+        facts += QCoreApplication::translate("Parameters", "Range: %1").arg(range.toHtmlEscaped());
     }
     if (!parameter.source.empty()) {
-        facts += QCoreApplication::translate(kContext, "Source: %1").arg(translated(parameter.source).toHtmlEscaped());
+        facts += QCoreApplication::translate("Parameters", "Source: %1").arg(translated(parameter.source).toHtmlEscaped());
     }
     facts += QStringLiteral("<code>%1</code>").arg(toQString(parameter.key).toHtmlEscaped());
     return text + QStringLiteral("<p>%1</p>").arg(facts.join(QStringLiteral("<br>")));

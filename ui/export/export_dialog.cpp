@@ -104,15 +104,20 @@ void ExportDialog::buildForm()
 {
     auto* form = new QFormLayout;
     form->setLabelAlignment(Qt::AlignLeft);
-    form->setHorizontalSpacing(16);
-    form->addRow(tr("What"), m_kind);
-    form->addRow(tr("Format"), m_format);
+    form->setHorizontalSpacing(4);
+    const auto addRow = [&](const QString& text, auto* content) {
+        auto* label = new QLabel(text, this);
+        label->setFixedWidth(ParameterRow::kLabelWidth);
+        form->addRow(label, content);
+    };
+    addRow(tr("What"), m_kind);
+    addRow(tr("Format"), m_format);
     auto* place = new QHBoxLayout;
     auto* choose = new QPushButton(tr("Choose…"), this);
     choose->setObjectName(QStringLiteral("export.choose"));
     place->addWidget(m_path, 1);
     place->addWidget(choose);
-    form->addRow(tr("File"), place);
+    addRow(tr("File"), place);
     auto* range = new QHBoxLayout;
     range->addWidget(m_first);
     range->addWidget(new QLabel(tr("to"), this));
@@ -120,7 +125,7 @@ void ExportDialog::buildForm()
     range->addWidget(new QLabel(tr("every"), this));
     range->addWidget(m_step);
     range->addStretch();
-    form->addRow(tr("Frames"), range);
+    addRow(tr("Frames"), range);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addLayout(form);
     for (const std::string_view key : kParameters) {
@@ -131,6 +136,7 @@ void ExportDialog::buildForm()
     m_files->setProperty("role", QStringLiteral("secondary"));
     m_files->setWordWrap(true);
     box->addWidget(m_files);
+    box->addStretch();
     connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
 }
 
@@ -251,7 +257,7 @@ void ExportDialog::followPlan()
     const ExportPlan now = plan();
     const bool possible = !m_path->text().trimmed().isEmpty() && m_first->value() <= m_last->value();
     if (kind() == ExportKind::Sequence && possible) {
-        m_files->setText(tr("%n file(s): %1 … %2", nullptr, now.frames.count()).arg(QFileInfo(firstFileOf(now)).fileName(), QFileInfo(lastFileOf(now)).fileName()));
+        m_files->setText(tr("Files: %1, from %2 to %3").arg(now.frames.count()).arg(QFileInfo(firstFileOf(now)).fileName(), QFileInfo(lastFileOf(now)).fileName()));
     } else {
         m_files->setText(possible ? QFileInfo(firstFileOf(now)).fileName() : tr("Choose a file, and a first frame that comes before the last."));
     }

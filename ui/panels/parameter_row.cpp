@@ -19,8 +19,6 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr int kLabelWidth = 124;
-
 /// Editors that need the whole width stand below their label.
 bool isTall(const Parameter& parameter)
 {

@@ -15,6 +15,8 @@ class ParameterRow : public QWidget {
 public:
     ParameterRow(const Parameter& parameter, Document& document, Locks& locks, QWidget* parent);
 
+    static constexpr int kLabelWidth = 128; ///< pixels; other rows may line up with it
+
     [[nodiscard]] const Parameter& parameter() const { return m_editor->parameter(); }
     [[nodiscard]] ParameterEditor& editor() const { return *m_editor; }
 

@@ -117,7 +117,7 @@ void VariationsPanel::fill()
     for (const Parameter& parameter : parameterTable()) {
         locked += m_locks.contains(parameter) ? 1 : 0;
     }
-    m_locked->setText(locked == 0 ? tr("Lock parameters in their context menu to keep them as they are.") : tr("%n locked parameter(s) stay as they are.", nullptr, locked));
+    m_locked->setText(locked == 0 ? tr("Lock parameters in their context menu to keep them as they are.") : tr("Locked parameters, which stay as they are: %1").arg(locked));
     const float amount = static_cast<float>(m_amount->value()) / 100.0F;
     for (int i = 0; i < kCells; ++i) {
         Effect& effect = m_effects[static_cast<std::size_t>(i)];

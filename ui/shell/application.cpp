@@ -1,5 +1,6 @@
 #include "ui/shell/application.h"
 
+#include "ui/face/language.h"
 #include "ui/shell/session.h"
 
 #include <QApplication>
@@ -23,6 +24,8 @@ int runEditor(int argc, char** argv)
     QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("fumage"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/fumage.svg")));
+
+    applyLanguage(application, Settings().language());
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QCoreApplication::translate("main", "An editor for smoke."));

@@ -116,8 +116,9 @@ void DocumentFiles::open()
     }
 }
 
-bool DocumentFiles::openFile(const QString& path)
+bool DocumentFiles::openFile(const QString& name)
 {
+    const QString path = QFileInfo(name).absoluteFilePath();
     // Read first: a broken file must not cost the document that is open.
     const Result<PresetReading> reading = readPresetFile(path.toStdString());
     if (!reading) {

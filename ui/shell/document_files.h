@@ -21,7 +21,7 @@ public:
     void newDocument();
     void open();
     /// @return whether the file is open now
-    bool openFile(const QString& path);
+    bool openFile(const QString& name);
     /// Shows a preset that has no file of its own.
     bool openPreset(const Preset& preset);
     bool save();

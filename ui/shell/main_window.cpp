@@ -2,6 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
+#include "ui/face/language.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/colour_editor.h"
 #include "ui/panels/effect_panel.h"
@@ -178,8 +179,8 @@ void MainWindow::arrangeDocks()
     constexpr int kLeft = 268;
     constexpr int kRight = 376;
     resizeDocks({presets, parameters}, {kLeft, kRight}, Qt::Horizontal);
-    constexpr int kNoise = 430;
-    resizeDocks({presets, noise}, {height() - kNoise, kNoise}, Qt::Vertical);
+    constexpr int kNoise = 470;
+    resizeDocks({presets, noise}, {std::max(kNoise / 2, height() - kNoise), kNoise}, Qt::Vertical);
 }
 
 void MainWindow::raiseDock(const QString& name)
@@ -234,6 +235,17 @@ void MainWindow::addChoices(QMenu& menu)
     addGroup(*navigation, {QStringLiteral("Blender"), QStringLiteral("Maya"), QStringLiteral("Unity")}, static_cast<int>(m_session.settings().navigationStyle()), [this](int index) {
         m_session.settings().setNavigationStyle(static_cast<NavigationStyle>(index));
         m_viewport->setNavigationStyle(static_cast<NavigationStyle>(index));
+    });
+    QStringList names{tr("As the system")};
+    int spoken = 0;
+    for (const Language& language : languages()) {
+        spoken = language.code == m_session.settings().language() ? static_cast<int>(names.size()) : spoken;
+        names += language.name;
+    }
+    QMenu* speech = menu.addMenu(tr("Lan&guage"));
+    addGroup(*speech, names, spoken, [this](int index) {
+        m_session.settings().setLanguage(index == 0 ? QString() : languages()[index - 1].code);
+        notify(tr("The language changes when Fumage starts the next time."));
     });
     QMenu* theme = menu.addMenu(tr("T&heme"));
     addGroup(*theme, {tr("As the desktop"), tr("Dark"), tr("Light")}, static_cast<int>(m_session.settings().theme()), [this](int index) { m_session.applyTheme(static_cast<Theme>(index)); });
@@ -471,7 +483,10 @@ void MainWindow::restoreLayout()
     resize(kUsual.boundedTo(screen.size()));
     // Qt moves a window whose screen is gone onto one that is there.
     restoreGeometry(m_session.settings().bytes(kGeometry));
-    restoreState(m_session.settings().bytes(kLayout), kLayoutVersion);
+    if (!restoreState(m_session.settings().bytes(kLayout), kLayoutVersion)) {
+        // Panels can be given their sizes once the window has its own.
+        QMetaObject::invokeMethod(this, &MainWindow::arrangeDocks, Qt::QueuedConnection);
+    }
     m_effectPanel->setOpenGroups(m_session.settings().list(kOpenGroups, {QStringLiteral("emitter"), QStringLiteral("motion")}));
 }
 

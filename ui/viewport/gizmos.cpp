@@ -132,8 +132,8 @@ std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
     const auto tip = [&](const glm::vec3& direction, float pixels) { return emitter + direction * metres(view, emitter, pixels); };
     const glm::vec3 middle = lightAnchor(effect, view);
     std::vector<Gizmo> gizmos{
-        {GizmoId::EmitterPosition, emitter, emitter, QColor(0xff, 0xb0, 0x40), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Emitter"))},
-        {GizmoId::EmitterNormal, emitter, tip(glm::normalize(effect.emitter.normal), kNormalPixels), QColor(0xff, 0xb0, 0x40), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Normal"))},
+        {GizmoId::EmitterPosition, emitter, emitter, QColor(0xa8, 0xe8, 0x50), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Emitter"))},
+        {GizmoId::EmitterNormal, emitter, tip(glm::normalize(effect.emitter.normal), kNormalPixels), QColor(0xa8, 0xe8, 0x50), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Normal"))},
         {GizmoId::Wind, emitter, tip(windDirection(effect), kWindPixels), QColor(0x4c, 0xb8, 0xe8), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Wind")) + QStringLiteral(" θ %1°").arg(std::lround(effect.motion.windAngle))},
         {GizmoId::Light, middle, middle - glm::normalize(effect.light.direction) * lightReach(effect, view), QColor(0xff, 0xe4, 0x80), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Light"))}};
     if (effect.vortex.strength != 0.0F) {

@@ -24,6 +24,11 @@ bool isSoftware(const QByteArray& renderer)
 
 } // namespace
 
+bool openGlIsWanted()
+{
+    return qEnvironmentVariableIsSet("FUMAGE_OPENGL");
+}
+
 GlSupport probeOpenGl()
 {
     const QByteArray wish = qgetenv("FUMAGE_OPENGL");

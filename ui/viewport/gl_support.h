@@ -13,4 +13,7 @@ enum class GlSupport {
 /// The environment variable FUMAGE_OPENGL=none|software|hardware answers instead where it is set.
 [[nodiscard]] GlSupport probeOpenGl();
 
+/// Whether FUMAGE_OPENGL asks for an OpenGL widget even without a graphics card.
+[[nodiscard]] bool openGlIsWanted();
+
 } // namespace fumage::ui

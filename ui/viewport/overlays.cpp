@@ -81,7 +81,7 @@ void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(0xff, 0xb0, 0x40, 210), 1.6));
+    painter.setPen(QPen(QColor(0xa8, 0xe8, 0x50, 210), 1.6));
     const glm::vec3 normal = glm::normalize(emitter.normal);
     const PlaneBasis basis = planeBasis(normal);
     const glm::vec3 centre = emitter.position;

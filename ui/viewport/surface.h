@@ -17,7 +17,7 @@ class GlSprites;
 /// Draws what lies over the picture.
 using OverlayPainter = std::function<void(QPainter&)>;
 
-/// The area of the viewport that shows the picture: an OpenGL widget, or a plain one where there is no OpenGL.
+/// The area of the viewport that shows the picture: an OpenGL widget, or a plain one where there is no graphics card.
 class Surface {
 public:
     virtual ~Surface() = default;
@@ -27,7 +27,8 @@ public:
     virtual void show(const PicturePtr& picture) = 0;
 };
 
+/// @param preferOpenGl even where the processor has to play graphics card, which is slower than the plain widget
 /// @param overlay called within each paint, with a painter in logical pixels
-[[nodiscard]] std::unique_ptr<Surface> makeSurface(GlSupport support, QWidget* parent, OverlayPainter overlay);
+[[nodiscard]] std::unique_ptr<Surface> makeSurface(GlSupport support, bool preferOpenGl, QWidget* parent, OverlayPainter overlay);
 
 } // namespace fumage::ui

@@ -31,7 +31,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     : QWidget(parent)
     , m_document(document)
     , m_player(player)
-    , m_surface(makeSurface(support, this, [this](QPainter& painter) { paintOverlay(painter); }))
+    , m_surface(makeSurface(support, openGlIsWanted(), this, [this](QPainter& painter) { paintOverlay(painter); }))
     , m_cache(kCacheKiB)
 {
     setObjectName(QStringLiteral("viewport"));
@@ -205,7 +205,11 @@ void Viewport::receive(const PicturePtr& picture)
         m_player.setHeld(false);
     }
     if (picture->revision == m_revision) {
-        m_cache.insert(picture->frame, new PicturePtr(picture), kibibytes(*picture));
+        // A loop that is longer than the cache would push out each frame just before it is shown again: what is there stays.
+        m_cache.remove(picture->frame);
+        if (m_cache.totalCost() + kibibytes(*picture) <= m_cache.maxCost()) {
+            m_cache.insert(picture->frame, new PicturePtr(picture), kibibytes(*picture));
+        }
         emit cacheChanged();
     }
     display(picture);

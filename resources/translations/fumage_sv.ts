@@ -1,0 +1,2175 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Arkiv</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Redigera</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visa</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Spela</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Jämför</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjälp</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nytt</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Nytt &amp;fönster</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öppna…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Spara s&amp;om…</translation>
+    </message>
+    <message>
+        <source>Save to the &amp;library…</source>
+        <translation>Spara i &amp;biblioteket…</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>Å&amp;tergå</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportera…</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Exportera i&amp;gen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;täng</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Avsluta</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the preset as JSON</source>
+        <translation>&amp;Kopiera förinställningen som JSON</translation>
+    </message>
+    <message>
+        <source>&amp;Paste a preset</source>
+        <translation>K&amp;listra in en förinställning</translation>
+    </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variationer…</translation>
+    </message>
+    <message>
+        <source>Randomise a &amp;little</source>
+        <translation>Slumpa &amp;lite</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all parameters</source>
+        <translation>Återställ &amp;alla parametrar</translation>
+    </message>
+    <message>
+        <source>&amp;Search parameters</source>
+        <translation>&amp;Sök parametrar</translation>
+    </message>
+    <message>
+        <source>Search c&amp;ommands…</source>
+        <translation>Sök ko&amp;mmandon…</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Visa &amp;allt</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>&amp;Framifrån</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>Från &amp;höger</translation>
+    </message>
+    <message>
+        <source>From &amp;above</source>
+        <translation>&amp;Uppifrån</translation>
+    </message>
+    <message>
+        <source>Ground &amp;grid</source>
+        <translation>&amp;Markrutnät</translation>
+    </message>
+    <message>
+        <source>&amp;Emitter outline</source>
+        <translation>&amp;Utsändarens kontur</translation>
+    </message>
+    <message>
+        <source>Gi&amp;zmos</source>
+        <translation>&amp;Handtag</translation>
+    </message>
+    <message>
+        <source>Motion &amp;tracks</source>
+        <translation>&amp;Rörelsespår</translation>
+    </message>
+    <message>
+        <source>E&amp;xport frame</source>
+        <translation>E&amp;xportram</translation>
+    </message>
+    <message>
+        <source>Rea&amp;dout</source>
+        <translation>Mät&amp;värden</translation>
+    </message>
+    <message>
+        <source>&amp;Checker behind the smoke</source>
+        <translation>&amp;Schackrutor bakom röken</translation>
+    </message>
+    <message>
+        <source>&amp;Backdrop colour…</source>
+        <translation>&amp;Bakgrundsfärg…</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Helskärm</translation>
+    </message>
+    <message>
+        <source>Reset &amp;layout</source>
+        <translation>Återställ &amp;layouten</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Spela eller pausa</translation>
+    </message>
+    <message>
+        <source>One frame &amp;on</source>
+        <translation>En bildruta &amp;framåt</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>En bildruta &amp;bakåt</translation>
+    </message>
+    <message>
+        <source>To the &amp;first frame</source>
+        <translation>Till &amp;första bildrutan</translation>
+    </message>
+    <message>
+        <source>To the &amp;last frame</source>
+        <translation>Till &amp;sista bildrutan</translation>
+    </message>
+    <message>
+        <source>Range starts &amp;here</source>
+        <translation>Intervallet börjar &amp;här</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>Intervallet &amp;slutar här</translation>
+    </message>
+    <message>
+        <source>&amp;Whole range</source>
+        <translation>&amp;Hela intervallet</translation>
+    </message>
+    <message>
+        <source>&amp;Remember this as B</source>
+        <translation>&amp;Kom ihåg detta som B</translation>
+    </message>
+    <message>
+        <source>&amp;Split view of A and B</source>
+        <translation>&amp;Delad vy av A och B</translation>
+    </message>
+    <message>
+        <source>Show &amp;B</source>
+        <translation>Visa &amp;B</translation>
+    </message>
+    <message>
+        <source>&amp;Adopt B</source>
+        <translation>&amp;Ta över B</translation>
+    </message>
+    <message>
+        <source>&amp;Parameter reference</source>
+        <translation>&amp;Parameterreferens</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Kortkommandon</translation>
+    </message>
+    <message>
+        <source>&amp;About Fumage</source>
+        <translation>&amp;Om Fumage</translation>
+    </message>
+</context>
+<context>
+    <name>ColourEditor</name>
+    <message>
+        <source>swatch</source>
+        <translation>färgprov</translation>
+    </message>
+</context>
+<context>
+    <name>CommandSearch</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Sök kommandon</translation>
+    </message>
+    <message>
+        <source>A command or a parameter</source>
+        <translation>Ett kommando eller en parameter</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Kommandon</translation>
+    </message>
+</context>
+<context>
+    <name>DirectionEditor</name>
+    <message>
+        <source>Yaw</source>
+        <translation>Gir</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Lutning</translation>
+    </message>
+</context>
+<context>
+    <name>Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Namnlös</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Återställ %1</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentFiles</name>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Förinställningar (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Opened with changes</source>
+        <translation>Öppnad med ändringar</translation>
+    </message>
+    <message>
+        <source>“%1” was opened, but some of it had to be put right.</source>
+        <translation>”%1” öppnades, men en del av innehållet måste rättas till.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Osparade ändringar</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Spara ändringarna i ”%1”?</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>De går förlorade om du inte sparar dem.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>Cannot open “%1”</source>
+        <translation>Kan inte öppna ”%1”</translation>
+    </message>
+    <message>
+        <source>Cannot save “%1”</source>
+        <translation>Kan inte spara ”%1”</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Spara som</translation>
+    </message>
+    <message>
+        <source>Save to the library</source>
+        <translation>Spara i biblioteket</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Förinställningens namn</translation>
+    </message>
+    <message>
+        <source>There is a preset “%1” already. Replace it?</source>
+        <translation>Det finns redan en förinställning ”%1”. Ska den ersättas?</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Återgå</translation>
+    </message>
+    <message>
+        <source>Cannot paste a preset</source>
+        <translation>Kan inte klistra in en förinställning</translation>
+    </message>
+    <message>
+        <source>Paste a preset</source>
+        <translation>Klistra in en förinställning</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>Urklipp</translation>
+    </message>
+</context>
+<context>
+    <name>EffectPanel</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>Sök parametrar</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>First frame</source>
+        <translation>Första bildrutan</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Sista bildrutan</translation>
+    </message>
+    <message>
+        <source>Every so many frames</source>
+        <translation>Var så många bildrutor</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Visa i mappen</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Vad</translation>
+    </message>
+    <message>
+        <source>Image sequence</source>
+        <translation>Bildsekvens</translation>
+    </message>
+    <message>
+        <source>Single picture</source>
+        <translation>En bild</translation>
+    </message>
+    <message>
+        <source>Noise texture</source>
+        <translation>Brustextur</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>Partiklar</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>A run of # becomes the number of the frame</source>
+        <translation>En följd av # blir bildrutans nummer</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Välj…</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>till</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>var</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bildrutor</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files, %3 s left</source>
+        <translation>%1 av %2 filer, %3 s kvar</translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Klart: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
+    </message>
+    <message>
+        <source>CSV, one particle a line</source>
+        <translation>CSV, en partikel per rad</translation>
+    </message>
+    <message>
+        <source>PLY, binary points</source>
+        <translation>PLY, binära punkter</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bits</source>
+        <translation>PNG, 8 bitar</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bits</source>
+        <translation>PNG, 16 bitar</translation>
+    </message>
+    <message>
+        <source>OpenEXR, half floats, linear</source>
+        <translation>OpenEXR, halva flyttal, linjär</translation>
+    </message>
+    <message>
+        <source>OpenEXR, floats, linear</source>
+        <translation>OpenEXR, flyttal, linjär</translation>
+    </message>
+    <message>
+        <source>Files: %1, from %2 to %3</source>
+        <translation>Filer: %1, från %2 till %3</translation>
+    </message>
+    <message>
+        <source>Choose a file, and a first frame that comes before the last.</source>
+        <translation>Välj en fil, och en första bildruta som kommer före den sista.</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exportera till</translation>
+    </message>
+</context>
+<context>
+    <name>Gizmos</name>
+    <message>
+        <source>Emitter</source>
+        <translation>Utsändare</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Ljus</translation>
+    </message>
+    <message>
+        <source>Vortex</source>
+        <translation>Virvel</translation>
+    </message>
+</context>
+<context>
+    <name>GlSprites</name>
+    <message>
+        <source>The graphics driver refuses the shader %1: %2</source>
+        <translation>Grafikdrivrutinen vägrar skuggaren %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>GradientBar</name>
+    <message>
+        <source>Colour of the stop</source>
+        <translation>Stoppets färg</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Find</source>
+        <translation>Sök</translation>
+    </message>
+    <message>
+        <source>Parameter reference</source>
+        <translation>Parameterreferens</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Kortkommandon</translation>
+    </message>
+    <message>
+        <source>About Fumage</source>
+        <translation>Om Fumage</translation>
+    </message>
+    <message>
+        <source>An editor for smoke. Free software under the MIT licence.
+
+The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, University of Gävle, 2012. Made with Qt, GLM, Highway, oneTBB, libpng and OpenEXR.</source>
+        <translation>En redigerare för rök. Fri programvara under MIT-licensen.
+
+Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Högskolan i Gävle, 2012. Byggd med Qt, GLM, Highway, oneTBB, libpng och OpenEXR.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Unsaved work cannot be kept safe: %1</source>
+        <translation>Osparat arbete kan inte hållas i säkerhet: %1</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Som det öppnades</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>Ångra-historik</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Förinställningar</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametrar</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Brus</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historik</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variationer</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Öppna &amp;senaste</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneler</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse habits</source>
+        <translation>&amp;Musvanor</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Som skrivbordet</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mörkt</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Ljus</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Verktyg</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Ångra %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Gör om %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Randomise a little</source>
+        <translation>Slumpa lite</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Återställ alla parametrar</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Bakgrund</translation>
+    </message>
+    <message>
+        <source>Adopt B</source>
+        <translation>Ta över B</translation>
+    </message>
+    <message>
+        <source>Put in “%1”</source>
+        <translation>Lägg in ”%1”</translation>
+    </message>
+    <message>
+        <source>Exporting: %1 of %2 files, %3 s left</source>
+        <translation>Exporterar: %1 av %2 filer, %3 s kvar</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Exporterade %1</translation>
+    </message>
+    <message>
+        <source>Export cancelled</source>
+        <translation>Exporten avbröts</translation>
+    </message>
+    <message>
+        <source>Export failed: %1</source>
+        <translation>Exporten misslyckades: %1</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Som systemet</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sp&amp;råk</translation>
+    </message>
+    <message>
+        <source>The language changes when Fumage starts the next time.</source>
+        <translation>Språket ändras nästa gång Fumage startar.</translation>
+    </message>
+</context>
+<context>
+    <name>NoiseCanvas</name>
+    <message>
+        <source>Noise texture</source>
+        <translation>Brustextur</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Left button: move the profile line. Middle button: move the picture. Double-click: whole tile.</source>
+        <translation>Hjul: zooma. Vänster knapp: flytta profillinjen. Mittknapp: flytta bilden. Dubbelklick: hela rutan.</translation>
+    </message>
+</context>
+<context>
+    <name>NoisePane</name>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Sum of octaves</source>
+        <translation>Summa av oktaver</translation>
+    </message>
+    <message>
+        <source>Alpha of a particle</source>
+        <translation>En partikels alfa</translation>
+    </message>
+    <message>
+        <source>What is shown: the grey values that particles read, the noise before sharpness, or what is left under the mask of a particle</source>
+        <translation>Vad som visas: gråvärdena som partiklarna läser, bruset före skärpan, eller det som blir kvar under en partikels mask</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Snitt</translation>
+    </message>
+    <message>
+        <source>Which slice of the 3D noise; particles go through them as they age</source>
+        <translation>Vilket snitt av 3D-bruset; partiklarna går igenom dem medan de åldras</translation>
+    </message>
+    <message>
+        <source>Without smoothing and sharpness</source>
+        <translation>Utan utjämning och skärpa</translation>
+    </message>
+    <message>
+        <source>Three by three tiles, to judge the seams</source>
+        <translation>Tre gånger tre rutor, för att bedöma fogarna</translation>
+    </message>
+    <message>
+        <source>Profile along a line, with amplitude and wavelength</source>
+        <translation>Profil längs en linje, med amplitud och våglängd</translation>
+    </message>
+    <message>
+        <source>Go through the slices</source>
+        <translation>Gå igenom snitten</translation>
+    </message>
+    <message>
+        <source>Export the noise texture</source>
+        <translation>Exportera brustexturen</translation>
+    </message>
+    <message>
+        <source>Export the noise texture…</source>
+        <translation>Exportera brustexturen…</translation>
+    </message>
+    <message>
+        <source>%1 × %1 px   mean %2   deviation %3</source>
+        <translation>%1 × %1 px   medel %2   avvikelse %3</translation>
+    </message>
+</context>
+<context>
+    <name>NoisePlots</name>
+    <message>
+        <source>Profile and histogram of the noise</source>
+        <translation>Brusets profil och histogram</translation>
+    </message>
+    <message>
+        <source>amplitude %1</source>
+        <translation>amplitud %1</translation>
+    </message>
+    <message>
+        <source>λ %1</source>
+        <translation>λ %1</translation>
+    </message>
+</context>
+<context>
+    <name>NumberField</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>”%1” är inget tal.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number in %2.</source>
+        <translation>”%1” är inget tal i %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>Paste</source>
+        <translation>Klistra in</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Återställ</translation>
+    </message>
+    <message>
+        <source>Reset to the default</source>
+        <translation>Återställ till standard</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiera</translation>
+    </message>
+    <message>
+        <source>Copy as --set</source>
+        <translation>Kopiera som --set</translation>
+    </message>
+    <message>
+        <source>Lock against randomising</source>
+        <translation>Lås mot slumpen</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>Particles</source>
+        <translation>Partiklar</translation>
+    </message>
+    <message>
+        <source>How many particles are alive once the smoke is warm. Many small ones read as smoke, few large ones as sprites.</source>
+        <translation>Hur många partiklar som lever när röken är varm. Många små ser ut som rök, få stora som lappar.</translation>
+    </message>
+    <message>
+        <source>2012 model, table of results</source>
+        <translation>2012 års modell, resultattabellen</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>The surface or body on which particles are born.</source>
+        <translation>Ytan eller kroppen där partiklar föds.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. I (rectangle)</source>
+        <translation>2012 års modell, ekv. I (rektangel)</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radie</translation>
+    </message>
+    <message>
+        <source>Radius of the disc or sphere.</source>
+        <translation>Skivans eller klotets radie.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredd</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle, across its normal.</source>
+        <translation>Rektangelns bredd, tvärs mot dess normal.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. I</source>
+        <translation>2012 års modell, ekv. I</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Djup</translation>
+    </message>
+    <message>
+        <source>Depth of the rectangle, across its normal and its width.</source>
+        <translation>Rektangelns djup, tvärs mot dess normal och dess bredd.</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>The direction N that the emitter faces and sends particles in.</source>
+        <translation>Riktningen N som utsändaren vetter åt och sänder partiklar i.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. I and II</source>
+        <translation>2012 års modell, ekv. I och II</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Läge</translation>
+    </message>
+    <message>
+        <source>Centre of the emitter.</source>
+        <translation>Utsändarens mitt.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Speed at birth along the normal.</source>
+        <translation>Fart vid födseln längs normalen.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. II (1 there)</source>
+        <translation>2012 års modell, ekv. II (1 där)</translation>
+    </message>
+    <message>
+        <source>Velocity randomness</source>
+        <translation>Hastighetsslump</translation>
+    </message>
+    <message>
+        <source>0: every particle leaves at the full speed. 1: each component of the velocity is multiplied by its own random number.</source>
+        <translation>0: varje partikel lämnar med full fart. 1: varje komponent av hastigheten multipliceras med ett eget slumptal.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Spridning</translation>
+    </message>
+    <message>
+        <source>Half angle of the cone in which particles leave.</source>
+        <translation>Halva vinkeln på konen som partiklarna lämnar i.</translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation>Utsläpp</translation>
+    </message>
+    <message>
+        <source>Continuous smoke, or one burst at the start of the timeline.</source>
+        <translation>Ständig rök, eller en enda puff i tidslinjens början.</translation>
+    </message>
+    <message>
+        <source>Burst duration</source>
+        <translation>Puffens längd</translation>
+    </message>
+    <message>
+        <source>The time in which a burst gives birth to all of its particles.</source>
+        <translation>Tiden under vilken en puff föder alla sina partiklar.</translation>
+    </message>
+    <message>
+        <source>Birth between steps</source>
+        <translation>Födsel mellan steg</translation>
+    </message>
+    <message>
+        <source>Spreads births over the time between two steps, so that fast smoke leaves in a stream and not in sheets.</source>
+        <translation>Sprider födslarna över tiden mellan två steg, så att snabb rök lämnar i en ström och inte i skivor.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Frö</translation>
+    </message>
+    <message>
+        <source>Another seed gives another smoke of the same kind.</source>
+        <translation>Ett annat frö ger en annan rök av samma slag.</translation>
+    </message>
+    <message>
+        <source>Buoyancy</source>
+        <translation>Lyftkraft</translation>
+    </message>
+    <message>
+        <source>Upward acceleration of smoke that is as hot as at birth; it fades as the smoke cools.</source>
+        <translation>Uppåtriktad acceleration hos rök som är lika het som vid födseln; den avtar när röken svalnar.</translation>
+    </message>
+    <message>
+        <source>2012 model, figure 1</source>
+        <translation>2012 års modell, figur 1</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vind</translation>
+    </message>
+    <message>
+        <source>Acceleration Vw by the wind, level with the ground.</source>
+        <translation>Acceleration Vw av vinden, längs marken.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. III and V</source>
+        <translation>2012 års modell, ekv. III och V</translation>
+    </message>
+    <message>
+        <source>Wind angle</source>
+        <translation>Vindvinkel</translation>
+    </message>
+    <message>
+        <source>Angle θ of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z.</source>
+        <translation>Vindens vinkel θ i det vågräta X-Z-planet; 0 blåser längs +X, 90 längs +Z.</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Tyngdkraft</translation>
+    </message>
+    <message>
+        <source>Gravity g; divided by the mass it pulls particles down.</source>
+        <translation>Tyngdkraften g; delad med massan drar den partiklarna nedåt.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. IV</source>
+        <translation>2012 års modell, ekv. IV</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Luftmotstånd</translation>
+    </message>
+    <message>
+        <source>Air resistance: the share of its velocity that a particle loses a second.</source>
+        <translation>Luftmotstånd: den andel av sin hastighet som en partikel förlorar i sekunden.</translation>
+    </message>
+    <message>
+        <source>Cooling</source>
+        <translation>Avsvalning</translation>
+    </message>
+    <message>
+        <source>How fast the heat that lifts the smoke is lost.</source>
+        <translation>Hur fort värmen som lyfter röken går förlorad.</translation>
+    </message>
+    <message>
+        <source>Randomness</source>
+        <translation>Slumpmässighet</translation>
+    </message>
+    <message>
+        <source>0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random walk.</source>
+        <translation>0: krafterna verkar stadigt. 1: var och en multipliceras med ett nytt slumptal varje steg och verkar som en slumpvandring.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. XI and XII (1 there)</source>
+        <translation>2012 års modell, ekv. XI och XII (1 där)</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Byar</translation>
+    </message>
+    <message>
+        <source>How much the strength and direction of the wind wander.</source>
+        <translation>Hur mycket vindens styrka och riktning vandrar.</translation>
+    </message>
+    <message>
+        <source>Gust rate</source>
+        <translation>Bytakt</translation>
+    </message>
+    <message>
+        <source>How often the wind changes.</source>
+        <translation>Hur ofta vinden ändrar sig.</translation>
+    </message>
+    <message>
+        <source>Heat variance</source>
+        <translation>Värmevariation</translation>
+    </message>
+    <message>
+        <source>How much the heat at birth differs from one particle to the next; hot ones run ahead.</source>
+        <translation>Hur mycket värmen vid födseln skiljer mellan partiklar; de heta springer före.</translation>
+    </message>
+    <message>
+        <source>Pull to axis</source>
+        <translation>Drag mot axeln</translation>
+    </message>
+    <message>
+        <source>Acceleration towards the vertical line through the emitter, per metre of distance: the inflow that keeps a plume together.</source>
+        <translation>Acceleration mot den lodräta linjen genom utsändaren, per meter avstånd: inflödet som håller ihop en plym.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter.</source>
+        <translation>Medeltakt som hela molnet vrids med kring den lodräta linjen genom utsändaren.</translation>
+    </message>
+    <message>
+        <source>2012 model, whole-body rotation (0 there)</source>
+        <translation>2012 års modell, rotation av hela molnet (0 där)</translation>
+    </message>
+    <message>
+        <source>Rotation jitter</source>
+        <translation>Rotationsjitter</translation>
+    </message>
+    <message>
+        <source>Random part of that rate, drawn anew every step.</source>
+        <translation>Slumpdelen av takten, dragen på nytt varje steg.</translation>
+    </message>
+    <message>
+        <source>2012 model, whole-body rotation</source>
+        <translation>2012 års modell, rotation av hela molnet</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Massa</translation>
+    </message>
+    <message>
+        <source>Mass m of a particle, which divides gravity.</source>
+        <translation>En partikels massa m, som delar tyngdkraften.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Styrka</translation>
+    </message>
+    <message>
+        <source>Typical speed of the swirls that carry the particles.</source>
+        <translation>Typisk fart hos virvlarna som bär partiklarna.</translation>
+    </message>
+    <message>
+        <source>Bridson et al. 2007, curl noise</source>
+        <translation>Bridson m.fl. 2007, rotationsbrus</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Size of the largest swirls at the height of the emitter.</source>
+        <translation>Storleken på de största virvlarna i utsändarens höjd.</translation>
+    </message>
+    <message>
+        <source>Octaves</source>
+        <translation>Oktaver</translation>
+    </message>
+    <message>
+        <source>Layers of ever smaller swirls; each costs the same time.</source>
+        <translation>Lager av allt mindre virvlar; vart och ett kostar lika lång tid.</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Skrovlighet</translation>
+    </message>
+    <message>
+        <source>Speed of each layer of swirls relative to the one before.</source>
+        <translation>Varje virvellagers fart i förhållande till det föregående.</translation>
+    </message>
+    <message>
+        <source>Evolution</source>
+        <translation>Utveckling</translation>
+    </message>
+    <message>
+        <source>How often the largest swirls become others; smaller ones change faster.</source>
+        <translation>Hur ofta de största virvlarna blir andra; mindre ändrar sig fortare.</translation>
+    </message>
+    <message>
+        <source>Onset</source>
+        <translation>Insats</translation>
+    </message>
+    <message>
+        <source>Age at which the swirls have their full strength; younger smoke is calmer.</source>
+        <translation>Ålder då virvlarna har sin fulla styrka; yngre rök är lugnare.</translation>
+    </message>
+    <message>
+        <source>Growth with height</source>
+        <translation>Tillväxt med höjden</translation>
+    </message>
+    <message>
+        <source>How much larger the swirls are with each metre above the emitter, as in a plume that takes in air.</source>
+        <translation>Hur mycket större virvlarna är med varje meter över utsändaren, som i en plym som tar in luft.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Speed at which the swirls rise along with the smoke, instead of standing still while it passes.</source>
+        <translation>Fart som virvlarna stiger med tillsammans med röken, i stället för att stå stilla medan den passerar.</translation>
+    </message>
+    <message>
+        <source>Lacunarity</source>
+        <translation>Lakunaritet</translation>
+    </message>
+    <message>
+        <source>How many times smaller each layer of swirls is than the one before.</source>
+        <translation>Hur många gånger mindre varje virvellager är än det föregående.</translation>
+    </message>
+    <message>
+        <source>Speed of the swirl at its radius; negative turns the other way.</source>
+        <translation>Virvelns fart vid sin radie; negativ vrider åt andra hållet.</translation>
+    </message>
+    <message>
+        <source>Scully 1975, vortex profile</source>
+        <translation>Scully 1975, virvelprofil</translation>
+    </message>
+    <message>
+        <source>Distance from the axis at which the swirl is fastest.</source>
+        <translation>Avstånd från axeln där virveln är snabbast.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axel</translation>
+    </message>
+    <message>
+        <source>Direction of the axis through the emitter about which the smoke swirls.</source>
+        <translation>Riktningen på axeln genom utsändaren som röken virvlar kring.</translation>
+    </message>
+    <message>
+        <source>Fade rate</source>
+        <translation>Avtoningstakt</translation>
+    </message>
+    <message>
+        <source>Alpha that a particle loses a second. Its life is the initial alpha divided by this.</source>
+        <translation>Alfa som en partikel förlorar i sekunden. Dess liv är den ursprungliga alfan delad med detta.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. XIII</source>
+        <translation>2012 års modell, ekv. XIII</translation>
+    </message>
+    <message>
+        <source>Initial alpha</source>
+        <translation>Ursprunglig alfa</translation>
+    </message>
+    <message>
+        <source>Alpha Ai of a particle at birth.</source>
+        <translation>En partikels alfa Ai vid födseln.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. XIII (0.1 there)</source>
+        <translation>2012 års modell, ekv. XIII (0.1 där)</translation>
+    </message>
+    <message>
+        <source>Lifetime variance</source>
+        <translation>Livslängdsvariation</translation>
+    </message>
+    <message>
+        <source>Lets particles die earlier, by up to this share of their life, so that the smoke thins out unevenly.</source>
+        <translation>Låter partiklar dö tidigare, med upp till denna andel av sitt liv, så att röken tunnas ut ojämnt.</translation>
+    </message>
+    <message>
+        <source>Size over life</source>
+        <translation>Storlek över livet</translation>
+    </message>
+    <message>
+        <source>Share of the particle's size, from birth to death.</source>
+        <translation>Andel av partikelns storlek, från födsel till död.</translation>
+    </message>
+    <message>
+        <source>Alpha over life</source>
+        <translation>Alfa över livet</translation>
+    </message>
+    <message>
+        <source>Multiplies the fading alpha, from birth to death.</source>
+        <translation>Multiplicerar den avtagande alfan, från födsel till död.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Täthet</translation>
+    </message>
+    <message>
+        <source>Multiplies the alpha of every particle: from wisp to billow.</source>
+        <translation>Multiplicerar varje partikels alfa: från slöja till moln.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Storlek</translation>
+    </message>
+    <message>
+        <source>Largest diameter of a particle.</source>
+        <translation>En partikels största diameter.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Färg</translation>
+    </message>
+    <message>
+        <source>Colour of the smoke itself (albedo), before light falls on it.</source>
+        <translation>Rökens egen färg (albedo), innan ljus faller på den.</translation>
+    </message>
+    <message>
+        <source>Colour over life</source>
+        <translation>Färg över livet</translation>
+    </message>
+    <message>
+        <source>Multiplies the colour, from birth to death.</source>
+        <translation>Multiplicerar färgen, från födsel till död.</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>How much the noise disturbs the transparency of a particle.</source>
+        <translation>Hur mycket bruset stör en partikels genomskinlighet.</translation>
+    </message>
+    <message>
+        <source>2012 model, transparency disturbance</source>
+        <translation>2012 års modell, störd genomskinlighet</translation>
+    </message>
+    <message>
+        <source>Erosion</source>
+        <translation>Erosion</translation>
+    </message>
+    <message>
+        <source>How far the noise eats into a particle by the end of its life.</source>
+        <translation>Hur långt bruset äter sig in i en partikel mot slutet av dess liv.</translation>
+    </message>
+    <message>
+        <source>Erosion softness</source>
+        <translation>Erosionens mjukhet</translation>
+    </message>
+    <message>
+        <source>Width of the transition from smoke to hole.</source>
+        <translation>Bredden på övergången från rök till hål.</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Mjukhet</translation>
+    </message>
+    <message>
+        <source>0: a disc with a hard rim. 1: a puff that fades from its centre.</source>
+        <translation>0: en skiva med hård kant. 1: en puff som tonar bort från mitten.</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>How much the noise catches the light, as bumps on a puff.</source>
+        <translation>Hur mycket bruset fångar ljuset, som bulor på en puff.</translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation>Rundhet</translation>
+    </message>
+    <message>
+        <source>How much a puff is shaded like a ball.</source>
+        <translation>Hur mycket en puff skuggas som en boll.</translation>
+    </message>
+    <message>
+        <source>Size variance</source>
+        <translation>Storleksvariation</translation>
+    </message>
+    <message>
+        <source>How much sizes differ; 1 mixes everything down to nothing.</source>
+        <translation>Hur mycket storlekarna skiljer sig; 1 blandar allt ned till ingenting.</translation>
+    </message>
+    <message>
+        <source>Dilution</source>
+        <translation>Utspädning</translation>
+    </message>
+    <message>
+        <source>How much a particle thins out as it grows; 1 keeps its amount of smoke constant.</source>
+        <translation>Hur mycket en partikel tunnas ut när den växer; 1 håller dess mängd rök konstant.</translation>
+    </message>
+    <message>
+        <source>Texture scale</source>
+        <translation>Texturskala</translation>
+    </message>
+    <message>
+        <source>Share of the noise tile that a particle shows; more than 1 repeats it.</source>
+        <translation>Andel av brusrutan som en partikel visar; mer än 1 upprepar den.</translation>
+    </message>
+    <message>
+        <source>Texture evolution</source>
+        <translation>Texturens utveckling</translation>
+    </message>
+    <message>
+        <source>How fast the noise in a particle boils: lattice cells of the third axis a second.</source>
+        <translation>Hur fort bruset i en partikel sjuder: gitterceller längs tredje axeln i sekunden.</translation>
+    </message>
+    <message>
+        <source>Rotation variance</source>
+        <translation>Rotationsvariation</translation>
+    </message>
+    <message>
+        <source>How much particles are turned at birth; 1 is any angle.</source>
+        <translation>Hur mycket partiklar är vridna vid födseln; 1 är vilken vinkel som helst.</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Snurr</translation>
+    </message>
+    <message>
+        <source>Rate at which each particle turns on the screen.</source>
+        <translation>Takt som varje partikel vrids med på skärmen.</translation>
+    </message>
+    <message>
+        <source>Spin variance</source>
+        <translation>Snurrvariation</translation>
+    </message>
+    <message>
+        <source>Random part of that rate, different for every particle.</source>
+        <translation>Slumpdelen av takten, olika för varje partikel.</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Töjning</translation>
+    </message>
+    <message>
+        <source>Lengthens a particle's texture along its motion, by the way it travels in this time.</source>
+        <translation>Förlänger en partikels textur längs dess rörelse, med vägen den går på denna tid.</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Mask</translation>
+    </message>
+    <message>
+        <source>A soft round puff, or the bare square of the 2012 model.</source>
+        <translation>En mjuk rund puff, eller 2012 års modells bara kvadrat.</translation>
+    </message>
+    <message>
+        <source>Layers of noise that are summed, each finer and weaker than the one before.</source>
+        <translation>Lager av brus som summeras, vart och ett finare och svagare än det föregående.</translation>
+    </message>
+    <message>
+        <source>2012 model, octaves</source>
+        <translation>2012 års modell, oktaver</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Skärpa</translation>
+    </message>
+    <message>
+        <source>Contrast of the grey values about their middle; 1 leaves them as they are.</source>
+        <translation>Gråvärdenas kontrast kring sin mitt; 1 lämnar dem som de är.</translation>
+    </message>
+    <message>
+        <source>2012 model, sharpness</source>
+        <translation>2012 års modell, skärpa</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>Våglängd</translation>
+    </message>
+    <message>
+        <source>Wavelength of the first octave as a share of the tile (the inverse of its frequency).</source>
+        <translation>Första oktavens våglängd som andel av rutan (frekvensens invers).</translation>
+    </message>
+    <message>
+        <source>Persistence</source>
+        <translation>Persistens</translation>
+    </message>
+    <message>
+        <source>Amplitude of each octave relative to the one before.</source>
+        <translation>Varje oktavs amplitud i förhållande till den föregående.</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Täckning</translation>
+    </message>
+    <message>
+        <source>How much of the tile is smoke: shifts the grey values up or down.</source>
+        <translation>Hur mycket av rutan som är rök: flyttar gråvärdena uppåt eller nedåt.</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>Förvridning</translation>
+    </message>
+    <message>
+        <source>Bends the noise by another noise, by up to this share of its wavelength.</source>
+        <translation>Böjer bruset med ett annat brus, med upp till denna andel av dess våglängd.</translation>
+    </message>
+    <message>
+        <source>Perlin 1985, domain perturbation</source>
+        <translation>Perlin 1985, domänstörning</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Utjämning</translation>
+    </message>
+    <message>
+        <source>Averages each lattice value with its neighbours: centre 1/4, edges 1/8, corners 1/16.</source>
+        <translation>Tar medelvärdet av varje gittervärde och dess grannar: mitten 1/4, kanter 1/8, hörn 1/16.</translation>
+    </message>
+    <message>
+        <source>2012 model, smooth function</source>
+        <translation>2012 års modell, utjämningsfunktionen</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Random values on a lattice (2012 model), random gradients, or gradients on a lattice of simplices.</source>
+        <translation>Slumpvärden på ett gitter (2012 års modell), slumpgradienter, eller gradienter på ett gitter av simplex.</translation>
+    </message>
+    <message>
+        <source>2012 model; Perlin 2002</source>
+        <translation>2012 års modell; Perlin 2002</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>How values between lattice points are found.</source>
+        <translation>Hur värden mellan gitterpunkter hittas.</translation>
+    </message>
+    <message>
+        <source>2012 model (linear, cosine, cubic); Perlin 2002 (quintic)</source>
+        <translation>2012 års modell (linjär, cosinus, kubisk); Perlin 2002 (kvintisk)</translation>
+    </message>
+    <message>
+        <source>Frequency of each octave relative to the one before.</source>
+        <translation>Varje oktavs frekvens i förhållande till den föregående.</translation>
+    </message>
+    <message>
+        <source>Lattice cells of the first octave along the third axis, through which the texture boils before it repeats.</source>
+        <translation>Första oktavens gitterceller längs tredje axeln, som texturen sjuder igenom innan den upprepas.</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Snitt</translation>
+    </message>
+    <message>
+        <source>How many slices of the 3D noise are baked.</source>
+        <translation>Hur många snitt av 3D-bruset som bakas.</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Upplösning</translation>
+    </message>
+    <message>
+        <source>Edge of the noise tile; particles use the next power of two.</source>
+        <translation>Brusrutans kant; partiklarna använder nästa tvåpotens.</translation>
+    </message>
+    <message>
+        <source>Another seed gives another texture of the same kind.</source>
+        <translation>Ett annat frö ger en annan textur av samma slag.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Riktning</translation>
+    </message>
+    <message>
+        <source>The direction in which the light of the sun travels.</source>
+        <translation>Riktningen som solens ljus går i.</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensitet</translation>
+    </message>
+    <message>
+        <source>Strength of the sun.</source>
+        <translation>Solens styrka.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Skugga</translation>
+    </message>
+    <message>
+        <source>How much light is lost on the way through the smoke.</source>
+        <translation>Hur mycket ljus som går förlorat på vägen genom röken.</translation>
+    </message>
+    <message>
+        <source>Scattering</source>
+        <translation>Spridning av ljus</translation>
+    </message>
+    <message>
+        <source>Light that is scattered many times and reaches deep into dense smoke, so that it is not black.</source>
+        <translation>Ljus som sprids många gånger och når djupt in i tät rök, så att den inte är svart.</translation>
+    </message>
+    <message>
+        <source>Wrenninge et al. 2013, octaves of scattering</source>
+        <translation>Wrenninge m.fl. 2013, oktaver av spridning</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>Anisotropi</translation>
+    </message>
+    <message>
+        <source>More than 0: smoke glows when it stands before the sun. Less: it is brighter with the sun behind the camera.</source>
+        <translation>Mer än 0: röken glöder när den står framför solen. Mindre: den är ljusare med solen bakom kameran.</translation>
+    </message>
+    <message>
+        <source>Henyey and Greenstein 1941</source>
+        <translation>Henyey och Greenstein 1941</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>Omgivningsljus</translation>
+    </message>
+    <message>
+        <source>Strength of the light from sky and ground.</source>
+        <translation>Styrkan hos ljuset från himmel och mark.</translation>
+    </message>
+    <message>
+        <source>Colour of the sun.</source>
+        <translation>Solens färg.</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Colour of the light from above.</source>
+        <translation>Färgen på ljuset ovanifrån.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Mark</translation>
+    </message>
+    <message>
+        <source>Colour of the light from below.</source>
+        <translation>Färgen på ljuset underifrån.</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Ocklusion</translation>
+    </message>
+    <message>
+        <source>How much the light from sky and ground is lost inside dense smoke.</source>
+        <translation>Hur mycket av ljuset från himmel och mark som går förlorat inne i tät rök.</translation>
+    </message>
+    <message>
+        <source>Light that hot smoke gives off by itself, as fire.</source>
+        <translation>Ljus som het rök själv avger, som eld.</translation>
+    </message>
+    <message>
+        <source>Emission cooling</source>
+        <translation>Glödens avsvalning</translation>
+    </message>
+    <message>
+        <source>How fast the glow moves down its colours as smoke ages.</source>
+        <translation>Hur fort glöden rör sig nedåt genom sina färger när röken åldras.</translation>
+    </message>
+    <message>
+        <source>Emission colours</source>
+        <translation>Glödens färger</translation>
+    </message>
+    <message>
+        <source>Colour of the glow from cold (left) to as hot as at birth (right).</source>
+        <translation>Glödens färg från kall (vänster) till lika het som vid födseln (höger).</translation>
+    </message>
+    <message>
+        <source>Cells of the density grid along the longest side of the cloud.</source>
+        <translation>Täthetsrutnätets celler längs molnets längsta sida.</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Läge</translation>
+    </message>
+    <message>
+        <source>Around a target, or at a fixed place.</source>
+        <translation>Kring ett mål, eller på en fast plats.</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Gir</translation>
+    </message>
+    <message>
+        <source>Angle around the target, seen from above; 0 looks along -Z.</source>
+        <translation>Vinkel kring målet, sedd uppifrån; 0 tittar längs -Z.</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Lutning</translation>
+    </message>
+    <message>
+        <source>Angle above the horizon from which the target is seen.</source>
+        <translation>Vinkel över horisonten som målet ses från.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Avstånd</translation>
+    </message>
+    <message>
+        <source>Distance from the target.</source>
+        <translation>Avstånd från målet.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Mål</translation>
+    </message>
+    <message>
+        <source>The point that the camera looks at.</source>
+        <translation>Punkten som kameran tittar på.</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Vändskiva</translation>
+    </message>
+    <message>
+        <source>Rate at which the camera goes around the target.</source>
+        <translation>Takt som kameran går runt målet med.</translation>
+    </message>
+    <message>
+        <source>Where the fixed camera stands.</source>
+        <translation>Var den fasta kameran står.</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>Blickriktning</translation>
+    </message>
+    <message>
+        <source>Where the fixed camera looks.</source>
+        <translation>Vart den fasta kameran tittar.</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Brännvidd</translation>
+    </message>
+    <message>
+        <source>Of a lens on a sensor of 36 mm across the shorter side; longer brings the smoke nearer.</source>
+        <translation>Hos ett objektiv på en sensor med 36 mm kortsida; längre för röken närmare.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Längd</translation>
+    </message>
+    <message>
+        <source>Frames from the first to the last; also the length of the loop.</source>
+        <translation>Bildrutor från den första till den sista; också slingans längd.</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Slinga</translation>
+    </message>
+    <message>
+        <source>The frame after the last is the first again, to the bit.</source>
+        <translation>Bildrutan efter den sista är den första igen, på biten när.</translation>
+    </message>
+    <message>
+        <source>Start warm</source>
+        <translation>Börja varm</translation>
+    </message>
+    <message>
+        <source>Frame 0 shows smoke that has been rising for a lifetime, instead of none.</source>
+        <translation>Bildruta 0 visar rök som har stigit en livslängd, i stället för ingen.</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildfrekvens</translation>
+    </message>
+    <message>
+        <source>Frames a second.</source>
+        <translation>Bildrutor i sekunden.</translation>
+    </message>
+    <message>
+        <source>Steps a frame</source>
+        <translation>Steg per bildruta</translation>
+    </message>
+    <message>
+        <source>Steps of the simulation in a frame; more follow fast motion more closely.</source>
+        <translation>Simuleringens steg i en bildruta; fler följer snabb rörelse närmare.</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. IX and X (1 there)</source>
+        <translation>2012 års modell, ekv. IX och X (1 där)</translation>
+    </message>
+    <message>
+        <source>Width of a frame.</source>
+        <translation>En bildrutas bredd.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höjd</translation>
+    </message>
+    <message>
+        <source>Height of a frame.</source>
+        <translation>En bildrutas höjd.</translation>
+    </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>Översampling</translation>
+    </message>
+    <message>
+        <source>Renders this many times larger and averages.</source>
+        <translation>Renderar så många gånger större och tar medelvärdet.</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exponering</translation>
+    </message>
+    <message>
+        <source>Brightness in stops; one more doubles it. Not applied to EXR, which is linear.</source>
+        <translation>Ljusstyrka i bländarsteg; ett till fördubblar den. Gäller inte EXR, som är linjär.</translation>
+    </message>
+    <message>
+        <source>View transform</source>
+        <translation>Vytransform</translation>
+    </message>
+    <message>
+        <source>Standard is plain sRGB; filmic rolls bright light off softly.</source>
+        <translation>Standard är ren sRGB; film rullar av starkt ljus mjukt.</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Bakgrund</translation>
+    </message>
+    <message>
+        <source>Keep transparency, or put a colour behind the smoke.</source>
+        <translation>Behåll genomskinligheten, eller lägg en färg bakom röken.</translation>
+    </message>
+    <message>
+        <source>Background colour</source>
+        <translation>Bakgrundsfärg</translation>
+    </message>
+    <message>
+        <source>The colour behind the smoke.</source>
+        <translation>Färgen bakom röken.</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>rektangel</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>skiva</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>klot</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>ständig</translation>
+    </message>
+    <message>
+        <source>burst</source>
+        <translation>puff</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>kvadrat</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>gitter</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>gradient</translation>
+    </message>
+    <message>
+        <source>simplex</source>
+        <translation>simplex</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linjär</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <translation>cosinus</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>kubisk</translation>
+    </message>
+    <message>
+        <source>quintic</source>
+        <translation>kvintisk</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>kretsande</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fast</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
+        <source>filmic</source>
+        <translation>film</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation>genomskinlig</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>färg</translation>
+    </message>
+    <message>
+        <source>Emitter</source>
+        <translation>Utsändare</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Rörelse</translation>
+    </message>
+    <message>
+        <source>Turbulence</source>
+        <translation>Turbulens</translation>
+    </message>
+    <message>
+        <source>Vortex</source>
+        <translation>Virvel</translation>
+    </message>
+    <message>
+        <source>Life</source>
+        <translation>Liv</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Utseende</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Brus</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Ljus</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Tidslinje</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Utdata</translation>
+    </message>
+    <message>
+        <source>Range: %1</source>
+        <translation>Intervall: %1</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Källa: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetBrowser</name>
+    <message>
+        <source>Search presets</source>
+        <translation>Sök förinställningar</translation>
+    </message>
+    <message>
+        <source>Favourites only</source>
+        <translation>Bara favoriter</translation>
+    </message>
+    <message>
+        <source>Delete the preset</source>
+        <translation>Ta bort förinställningen</translation>
+    </message>
+    <message>
+        <source>Delete “%1”? The file goes to the trash.</source>
+        <translation>Ta bort ”%1”? Filen hamnar i papperskorgen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be moved to the trash. Delete the file by hand.</source>
+        <translation>”%1” kan inte flyttas till papperskorgen. Ta bort filen för hand.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>Put into this document</source>
+        <translation>Lägg in i detta dokument</translation>
+    </message>
+    <message>
+        <source>No longer a favourite</source>
+        <translation>Inte längre favorit</translation>
+    </message>
+    <message>
+        <source>Make a favourite</source>
+        <translation>Gör till favorit</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Ta bort…</translation>
+    </message>
+</context>
+<context>
+    <name>PresetList</name>
+    <message>
+        <source>Presets</source>
+        <translation>Förinställningar</translation>
+    </message>
+    <message>
+        <source> (broken)</source>
+        <translation> (trasig)</translation>
+    </message>
+</context>
+<context>
+    <name>SeedEditor</name>
+    <message>
+        <source>dice</source>
+        <translation>tärning</translation>
+    </message>
+    <message>
+        <source>Throw the dice: another seed, another smoke of the same kind</source>
+        <translation>Kasta tärningen: ett annat frö, en annan rök av samma slag</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
+        <translation>Detta är osparat arbete från innan programmet oväntat tog slut. Spara det för att behålla det.</translation>
+    </message>
+</context>
+<context>
+    <name>StartDialog</name>
+    <message>
+        <source>Show this when Fumage starts</source>
+        <translation>Visa detta när Fumage startar</translation>
+    </message>
+    <message>
+        <source>Begin with a smoke</source>
+        <translation>Börja med en rök</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Senaste filer</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Öppna en fil…</translation>
+    </message>
+    <message>
+        <source>The default smoke</source>
+        <translation>Standardröken</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Förinställningar</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineBar</name>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>Till första bildrutan (Home)</translation>
+    </message>
+    <message>
+        <source>One frame back (Left)</source>
+        <translation>En bildruta bakåt (Vänster)</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Spela eller pausa (Blanksteg)</translation>
+    </message>
+    <message>
+        <source>One frame on (Right)</source>
+        <translation>En bildruta framåt (Höger)</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>Till sista bildrutan (End)</translation>
+    </message>
+    <message>
+        <source>Start again after the last frame</source>
+        <translation>Börja om efter sista bildrutan</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bildruta</translation>
+    </message>
+    <message>
+        <source>The frame that is shown</source>
+        <translation>Bildrutan som visas</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Fart</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Uppspelningens fart</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Bildrutor per sekund</translation>
+    </message>
+    <message>
+        <source>Frames per second of the effect</source>
+        <translation>Effektens bildrutor per sekund</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> bilder/s</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> av %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineRuler</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Tidslinje</translation>
+    </message>
+    <message>
+        <source>Drag to go to any frame; drag the ends of the bar to play a part</source>
+        <translation>Dra för att gå till valfri bildruta; dra stapelns ändar för att spela en del</translation>
+    </message>
+</context>
+<context>
+    <name>VariationsPanel</name>
+    <message>
+        <source>The present smoke</source>
+        <translation>Den nuvarande röken</translation>
+    </message>
+    <message>
+        <source>Variation %1</source>
+        <translation>Variation %1</translation>
+    </message>
+    <message>
+        <source>The smoke as it is</source>
+        <translation>Röken som den är</translation>
+    </message>
+    <message>
+        <source>Click to adopt this variation</source>
+        <translation>Klicka för att ta över variationen</translation>
+    </message>
+    <message>
+        <source>Back to the smoke before this one</source>
+        <translation>Tillbaka till röken före denna</translation>
+    </message>
+    <message>
+        <source>Other variations</source>
+        <translation>Andra variationer</translation>
+    </message>
+    <message>
+        <source>How far they differ</source>
+        <translation>Hur mycket de skiljer sig</translation>
+    </message>
+    <message>
+        <source>Subtle</source>
+        <translation>Försiktigt</translation>
+    </message>
+    <message>
+        <source>Wild</source>
+        <translation>Vilt</translation>
+    </message>
+    <message>
+        <source>Lock parameters in their context menu to keep them as they are.</source>
+        <translation>Lås parametrar i deras sammanhangsmeny för att behålla dem som de är.</translation>
+    </message>
+    <message>
+        <source>Locked parameters, which stay as they are: %1</source>
+        <translation>Låsta parametrar, som förblir som de är: %1</translation>
+    </message>
+    <message>
+        <source>Adopt a variation</source>
+        <translation>Ta över en variation</translation>
+    </message>
+    <message>
+        <source>Back from a variation</source>
+        <translation>Tillbaka från en variation</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>Smoke</source>
+        <translation>Rök</translation>
+    </message>
+    <message>
+        <source>Frame all</source>
+        <translation>Visa allt</translation>
+    </message>
+    <message>
+        <source>Change view</source>
+        <translation>Byt vy</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Kretsa</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Panorera</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zooma</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 bilder/s</translation>
+    </message>
+    <message>
+        <source>%L1 particles</source>
+        <translation>%L1 partiklar</translation>
+    </message>
+    <message>
+        <source>step %1 ms</source>
+        <translation>steg %1 ms</translation>
+    </message>
+    <message>
+        <source>light %1 ms</source>
+        <translation>ljus %1 ms</translation>
+    </message>
+    <message>
+        <source>composite %1 ms</source>
+        <translation>bild %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>An editor for smoke.</source>
+        <translation>En redigerare för rök.</translation>
+    </message>
+    <message>
+        <source>Presets to open, each in a window of its own.</source>
+        <translation>Förinställningar att öppna, var och en i ett eget fönster.</translation>
+    </message>
+</context>
+</TS>

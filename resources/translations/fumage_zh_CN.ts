@@ -1,0 +1,2175 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>新建(&amp;N)</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>新建窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save to the &amp;library…</source>
+        <translation>保存到预设库(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Revert</source>
+        <translation>还原(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>再次导出(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the preset as JSON</source>
+        <translation>将预设复制为 JSON(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste a preset</source>
+        <translation>粘贴预设(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>变体(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Randomise a &amp;little</source>
+        <translation>稍作随机(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all parameters</source>
+        <translation>重置所有参数(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Search parameters</source>
+        <translation>搜索参数(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Search c&amp;ommands…</source>
+        <translation>搜索命令(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>显示全部(&amp;A)</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>前视图(&amp;F)</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>右视图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>From &amp;above</source>
+        <translation>顶视图(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Ground &amp;grid</source>
+        <translation>地面网格(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Emitter outline</source>
+        <translation>发射器轮廓(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Gi&amp;zmos</source>
+        <translation>操纵器(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Motion &amp;tracks</source>
+        <translation>运动轨迹(&amp;T)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport frame</source>
+        <translation>导出画框(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Rea&amp;dout</source>
+        <translation>读数(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Checker behind the smoke</source>
+        <translation>烟雾后的棋盘格(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Backdrop colour…</source>
+        <translation>背景颜色(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>全屏(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;layout</source>
+        <translation>重置布局(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>播放或暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>One frame &amp;on</source>
+        <translation>前进一帧(&amp;O)</translation>
+    </message>
+    <message>
+        <source>One frame &amp;back</source>
+        <translation>后退一帧(&amp;B)</translation>
+    </message>
+    <message>
+        <source>To the &amp;first frame</source>
+        <translation>到第一帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>To the &amp;last frame</source>
+        <translation>到最后一帧(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Range starts &amp;here</source>
+        <translation>区间从这里开始(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Range &amp;ends here</source>
+        <translation>区间到这里结束(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole range</source>
+        <translation>整个区间(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Remember this as B</source>
+        <translation>记为 B(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Split view of A and B</source>
+        <translation>A 与 B 分屏(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show &amp;B</source>
+        <translation>显示 B(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Adopt B</source>
+        <translation>采用 B(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Parameter reference</source>
+        <translation>参数手册(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>键盘快捷键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Fumage</source>
+        <translation>关于 Fumage(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>ColourEditor</name>
+    <message>
+        <source>swatch</source>
+        <translation>色块</translation>
+    </message>
+</context>
+<context>
+    <name>CommandSearch</name>
+    <message>
+        <source>Search commands</source>
+        <translation>搜索命令</translation>
+    </message>
+    <message>
+        <source>A command or a parameter</source>
+        <translation>命令或参数</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+</context>
+<context>
+    <name>DirectionEditor</name>
+    <message>
+        <source>Yaw</source>
+        <translation>偏航</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>俯仰</translation>
+    </message>
+</context>
+<context>
+    <name>Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>未命名</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>重置 %1</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentFiles</name>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>预设 (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Opened with changes</source>
+        <translation>打开时作了修改</translation>
+    </message>
+    <message>
+        <source>“%1” was opened, but some of it had to be put right.</source>
+        <translation>“%1”已打开，但其中一些内容需要修正。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>要保存对“%1”的更改吗？</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>如果不保存，这些更改将会丢失。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Cannot open “%1”</source>
+        <translation>无法打开“%1”</translation>
+    </message>
+    <message>
+        <source>Cannot save “%1”</source>
+        <translation>无法保存“%1”</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>另存为</translation>
+    </message>
+    <message>
+        <source>Save to the library</source>
+        <translation>保存到预设库</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>预设名称</translation>
+    </message>
+    <message>
+        <source>There is a preset “%1” already. Replace it?</source>
+        <translation>预设“%1”已存在。要替换它吗？</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Cannot paste a preset</source>
+        <translation>无法粘贴预设</translation>
+    </message>
+    <message>
+        <source>Paste a preset</source>
+        <translation>粘贴预设</translation>
+    </message>
+    <message>
+        <source>The clipboard</source>
+        <translation>剪贴板</translation>
+    </message>
+</context>
+<context>
+    <name>EffectPanel</name>
+    <message>
+        <source>Search parameters</source>
+        <translation>搜索参数</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>First frame</source>
+        <translation>第一帧</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>最后一帧</translation>
+    </message>
+    <message>
+        <source>Every so many frames</source>
+        <translation>每隔多少帧</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>在文件夹中显示</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Image sequence</source>
+        <translation>图像序列</translation>
+    </message>
+    <message>
+        <source>Single picture</source>
+        <translation>单张图像</translation>
+    </message>
+    <message>
+        <source>Noise texture</source>
+        <translation>噪声纹理</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>A run of # becomes the number of the frame</source>
+        <translation>一串 # 会变成帧号</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>每</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files, %3 s left</source>
+        <translation>%2 个文件中的第 %1 个，剩余 %3 秒</translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>完成：%1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>已取消。已完成的文件会保留。</translation>
+    </message>
+    <message>
+        <source>CSV, one particle a line</source>
+        <translation>CSV，每行一个粒子</translation>
+    </message>
+    <message>
+        <source>PLY, binary points</source>
+        <translation>PLY，二进制点</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bits</source>
+        <translation>PNG，8 位</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bits</source>
+        <translation>PNG，16 位</translation>
+    </message>
+    <message>
+        <source>OpenEXR, half floats, linear</source>
+        <translation>OpenEXR，半精度浮点，线性</translation>
+    </message>
+    <message>
+        <source>OpenEXR, floats, linear</source>
+        <translation>OpenEXR，浮点，线性</translation>
+    </message>
+    <message>
+        <source>Files: %1, from %2 to %3</source>
+        <translation>文件数：%1，从 %2 到 %3</translation>
+    </message>
+    <message>
+        <source>Choose a file, and a first frame that comes before the last.</source>
+        <translation>请选择文件，并让第一帧在最后一帧之前。</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>导出到</translation>
+    </message>
+</context>
+<context>
+    <name>Gizmos</name>
+    <message>
+        <source>Emitter</source>
+        <translation>发射器</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>风</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>光</translation>
+    </message>
+    <message>
+        <source>Vortex</source>
+        <translation>涡旋</translation>
+    </message>
+</context>
+<context>
+    <name>GlSprites</name>
+    <message>
+        <source>The graphics driver refuses the shader %1: %2</source>
+        <translation>显卡驱动拒绝着色器 %1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>GradientBar</name>
+    <message>
+        <source>Colour of the stop</source>
+        <translation>色标的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Parameter reference</source>
+        <translation>参数手册</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>键盘快捷键</translation>
+    </message>
+    <message>
+        <source>About Fumage</source>
+        <translation>关于 Fumage</translation>
+    </message>
+    <message>
+        <source>An editor for smoke. Free software under the MIT licence.
+
+The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, University of Gävle, 2012. Made with Qt, GLM, Highway, oneTBB, libpng and OpenEXR.</source>
+        <translation>烟雾编辑器。遵循 MIT 许可证的自由软件。
+
+模型源自 Lin 与 Lin 的《Smoke Simulation with Perlin Noise》，耶夫勒大学，2012 年。使用 Qt、GLM、Highway、oneTBB、libpng 和 OpenEXR 制作。</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Unsaved work cannot be kept safe: %1</source>
+        <translation>无法妥善保存未保存的工作：%1</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>刚打开时</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>撤销历史</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>变体</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse habits</source>
+        <translation>鼠标习惯(&amp;M)</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>主题(&amp;H)</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>光</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销 %1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做 %1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Randomise a little</source>
+        <translation>稍作随机</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>重置所有参数</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Adopt B</source>
+        <translation>采用 B</translation>
+    </message>
+    <message>
+        <source>Put in “%1”</source>
+        <translation>放入“%1”</translation>
+    </message>
+    <message>
+        <source>Exporting: %1 of %2 files, %3 s left</source>
+        <translation>正在导出：%2 个文件中的第 %1 个，剩余 %3 秒</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>已导出 %1</translation>
+    </message>
+    <message>
+        <source>Export cancelled</source>
+        <translation>导出已取消</translation>
+    </message>
+    <message>
+        <source>Export failed: %1</source>
+        <translation>导出失败：%1</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The language changes when Fumage starts the next time.</source>
+        <translation>语言将在下次启动 Fumage 时更改。</translation>
+    </message>
+</context>
+<context>
+    <name>NoiseCanvas</name>
+    <message>
+        <source>Noise texture</source>
+        <translation>噪声纹理</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom. Left button: move the profile line. Middle button: move the picture. Double-click: whole tile.</source>
+        <translation>滚轮：缩放。左键：移动剖面线。中键：移动图像。双击：整块。</translation>
+    </message>
+</context>
+<context>
+    <name>NoisePane</name>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>纹理</translation>
+    </message>
+    <message>
+        <source>Sum of octaves</source>
+        <translation>倍频程之和</translation>
+    </message>
+    <message>
+        <source>Alpha of a particle</source>
+        <translation>粒子的透明度</translation>
+    </message>
+    <message>
+        <source>What is shown: the grey values that particles read, the noise before sharpness, or what is left under the mask of a particle</source>
+        <translation>显示内容：粒子读取的灰度值、锐化之前的噪声，或粒子遮罩下所剩的部分</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>切片</translation>
+    </message>
+    <message>
+        <source>Which slice of the 3D noise; particles go through them as they age</source>
+        <translation>三维噪声的哪一个切片；粒子随年龄依次经过它们</translation>
+    </message>
+    <message>
+        <source>Without smoothing and sharpness</source>
+        <translation>不含平滑和锐度</translation>
+    </message>
+    <message>
+        <source>Three by three tiles, to judge the seams</source>
+        <translation>三乘三平铺，用来检查接缝</translation>
+    </message>
+    <message>
+        <source>Profile along a line, with amplitude and wavelength</source>
+        <translation>沿一条线的剖面，标出振幅和波长</translation>
+    </message>
+    <message>
+        <source>Go through the slices</source>
+        <translation>依次播放切片</translation>
+    </message>
+    <message>
+        <source>Export the noise texture</source>
+        <translation>导出噪声纹理</translation>
+    </message>
+    <message>
+        <source>Export the noise texture…</source>
+        <translation>导出噪声纹理…</translation>
+    </message>
+    <message>
+        <source>%1 × %1 px   mean %2   deviation %3</source>
+        <translation>%1 × %1 像素   均值 %2   偏差 %3</translation>
+    </message>
+</context>
+<context>
+    <name>NoisePlots</name>
+    <message>
+        <source>Profile and histogram of the noise</source>
+        <translation>噪声的剖面和直方图</translation>
+    </message>
+    <message>
+        <source>amplitude %1</source>
+        <translation>振幅 %1</translation>
+    </message>
+    <message>
+        <source>λ %1</source>
+        <translation>λ %1</translation>
+    </message>
+</context>
+<context>
+    <name>NumberField</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>“%1”不是数字。</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number in %2.</source>
+        <translation>“%1”不是以 %2 为单位的数字。</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Reset to the default</source>
+        <translation>重置为默认值</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy as --set</source>
+        <translation>复制为 --set</translation>
+    </message>
+    <message>
+        <source>Lock against randomising</source>
+        <translation>锁定，不参与随机</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>How many particles are alive once the smoke is warm. Many small ones read as smoke, few large ones as sprites.</source>
+        <translation>烟雾充满之后存活的粒子数。又多又小的看起来是烟，又少又大的看起来是贴片。</translation>
+    </message>
+    <message>
+        <source>2012 model, table of results</source>
+        <translation>2012 年模型, 结果表</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>The surface or body on which particles are born.</source>
+        <translation>粒子诞生的表面或体。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. I (rectangle)</source>
+        <translation>2012 年模型, 式 I (矩形)</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Radius of the disc or sphere.</source>
+        <translation>圆盘或球的半径。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle, across its normal.</source>
+        <translation>矩形的宽度，垂直于其法线。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. I</source>
+        <translation>2012 年模型, 式 I</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Depth of the rectangle, across its normal and its width.</source>
+        <translation>矩形的深度，垂直于其法线和宽度。</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>The direction N that the emitter faces and sends particles in.</source>
+        <translation>发射器所朝并发射粒子的方向 N。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. I and II</source>
+        <translation>2012 年模型, 式 I 与 II</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Centre of the emitter.</source>
+        <translation>发射器的中心。</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed at birth along the normal.</source>
+        <translation>诞生时沿法线的速度。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. II (1 there)</source>
+        <translation>2012 年模型, 式 II (原为 1)</translation>
+    </message>
+    <message>
+        <source>Velocity randomness</source>
+        <translation>速度随机性</translation>
+    </message>
+    <message>
+        <source>0: every particle leaves at the full speed. 1: each component of the velocity is multiplied by its own random number.</source>
+        <translation>0：每个粒子都以全速离开。1：速度的每个分量都乘以各自的随机数。</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>扩散</translation>
+    </message>
+    <message>
+        <source>Half angle of the cone in which particles leave.</source>
+        <translation>粒子离开时所在圆锥的半角。</translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation>发射</translation>
+    </message>
+    <message>
+        <source>Continuous smoke, or one burst at the start of the timeline.</source>
+        <translation>持续的烟，或在时间线开头爆发一次。</translation>
+    </message>
+    <message>
+        <source>Burst duration</source>
+        <translation>爆发时长</translation>
+    </message>
+    <message>
+        <source>The time in which a burst gives birth to all of its particles.</source>
+        <translation>一次爆发产生其全部粒子所用的时间。</translation>
+    </message>
+    <message>
+        <source>Birth between steps</source>
+        <translation>在步间诞生</translation>
+    </message>
+    <message>
+        <source>Spreads births over the time between two steps, so that fast smoke leaves in a stream and not in sheets.</source>
+        <translation>把诞生分散到两步之间的时间里，使快速的烟成流而不成片。</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Another seed gives another smoke of the same kind.</source>
+        <translation>换一个种子就得到同类的另一团烟。</translation>
+    </message>
+    <message>
+        <source>Buoyancy</source>
+        <translation>浮力</translation>
+    </message>
+    <message>
+        <source>Upward acceleration of smoke that is as hot as at birth; it fades as the smoke cools.</source>
+        <translation>与诞生时一样热的烟的向上加速度；随烟冷却而减弱。</translation>
+    </message>
+    <message>
+        <source>2012 model, figure 1</source>
+        <translation>2012 年模型, 图 1</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>风</translation>
+    </message>
+    <message>
+        <source>Acceleration Vw by the wind, level with the ground.</source>
+        <translation>风的水平加速度 Vw。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. III and V</source>
+        <translation>2012 年模型, 式 III 与 V</translation>
+    </message>
+    <message>
+        <source>Wind angle</source>
+        <translation>风向角</translation>
+    </message>
+    <message>
+        <source>Angle θ of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z.</source>
+        <translation>风在水平 X-Z 平面内的角度 θ；0 沿 +X 吹，90 沿 +Z 吹。</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>重力</translation>
+    </message>
+    <message>
+        <source>Gravity g; divided by the mass it pulls particles down.</source>
+        <translation>重力 g；除以质量后把粒子向下拉。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. IV</source>
+        <translation>2012 年模型, 式 IV</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>阻力</translation>
+    </message>
+    <message>
+        <source>Air resistance: the share of its velocity that a particle loses a second.</source>
+        <translation>空气阻力：粒子每秒失去的速度比例。</translation>
+    </message>
+    <message>
+        <source>Cooling</source>
+        <translation>冷却</translation>
+    </message>
+    <message>
+        <source>How fast the heat that lifts the smoke is lost.</source>
+        <translation>使烟上升的热量散失得多快。</translation>
+    </message>
+    <message>
+        <source>Randomness</source>
+        <translation>随机性</translation>
+    </message>
+    <message>
+        <source>0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random walk.</source>
+        <translation>0：力稳定作用。1：每一步都乘以新的随机数，如同随机游走。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. XI and XII (1 there)</source>
+        <translation>2012 年模型, 式 XI 与 XII (原为 1)</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>阵风</translation>
+    </message>
+    <message>
+        <source>How much the strength and direction of the wind wander.</source>
+        <translation>风的强度和方向游移多少。</translation>
+    </message>
+    <message>
+        <source>Gust rate</source>
+        <translation>阵风频率</translation>
+    </message>
+    <message>
+        <source>How often the wind changes.</source>
+        <translation>风变化得多频繁。</translation>
+    </message>
+    <message>
+        <source>Heat variance</source>
+        <translation>热量差异</translation>
+    </message>
+    <message>
+        <source>How much the heat at birth differs from one particle to the next; hot ones run ahead.</source>
+        <translation>各粒子诞生时热量的差别；热的跑在前面。</translation>
+    </message>
+    <message>
+        <source>Pull to axis</source>
+        <translation>向轴拉力</translation>
+    </message>
+    <message>
+        <source>Acceleration towards the vertical line through the emitter, per metre of distance: the inflow that keeps a plume together.</source>
+        <translation>朝向过发射器竖直线的加速度，按每米距离计：使烟柱聚拢的入流。</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter.</source>
+        <translation>整团烟绕过发射器竖直线转动的平均速率。</translation>
+    </message>
+    <message>
+        <source>2012 model, whole-body rotation (0 there)</source>
+        <translation>2012 年模型, 整体旋转 (原为 0)</translation>
+    </message>
+    <message>
+        <source>Rotation jitter</source>
+        <translation>旋转抖动</translation>
+    </message>
+    <message>
+        <source>Random part of that rate, drawn anew every step.</source>
+        <translation>该速率的随机部分，每步重新抽取。</translation>
+    </message>
+    <message>
+        <source>2012 model, whole-body rotation</source>
+        <translation>2012 年模型, 整体旋转</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Mass m of a particle, which divides gravity.</source>
+        <translation>粒子的质量 m，用来除重力。</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Typical speed of the swirls that carry the particles.</source>
+        <translation>带动粒子的涡流的典型速度。</translation>
+    </message>
+    <message>
+        <source>Bridson et al. 2007, curl noise</source>
+        <translation>Bridson 等 2007, 旋度噪声</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>尺度</translation>
+    </message>
+    <message>
+        <source>Size of the largest swirls at the height of the emitter.</source>
+        <translation>发射器高度处最大涡流的大小。</translation>
+    </message>
+    <message>
+        <source>Octaves</source>
+        <translation>倍频程</translation>
+    </message>
+    <message>
+        <source>Layers of ever smaller swirls; each costs the same time.</source>
+        <translation>越来越小的涡流层；每层耗时相同。</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>粗糙度</translation>
+    </message>
+    <message>
+        <source>Speed of each layer of swirls relative to the one before.</source>
+        <translation>每层涡流相对于前一层的速度。</translation>
+    </message>
+    <message>
+        <source>Evolution</source>
+        <translation>演变</translation>
+    </message>
+    <message>
+        <source>How often the largest swirls become others; smaller ones change faster.</source>
+        <translation>最大的涡流多久换成另一些；较小的变得更快。</translation>
+    </message>
+    <message>
+        <source>Onset</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Age at which the swirls have their full strength; younger smoke is calmer.</source>
+        <translation>涡流达到全部强度时的年龄；更年轻的烟更平静。</translation>
+    </message>
+    <message>
+        <source>Growth with height</source>
+        <translation>随高度增长</translation>
+    </message>
+    <message>
+        <source>How much larger the swirls are with each metre above the emitter, as in a plume that takes in air.</source>
+        <translation>发射器之上每高一米涡流变大多少，如同卷入空气的烟柱。</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>Speed at which the swirls rise along with the smoke, instead of standing still while it passes.</source>
+        <translation>涡流随烟一起上升的速度，而不是停在原处让烟流过。</translation>
+    </message>
+    <message>
+        <source>Lacunarity</source>
+        <translation>间隙度</translation>
+    </message>
+    <message>
+        <source>How many times smaller each layer of swirls is than the one before.</source>
+        <translation>每层涡流比前一层小多少倍。</translation>
+    </message>
+    <message>
+        <source>Speed of the swirl at its radius; negative turns the other way.</source>
+        <translation>涡旋在其半径处的速度；负值反向旋转。</translation>
+    </message>
+    <message>
+        <source>Scully 1975, vortex profile</source>
+        <translation>Scully 1975, 涡旋剖面</translation>
+    </message>
+    <message>
+        <source>Distance from the axis at which the swirl is fastest.</source>
+        <translation>涡旋最快处离轴的距离。</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Direction of the axis through the emitter about which the smoke swirls.</source>
+        <translation>烟绕其旋转、过发射器的轴的方向。</translation>
+    </message>
+    <message>
+        <source>Fade rate</source>
+        <translation>淡出速率</translation>
+    </message>
+    <message>
+        <source>Alpha that a particle loses a second. Its life is the initial alpha divided by this.</source>
+        <translation>粒子每秒失去的透明度。其寿命是初始透明度除以此值。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. XIII</source>
+        <translation>2012 年模型, 式 XIII</translation>
+    </message>
+    <message>
+        <source>Initial alpha</source>
+        <translation>初始透明度</translation>
+    </message>
+    <message>
+        <source>Alpha Ai of a particle at birth.</source>
+        <translation>粒子诞生时的透明度 Ai。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. XIII (0.1 there)</source>
+        <translation>2012 年模型, 式 XIII (0.原为 1)</translation>
+    </message>
+    <message>
+        <source>Lifetime variance</source>
+        <translation>寿命差异</translation>
+    </message>
+    <message>
+        <source>Lets particles die earlier, by up to this share of their life, so that the smoke thins out unevenly.</source>
+        <translation>让粒子提前消亡，最多提前寿命的这一比例，使烟不均匀地变稀。</translation>
+    </message>
+    <message>
+        <source>Size over life</source>
+        <translation>随寿命的大小</translation>
+    </message>
+    <message>
+        <source>Share of the particle's size, from birth to death.</source>
+        <translation>从诞生到消亡，粒子大小的比例。</translation>
+    </message>
+    <message>
+        <source>Alpha over life</source>
+        <translation>随寿命的透明度</translation>
+    </message>
+    <message>
+        <source>Multiplies the fading alpha, from birth to death.</source>
+        <translation>从诞生到消亡，乘以正在淡出的透明度。</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Multiplies the alpha of every particle: from wisp to billow.</source>
+        <translation>乘以每个粒子的透明度：从轻缕到浓云。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Largest diameter of a particle.</source>
+        <translation>粒子的最大直径。</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the smoke itself (albedo), before light falls on it.</source>
+        <translation>光照之前烟本身的颜色（反照率）。</translation>
+    </message>
+    <message>
+        <source>Colour over life</source>
+        <translation>随寿命的颜色</translation>
+    </message>
+    <message>
+        <source>Multiplies the colour, from birth to death.</source>
+        <translation>从诞生到消亡，乘以颜色。</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>纹理</translation>
+    </message>
+    <message>
+        <source>How much the noise disturbs the transparency of a particle.</source>
+        <translation>噪声对粒子透明度的扰动程度。</translation>
+    </message>
+    <message>
+        <source>2012 model, transparency disturbance</source>
+        <translation>2012 年模型, 透明度扰动</translation>
+    </message>
+    <message>
+        <source>Erosion</source>
+        <translation>侵蚀</translation>
+    </message>
+    <message>
+        <source>How far the noise eats into a particle by the end of its life.</source>
+        <translation>到寿命终点时噪声侵入粒子多深。</translation>
+    </message>
+    <message>
+        <source>Erosion softness</source>
+        <translation>侵蚀柔和度</translation>
+    </message>
+    <message>
+        <source>Width of the transition from smoke to hole.</source>
+        <translation>从烟到空洞的过渡宽度。</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>柔和度</translation>
+    </message>
+    <message>
+        <source>0: a disc with a hard rim. 1: a puff that fades from its centre.</source>
+        <translation>0：边缘清晰的圆盘。1：从中心淡出的烟团。</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>浮雕</translation>
+    </message>
+    <message>
+        <source>How much the noise catches the light, as bumps on a puff.</source>
+        <translation>噪声受光的程度，如烟团上的凸起。</translation>
+    </message>
+    <message>
+        <source>Roundness</source>
+        <translation>圆度</translation>
+    </message>
+    <message>
+        <source>How much a puff is shaded like a ball.</source>
+        <translation>烟团像球一样着色的程度。</translation>
+    </message>
+    <message>
+        <source>Size variance</source>
+        <translation>大小差异</translation>
+    </message>
+    <message>
+        <source>How much sizes differ; 1 mixes everything down to nothing.</source>
+        <translation>大小相差多少；1 混合直至为零的各种大小。</translation>
+    </message>
+    <message>
+        <source>Dilution</source>
+        <translation>稀释</translation>
+    </message>
+    <message>
+        <source>How much a particle thins out as it grows; 1 keeps its amount of smoke constant.</source>
+        <translation>粒子变大时变稀的程度；1 保持其烟量不变。</translation>
+    </message>
+    <message>
+        <source>Texture scale</source>
+        <translation>纹理比例</translation>
+    </message>
+    <message>
+        <source>Share of the noise tile that a particle shows; more than 1 repeats it.</source>
+        <translation>粒子所显示的噪声块比例；大于 1 会重复。</translation>
+    </message>
+    <message>
+        <source>Texture evolution</source>
+        <translation>纹理演变</translation>
+    </message>
+    <message>
+        <source>How fast the noise in a particle boils: lattice cells of the third axis a second.</source>
+        <translation>粒子中的噪声翻腾得多快：每秒沿第三轴的格数。</translation>
+    </message>
+    <message>
+        <source>Rotation variance</source>
+        <translation>旋转差异</translation>
+    </message>
+    <message>
+        <source>How much particles are turned at birth; 1 is any angle.</source>
+        <translation>粒子诞生时转过的程度；1 为任意角度。</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>自转</translation>
+    </message>
+    <message>
+        <source>Rate at which each particle turns on the screen.</source>
+        <translation>每个粒子在屏幕上转动的速率。</translation>
+    </message>
+    <message>
+        <source>Spin variance</source>
+        <translation>自转差异</translation>
+    </message>
+    <message>
+        <source>Random part of that rate, different for every particle.</source>
+        <translation>该速率的随机部分，每个粒子不同。</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>拉伸</translation>
+    </message>
+    <message>
+        <source>Lengthens a particle's texture along its motion, by the way it travels in this time.</source>
+        <translation>按粒子在这段时间内走过的路程，沿运动方向拉长其纹理。</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>遮罩</translation>
+    </message>
+    <message>
+        <source>A soft round puff, or the bare square of the 2012 model.</source>
+        <translation>柔和的圆形烟团，或 2012 年模型的方块。</translation>
+    </message>
+    <message>
+        <source>Layers of noise that are summed, each finer and weaker than the one before.</source>
+        <translation>相加的噪声层，每层比前一层更细更弱。</translation>
+    </message>
+    <message>
+        <source>2012 model, octaves</source>
+        <translation>2012 年模型, 倍频程</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>锐度</translation>
+    </message>
+    <message>
+        <source>Contrast of the grey values about their middle; 1 leaves them as they are.</source>
+        <translation>灰度值围绕中间值的对比度；1 保持不变。</translation>
+    </message>
+    <message>
+        <source>2012 model, sharpness</source>
+        <translation>2012 年模型, 锐度</translation>
+    </message>
+    <message>
+        <source>Wavelength</source>
+        <translation>波长</translation>
+    </message>
+    <message>
+        <source>Wavelength of the first octave as a share of the tile (the inverse of its frequency).</source>
+        <translation>第一个倍频程的波长，以块的比例计（频率的倒数）。</translation>
+    </message>
+    <message>
+        <source>Persistence</source>
+        <translation>持续度</translation>
+    </message>
+    <message>
+        <source>Amplitude of each octave relative to the one before.</source>
+        <translation>每个倍频程相对于前一个的振幅。</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>How much of the tile is smoke: shifts the grey values up or down.</source>
+        <translation>块中有多少是烟：把灰度值整体上移或下移。</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>扭曲</translation>
+    </message>
+    <message>
+        <source>Bends the noise by another noise, by up to this share of its wavelength.</source>
+        <translation>用另一个噪声弯曲噪声，最多达其波长的这一比例。</translation>
+    </message>
+    <message>
+        <source>Perlin 1985, domain perturbation</source>
+        <translation>Perlin 1985, 域扰动</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Averages each lattice value with its neighbours: centre 1/4, edges 1/8, corners 1/16.</source>
+        <translation>把每个格点值与其邻居平均：中心 1/4，边 1/8，角 1/16。</translation>
+    </message>
+    <message>
+        <source>2012 model, smooth function</source>
+        <translation>2012 年模型, 平滑函数</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>基底</translation>
+    </message>
+    <message>
+        <source>Random values on a lattice (2012 model), random gradients, or gradients on a lattice of simplices.</source>
+        <translation>格点上的随机值（2012 年模型）、随机梯度，或单纯形格上的梯度。</translation>
+    </message>
+    <message>
+        <source>2012 model; Perlin 2002</source>
+        <translation>2012 年模型; Perlin 2002</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>插值</translation>
+    </message>
+    <message>
+        <source>How values between lattice points are found.</source>
+        <translation>如何求格点之间的值。</translation>
+    </message>
+    <message>
+        <source>2012 model (linear, cosine, cubic); Perlin 2002 (quintic)</source>
+        <translation>2012 年模型 (线性、余弦、三次); Perlin 2002 (五次)</translation>
+    </message>
+    <message>
+        <source>Frequency of each octave relative to the one before.</source>
+        <translation>每个倍频程相对于前一个的频率。</translation>
+    </message>
+    <message>
+        <source>Lattice cells of the first octave along the third axis, through which the texture boils before it repeats.</source>
+        <translation>第一个倍频程沿第三轴的格数，纹理翻腾经过它们之后重复。</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>切片</translation>
+    </message>
+    <message>
+        <source>How many slices of the 3D noise are baked.</source>
+        <translation>烘焙三维噪声的多少个切片。</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>分辨率</translation>
+    </message>
+    <message>
+        <source>Edge of the noise tile; particles use the next power of two.</source>
+        <translation>噪声块的边长；粒子使用下一个二的幂。</translation>
+    </message>
+    <message>
+        <source>Another seed gives another texture of the same kind.</source>
+        <translation>换一个种子就得到同类的另一种纹理。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>The direction in which the light of the sun travels.</source>
+        <translation>太阳光行进的方向。</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Strength of the sun.</source>
+        <translation>太阳的强度。</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>阴影</translation>
+    </message>
+    <message>
+        <source>How much light is lost on the way through the smoke.</source>
+        <translation>光穿过烟时损失多少。</translation>
+    </message>
+    <message>
+        <source>Scattering</source>
+        <translation>散射</translation>
+    </message>
+    <message>
+        <source>Light that is scattered many times and reaches deep into dense smoke, so that it is not black.</source>
+        <translation>多次散射后深入浓烟的光，使浓烟不至于发黑。</translation>
+    </message>
+    <message>
+        <source>Wrenninge et al. 2013, octaves of scattering</source>
+        <translation>Wrenninge 等 2013, 散射倍频程</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>各向异性</translation>
+    </message>
+    <message>
+        <source>More than 0: smoke glows when it stands before the sun. Less: it is brighter with the sun behind the camera.</source>
+        <translation>大于 0：烟在太阳前面时发亮。小于 0：太阳在相机后面时更亮。</translation>
+    </message>
+    <message>
+        <source>Henyey and Greenstein 1941</source>
+        <translation>Henyey 与 Greenstein 1941</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <translation>环境光</translation>
+    </message>
+    <message>
+        <source>Strength of the light from sky and ground.</source>
+        <translation>来自天空和地面的光的强度。</translation>
+    </message>
+    <message>
+        <source>Colour of the sun.</source>
+        <translation>太阳的颜色。</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>天空</translation>
+    </message>
+    <message>
+        <source>Colour of the light from above.</source>
+        <translation>来自上方的光的颜色。</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Colour of the light from below.</source>
+        <translation>来自下方的光的颜色。</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>遮蔽</translation>
+    </message>
+    <message>
+        <source>How much the light from sky and ground is lost inside dense smoke.</source>
+        <translation>来自天空和地面的光在浓烟内部损失多少。</translation>
+    </message>
+    <message>
+        <source>Light that hot smoke gives off by itself, as fire.</source>
+        <translation>热烟自身发出的光，如火焰。</translation>
+    </message>
+    <message>
+        <source>Emission cooling</source>
+        <translation>辉光冷却</translation>
+    </message>
+    <message>
+        <source>How fast the glow moves down its colours as smoke ages.</source>
+        <translation>烟变老时，辉光沿其颜色下移得多快。</translation>
+    </message>
+    <message>
+        <source>Emission colours</source>
+        <translation>辉光颜色</translation>
+    </message>
+    <message>
+        <source>Colour of the glow from cold (left) to as hot as at birth (right).</source>
+        <translation>辉光从冷（左）到与诞生时一样热（右）的颜色。</translation>
+    </message>
+    <message>
+        <source>Cells of the density grid along the longest side of the cloud.</source>
+        <translation>密度网格沿烟团最长边的格数。</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Around a target, or at a fixed place.</source>
+        <translation>围绕目标，或在固定位置。</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>偏航</translation>
+    </message>
+    <message>
+        <source>Angle around the target, seen from above; 0 looks along -Z.</source>
+        <translation>从上方看绕目标的角度；0 朝 -Z 看。</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>俯仰</translation>
+    </message>
+    <message>
+        <source>Angle above the horizon from which the target is seen.</source>
+        <translation>观看目标时高于地平线的角度。</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Distance from the target.</source>
+        <translation>离目标的距离。</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>The point that the camera looks at.</source>
+        <translation>相机所看的点。</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>转台</translation>
+    </message>
+    <message>
+        <source>Rate at which the camera goes around the target.</source>
+        <translation>相机绕目标转动的速率。</translation>
+    </message>
+    <message>
+        <source>Where the fixed camera stands.</source>
+        <translation>固定相机所在的位置。</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>视线方向</translation>
+    </message>
+    <message>
+        <source>Where the fixed camera looks.</source>
+        <translation>固定相机所看的方向。</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>焦距</translation>
+    </message>
+    <message>
+        <source>Of a lens on a sensor of 36 mm across the shorter side; longer brings the smoke nearer.</source>
+        <translation>短边 36 mm 传感器上镜头的焦距；越长烟越近。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Frames from the first to the last; also the length of the loop.</source>
+        <translation>从第一帧到最后一帧的帧数；也是循环的长度。</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>The frame after the last is the first again, to the bit.</source>
+        <translation>最后一帧之后又是第一帧，逐位相同。</translation>
+    </message>
+    <message>
+        <source>Start warm</source>
+        <translation>预热开始</translation>
+    </message>
+    <message>
+        <source>Frame 0 shows smoke that has been rising for a lifetime, instead of none.</source>
+        <translation>第 0 帧显示已上升一个寿命的烟，而不是没有烟。</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>帧率</translation>
+    </message>
+    <message>
+        <source>Frames a second.</source>
+        <translation>每秒帧数。</translation>
+    </message>
+    <message>
+        <source>Steps a frame</source>
+        <translation>每帧步数</translation>
+    </message>
+    <message>
+        <source>Steps of the simulation in a frame; more follow fast motion more closely.</source>
+        <translation>每帧的模拟步数；步数越多越能跟上快速运动。</translation>
+    </message>
+    <message>
+        <source>2012 model, eq. IX and X (1 there)</source>
+        <translation>2012 年模型, 式 IX 与 X (原为 1)</translation>
+    </message>
+    <message>
+        <source>Width of a frame.</source>
+        <translation>一帧的宽度。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of a frame.</source>
+        <translation>一帧的高度。</translation>
+    </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>超采样</translation>
+    </message>
+    <message>
+        <source>Renders this many times larger and averages.</source>
+        <translation>以这么多倍的尺寸渲染，再取平均。</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>曝光</translation>
+    </message>
+    <message>
+        <source>Brightness in stops; one more doubles it. Not applied to EXR, which is linear.</source>
+        <translation>以档为单位的亮度；每加一档亮度加倍。不用于线性的 EXR。</translation>
+    </message>
+    <message>
+        <source>View transform</source>
+        <translation>视图变换</translation>
+    </message>
+    <message>
+        <source>Standard is plain sRGB; filmic rolls bright light off softly.</source>
+        <translation>标准即普通 sRGB；胶片让强光柔和地收敛。</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Keep transparency, or put a colour behind the smoke.</source>
+        <translation>保留透明，或在烟后放一种颜色。</translation>
+    </message>
+    <message>
+        <source>Background colour</source>
+        <translation>背景颜色</translation>
+    </message>
+    <message>
+        <source>The colour behind the smoke.</source>
+        <translation>烟后面的颜色。</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>圆盘</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>持续</translation>
+    </message>
+    <message>
+        <source>burst</source>
+        <translation>爆发</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>方块</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>格点</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>梯度</translation>
+    </message>
+    <message>
+        <source>simplex</source>
+        <translation>单纯形</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <translation>余弦</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>三次</translation>
+    </message>
+    <message>
+        <source>quintic</source>
+        <translation>五次</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>环绕</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>filmic</source>
+        <translation>胶片</translation>
+    </message>
+    <message>
+        <source>transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Emitter</source>
+        <translation>发射器</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Turbulence</source>
+        <translation>湍流</translation>
+    </message>
+    <message>
+        <source>Vortex</source>
+        <translation>涡旋</translation>
+    </message>
+    <message>
+        <source>Life</source>
+        <translation>寿命</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>外观</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>光</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Range: %1</source>
+        <translation>范围：%1</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>来源：%1</translation>
+    </message>
+</context>
+<context>
+    <name>PresetBrowser</name>
+    <message>
+        <source>Search presets</source>
+        <translation>搜索预设</translation>
+    </message>
+    <message>
+        <source>Favourites only</source>
+        <translation>仅收藏</translation>
+    </message>
+    <message>
+        <source>Delete the preset</source>
+        <translation>删除预设</translation>
+    </message>
+    <message>
+        <source>Delete “%1”? The file goes to the trash.</source>
+        <translation>要删除“%1”吗？文件会移到回收站。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be moved to the trash. Delete the file by hand.</source>
+        <translation>无法把“%1”移到回收站。请手动删除该文件。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Put into this document</source>
+        <translation>放入此文档</translation>
+    </message>
+    <message>
+        <source>No longer a favourite</source>
+        <translation>取消收藏</translation>
+    </message>
+    <message>
+        <source>Make a favourite</source>
+        <translation>加入收藏</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>删除…</translation>
+    </message>
+</context>
+<context>
+    <name>PresetList</name>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source> (broken)</source>
+        <translation>（已损坏）</translation>
+    </message>
+</context>
+<context>
+    <name>SeedEditor</name>
+    <message>
+        <source>dice</source>
+        <translation>骰子</translation>
+    </message>
+    <message>
+        <source>Throw the dice: another seed, another smoke of the same kind</source>
+        <translation>掷骰子：换一个种子，得到同类的另一团烟</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
+        <translation>这是程序意外结束之前未保存的工作。保存它以便保留。</translation>
+    </message>
+</context>
+<context>
+    <name>StartDialog</name>
+    <message>
+        <source>Show this when Fumage starts</source>
+        <translation>Fumage 启动时显示此窗口</translation>
+    </message>
+    <message>
+        <source>Begin with a smoke</source>
+        <translation>从一团烟开始</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>最近的文件</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>The default smoke</source>
+        <translation>默认的烟</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineBar</name>
+    <message>
+        <source>To the first frame (Home)</source>
+        <translation>到第一帧 (Home)</translation>
+    </message>
+    <message>
+        <source>One frame back (Left)</source>
+        <translation>后退一帧 (左)</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>播放或暂停 (空格)</translation>
+    </message>
+    <message>
+        <source>One frame on (Right)</source>
+        <translation>前进一帧 (右)</translation>
+    </message>
+    <message>
+        <source>To the last frame (End)</source>
+        <translation>到最后一帧 (End)</translation>
+    </message>
+    <message>
+        <source>Start again after the last frame</source>
+        <translation>最后一帧之后重新开始</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>The frame that is shown</source>
+        <translation>当前显示的帧</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>播放速度</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>每秒帧数</translation>
+    </message>
+    <message>
+        <source>Frames per second of the effect</source>
+        <translation>效果的每秒帧数</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> 帧/秒</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> / %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+</context>
+<context>
+    <name>TimelineRuler</name>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Drag to go to any frame; drag the ends of the bar to play a part</source>
+        <translation>拖动可到任意帧；拖动条的两端可只播放一部分</translation>
+    </message>
+</context>
+<context>
+    <name>VariationsPanel</name>
+    <message>
+        <source>The present smoke</source>
+        <translation>当前的烟</translation>
+    </message>
+    <message>
+        <source>Variation %1</source>
+        <translation>变体 %1</translation>
+    </message>
+    <message>
+        <source>The smoke as it is</source>
+        <translation>现在的烟</translation>
+    </message>
+    <message>
+        <source>Click to adopt this variation</source>
+        <translation>点击以采用此变体</translation>
+    </message>
+    <message>
+        <source>Back to the smoke before this one</source>
+        <translation>回到此前的烟</translation>
+    </message>
+    <message>
+        <source>Other variations</source>
+        <translation>另一些变体</translation>
+    </message>
+    <message>
+        <source>How far they differ</source>
+        <translation>它们相差多少</translation>
+    </message>
+    <message>
+        <source>Subtle</source>
+        <translation>细微</translation>
+    </message>
+    <message>
+        <source>Wild</source>
+        <translation>狂放</translation>
+    </message>
+    <message>
+        <source>Lock parameters in their context menu to keep them as they are.</source>
+        <translation>在参数的右键菜单中锁定，可使其保持不变。</translation>
+    </message>
+    <message>
+        <source>Locked parameters, which stay as they are: %1</source>
+        <translation>保持不变的已锁定参数：%1</translation>
+    </message>
+    <message>
+        <source>Adopt a variation</source>
+        <translation>采用变体</translation>
+    </message>
+    <message>
+        <source>Back from a variation</source>
+        <translation>从变体返回</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>Smoke</source>
+        <translation>烟</translation>
+    </message>
+    <message>
+        <source>Frame all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Change view</source>
+        <translation>更换视图</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>环绕</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 帧/秒</translation>
+    </message>
+    <message>
+        <source>%L1 particles</source>
+        <translation>%L1 个粒子</translation>
+    </message>
+    <message>
+        <source>step %1 ms</source>
+        <translation>步进 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>light %1 ms</source>
+        <translation>光照 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>composite %1 ms</source>
+        <translation>合成 %1 毫秒</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>An editor for smoke.</source>
+        <translation>烟雾编辑器。</translation>
+    </message>
+    <message>
+        <source>Presets to open, each in a window of its own.</source>
+        <translation>要打开的预设，每个一个窗口。</translation>
+    </message>
+</context>
+</TS>

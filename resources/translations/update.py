@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""Brings the translation files up to date with the texts of the program: `./dev translations`.
+
+Texts of the editor are found by lupdate; those of the parameter table, which the core keeps in plain English, are read from its source.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TABLE = ROOT / "core/effect/parameter_table.cpp"
+
+
+def table_texts() -> list[str]:
+    """Labels, tips, sources, choices and headings of the parameter table, as they stand in the source, in their order."""
+    source = TABLE.read_text()
+    quoted = r'"((?:[^"\\]|\\.)*)"'
+    texts = re.findall(r"\.(?:label|tip|source) = " + quoted, source)
+    for line in re.findall(r"string_view, \d+> k\w+\{(.*?)\};", source):
+        texts += re.findall(quoted, line)
+    texts += re.findall(r'\{+"\w+", ' + quoted + r"\}", source)
+    return list(dict.fromkeys(texts))
+
+
+def main() -> None:
+    lupdate = sys.argv[1]
+    files = sorted((ROOT / "resources/translations").glob("*.ts"))
+    with tempfile.TemporaryDirectory(dir=ROOT / "build") as folder:
+        stub = pathlib.Path(folder) / "parameter_texts.cpp"
+        stub.write_text("".join(f'QT_TRANSLATE_NOOP("Parameters", "{text}");\n' for text in table_texts()))
+        subprocess.run([lupdate, str(ROOT / "ui"), str(stub), "-locations", "none", "-no-obsolete", "-ts", *map(str, files)], check=True)
+
+
+if __name__ == "__main__":
+    main()

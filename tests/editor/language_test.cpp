@@ -1,0 +1,97 @@
+// The translations are whole, are loaded, and say something of their own.
+#include "editor_helpers.h"
+
+#include "ui/face/language.h"
+#include "ui/panels/effect_panel.h"
+#include "ui/shell/action_table.h"
+
+#include <QLabel>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class LanguageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTextIsTranslated_data() { addLanguages(); }
+    void everyTextIsTranslated()
+    {
+        QFETCH(QString, code);
+        QFile file(QStringLiteral(FUMAGE_SOURCE_DIR "/resources/translations/fumage_%1.ts").arg(code));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml(&file);
+        QString source;
+        int count = 0;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (xml.isStartElement() && xml.name() == u"source") {
+                source = xml.readElementText();
+            } else if (xml.isStartElement() && xml.name() == u"translation") {
+                QVERIFY2(!xml.attributes().hasAttribute(u"type"_q), qPrintable(source));
+                const QString translation = xml.readElementText();
+                QVERIFY2(!translation.isEmpty(), qPrintable(source));
+                for (const QString& place : {u"%1"_q, u"%2"_q, u"%3"_q, u"%L1"_q}) {
+                    QVERIFY2(source.contains(place) == translation.contains(place), qPrintable(translation));
+                }
+                // A menu entry that has a letter to press has one in every language.
+                const QRegularExpression mnemonic(u"&\\S"_q);
+                QVERIFY2(source.contains(mnemonic) == translation.contains(mnemonic), qPrintable(translation));
+                ++count;
+            }
+        }
+        QVERIFY(!xml.hasError() && count > 400);
+    }
+
+    void theParameterTableIsTranslated_data() { addLanguages(); }
+    void theParameterTableIsTranslated()
+    {
+        QFETCH(QString, code);
+        QTranslator translator;
+        QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
+        const auto has = [&](std::string_view text) { return text.empty() || !translator.translate("Parameters", std::string(text).c_str()).isEmpty(); };
+        for (const Parameter& parameter : parameterTable()) {
+            const bool whole = has(parameter.label) && has(parameter.tip) && has(parameter.source) && has(groupLabel(parameter.group()));
+            QVERIFY2(whole, std::string(parameter.key).c_str());
+            for (const std::string_view choice : parameter.choices) {
+                QVERIFY2(has(choice), std::string(choice).c_str());
+            }
+        }
+        for (const ActionSpec& spec : actionSpecs()) {
+            QVERIFY2(!translator.translate("Actions", spec.text).isEmpty(), spec.id);
+        }
+    }
+
+    void thePanelSpeaksTheLanguage()
+    {
+        QVERIFY(applyLanguage(*qApp, u"sv"_q));
+        Document document;
+        Locks locks;
+        EffectPanel panel(document, locks);
+        QCOMPARE(panel.findChild<QLabel*>(u"motion.gravity.label"_q)->text(), u"Tyngdkraft"_q);
+        document.edit(*findParameter("motion.gravity"), 3.0F);
+        QCOMPARE(document.undoStack()->undoText(), u"Rörelse: Tyngdkraft"_q);
+    }
+
+    void anUnknownLanguageIsRefused()
+    {
+        QVERIFY(!applyLanguage(*qApp, u"is"_q));
+        QVERIFY(applyLanguage(*qApp, u"en"_q));
+    }
+
+private:
+    static void addLanguages()
+    {
+        QTest::addColumn<QString>("code");
+        for (const Language& language : languages()) {
+            if (language.code != u"en"_q) {
+                QTest::newRow(qPrintable(language.code)) << language.code;
+            }
+        }
+    }
+};
+
+FUMAGE_TEST_MAIN(LanguageTest)
+#include "language_test.moc"
