@@ -37,9 +37,23 @@ private:
     std::uint32_t m_draws = 0;
 };
 
+/// What a person would type: three significant digits.
+double rounded(double number)
+{
+    if (number == 0.0) {
+        return 0.0;
+    }
+    const double magnitude = std::pow(10.0, std::floor(std::log10(std::abs(number))) - 2.0);
+    return std::round(number / magnitude) * magnitude;
+}
+
 /// Moves a number by a share of the soft range. On a log scale the share is of the range's logarithm.
 double moved(const Parameter& parameter, double number, double share)
 {
+    // Nothing means off, but for an angle.
+    if (number == 0.0 && parameter.unit != Unit::Degrees) {
+        return 0.0;
+    }
     const double low = std::max(parameter.soft.low, parameter.hard.low);
     const double high = parameter.soft.high;
     if (parameter.scale == Scale::Log && number > 0.0 && low > 0.0) {
@@ -55,7 +69,7 @@ Value moved(const Parameter& parameter, const Value& value, float amount, Dice& 
 {
     const auto share = [&] { return static_cast<double>(amount * dice.normal()); };
     if (const float* number = std::get_if<float>(&value)) {
-        return static_cast<float>(moved(parameter, static_cast<double>(*number), share()));
+        return static_cast<float>(rounded(moved(parameter, static_cast<double>(*number), share())));
     }
     if (const int* number = std::get_if<int>(&value)) {
         return static_cast<int>(std::lround(moved(parameter, *number, share())));

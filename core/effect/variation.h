@@ -17,7 +17,8 @@ using MayVary = std::function<bool(const Parameter&)>;
 /// @param amount standard deviation as a share of the soft range (of its logarithm on a log scale); 0 gives the effect back
 /// @param seed   another seed gives another neighbour; the same one the same bits
 /// @param mayVary asked for every parameter; those without a meaning for "a little more" (switches, choices, seeds, curves) never move
-/// The result is within the hard ranges. Parameters that have no influence as the effect stands do not move.
+/// The result is within the hard ranges. What is 0 is off and stays so, but for angles; parameters that have no influence as the
+/// effect stands do not move.
 [[nodiscard]] Effect vary(const Effect& effect, float amount, std::uint32_t seed, const MayVary& mayVary = isCharacter);
 
 /// The same look with fewer particles, for previews: sizes grow so that the smoke covers as much.

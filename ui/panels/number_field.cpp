@@ -44,7 +44,8 @@ NumberField::NumberField(const NumberScale& scale, QWidget* parent)
 
 QSize NumberField::sizeHint() const
 {
-    const int width = fontMetrics().horizontalAdvance(QStringLiteral("00000.00 m/s²"));
+    constexpr int kPadding = 18;
+    const int width = fontMetrics().horizontalAdvance(QStringLiteral("-0.0000 m/s²")) + kPadding;
     return {width, QLineEdit::sizeHint().height()};
 }
 

@@ -57,7 +57,7 @@ std::optional<double> factorOf(const QString& name, Unit unit)
 
 QString formatNumber(double value)
 {
-    constexpr int kDigits = 6;
+    constexpr int kDigits = 5;
     constexpr double kLargestWhole = 4294967295.0;
     if (value == std::round(value) && std::abs(value) <= kLargestWhole) {
         return QString::number(static_cast<qint64>(value));

@@ -8,7 +8,7 @@
 
 namespace fumage::ui {
 
-/// A number as fields show it: six significant digits at most, no zeros behind.
+/// A number as fields show it: five significant digits at most, no zeros behind.
 [[nodiscard]] QString formatNumber(double value);
 
 /// Reads what a person types: "1.5", "1,5", "150 cm", "0.5 rad", "50%"; the unit may be left out.
