@@ -6,6 +6,7 @@
 
 #include <QFileInfo>
 #include <QMimeData>
+#include <QTimer>
 
 namespace fumage::ui {
 
@@ -47,7 +48,10 @@ void PresetList::showEvent(QShowEvent* event)
 {
     QListWidget::showEvent(event);
     if (!m_loaded) {
-        reload();
+        m_loaded = true;
+        // The smoke itself comes first.
+        constexpr int kLaterMs = 400;
+        QTimer::singleShot(kLaterMs, this, &PresetList::reload);
     }
 }
 

@@ -61,6 +61,24 @@ bool simulateAlike(const Effect& a, const Effect& b)
     return std::none_of(changed.begin(), changed.end(), [](const Parameter* parameter) { return parameter->stage == Stage::Simulate; });
 }
 
+int SmokeStudio::particlesWhileDragging(const Effect& effect, double stepsEach, double preRoll) const
+{
+    const int all = effect.emitter.count;
+    if (all <= m_costs.particlesWithin(kParticleBudgetNs, stepsEach)) {
+        return all;
+    }
+    // A drag of the look keeps the particles that its first picture has chosen.
+    if (m_thinned && simulateAlike(thinned(effect, m_thinned->effect.emitter.count), m_thinned->effect)) {
+        return m_thinned->effect.emitter.count;
+    }
+    const int affordable = m_costs.particlesWithin(kParticleBudgetNs, preRoll);
+    int count = all;
+    while (count > affordable) {
+        count /= 2;
+    }
+    return std::max(1, count);
+}
+
 SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
 {
     Plan plan;
@@ -75,14 +93,9 @@ SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
     const int ahead = request.frame - m_lastFrame;
     plan.stepsEach = warm && ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
     if (request.haste == Haste::Dragging) {
-        const int affordable = m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach);
-        // Halves, so that a drag keeps the particles that it has.
-        int count = plan.effect.emitter.count;
-        while (count > affordable) {
-            count /= 2;
-        }
+        const int count = particlesWhileDragging(plan.effect, plan.stepsEach, preRoll);
         plan.keepsAll = count == plan.effect.emitter.count;
-        plan.effect = thinned(plan.effect, std::max(1, count));
+        plan.effect = thinned(plan.effect, count);
     }
     const double pixels = static_cast<double>(request.width) * request.height;
     plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect.emitter.count, plan.stepsEach, pixels);

@@ -25,6 +25,7 @@ private:
         bool complete = true; ///< and pixels
     };
     [[nodiscard]] Plan planFor(const PictureRequest& request) const;
+    [[nodiscard]] int particlesWhileDragging(const Effect& effect, double stepsEach, double preRoll) const;
     [[nodiscard]] std::shared_ptr<const Frame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
     [[nodiscard]] bool paint(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
     [[nodiscard]] std::shared_ptr<const SpriteScene> collectSprites() const;

@@ -52,6 +52,11 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     m_wheelRest.setSingleShot(true);
     m_wheelRest.setInterval(kWheelRestMs);
     connect(&m_rest, &QTimer::timeout, this, [this] {
+        // What the hand asked for last is still on its way: sharpening it now would only get in its way.
+        if (m_waiting) {
+            m_rest.start();
+            return;
+        }
         m_moving = false;
         refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
     });
@@ -182,6 +187,7 @@ PictureRequest Viewport::makeRequest(Haste haste) const
 void Viewport::request(Haste haste)
 {
     m_asked = m_player.frame();
+    m_waiting = haste != Haste::None;
     m_player.setHeld(true);
     m_worker.request(makeRequest(haste));
 }
@@ -203,6 +209,7 @@ void Viewport::receive(const PicturePtr& picture)
 {
     if (picture->frame == m_asked) {
         m_player.setHeld(false);
+        m_waiting = false;
     }
     if (picture->revision == m_revision) {
         // A loop that is longer than the cache would push out each frame just before it is shown again: what is there stays.
@@ -243,9 +250,15 @@ void Viewport::display(const PicturePtr& picture)
 void Viewport::followVisibility()
 {
     m_player.setSuspended(!isSeen());
-    if (isSeen()) {
-        refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
+    if (!isSeen()) {
+        return;
     }
+    if (!m_shown) {
+        // Something to look at first; the whole of it a moment later.
+        m_moving = true;
+        m_rest.start();
+    }
+    refresh(m_moving ? Haste::Dragging : (m_player.isPlaying() ? Haste::Playing : Haste::None));
 }
 
 void Viewport::resizeEvent(QResizeEvent* event)

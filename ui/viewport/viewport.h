@@ -116,6 +116,7 @@ private:
     QCache<int, PicturePtr> m_cache; ///< pictures of this revision, size and backdrop; cost in KiB
     quint64 m_revision = 1;
     bool m_moving = false; ///< a change came within the last moment
+    bool m_waiting = false; ///< a hasty picture is on its way
     int m_asked = -1; ///< frame that the worker is busy with
 
     Overlays m_overlays = Overlay::Grid | Overlay::Emitter | Overlay::Gizmos | Overlay::Readout;
