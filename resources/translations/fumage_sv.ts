@@ -204,10 +204,6 @@
         <translation>&amp;Delad vy av A och B</translation>
     </message>
     <message>
-        <source>Show &amp;B</source>
-        <translation>Visa &amp;B</translation>
-    </message>
-    <message>
         <source>&amp;Adopt B</source>
         <translation>&amp;Ta över B</translation>
     </message>
@@ -222,6 +218,22 @@
     <message>
         <source>&amp;About Fumage</source>
         <translation>&amp;Om Fumage</translation>
+    </message>
+    <message>
+        <source>From the bac&amp;k</source>
+        <translation>&amp;Bakifrån</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>Från &amp;vänster</translation>
+    </message>
+    <message>
+        <source>From &amp;below</source>
+        <translation>&amp;Nedifrån</translation>
+    </message>
+    <message>
+        <source>Show &amp;B (hold the key to look for a moment)</source>
+        <translation>Visa &amp;B (håll tangenten för att titta en stund)</translation>
     </message>
 </context>
 <context>
@@ -1949,6 +1961,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Throw the dice: another seed, another smoke of the same kind</source>
         <translation>Kasta tärningen: ett annat frö, en annan rök av samma slag</translation>
+    </message>
+    <message>
+        <source>lock</source>
+        <translation>lås</translation>
+    </message>
+    <message>
+        <source>Lock the seed, so that no slip of the hand changes the smoke</source>
+        <translation>Lås fröet, så att ingen slinkande hand ändrar röken</translation>
     </message>
 </context>
 <context>

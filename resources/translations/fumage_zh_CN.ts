@@ -204,10 +204,6 @@
         <translation>A 与 B 分屏(&amp;S)</translation>
     </message>
     <message>
-        <source>Show &amp;B</source>
-        <translation>显示 B(&amp;B)</translation>
-    </message>
-    <message>
         <source>&amp;Adopt B</source>
         <translation>采用 B(&amp;A)</translation>
     </message>
@@ -222,6 +218,22 @@
     <message>
         <source>&amp;About Fumage</source>
         <translation>关于 Fumage(&amp;A)</translation>
+    </message>
+    <message>
+        <source>From the bac&amp;k</source>
+        <translation>后视图(&amp;K)</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>左视图(&amp;L)</translation>
+    </message>
+    <message>
+        <source>From &amp;below</source>
+        <translation>底视图(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show &amp;B (hold the key to look for a moment)</source>
+        <translation>显示 B（按住可暂时查看）(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -1949,6 +1961,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Throw the dice: another seed, another smoke of the same kind</source>
         <translation>掷骰子：换一个种子，得到同类的另一团烟</translation>
+    </message>
+    <message>
+        <source>lock</source>
+        <translation>锁</translation>
+    </message>
+    <message>
+        <source>Lock the seed, so that no slip of the hand changes the smoke</source>
+        <translation>锁定种子，以免误操作改变烟雾</translation>
     </message>
 </context>
 <context>

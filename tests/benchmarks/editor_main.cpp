@@ -211,8 +211,16 @@ int main(int argc, char** argv)
     const QApplication application(argc, argv);
     std::vector<fumage::benchmarks::Claim> claims;
     const auto add = [&](const char* name, auto* function) { return benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond)->UseRealTime(); };
-    add("slider/gravity", +[](benchmark::State& state) { slider(state, "motion.gravity"); })->Arg(5000)->Arg(100000)->Arg(1000000);
-    add("slider/opacity", +[](benchmark::State& state) { slider(state, "look.opacity"); })->Arg(5000)->Arg(100000)->Arg(1000000);
+    add(
+        "slider/gravity", +[](benchmark::State& state) { slider(state, "motion.gravity"); })
+        ->Arg(5000)
+        ->Arg(100000)
+        ->Arg(1000000);
+    add(
+        "slider/opacity", +[](benchmark::State& state) { slider(state, "look.opacity"); })
+        ->Arg(5000)
+        ->Arg(100000)
+        ->Arg(1000000);
     add("blocked/playing", blockedWhilePlaying)->Arg(100000)->Arg(1000000)->Iterations(1);
     add("blocked/exporting", blockedWhileExporting)->Iterations(1);
     add("idle", idle)->Iterations(1);

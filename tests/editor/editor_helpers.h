@@ -68,8 +68,8 @@ int runTest(int argc, char** argv)
 
 } // namespace fumage::tests
 
-#define FUMAGE_TEST_MAIN(Test) \
-    int main(int argc, char** argv) \
-    { \
+#define FUMAGE_TEST_MAIN(Test)                           \
+    int main(int argc, char** argv)                      \
+    {                                                    \
         return fumage::tests::runTest<Test>(argc, argv); \
     }

@@ -395,6 +395,24 @@ private slots:
         QVERIFY(m_window->document().effect() == smallPreset().effect);
     }
 
+    void bIsSeenWhileItsKeyIsHeld()
+    {
+        Viewport& viewport = m_window->viewport();
+        QWidget* surface = viewport.surface();
+        surface->setFocus();
+        QTest::keyClick(surface, Qt::Key_B); // a tap stays
+        QCOMPARE(viewport.compare(), Viewport::Compare::Other);
+        QTest::keyClick(surface, Qt::Key_B);
+        QCOMPARE(viewport.compare(), Viewport::Compare::Off);
+        QTest::keyPress(surface, Qt::Key_B);
+        QCOMPARE(viewport.compare(), Viewport::Compare::Other);
+        QElapsedTimer held;
+        held.start();
+        QTRY_VERIFY(held.elapsed() > 400);
+        QTest::keyRelease(surface, Qt::Key_B);
+        QCOMPARE(viewport.compare(), Viewport::Compare::Off);
+    }
+
     // --- presets and variations ---------------------------------------------------------------------------------------
 
     void aPresetOfTheBrowserIsOpened()

@@ -155,9 +155,18 @@ SeedEditor::SeedEditor(const Parameter& parameter, QWidget* parent)
     dice->setIcon(themedIcon(QStringLiteral("dice")));
     dice->setToolTip(tr("Throw the dice: another seed, another smoke of the same kind"));
     dice->setAutoRaise(true);
+    auto* lock = new QToolButton(this);
+    name(*lock, QStringLiteral("lock"), tr("lock"));
+    lock->setIcon(themedIcon(QStringLiteral("lock")));
+    lock->setToolTip(tr("Lock the seed, so that no slip of the hand changes the smoke"));
+    lock->setCheckable(true);
+    lock->setAutoRaise(true);
     QHBoxLayout* row = makeRow(this);
     row->addWidget(m_field, 1);
     row->addWidget(dice);
+    row->addWidget(lock);
+    connect(lock, &QToolButton::toggled, dice, &QWidget::setDisabled);
+    connect(lock, &QToolButton::toggled, m_field, &QWidget::setDisabled);
     setFocusProxy(m_field);
     connect(m_field, &NumberField::edited, this, [this](double number, bool finished) { emit edited(static_cast<std::uint32_t>(number), finished); });
     connect(dice, &QToolButton::clicked, this, [this] { emit edited(static_cast<std::uint32_t>(QRandomGenerator::global()->generate()), true); });

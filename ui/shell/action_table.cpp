@@ -45,6 +45,9 @@ constexpr std::array kSpecs{
     ActionSpec{"view.front", kView, QT_TRANSLATE_NOOP("Actions", "From the &front"), "1", ""},
     ActionSpec{"view.right", kView, QT_TRANSLATE_NOOP("Actions", "From the &right"), "3", ""},
     ActionSpec{"view.top", kView, QT_TRANSLATE_NOOP("Actions", "From &above"), "7", ""},
+    ActionSpec{"view.back", kView, QT_TRANSLATE_NOOP("Actions", "From the bac&k"), "Ctrl+1", ""},
+    ActionSpec{"view.left", kView, QT_TRANSLATE_NOOP("Actions", "From the &left"), "Ctrl+3", ""},
+    ActionSpec{"view.bottom", kView, QT_TRANSLATE_NOOP("Actions", "From &below"), "Ctrl+7", ""},
     ActionSpec{"view.grid", kView, QT_TRANSLATE_NOOP("Actions", "Ground &grid"), "G", "grid", true, true},
     ActionSpec{"view.emitter", kView, QT_TRANSLATE_NOOP("Actions", "&Emitter outline"), "", "", true},
     ActionSpec{"view.gizmos", kView, QT_TRANSLATE_NOOP("Actions", "Gi&zmos"), "Z", "gizmo", true},
@@ -67,7 +70,7 @@ constexpr std::array kSpecs{
 
     ActionSpec{"compare.remember", kCompare, QT_TRANSLATE_NOOP("Actions", "&Remember this as B"), "Ctrl+B", ""},
     ActionSpec{"compare.split", kCompare, QT_TRANSLATE_NOOP("Actions", "&Split view of A and B"), "S", "compare", true},
-    ActionSpec{"compare.hold", kCompare, QT_TRANSLATE_NOOP("Actions", "Show &B"), "B", "", true},
+    ActionSpec{"compare.hold", kCompare, QT_TRANSLATE_NOOP("Actions", "Show &B (hold the key to look for a moment)"), "B", "", true},
     ActionSpec{"compare.adopt", kCompare, QT_TRANSLATE_NOOP("Actions", "&Adopt B"), "", ""},
 
     ActionSpec{"help.reference", kHelp, QT_TRANSLATE_NOOP("Actions", "&Parameter reference"), "F1", "help"},

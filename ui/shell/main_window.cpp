@@ -54,6 +54,24 @@ constexpr OverlayAction kOverlayActions[] = {
     {"view.readout", Overlay::Readout},
 };
 
+/// A view from a side; straight up and down would leave no horizon.
+struct Side {
+    const char* action;
+    float yaw;
+    float pitch;
+};
+constexpr Side kSides[] = {
+    {"view.front", 0.0F, 0.0F},
+    {"view.right", 90.0F, 0.0F},
+    {"view.back", 180.0F, 0.0F},
+    {"view.left", -90.0F, 0.0F},
+    {"view.top", 0.0F, 89.0F},
+    {"view.bottom", 0.0F, -89.0F},
+};
+
+/// A key that is down for longer than this was held, not tapped.
+constexpr qint64 kTapMs = 300;
+
 } // namespace
 
 MainWindow::MainWindow(Session& session)
@@ -341,9 +359,9 @@ void MainWindow::connectEditActions()
 void MainWindow::connectViewActions()
 {
     m_actions.on("view.frameAll", m_viewport, &Viewport::frameAll);
-    m_actions.on("view.front", this, [this] { m_viewport->lookFrom(0.0F, 0.0F); });
-    m_actions.on("view.right", this, [this] { m_viewport->lookFrom(90.0F, 0.0F); });
-    m_actions.on("view.top", this, [this] { m_viewport->lookFrom(0.0F, 89.0F); });
+    for (const Side& side : kSides) {
+        m_actions.on(side.action, this, [this, side] { m_viewport->lookFrom(side.yaw, side.pitch); });
+    }
     for (const OverlayAction& entry : kOverlayActions) {
         QAction& action = m_actions.get(entry.action);
         action.setChecked(m_viewport->overlays().testFlag(entry.overlay));
@@ -393,6 +411,14 @@ void MainWindow::connectCompareActions()
     });
     connect(&split, &QAction::toggled, this, follow);
     connect(&hold, &QAction::toggled, this, follow);
+    hold.setAutoRepeat(false);
+    connect(&hold, &QAction::triggered, this, [this](bool on) {
+        if (on) {
+            m_sinceB.start();
+        }
+    });
+    // A tap of the key stays at B; a key that was held goes back when it is let go.
+    qApp->installEventFilter(this);
     m_actions.on("compare.adopt", this, [this] { m_document.replaceEffect(m_other, tr("Adopt B")); });
     connect(&m_document, &Document::loaded, this, [this] { m_other = m_document.effect(); });
 }
@@ -506,6 +532,20 @@ void MainWindow::closeEvent(QCloseEvent* event)
     saveLayout();
     m_recovery.discard();
     event->accept();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyRelease && m_sinceB.isValid()) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        if (key.key() == Qt::Key_B && !key.isAutoRepeat()) {
+            if (m_sinceB.elapsed() > kTapMs) {
+                m_actions.get("compare.hold").setChecked(false);
+            }
+            m_sinceB.invalidate();
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

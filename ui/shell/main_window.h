@@ -8,6 +8,7 @@
 #include "ui/shell/session.h"
 #include "ui/timeline/player.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 
 class QLabel;
@@ -47,6 +48,7 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
@@ -79,6 +81,7 @@ private:
     DocumentFiles m_files;
     Recovery m_recovery;
     Effect m_other; ///< B of the comparison
+    QElapsedTimer m_sinceB; ///< since its key went down
     EffectPanel* m_effectPanel = nullptr;
     NoisePane* m_noisePane = nullptr;
     TimelineBar* m_timeline = nullptr;

@@ -18,7 +18,8 @@ public:
     /// Whether work on a request may be given up when a newer one comes.
     using MayStop = std::function<bool(const Request&)>;
 
-    explicit LatestJob(Work work, MayStop mayStop = [](const Request&) { return true; })
+    explicit LatestJob(
+        Work work, MayStop mayStop = [](const Request&) { return true; })
         : m_work(std::move(work))
         , m_mayStop(std::move(mayStop))
         , m_thread([this](const std::stop_token& stop) { run(stop); })
