@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Takes the pictures of the editor for the README, under a virtual screen: ./dev screenshots
+set -eu
+editor=$1
+out=$(cd "$(dirname "$0")" && pwd)
+home=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
+chmod 700 "$home"
+export HOME=$home XDG_CONFIG_HOME=$home XDG_DATA_HOME=$home XDG_RUNTIME_DIR=$home
+
+open_editor() { # <theme: 1 dark, 2 light> <preset>
+    mkdir -p "$home/fumage"
+    printf '[face]\ntheme=%s\n[start]\nshown=false\n' "$1" > "$home/fumage/fumage.ini"
+    "$editor" "$2" &
+    pid=$!
+    window=$(timeout 20 sh -c 'until xdotool search --onlyvisible --name "Fumage" 2>/dev/null | head -1 | grep .; do sleep 0.2; done')
+    xdotool windowsize "$window" 1920 1056 windowmove "$window" 0 0
+    sleep 4
+}
+keys() {
+    for key in "$@"; do
+        xdotool key "$key"
+        sleep 1.2
+    done
+}
+# Stored in 256 colours at most: a sixth of the size, and no difference that one sees at this scale.
+take() { import -window root -crop 1920x1056+0+0 +repage -resize "${2:-1440}x" -dither FloydSteinberg -colors 255 PNG8:"$out/$1.png"; }
+close_editor() {
+    kill "$pid"
+    wait "$pid" 2>/dev/null || true
+    rm -rf "$home/fumage"
+}
+
+presets=$out/../presets
+open_editor 1 "$presets/chimney.json"
+keys space
+take editor_dark
+keys ctrl+e
+take editor_export
+keys Escape ctrl+r
+sleep 3
+take editor_variations
+close_editor
+
+open_editor 2 "$presets/cloud.json"
+keys space ctrl+b ctrl+shift+r s
+sleep 2
+take editor_light
+close_editor
