@@ -237,14 +237,14 @@
     </message>
 </context>
 <context>
-    <name>ColourEditor</name>
+    <name>fumage::ui::ColourEditor</name>
     <message>
         <source>swatch</source>
         <translation>färgprov</translation>
     </message>
 </context>
 <context>
-    <name>CommandSearch</name>
+    <name>fumage::ui::CommandSearch</name>
     <message>
         <source>Search commands</source>
         <translation>Sök kommandon</translation>
@@ -259,7 +259,7 @@
     </message>
 </context>
 <context>
-    <name>DirectionEditor</name>
+    <name>fumage::ui::DirectionEditor</name>
     <message>
         <source>Yaw</source>
         <translation>Gir</translation>
@@ -270,7 +270,7 @@
     </message>
 </context>
 <context>
-    <name>Document</name>
+    <name>fumage::ui::Document</name>
     <message>
         <source>Untitled</source>
         <translation>Namnlös</translation>
@@ -281,7 +281,7 @@
     </message>
 </context>
 <context>
-    <name>DocumentFiles</name>
+    <name>fumage::ui::DocumentFiles</name>
     <message>
         <source>Presets (*.json)</source>
         <translation>Förinställningar (*.json)</translation>
@@ -356,14 +356,14 @@
     </message>
 </context>
 <context>
-    <name>EffectPanel</name>
+    <name>fumage::ui::EffectPanel</name>
     <message>
         <source>Search parameters</source>
         <translation>Sök parametrar</translation>
     </message>
 </context>
 <context>
-    <name>ExportDialog</name>
+    <name>fumage::ui::ExportDialog</name>
     <message>
         <source>First frame</source>
         <translation>Första bildrutan</translation>
@@ -520,7 +520,7 @@
     </message>
 </context>
 <context>
-    <name>GradientBar</name>
+    <name>fumage::ui::GradientBar</name>
     <message>
         <source>Colour of the stop</source>
         <translation>Stoppets färg</translation>
@@ -554,7 +554,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
+    <name>fumage::ui::MainWindow</name>
     <message>
         <source>Unsaved work cannot be kept safe: %1</source>
         <translation>Osparat arbete kan inte hållas i säkerhet: %1</translation>
@@ -685,7 +685,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>NoiseCanvas</name>
+    <name>fumage::ui::NoiseCanvas</name>
     <message>
         <source>Noise texture</source>
         <translation>Brustextur</translation>
@@ -696,7 +696,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>NoisePane</name>
+    <name>fumage::ui::NoisePane</name>
     <message>
         <source>Channel</source>
         <translation>Kanal</translation>
@@ -755,7 +755,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>NoisePlots</name>
+    <name>fumage::ui::NoisePlots</name>
     <message>
         <source>Profile and histogram of the noise</source>
         <translation>Brusets profil och histogram</translation>
@@ -770,7 +770,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>NumberField</name>
+    <name>fumage::ui::NumberField</name>
     <message>
         <source>“%1” is not a number.</source>
         <translation>”%1” är inget tal.</translation>
@@ -781,7 +781,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>ParameterRow</name>
+    <name>fumage::ui::ParameterRow</name>
     <message>
         <source>Paste</source>
         <translation>Klistra in</translation>
@@ -1899,7 +1899,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>PresetBrowser</name>
+    <name>fumage::ui::PresetBrowser</name>
     <message>
         <source>Search presets</source>
         <translation>Sök förinställningar</translation>
@@ -1942,7 +1942,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>PresetList</name>
+    <name>fumage::ui::PresetList</name>
     <message>
         <source>Presets</source>
         <translation>Förinställningar</translation>
@@ -1953,7 +1953,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>SeedEditor</name>
+    <name>fumage::ui::SeedEditor</name>
     <message>
         <source>dice</source>
         <translation>tärning</translation>
@@ -1972,14 +1972,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>Session</name>
+    <name>fumage::ui::Session</name>
     <message>
         <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
         <translation>Detta är osparat arbete från innan programmet oväntat tog slut. Spara det för att behålla det.</translation>
     </message>
 </context>
 <context>
-    <name>StartDialog</name>
+    <name>fumage::ui::StartDialog</name>
     <message>
         <source>Show this when Fumage starts</source>
         <translation>Visa detta när Fumage startar</translation>
@@ -2006,7 +2006,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>TimelineBar</name>
+    <name>fumage::ui::TimelineBar</name>
     <message>
         <source>To the first frame (Home)</source>
         <translation>Till första bildrutan (Home)</translation>
@@ -2069,7 +2069,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>TimelineRuler</name>
+    <name>fumage::ui::TimelineRuler</name>
     <message>
         <source>Timeline</source>
         <translation>Tidslinje</translation>
@@ -2080,7 +2080,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>VariationsPanel</name>
+    <name>fumage::ui::VariationsPanel</name>
     <message>
         <source>The present smoke</source>
         <translation>Den nuvarande röken</translation>
@@ -2135,7 +2135,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
-    <name>Viewport</name>
+    <name>fumage::ui::Viewport</name>
     <message>
         <source>Smoke</source>
         <translation>Rök</translation>

@@ -237,14 +237,14 @@
     </message>
 </context>
 <context>
-    <name>ColourEditor</name>
+    <name>fumage::ui::ColourEditor</name>
     <message>
         <source>swatch</source>
         <translation>色块</translation>
     </message>
 </context>
 <context>
-    <name>CommandSearch</name>
+    <name>fumage::ui::CommandSearch</name>
     <message>
         <source>Search commands</source>
         <translation>搜索命令</translation>
@@ -259,7 +259,7 @@
     </message>
 </context>
 <context>
-    <name>DirectionEditor</name>
+    <name>fumage::ui::DirectionEditor</name>
     <message>
         <source>Yaw</source>
         <translation>偏航</translation>
@@ -270,7 +270,7 @@
     </message>
 </context>
 <context>
-    <name>Document</name>
+    <name>fumage::ui::Document</name>
     <message>
         <source>Untitled</source>
         <translation>未命名</translation>
@@ -281,7 +281,7 @@
     </message>
 </context>
 <context>
-    <name>DocumentFiles</name>
+    <name>fumage::ui::DocumentFiles</name>
     <message>
         <source>Presets (*.json)</source>
         <translation>预设 (*.json)</translation>
@@ -356,14 +356,14 @@
     </message>
 </context>
 <context>
-    <name>EffectPanel</name>
+    <name>fumage::ui::EffectPanel</name>
     <message>
         <source>Search parameters</source>
         <translation>搜索参数</translation>
     </message>
 </context>
 <context>
-    <name>ExportDialog</name>
+    <name>fumage::ui::ExportDialog</name>
     <message>
         <source>First frame</source>
         <translation>第一帧</translation>
@@ -520,7 +520,7 @@
     </message>
 </context>
 <context>
-    <name>GradientBar</name>
+    <name>fumage::ui::GradientBar</name>
     <message>
         <source>Colour of the stop</source>
         <translation>色标的颜色</translation>
@@ -554,7 +554,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
+    <name>fumage::ui::MainWindow</name>
     <message>
         <source>Unsaved work cannot be kept safe: %1</source>
         <translation>无法妥善保存未保存的工作：%1</translation>
@@ -685,7 +685,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>NoiseCanvas</name>
+    <name>fumage::ui::NoiseCanvas</name>
     <message>
         <source>Noise texture</source>
         <translation>噪声纹理</translation>
@@ -696,7 +696,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>NoisePane</name>
+    <name>fumage::ui::NoisePane</name>
     <message>
         <source>Channel</source>
         <translation>通道</translation>
@@ -755,7 +755,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>NoisePlots</name>
+    <name>fumage::ui::NoisePlots</name>
     <message>
         <source>Profile and histogram of the noise</source>
         <translation>噪声的剖面和直方图</translation>
@@ -770,7 +770,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>NumberField</name>
+    <name>fumage::ui::NumberField</name>
     <message>
         <source>“%1” is not a number.</source>
         <translation>“%1”不是数字。</translation>
@@ -781,7 +781,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>ParameterRow</name>
+    <name>fumage::ui::ParameterRow</name>
     <message>
         <source>Paste</source>
         <translation>粘贴</translation>
@@ -1899,7 +1899,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>PresetBrowser</name>
+    <name>fumage::ui::PresetBrowser</name>
     <message>
         <source>Search presets</source>
         <translation>搜索预设</translation>
@@ -1942,7 +1942,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>PresetList</name>
+    <name>fumage::ui::PresetList</name>
     <message>
         <source>Presets</source>
         <translation>预设</translation>
@@ -1953,7 +1953,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>SeedEditor</name>
+    <name>fumage::ui::SeedEditor</name>
     <message>
         <source>dice</source>
         <translation>骰子</translation>
@@ -1972,14 +1972,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>Session</name>
+    <name>fumage::ui::Session</name>
     <message>
         <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
         <translation>这是程序意外结束之前未保存的工作。保存它以便保留。</translation>
     </message>
 </context>
 <context>
-    <name>StartDialog</name>
+    <name>fumage::ui::StartDialog</name>
     <message>
         <source>Show this when Fumage starts</source>
         <translation>Fumage 启动时显示此窗口</translation>
@@ -2006,7 +2006,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>TimelineBar</name>
+    <name>fumage::ui::TimelineBar</name>
     <message>
         <source>To the first frame (Home)</source>
         <translation>到第一帧 (Home)</translation>
@@ -2069,7 +2069,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>TimelineRuler</name>
+    <name>fumage::ui::TimelineRuler</name>
     <message>
         <source>Timeline</source>
         <translation>时间线</translation>
@@ -2080,7 +2080,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>VariationsPanel</name>
+    <name>fumage::ui::VariationsPanel</name>
     <message>
         <source>The present smoke</source>
         <translation>当前的烟</translation>
@@ -2135,7 +2135,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
-    <name>Viewport</name>
+    <name>fumage::ui::Viewport</name>
     <message>
         <source>Smoke</source>
         <translation>烟</translation>

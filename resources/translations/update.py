@@ -11,6 +11,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Contexts that are names of their own and not of classes.
+PLAIN_CONTEXTS = ["Actions", "Parameters", "Help", "Gizmos", "GlSprites", "main"]
 TABLE = ROOT / "core/effect/parameter_table.cpp"
 
 
@@ -25,13 +27,26 @@ def table_texts() -> list[str]:
     return list(dict.fromkeys(texts))
 
 
+def rename_contexts(path: pathlib.Path, qualified: bool) -> None:
+    """Adds or takes away the namespace of classes: lupdate does not see nested namespaces, at run time they belong to the context."""
+    text = path.read_text()
+    text = text.replace("<name>fumage::ui::", "<name>")
+    if qualified:
+        text = re.sub(r"<name>(?!(?:%s)</name>)" % "|".join(PLAIN_CONTEXTS), "<name>fumage::ui::", text)
+    path.write_text(text)
+
+
 def main() -> None:
     lupdate = sys.argv[1]
     files = sorted((ROOT / "resources/translations").glob("*.ts"))
+    for file in files:
+        rename_contexts(file, qualified=False)
     with tempfile.TemporaryDirectory(dir=ROOT / "build") as folder:
         stub = pathlib.Path(folder) / "parameter_texts.cpp"
         stub.write_text("".join(f'QT_TRANSLATE_NOOP("Parameters", "{text}");\n' for text in table_texts()))
         subprocess.run([lupdate, str(ROOT / "ui"), str(stub), "-locations", "none", "-no-obsolete", "-ts", *map(str, files)], check=True)
+    for file in files:
+        rename_contexts(file, qualified=True)
 
 
 if __name__ == "__main__":

@@ -2,10 +2,13 @@
 #include "editor_helpers.h"
 
 #include "ui/face/language.h"
+#include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/shell/action_table.h"
 
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -71,6 +74,9 @@ private slots:
         Locks locks;
         EffectPanel panel(document, locks);
         QCOMPARE(panel.findChild<QLabel*>(u"motion.gravity.label"_q)->text(), u"Tyngdkraft"_q);
+        QCOMPARE(panel.findChild<QLineEdit*>(u"parameterSearch"_q)->placeholderText(), u"Sök parametrar"_q);
+        QCOMPARE(NoisePane(document).findChild<QComboBox*>(u"noiseChannel"_q)->itemText(0), u"Textur"_q);
+        QCOMPARE(panel.findChild<QWidget*>(u"emitter.seed.dice"_q)->accessibleName(), u"Utsändare: Frö tärning"_q);
         document.edit(*findParameter("motion.gravity"), 3.0F);
         QCOMPARE(document.undoStack()->undoText(), u"Rörelse: Tyngdkraft"_q);
     }

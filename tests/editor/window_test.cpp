@@ -103,6 +103,19 @@ private slots:
         QCOMPARE(qobject_cast<QOpenGLWidget*>(m_window->viewport().surface()) != nullptr, expected);
     }
 
+    void theWindowFitsASmallScreen()
+    {
+        // 1920 x 1080 at 200 %
+        const QSize least = m_window->minimumSizeHint();
+        QString parts;
+        for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
+            if (widget->minimumSizeHint().width() > 150 && widget->parentWidget() != nullptr && !widget->objectName().isEmpty() && !widget->objectName().contains(u"."_q)) {
+                parts += QStringLiteral(" %1:%2").arg(widget->objectName()).arg(widget->minimumSizeHint().width());
+            }
+        }
+        QVERIFY2(least.width() <= 960 && least.height() <= 520, qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height()) + parts));
+    }
+
     // --- the sliders of the design card ------------------------------------------------------------------------------
 
     void aSliderIsDraggedTypedWheeledResetUndoneAndRedone_data()

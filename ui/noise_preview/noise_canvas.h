@@ -19,7 +19,7 @@ public:
     [[nodiscard]] double line() const { return m_line; } ///< height of the line in the tile, from its top, in [0, 1)
     [[nodiscard]] double zoom() const { return m_zoom; }
 
-    QSize minimumSizeHint() const override { return {160, 160}; }
+    QSize minimumSizeHint() const override { return {96, 96}; }
     QSize sizeHint() const override { return {260, 260}; }
 
 signals:
@@ -56,7 +56,7 @@ public:
     void setProfileShown(bool shown);
 
     QSize sizeHint() const override { return {260, 96}; }
-    QSize minimumSizeHint() const override { return {160, 80}; }
+    QSize minimumSizeHint() const override { return {96, 56}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

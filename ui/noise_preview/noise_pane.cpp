@@ -30,6 +30,8 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     setObjectName(QStringLiteral("noisePane"));
     m_channel->setObjectName(QStringLiteral("noiseChannel"));
     m_channel->setAccessibleName(tr("Channel"));
+    m_channel->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_channel->setMinimumContentsLength(3);
     m_channel->addItems({tr("Texture"), tr("Sum of octaves"), tr("Alpha of a particle")});
     m_channel->setToolTip(tr("What is shown: the grey values that particles read, the noise before sharpness, or what is left under the mask of a particle"));
     m_slice->setObjectName(QStringLiteral("noiseSlice"));
@@ -37,6 +39,7 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     m_slice->setToolTip(tr("Which slice of the 3D noise; particles go through them as they age"));
     m_slice->setRange(0, kSlices - 1);
     m_facts->setObjectName(QStringLiteral("noiseFacts"));
+    m_facts->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_facts->setProperty("role", QStringLiteral("secondary"));
 
     auto* bar = new QHBoxLayout;

@@ -21,6 +21,8 @@ void chooseColour(QWidget* parent, const QString& title, const glm::vec3& before
 
 /// A swatch that opens a colour dialog.
 class ColourEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     ColourEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;

@@ -40,6 +40,8 @@ private:
 };
 
 class CurveEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     CurveEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;

@@ -42,6 +42,8 @@ private:
 };
 
 class GradientEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     GradientEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;

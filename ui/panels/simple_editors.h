@@ -12,6 +12,8 @@ class NumberSlider;
 
 /// Float and Int: a slider and a field; angles that go all around have a dial as well.
 class NumberEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     NumberEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
@@ -26,6 +28,8 @@ private:
 };
 
 class BoolEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     BoolEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
@@ -35,6 +39,8 @@ private:
 };
 
 class ChoiceEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     ChoiceEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
@@ -45,6 +51,8 @@ private:
 
 /// A number whose size means nothing: typed, or thrown with dice.
 class SeedEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     SeedEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;

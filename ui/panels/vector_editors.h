@@ -13,6 +13,8 @@ struct NumberScale;
 
 /// Three components in a row.
 class VectorEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     VectorEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
@@ -24,6 +26,8 @@ private:
 
 /// A direction as x, y, z that stay a unit vector, and as yaw and pitch with sliders.
 class DirectionEditor : public ParameterEditor {
+    Q_OBJECT
+
 public:
     DirectionEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;

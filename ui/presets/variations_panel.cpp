@@ -17,7 +17,7 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr int kEdge = 112;
+constexpr int kEdge = 88;
 constexpr int kLargestAmount = 40; ///< percent of the soft range
 constexpr int kUsualAmount = 10;
 constexpr int kColumns = 3;

@@ -173,8 +173,13 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     controls->addSpacing(8);
     controls->addWidget(m_frame);
     m_time->setProperty("role", QStringLiteral("secondary"));
-    controls->addWidget(m_time);
-    controls->addStretch();
+    controls->addWidget(m_time, 1);
+    // On a small screen these give way before the smoke does.
+    constexpr int kLeastField = 62;
+    constexpr int kLeastSpeed = 46;
+    m_frame->setMinimumWidth(kLeastField);
+    m_time->setMinimumWidth(0);
+    m_time->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     auto* speed = new QComboBox(this);
     speed->setObjectName(QStringLiteral("playSpeed"));
@@ -192,6 +197,8 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     const Parameter& rateParameter = *findParameter("timeline.frame_rate");
     rate->setRange(static_cast<int>(rateParameter.hard.low), static_cast<int>(rateParameter.hard.high));
     rate->setSuffix(tr(" frames/s"));
+    speed->setMinimumWidth(kLeastSpeed);
+    rate->setMinimumWidth(kLeastField);
     controls->addWidget(speed);
     controls->addWidget(rate);
     auto* layout = new QVBoxLayout(this);
