@@ -5,7 +5,7 @@
 #include "ui/panels/gradient_editor.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/number_slider.h"
-#include "ui/panels/number_text.h"
+#include "ui/document/number_text.h"
 #include "ui/panels/vector_editors.h"
 
 #include "core/effect/value.h"

@@ -1,5 +1,6 @@
 #include "ui/document/parameter_text.h"
 
+#include "ui/document/number_text.h"
 #include "ui/document/text.h"
 
 #include "core/base/text.h"
@@ -24,7 +25,7 @@ QString rangeOf(const Parameter& parameter)
     if (parameter.kind != Kind::Float && parameter.kind != Kind::Int) {
         return {};
     }
-    return QStringLiteral("%1 … %2 %3").arg(parameter.hard.low).arg(parameter.hard.high).arg(toQString(unitSymbol(parameter.unit))).trimmed();
+    return QStringLiteral("%1 … %2 %3").arg(formatNumber(parameter.hard.low), formatNumber(parameter.hard.high), toQString(unitSymbol(parameter.unit))).trimmed();
 }
 
 } // namespace

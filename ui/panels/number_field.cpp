@@ -1,7 +1,7 @@
 #include "ui/panels/number_field.h"
 
 #include "ui/document/text.h"
-#include "ui/panels/number_text.h"
+#include "ui/document/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -35,6 +35,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     , m_editor(makeEditor(parameter, this))
 {
     setObjectName(toQString(parameter.key) + QStringLiteral(".row"));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_label->setObjectName(toQString(parameter.key) + QStringLiteral(".label"));
     m_label->setProperty("role", QStringLiteral("parameter"));
     m_label->setToolTip(m_editor->toolTip());

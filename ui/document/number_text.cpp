@@ -1,4 +1,4 @@
-#include "ui/panels/number_text.h"
+#include "ui/document/number_text.h"
 
 #include "ui/document/text.h"
 
