@@ -72,7 +72,12 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     });
 }
 
-Viewport::~Viewport() = default;
+Viewport::~Viewport()
+{
+    // A surface that goes sends events, which must not ask for the surface any more.
+    m_surface->widget()->removeEventFilter(this);
+    window()->removeEventFilter(this);
+}
 
 View Viewport::view() const
 {
