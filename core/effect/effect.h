@@ -43,8 +43,8 @@ struct Emitter {
     int count = 100000;
     EmissionMode mode = EmissionMode::Continuous;
     float burstDuration = 0.2F;
-    float speed = 1.3F;
-    float velocityRandomness = 0.2F;
+    float speed = 1.0F;
+    float velocityRandomness = 0.05F;
     float spread = 8.0F;
     bool subframe = true;
     std::uint32_t seed = 1;
@@ -52,7 +52,7 @@ struct Emitter {
 };
 
 struct Motion {
-    float wind = 0.12F;
+    float wind = 0.15F;
     float windAngle = 0.0F;
     float gust = 0.5F;
     float gustRate = 0.4F;
@@ -60,25 +60,25 @@ struct Motion {
     float mass = 1.0F;
     float randomness = 0.0F;
     float drag = 0.8F;
-    float buoyancy = 1.6F;
-    float cooling = 0.35F;
+    float buoyancy = 1.3F;
+    float cooling = 0.25F;
     float heatVariance = 0.3F;
     float rotation = 0.0F;
     float rotationJitter = 0.0F;
-    float pull = 0.3F;
+    float pull = 0.05F;
     friend bool operator==(const Motion&, const Motion&) = default;
 };
 
 struct Turbulence {
-    float strength = 0.42F;
-    float scale = 0.7F;
+    float strength = 0.3F;
+    float scale = 0.8F;
     int octaves = 4;
-    float roughness = 0.6F;
+    float roughness = 0.75F;
     float lacunarity = 2.0F;
-    float evolution = 0.35F;
-    float onset = 0.5F;
-    float growth = 0.5F;
-    float drift = 0.8F;
+    float evolution = 1.0F;
+    float onset = 0.2F;
+    float growth = 0.0F;
+    float drift = 1.4F;
     friend bool operator==(const Turbulence&, const Turbulence&) = default;
 };
 
@@ -93,22 +93,22 @@ struct Life {
     float initialAlpha = 0.1F;
     float fadeRate = 0.028F;
     float lifetimeVariance = 0.35F;
-    Curve alphaCurve{{0.0F, 0.0F}, {0.04F, 1.0F}, {1.0F, 1.0F}};
-    Curve sizeCurve{{0.0F, 0.45F}, {0.4F, 0.75F}, {1.0F, 1.0F}};
+    Curve alphaCurve{{0.0F, 0.0F}, {0.02F, 1.0F}, {1.0F, 1.0F}};
+    Curve sizeCurve{{0.0F, 0.4F}, {1.0F, 1.0F}};
     friend bool operator==(const Life&, const Life&) = default;
 };
 
 struct Look {
-    float size = 0.115F;
-    float sizeVariance = 0.6F;
-    float opacity = 2.1F;
-    float dilution = 1.0F;
+    float size = 0.17F;
+    float sizeVariance = 0.25F;
+    float opacity = 1.8F;
+    float dilution = 0.8F;
     glm::vec3 colour{0.82F, 0.82F, 0.82F};
     Gradient colourGradient{{0.0F, glm::vec3(1.0F)}};
     MaskShape mask = MaskShape::Disc;
-    float softness = 0.8F;
-    float texture = 0.9F;
-    float erosion = 0.6F;
+    float softness = 1.0F;
+    float texture = 0.35F;
+    float erosion = 0.0F;
     float erosionSoftness = 0.6F;
     float textureScale = 0.6F;
     float textureRate = 0.4F;
@@ -116,8 +116,8 @@ struct Look {
     float spin = 0.0F;
     float spinVariance = 20.0F;
     float stretch = 0.0F;
-    float relief = 0.5F;
-    float roundness = 0.3F;
+    float relief = 0.0F;
+    float roundness = 0.0F;
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -142,14 +142,14 @@ struct Noise {
 struct Light {
     glm::vec3 direction{-0.6F, -0.64F, -0.48F};
     glm::vec3 colour{1.0F, 0.96F, 0.9F};
-    float intensity = 1.7F;
-    float shadow = 3.0F;
+    float intensity = 1.5F;
+    float shadow = 1.5F;
     float anisotropy = 0.3F;
     float scattering = 0.45F;
     glm::vec3 sky{0.42F, 0.52F, 0.68F};
     glm::vec3 ground{0.20F, 0.18F, 0.16F};
     float ambient = 0.45F;
-    float occlusion = 1.0F;
+    float occlusion = 0.7F;
     float emission = 0.0F;
     float emissionCooling = 2.0F;
     Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},

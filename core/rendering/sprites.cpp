@@ -54,6 +54,7 @@ struct SpriteJob {
     float emissionCooling = 0.0F;
     float heatVariance = 0.0F;
     float erosion = 0.0F;
+    float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
     float stretch = 0.0F; ///< s
     SpriteStyle style;
 };
@@ -83,7 +84,8 @@ inline constexpr float kSmallestRadius = 1.0F;
 inline constexpr float kNear = 0.02F;
 /// Larger sprites are not drawn: the camera is inside of them.
 inline constexpr float kLargestRadius = 16384.0F;
-/// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture.
+/// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture; where texture and shading are
+/// weaker, larger ones too: half the contrast needs twice the size to be seen.
 inline constexpr float kPlainRadius = 5.0F;
 
 } // namespace fumage
@@ -265,7 +267,7 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     const std::uint32_t offset = mixBits(key ^ 0x51ed270bU);
     const auto slice = static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));
     const float threshold = job.erosion * life;
-    if (radius >= kPlainRadius || job.style.square) {
+    if (radius * job.contrast >= kPlainRadius || job.style.square) {
         sprite.texture = packTexture(slice, static_cast<std::uint32_t>(textureLevel(job, radius)), offset & 255U, offset >> 8U & 255U, static_cast<std::uint32_t>(threshold * 31.0F + 0.5F));
         return;
     }
@@ -388,6 +390,7 @@ void makeSprites(const Frame& frame, const Effect& effect, const Appearance& app
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;
     job.style = makeStyle(effect, view);
+    job.contrast = std::min(1.0F, std::max({job.style.texture, job.style.relief, job.style.roundness}));
     fillTables(effect, job);
 
     const std::size_t padded = frame.particles.x.size();

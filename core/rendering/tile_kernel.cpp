@@ -149,10 +149,9 @@ HWY_INLINE RowsOf<hn::Vec<Tag>> restOfRows(Tag d, float yy, float hardness, floa
 }
 
 /// A sprite too small for its texture: a soft disc of one colour.
-void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
+template <class Tag>
+HWY_INLINE void paintPlainWith(Tag d, const SpriteStyle& style, const Sprite& sprite, Tile& tile)
 {
-    // Few of these are wider than eight pixels: wider vectors would blend mostly nothing.
-    const hn::CappedTag<float, 8> d;
     using W = hn::Vec<decltype(d)>;
     using Pair = RowsOf<W>;
     const Box box = boxOf(sprite, tile);
@@ -179,6 +178,17 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
             under(d, at, alpha.a, red, green, blue);
             under(d, at + Tile::kStride, alpha.b, red, green, blue);
         }
+    }
+}
+
+void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
+{
+    // Over a narrow sprite a wide vector would blend mostly nothing.
+    constexpr float kNarrow = 5.0F;
+    if (sprite.halfWidth < kNarrow) {
+        paintPlainWith(hn::CappedTag<float, 8>(), style, sprite, tile);
+    } else {
+        paintPlainWith(D(), style, sprite, tile);
     }
 }
 
