@@ -24,6 +24,10 @@ inline Effect everythingOn()
     e.turbulence.octaves = 2;
     e.vortex.strength = 0.4F;
     e.look.size = 0.6F;
+    e.look.texture = 0.9F;
+    e.look.erosion = 0.6F;
+    e.look.relief = 0.5F;
+    e.look.roundness = 0.3F;
     e.look.spin = 10.0F;
     e.look.stretch = 0.05F;
     e.light.emission = 2.0F;
