@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Makes the comparison sheet and its figures: `./dev gallery [folder of references]`.
+
+The sheet shows each reference picture beside ours with the same framing, light and background, then every preset at three moments. The figures
+compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, energy that stands out at the sprites'
+size, steep gradients, and the change from frame to frame.
+"""
+
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+EDGE = 512
+BACKGROUND = (29, 79, 145)
+# Where the references were taken from: 9 m away at 2.8 m height, level, 50 mm on a 36 mm sensor.
+CAMERA = ["camera.mode=fixed", "camera.position=[0,2.8,9]", "camera.view=[0,0,-1]", "camera.focal_length=50"]
+FRONT = ["light.direction=[-0.663,-0.643,-0.382]"]
+BACK = ["light.direction=[-0.322,0.342,0.884]"]
+PLUME = ["emitter.position=[0,0,0]", "emitter.radius=0.35"]
+YOUNG = ["timeline.prewarm=false"]
+# reference file, preset, frame, what to set
+PAIRS = [
+    ("solver_plume_rgba_080.png", "plume", 78, CAMERA + FRONT + PLUME + YOUNG),
+    ("solver_plume_rgba_150.png", "plume", 120, CAMERA + FRONT + PLUME),
+    ("solver_plume_rgba_150_back.png", "plume", 120, CAMERA + BACK + PLUME),
+    ("solver_wind_rgba_110.png", "plume", 110, CAMERA + ["light.direction=[0.864,-0.503,0]", "emitter.position=[-1.6,0,0]", "emitter.radius=0.25", "motion.wind=0.9"]),
+    ("solver_wisp_rgba_140.png", "cigarette", 100, CAMERA + FRONT + ["look.opacity=0.3", "emitter.position=[0,0.2,0]"]),
+]
+BAND = (8, 64)  # cycles a picture: from the large billows down to 8 pixels
+STEEP = 99.9  # percentile of the reference's gradients
+
+
+def render(cli: str, preset: str, frame: int, out: pathlib.Path, edge: int, settings: list[str]) -> Image.Image:
+    command = [cli, "render", preset, "--frames", str(frame), "--size", f"{edge}x{edge}", "--supersample", "2", "--output", str(out)]
+    for setting in settings:
+        command += ["--set", setting]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return Image.open(out).convert("RGBA")
+
+
+def flat(image: Image.Image) -> Image.Image:
+    base = Image.new("RGBA", image.size, BACKGROUND + (255,))
+    return Image.alpha_composite(base, image).convert("RGB")
+
+
+def density(image: Image.Image) -> np.ndarray:
+    return np.asarray(image.getchannel("A"), dtype=np.float64) / 255.0
+
+
+def spectrum(alpha: np.ndarray) -> np.ndarray:
+    """Mean power at each whole number of cycles a picture; a Hann window takes the picture's edges out."""
+    size = alpha.shape[0]
+    window = np.outer(np.hanning(size), np.hanning(size))
+    power = np.abs(np.fft.fftshift(np.fft.fft2((alpha - alpha.mean()) * window))) ** 2
+    y, x = np.indices(power.shape) - size // 2
+    ring = np.hypot(x, y).round().astype(int).ravel()
+    return np.bincount(ring, power.ravel())[: size // 2] / np.bincount(ring)[: size // 2]
+
+
+def slope_of(power: np.ndarray) -> float:
+    cycles = np.arange(*BAND)
+    return float(np.polyfit(np.log(cycles), np.log(power[cycles]), 1)[0])
+
+
+def bump_of(power: np.ndarray) -> float:
+    """How far the spectrum rises above its own straight line between 16 and 128 cycles, in factors of e: sprites of one size would show."""
+    cycles = np.arange(16, 128)
+    logs = np.log(power[cycles])
+    smooth = np.convolve(logs, np.ones(9) / 9, mode="same")[4:-4]
+    line = np.polyval(np.polyfit(np.log(cycles), logs, 2), np.log(cycles))[4:-4]
+    return float((smooth - line).max())
+
+
+def gradients(alpha: np.ndarray) -> np.ndarray:
+    dy, dx = np.gradient(alpha)
+    return np.hypot(dx, dy)
+
+
+def changes(cli: str, preset: str, folder: pathlib.Path) -> np.ndarray:
+    """Mean change of density from frame to frame over a second."""
+    frames = [density(render(cli, preset, 60 + i, folder / "step.png", 128, [])) for i in range(30)]
+    return np.array([np.abs(b - a).mean() for a, b in zip(frames, frames[1:])])
+
+
+def main() -> None:
+    cli, out, references = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    out.mkdir(parents=True, exist_ok=True)
+    rows: list[list[Image.Image]] = []
+    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'bump':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s}")
+    for name, preset, frame, settings in PAIRS:
+        if not (references / name).exists():
+            continue
+        theirs = Image.open(references / name).convert("RGBA").resize((EDGE, EDGE))
+        ours = render(cli, preset, frame, out / f"ours_{name}", EDGE, settings)
+        a, b = density(theirs), density(ours)
+        power_a, power_b = spectrum(a), spectrum(b)
+        limit = np.percentile(gradients(a), STEEP)
+        steep = [100.0 * float((gradients(image) > limit).mean()) for image in (a, b)]
+        slopes = slope_of(power_a), slope_of(power_b)
+        print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {bump_of(power_a):6.2f} {bump_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f}")
+        rows.append([flat(theirs), flat(ours)])
+    presets = sorted(path.stem for path in (pathlib.Path(__file__).parents[1] / "presets").glob("*.json"))
+    print(f"\n{'preset':18s} largest change of density from one frame to the next, beside the median")
+    moments = []
+    for preset in presets:
+        step = changes(cli, preset, out)
+        print(f"{preset:18s} {step.max() / max(np.median(step), 1e-9):5.2f}")
+        moments.append([flat(render(cli, preset, frame, out / "moment.png", EDGE // 2, [])) for frame in (20, 60, 110)])
+    sheet = Image.new("RGB", (2 * EDGE, EDGE * len(rows)))
+    for y, row in enumerate(rows):
+        for x, image in enumerate(row):
+            sheet.paste(image, (x * EDGE, y * EDGE))
+    sheet.save(out / "references.png")
+    half = EDGE // 2
+    sheet = Image.new("RGB", (6 * half, half * ((len(moments) + 1) // 2)))
+    draw = ImageDraw.Draw(sheet)
+    for i, (preset, row) in enumerate(zip(presets, moments)):
+        for x, image in enumerate(row):
+            sheet.paste(image, ((i % 2 * 3 + x) * half, i // 2 * half))
+        draw.text((i % 2 * 3 * half + 6, i // 2 * half + 4), preset, fill=(255, 255, 255))
+    sheet.save(out / "presets.png")
+    print(f"\n{out / 'references.png'}\n{out / 'presets.png'}")
+
+
+if __name__ == "__main__":
+    main()
