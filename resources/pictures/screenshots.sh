@@ -42,8 +42,14 @@ sleep 3
 take editor_variations
 close_editor
 
-open_editor 2 "$presets/cloud.json"
-keys space ctrl+b ctrl+shift+r s
-sleep 2
+open_editor 2 "$presets/volcano.json"
+keys space ctrl+b ctrl+shift+p
+xdotool type 'wind angle'
+keys Return
+xdotool type '180'
+keys Return
+xdotool mousemove 900 500 click 1
+keys s
+sleep 3
 take editor_light
 close_editor

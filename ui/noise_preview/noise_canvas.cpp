@@ -67,7 +67,7 @@ void NoiseCanvas::paintEvent(QPaintEvent*)
     }
     // Near enough, single pixels are what one wants to see.
     const double edge = tileEdge();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, edge < 4.0 * m_picture->image.width());
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, edge < 8.0 * m_picture->image.width());
     const int tiles = m_tiled ? kTiles : 1;
     for (int y = 0; y < tiles; ++y) {
         for (int x = 0; x < tiles; ++x) {

@@ -194,7 +194,7 @@ void MainWindow::arrangeDocks()
     tabifyDockWidget(parameters, variations);
     tabifyDockWidget(variations, history);
     parameters->raise();
-    constexpr int kLeft = 268;
+    constexpr int kLeft = 316;
     constexpr int kRight = 376;
     resizeDocks({presets, parameters}, {kLeft, kRight}, Qt::Horizontal);
     constexpr int kNoise = 470;
