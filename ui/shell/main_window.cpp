@@ -551,9 +551,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (event->mimeData()->hasFormat(PresetList::mimeType())) {
-        event->acceptProposedAction();
-    } else if (!urls.isEmpty() && urls.constFirst().isLocalFile()) {
+    const bool isFile = !urls.isEmpty() && urls.constFirst().isLocalFile();
+    if (isFile || event->mimeData()->hasFormat(PresetList::mimeType())) {
         event->acceptProposedAction();
     }
 }

@@ -28,6 +28,12 @@ constexpr Attribute kFloats[] = {
 };
 constexpr GLuint kPackedLocation = 4;
 
+/// OpenGL takes an offset into a buffer as a pointer.
+const void* asPointer(std::size_t offset)
+{
+    return reinterpret_cast<const void*>(offset); // NOLINT(performance-no-int-to-ptr)
+}
+
 } // namespace
 
 GlSprites::GlSprites()
@@ -43,11 +49,11 @@ GlSprites::GlSprites()
     m_instances.bind();
     for (const Attribute& attribute : kFloats) {
         glEnableVertexAttribArray(attribute.location);
-        glVertexAttribPointer(attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite), reinterpret_cast<const void*>(attribute.offset));
+        glVertexAttribPointer(attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite), asPointer(attribute.offset));
         glVertexAttribDivisor(attribute.location, 1);
     }
     glEnableVertexAttribArray(kPackedLocation);
-    glVertexAttribIPointer(kPackedLocation, 1, GL_UNSIGNED_INT, sizeof(Sprite), reinterpret_cast<const void*>(offsetof(Sprite, texture)));
+    glVertexAttribIPointer(kPackedLocation, 1, GL_UNSIGNED_INT, sizeof(Sprite), asPointer(offsetof(Sprite, texture)));
     glVertexAttribDivisor(kPackedLocation, 1);
     m_instances.release();
 }

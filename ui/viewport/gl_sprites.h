@@ -20,7 +20,7 @@ namespace fumage::ui {
 class GlSprites : protected QOpenGLFunctions_3_3_Core {
 public:
     GlSprites();
-    ~GlSprites();
+    ~GlSprites() override;
     GlSprites(const GlSprites&) = delete;
     GlSprites& operator=(const GlSprites&) = delete;
 
