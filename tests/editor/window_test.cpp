@@ -383,7 +383,11 @@ private slots:
         QTRY_VERIFY(m_window->player().frame() != 30);
         m_window->hide();
         const int frame = m_window->player().frame();
-        QTest::qWait(200);
+        // Many turns of the event loop, in which a player that ran would have gone on.
+        QTimer timer;
+        QSignalSpy turns(&timer, &QTimer::timeout);
+        timer.start(5);
+        QTRY_VERIFY(turns.size() > 40);
         QCOMPARE(m_window->player().frame(), frame);
         m_window->show();
         QTRY_VERIFY(m_window->player().frame() != frame);
