@@ -66,9 +66,8 @@ void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& 
 {
     constexpr std::size_t kPadding = kAlignment;
     constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
-    constexpr float kLnTwo = 0.693147180559945309F;
     const auto width = static_cast<std::size_t>(image.width);
-    const float gain = portableExp(output.exposure * kLnTwo);
+    const float gain = exposureGain(output.exposure);
     out.width = image.width;
     out.height = image.height;
     out.pixels.resize(width * static_cast<std::size_t>(image.height) * 4);
@@ -93,6 +92,12 @@ void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>
 void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out)
 {
     encodeAll(image, output, out);
+}
+
+float exposureGain(float stops)
+{
+    constexpr float kLnTwo = 0.693147180559945309F;
+    return portableExp(stops * kLnTwo);
 }
 
 float srgbFromLinear(float linear)

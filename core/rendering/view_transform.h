@@ -22,6 +22,9 @@ struct EncodedImage {
 void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out);
 void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out);
 
+/// What light is multiplied by: 2^stops.
+[[nodiscard]] float exposureGain(float stops);
+
 /// The sRGB curve for one linear value of 0 or more; values above 1 go on along the curve.
 [[nodiscard]] float srgbFromLinear(float linear);
 

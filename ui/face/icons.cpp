@@ -7,6 +7,7 @@
 #include <QPalette>
 #include <QPixmapCache>
 #include <QSvgRenderer>
+#include <QToolButton>
 
 namespace fumage::ui {
 
@@ -67,6 +68,17 @@ private:
 QIcon themedIcon(const QString& name)
 {
     return QIcon(new ThemedIconEngine(name));
+}
+
+QToolButton* makeIconButton(QWidget* parent, const QString& name, const QString& icon, const QString& tip)
+{
+    auto* button = new QToolButton(parent);
+    button->setObjectName(name);
+    button->setAccessibleName(tip);
+    button->setToolTip(tip);
+    button->setIcon(themedIcon(icon));
+    button->setAutoRaise(true);
+    return button;
 }
 
 } // namespace fumage::ui

@@ -50,12 +50,8 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     m_profile = addToggle(QStringLiteral("noiseProfile"), QStringLiteral("profile"), tr("Profile along a line, with amplitude and wavelength"));
     m_profile->setChecked(true);
     m_animate = addToggle(QStringLiteral("noiseAnimate"), QStringLiteral("play"), tr("Go through the slices"));
-    auto* save = new QToolButton(this);
-    save->setObjectName(QStringLiteral("noiseExport"));
+    QToolButton* save = makeIconButton(this, QStringLiteral("noiseExport"), QStringLiteral("export"), tr("Export the noise texture…"));
     save->setAccessibleName(tr("Export the noise texture"));
-    save->setToolTip(tr("Export the noise texture…"));
-    save->setIcon(themedIcon(QStringLiteral("export")));
-    save->setAutoRaise(true);
     for (QToolButton* button : {m_plain, m_tiled, m_profile, m_animate, save}) {
         bar->addWidget(button);
     }
@@ -85,13 +81,8 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
 
 QToolButton* NoisePane::addToggle(const QString& name, const QString& icon, const QString& tip)
 {
-    auto* button = new QToolButton(this);
-    button->setObjectName(name);
-    button->setAccessibleName(tip);
-    button->setToolTip(tip);
-    button->setIcon(themedIcon(icon));
+    QToolButton* button = makeIconButton(this, name, icon, tip);
     button->setCheckable(true);
-    button->setAutoRaise(true);
     return button;
 }
 

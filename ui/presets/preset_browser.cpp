@@ -22,7 +22,7 @@ constexpr int kThumbnail = 104;
 PresetBrowser::PresetBrowser(QWidget* parent)
     : QWidget(parent)
     , m_search(new QLineEdit(this))
-    , m_onlyFavourites(new QToolButton(this))
+    , m_onlyFavourites(makeIconButton(this, QStringLiteral("onlyFavourites"), QStringLiteral("star"), tr("Favourites only")))
     , m_list(new PresetList(kThumbnail, this))
 {
     setObjectName(QStringLiteral("presetBrowser"));
@@ -30,12 +30,7 @@ PresetBrowser::PresetBrowser(QWidget* parent)
     m_search->setAccessibleName(tr("Search presets"));
     m_search->setPlaceholderText(tr("Search presets"));
     m_search->setClearButtonEnabled(true);
-    m_onlyFavourites->setObjectName(QStringLiteral("onlyFavourites"));
-    m_onlyFavourites->setAccessibleName(tr("Favourites only"));
-    m_onlyFavourites->setToolTip(tr("Favourites only"));
-    m_onlyFavourites->setIcon(themedIcon(QStringLiteral("star")));
     m_onlyFavourites->setCheckable(true);
-    m_onlyFavourites->setAutoRaise(true);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->setFrameShape(QFrame::NoFrame);
     auto* top = new QHBoxLayout;

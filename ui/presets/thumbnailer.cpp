@@ -34,7 +34,6 @@ QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& st
     request.frame = tellingFrame(small);
     request.width = edge;
     request.height = edge;
-    request.backdrop.colour = {0.012F, 0.015F, 0.021F};
     const PicturePtr picture = SmokeStudio().make(request, stop);
     return picture ? picture->image : QImage();
 }

@@ -235,9 +235,9 @@ void MainWindow::buildMenus()
 void MainWindow::addChoices(QMenu& menu)
 {
     menu.addSeparator();
-    m_panelMenu = menu.addMenu(tr("&Panels"));
+    QMenu* panels = menu.addMenu(tr("&Panels"));
     for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-        m_panelMenu->addAction(dock->toggleViewAction());
+        panels->addAction(dock->toggleViewAction());
     }
     const auto addGroup = [&](QMenu& parent, const QStringList& names, int current, auto&& chosen) {
         auto* group = new QActionGroup(&parent);

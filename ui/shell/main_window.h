@@ -91,7 +91,6 @@ private:
     ExportJob* m_exportJob = nullptr;
     ExportDialog* m_exportDialog = nullptr;
     QMenu* m_recentMenu = nullptr;
-    QMenu* m_panelMenu = nullptr;
     QHash<QString, QDockWidget*> m_docks;
 };
 

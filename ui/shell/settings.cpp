@@ -131,16 +131,6 @@ void Settings::setList(const QString& key, const QStringList& value)
     m_settings.setValue(key, value);
 }
 
-QString Settings::text(const QString& key, const QString& otherwise) const
-{
-    return m_settings.value(key, otherwise).toString();
-}
-
-void Settings::setText(const QString& key, const QString& value)
-{
-    m_settings.setValue(key, value);
-}
-
 QString Settings::recoveryFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fumage/recovery");

@@ -36,8 +36,6 @@ public:
     void setBytes(const QString& key, const QByteArray& value);
     [[nodiscard]] QStringList list(const QString& key, const QStringList& otherwise) const;
     void setList(const QString& key, const QStringList& value);
-    [[nodiscard]] QString text(const QString& key, const QString& otherwise) const;
-    void setText(const QString& key, const QString& value);
 
     /// Where unsaved work is kept.
     [[nodiscard]] static QString recoveryFolder();

@@ -156,12 +156,12 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     setObjectName(QStringLiteral("timeline"));
     auto* controls = new QHBoxLayout;
     controls->setSpacing(2);
-    QToolButton* start = addButton(QStringLiteral("toStart"), QStringLiteral("to-start"), tr("To the first frame (Home)"));
-    QToolButton* back = addButton(QStringLiteral("stepBack"), QStringLiteral("step-back"), tr("One frame back (Left)"));
-    m_play = addButton(QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
-    QToolButton* forward = addButton(QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("One frame on (Right)"));
-    QToolButton* end = addButton(QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("To the last frame (End)"));
-    m_loop = addButton(QStringLiteral("repeat"), QStringLiteral("loop"), tr("Start again after the last frame"));
+    QToolButton* start = makeIconButton(this, QStringLiteral("toStart"), QStringLiteral("to-start"), tr("To the first frame (Home)"));
+    QToolButton* back = makeIconButton(this, QStringLiteral("stepBack"), QStringLiteral("step-back"), tr("One frame back (Left)"));
+    m_play = makeIconButton(this, QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
+    QToolButton* forward = makeIconButton(this, QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("One frame on (Right)"));
+    QToolButton* end = makeIconButton(this, QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("To the last frame (End)"));
+    m_loop = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"), tr("Start again after the last frame"));
     m_loop->setCheckable(true);
     for (QToolButton* button : {start, back, m_play, forward, end, m_loop}) {
         controls->addWidget(button);
@@ -228,17 +228,6 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     rate->setValue(document.effect().timeline.frameRate);
     player.setTimeline(document.effect().timeline.length, document.effect().timeline.frameRate);
     sync();
-}
-
-QToolButton* TimelineBar::addButton(const QString& name, const QString& icon, const QString& tip)
-{
-    auto* button = new QToolButton(this);
-    button->setObjectName(name);
-    button->setAccessibleName(tip);
-    button->setToolTip(tip);
-    button->setIcon(themedIcon(icon));
-    button->setAutoRaise(true);
-    return button;
 }
 
 void TimelineBar::sync()

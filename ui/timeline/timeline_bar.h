@@ -57,7 +57,6 @@ public:
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
 
 private:
-    QToolButton* addButton(const QString& name, const QString& icon, const QString& tip);
     void sync();
     void showTime();
 

@@ -1,6 +1,6 @@
 #include "ui/viewport/gl_sprites.h"
 
-#include "core/base/math.h"
+#include "core/rendering/view_transform.h"
 
 #include <QCoreApplication>
 #include <QVector2D>
@@ -11,8 +11,6 @@
 namespace fumage::ui {
 
 namespace {
-
-constexpr float kLnTwo = 0.693147180559945309F;
 
 /// A member of Sprite as an attribute of an instance.
 struct Attribute {
@@ -150,7 +148,7 @@ void GlSprites::resolve(const Picture& picture, const QSize& pixels, GLuint targ
     const Output& output = picture.output;
     const bool own = output.background == Background::Colour;
     const glm::vec3 behind = own ? output.backgroundColour : picture.backdrop.colour;
-    const float gain = portableExp(output.exposure * kLnTwo);
+    const float gain = exposureGain(output.exposure);
     m_resolveProgram.bind();
     m_resolveProgram.setUniformValue("smoke", 0);
     m_resolveProgram.setUniformValue("background", QVector3D(behind.r, behind.g, behind.b));

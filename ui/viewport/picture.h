@@ -19,7 +19,7 @@ struct Backdrop {
         Checker,
     };
     Kind kind = Kind::Colour;
-    glm::vec3 colour{0.0F}; ///< linear RGB
+    glm::vec3 colour{0.012F, 0.015F, 0.021F}; ///< linear RGB; a dark blue grey
     friend bool operator==(const Backdrop&, const Backdrop&) = default;
 };
 

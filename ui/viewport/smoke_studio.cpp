@@ -2,7 +2,6 @@
 
 #include "ui/viewport/tracks.h"
 
-#include "core/base/math.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/effect/variation.h"
@@ -27,8 +26,7 @@ constexpr int kCheckerPixels = 16;
 /// Puts what lies behind the smoke under it, in linear light, so that exposure leaves it alone.
 void fillBackdrop(Image& image, const Backdrop& backdrop, const Output& output)
 {
-    constexpr float kLnTwo = 0.693147180559945309F;
-    const float gain = portableExp(-output.exposure * kLnTwo);
+    const float gain = exposureGain(-output.exposure);
     if (backdrop.kind == Backdrop::Kind::Colour) {
         fillBackground(image, backdrop.colour * gain);
         return;

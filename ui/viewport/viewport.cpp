@@ -45,8 +45,6 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(surface);
 
-    constexpr float kDarkBlueGrey[] = {0.012F, 0.015F, 0.021F};
-    m_backdrop.colour = {kDarkBlueGrey[0], kDarkBlueGrey[1], kDarkBlueGrey[2]};
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     m_wheelRest.setSingleShot(true);
@@ -133,8 +131,7 @@ bool Viewport::isSeen() const
 void Viewport::effectChanged(Stage)
 {
     invalidate();
-    m_moving = true;
-    m_rest.start();
+    beginMoving();
     refresh(Haste::Dragging);
 }
 
@@ -144,6 +141,12 @@ void Viewport::frameChanged()
         m_rest.start();
     }
     refresh(m_moving ? Haste::Dragging : Haste::Playing);
+}
+
+void Viewport::beginMoving()
+{
+    m_moving = true;
+    m_rest.start();
 }
 
 void Viewport::invalidate()
@@ -260,8 +263,7 @@ void Viewport::followVisibility()
     }
     if (!m_shown) {
         // Something to look at first; the whole of it a moment later.
-        m_moving = true;
-        m_rest.start();
+        beginMoving();
     }
     refresh(m_moving ? Haste::Dragging : (m_player.isPlaying() ? Haste::Playing : Haste::None));
 }
@@ -270,8 +272,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     invalidate();
-    m_moving = true;
-    m_rest.start();
+    beginMoving();
     refresh(Haste::Dragging);
 }
 

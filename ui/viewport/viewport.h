@@ -79,6 +79,7 @@ private:
 
     void effectChanged(Stage from);
     void frameChanged();
+    void beginMoving();
     void invalidate();
     void refresh(Haste haste);
     void request(Haste haste);
