@@ -10,6 +10,7 @@
 #include "core/noise/simplex-inl.h"
 
 #include <algorithm>
+#include <numeric>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -43,36 +44,36 @@ void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float f
         const auto bits0 = latticeBits(du, hn::Add(linear, row0), seed);
         const auto component = [&](auto bits) { return hn::ConvertTo(d, hn::BitCast(di, bits)); };
         if (flat) {
-            hn::StoreU(component(bits0), d, row.x.data() + i);
-            hn::StoreU(component(hn::ShiftLeft<11>(bits0)), d, row.y.data() + i);
-            hn::StoreU(hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz)), d, row.z.data() + i);
+            hn::StoreU(component(bits0), d, row.x + i);
+            hn::StoreU(component(hn::ShiftLeft<11>(bits0)), d, row.y + i);
+            hn::StoreU(hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz)), d, row.z + i);
             continue;
         }
         const auto bits1 = latticeBits(du, hn::Add(linear, row1), seed);
-        hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x.data() + i);
-        hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y.data() + i);
+        hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x + i);
+        hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y + i);
         const V z0 = hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz));
         const V z1 = hn::Mul(component(hn::ShiftLeft<22>(bits1)), hn::Set(d, fz - 1.0F));
-        hn::StoreU(mix(z0, z1, t), d, row.z.data() + i);
+        hn::StoreU(mix(z0, z1, t), d, row.z + i);
     }
-    for (AlignedArray<float>* column0 : {&row.x, &row.y, &row.z}) {
-        (*column0)[points] = (*column0)[0]; // the lattice repeats
+    for (float* component : {row.x, row.y, row.z}) {
+        component[points] = component[0]; // the lattice repeats
     }
 }
 
 void gradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
 {
     const D d;
-    const float* HWY_RESTRICT belowX = below.x.data();
-    const float* HWY_RESTRICT belowY = below.y.data();
-    const float* HWY_RESTRICT belowZ = below.z.data();
-    const float* HWY_RESTRICT aboveX = above.x.data();
-    const float* HWY_RESTRICT aboveY = above.y.data();
-    const float* HWY_RESTRICT aboveZ = above.z.data();
-    float* HWY_RESTRICT c0 = out.c0.data();
-    float* HWY_RESTRICT c1 = out.c1.data();
-    float* HWY_RESTRICT d0 = out.d0.data();
-    float* HWY_RESTRICT d1 = out.d1.data();
+    const float* HWY_RESTRICT belowX = below.x;
+    const float* HWY_RESTRICT belowY = below.y;
+    const float* HWY_RESTRICT belowZ = below.z;
+    const float* HWY_RESTRICT aboveX = above.x;
+    const float* HWY_RESTRICT aboveY = above.y;
+    const float* HWY_RESTRICT aboveZ = above.z;
+    float* HWY_RESTRICT c0 = out.c0;
+    float* HWY_RESTRICT c1 = out.c1;
+    float* HWY_RESTRICT d0 = out.d0;
+    float* HWY_RESTRICT d1 = out.d1;
     const V t = hn::Set(d, weightY);
     const V up = hn::Set(d, fy);
     const V down = hn::Set(d, fy - 1.0F);
@@ -93,39 +94,66 @@ void gradientCoefficients(const LatticeRow& below, const LatticeRow& above, floa
     }
 }
 
+/// Adds a block of kBlock pixels after the other. add(i, j, cell): a vector of pixels from i on, which lie at j in the repeat, in or after the cell.
+template <class Add>
+HWY_INLINE void forVectors(const RowPositions& positions, const Add& add)
+{
+    const D d;
+    const std::size_t repeat = positions.fraction.size();
+    const std::size_t blocks = positions.cell.size();
+    const std::int32_t* HWY_RESTRICT cells = positions.cell.data();
+    std::size_t j = 0;
+    for (std::size_t block = 0; block < blocks; ++block) {
+        const std::int32_t cell = cells[block];
+        for (std::size_t i = 0; i < RowPositions::kBlock; i += hn::Lanes(d)) {
+            add(block * RowPositions::kBlock + i, j + i, cell);
+        }
+        j += RowPositions::kBlock;
+        j = j == repeat ? 0 : j;
+    }
+}
+
 void addPixelRow(const RowPositions& positions, const RowCoefficients& coefficients, float* HWY_RESTRICT values)
 {
     const D d;
     const hn::RebindToSigned<D> di;
-    const std::size_t size = positions.cell.size();
-    const std::int32_t* HWY_RESTRICT cells = positions.cell.data();
     const std::int32_t* HWY_RESTRICT lanes = positions.lane.data();
     const float* HWY_RESTRICT fraction = positions.fraction.data();
     const float* HWY_RESTRICT weight = positions.weight.data();
-    const float* HWY_RESTRICT c0 = coefficients.c0.data();
-    const float* HWY_RESTRICT c1 = coefficients.c1.data();
-    const float* HWY_RESTRICT d0 = coefficients.d0.data();
-    const float* HWY_RESTRICT d1 = coefficients.d1.data();
-    const auto add = [&](std::size_t i, V k0, V k1, V e0, V e1) {
-        const V f = hn::Load(d, fraction + i);
+    const float* HWY_RESTRICT c0 = coefficients.c0;
+    const float* HWY_RESTRICT c1 = coefficients.c1;
+    const float* HWY_RESTRICT d0 = coefficients.d0;
+    const float* HWY_RESTRICT d1 = coefficients.d1;
+    const auto add = [&](std::size_t i, V f, V w, V k0, V k1, V e0, V e1) HWY_ATTR {
         const V low = mulAdd(k1, f, k0);
         const V rise = mulAdd(e1, f, e0);
-        hn::Store(hn::Add(hn::Load(d, values + i), mulAdd(hn::Load(d, weight + i), rise, low)), d, values + i);
+        hn::Store(hn::Add(hn::Load(d, values + i), mulAdd(w, rise, low)), d, values + i);
+    };
+    // Cells along a row never skip one, so that a vector of pixels needs at most a vector of cells.
+    const auto pickAndAdd = [&](std::size_t i, V f, V w, const float* HWY_RESTRICT* columns, auto order) HWY_ATTR {
+        const auto pick = [&](const float* column) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, column), order); };
+        add(i, f, w, pick(columns[0]), pick(columns[1]), pick(columns[2]), pick(columns[3]));
     };
     if (positions.uniform) {
-        for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-            const std::int32_t cell = cells[i];
-            add(i, hn::Set(d, c0[cell]), hn::Set(d, c1[cell]), hn::Set(d, d0[cell]), hn::Set(d, d1[cell]));
-        }
-        return;
-    }
-    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-        // Cells along a row never skip one, so that a vector of pixels needs at most a vector of cells.
-        const std::int32_t first = cells[i];
-        const auto within = hn::Sub(hn::Load(di, lanes + i), hn::Set(di, lanes[i]));
-        const auto order = hn::IndicesFromVec(d, within);
-        const auto pick = [&](const float* column) { return hn::TableLookupLanes(hn::LoadU(d, column + first), order); };
-        add(i, pick(c0), pick(c1), pick(d0), pick(d1));
+        forVectors(positions, [&](std::size_t i, std::size_t j, std::int32_t cell) HWY_ATTR {
+            add(i, hn::Load(d, fraction + j), hn::Load(d, weight + j), hn::Set(d, c0[cell]), hn::Set(d, c1[cell]), hn::Set(d, d0[cell]), hn::Set(d, d1[cell]));
+        });
+    } else if (positions.fraction.size() == hn::Lanes(d)) {
+        // Every vector of the row lies alike in its cells.
+        const V f = hn::Load(d, fraction);
+        const V w = hn::Load(d, weight);
+        const auto order = hn::IndicesFromVec(d, hn::Load(di, lanes));
+        forVectors(positions, [&](std::size_t i, std::size_t, std::int32_t cell) HWY_ATTR {
+            const float* HWY_RESTRICT columns[] = {c0 + cell, c1 + cell, d0 + cell, d1 + cell};
+            pickAndAdd(i, f, w, columns, order);
+        });
+    } else {
+        forVectors(positions, [&](std::size_t i, std::size_t j, std::int32_t cell) HWY_ATTR {
+            const std::int32_t first = cell + lanes[j];
+            const auto order = hn::IndicesFromVec(d, hn::Sub(hn::Load(di, lanes + j), hn::Set(di, lanes[j])));
+            const float* HWY_RESTRICT columns[] = {c0 + first, c1 + first, d0 + first, d1 + first};
+            pickAndAdd(i, hn::Load(d, fraction + j), hn::Load(d, weight + j), columns, order);
+        });
     }
 }
 
@@ -190,19 +218,22 @@ HWY_EXPORT(simplexRow);
 RowPositions rowPositions(int size, int cells, Interpolation kind, bool squareWeight)
 {
     const std::size_t padded = roundUp(static_cast<std::size_t>(size), RowPositions::kBlock);
+    const bool wholePixels = size % cells == 0;
+    const std::size_t repeat = wholePixels ? std::min(padded, std::lcm(static_cast<std::size_t>(size / cells), RowPositions::kBlock)) : padded;
     RowPositions out;
-    out.fraction.resize(padded);
-    out.weight.resize(padded);
-    out.cell.resize(padded);
-    out.lane.resize(padded);
+    out.fraction.resize(repeat);
+    out.weight.resize(repeat);
+    out.lane.resize(repeat);
     out.uniform = true;
     const double scale = static_cast<double>(cells) / size;
-    for (std::size_t i = 0; i < padded; ++i) {
-        const std::size_t pixel = std::min(i, static_cast<std::size_t>(size) - 1);
-        const double x = (static_cast<double>(pixel) + 0.5) * scale;
+    const auto positionOf = [&](std::size_t i) { return (static_cast<double>(std::min(i, static_cast<std::size_t>(size) - 1)) + 0.5) * scale; };
+    for (std::size_t i = 0; i < padded; i += RowPositions::kBlock) {
+        out.cell.push_back(static_cast<std::int32_t>(positionOf(i)));
+    }
+    for (std::size_t i = 0; i < repeat; ++i) {
+        const double x = positionOf(i);
         const auto cell = static_cast<std::int32_t>(x);
-        out.cell[i] = cell;
-        out.lane[i] = cell - out.cell[i / RowPositions::kBlock * RowPositions::kBlock];
+        out.lane[i] = cell - out.cell[i / RowPositions::kBlock];
         out.uniform = out.uniform && out.lane[i] == 0;
         out.fraction[i] = static_cast<float>(x - cell);
         out.weight[i] = squareWeight ? out.fraction[i] * out.fraction[i] : interpolationWeight(kind, out.fraction[i]);

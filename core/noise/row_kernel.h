@@ -4,21 +4,23 @@
 #include "core/noise/fractal.h"
 
 #include <array>
+#include <vector>
 
 namespace fumage {
 
 /// One octave along one row of pixels, cell by cell: with f the position in a cell and w(f) a weight,
 /// the noise in cell c is (c0 + c1 f) + w (d0 + d1 f). On a regular grid everything but f and w is constant along a cell.
 struct RowCoefficients {
-    AlignedArray<float> c0, c1, d0, d1; ///< one value a cell, padded by a vector
+    float *c0, *c1, *d0, *d1; ///< one value a cell, padded by a vector; each starts at a multiple of kAlignment
 };
 
-/// Where the pixels of a row lie in the cells of an octave; the same for all rows.
+/// Where the pixels of a row lie in the cells of an octave; the same for all rows. Where whole numbers of pixels make a cell, f, w and the
+/// lanes repeat along the row: only the first repeat of them is kept, so that the tables of all octaves fit the first-level cache.
 struct RowPositions {
-    AlignedArray<float> fraction; ///< f of each pixel
+    AlignedArray<float> fraction; ///< f of each pixel of a repeat
     AlignedArray<float> weight; ///< w(f)
-    AlignedArray<std::int32_t> cell; ///< cell of each pixel
-    AlignedArray<std::int32_t> lane; ///< cell of each pixel, counted from that of the first pixel of its block of kBlock
+    AlignedArray<std::int32_t> lane; ///< cell of each pixel of a repeat, counted from that of the first pixel of its block of kBlock
+    std::vector<std::int32_t> cell; ///< cell of the first pixel of each block of kBlock pixels
     bool uniform = false; ///< every block of kBlock pixels lies in one cell
 
     static constexpr std::size_t kBlock = kAlignment / sizeof(float); ///< the widest vector
@@ -26,7 +28,7 @@ struct RowPositions {
 
 /// Gradients of one row of lattice points, blended between two layers of z.
 struct LatticeRow {
-    AlignedArray<float> x, y, z; ///< x and y components; the part of the dot product along z
+    float *x, *y, *z; ///< x and y components; the part of the dot product along z; padded and aligned as RowCoefficients
     int row = -1; ///< which row, after wrapping; -1: none
 };
 

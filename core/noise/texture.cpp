@@ -24,6 +24,7 @@ public:
         : m_noise(noise)
         , m_octave(octave)
         , m_size(size)
+        , m_cellsAPixel(static_cast<float>(octave.period.y) / static_cast<float>(size))
         , m_z(depth * static_cast<float>(octave.period.z))
     {
         if (noise.basis != NoiseBasis::Simplex) {
@@ -36,27 +37,31 @@ public:
 
     /// Buffers of one task.
     struct Workspace {
+        AlignedArray<float> storage; ///< of all rows
         LatticeRow below;
         LatticeRow above;
         RowCoefficients coefficients;
-        std::vector<float> line;
+        float* line; ///< values at lattice columns
     };
 
     [[nodiscard]] Workspace workspace() const
     {
         Workspace out;
-        const std::size_t padded = static_cast<std::size_t>(m_octave.period.x) + kVectorPadding;
-        for (AlignedArray<float>* column : {&out.below.x, &out.below.y, &out.below.z, &out.above.x, &out.above.y, &out.above.z,
-                 &out.coefficients.c0, &out.coefficients.c1, &out.coefficients.d0, &out.coefficients.d1}) {
-            column->assign(padded, 0.0F);
+        const std::size_t padded = roundUp(static_cast<std::size_t>(m_octave.period.x) + kVectorPadding, RowPositions::kBlock);
+        float** rows[] = {&out.below.x, &out.below.y, &out.below.z, &out.above.x, &out.above.y, &out.above.z,
+            &out.coefficients.c0, &out.coefficients.c1, &out.coefficients.d0, &out.coefficients.d1, &out.line};
+        out.storage.assign(std::size(rows) * padded, 0.0F);
+        float* at = out.storage.data();
+        for (float** row : rows) {
+            *row = at;
+            at += padded;
         }
-        out.line.assign(static_cast<std::size_t>(m_octave.period.x), 0.0F);
         return out;
     }
 
     void add(int row, Workspace& workspace, float* values) const
     {
-        const float y = (static_cast<float>(row) + 0.5F) * static_cast<float>(m_octave.period.y) / static_cast<float>(m_size);
+        const float y = (static_cast<float>(row) + 0.5F) * m_cellsAPixel;
         switch (m_noise.basis) {
         case NoiseBasis::Simplex: addSimplexRow(m_octave, m_size, y, m_z, values); return;
         case NoiseBasis::Gradient: prepareGradients(y, workspace); break;
@@ -69,7 +74,7 @@ private:
     void prepareGradients(float y, Workspace& workspace) const
     {
         const int row = static_cast<int>(y);
-        const int next = (row + 1) % m_octave.period.y;
+        const int next = row + 1 < m_octave.period.y ? row + 1 : 0;
         if (workspace.below.row != row || workspace.above.row != next) {
             if (workspace.above.row == row) {
                 std::swap(workspace.below, workspace.above);
@@ -92,12 +97,12 @@ private:
     void prepareValues(float y, Workspace& workspace) const
     {
         const int cells = m_octave.period.x;
-        std::vector<float>& v = workspace.line;
+        float* v = workspace.line;
         for (int i = 0; i < cells; ++i) {
             // At a lattice column only y and z are interpolated; the signed value is about 0 as that of gradients.
-            v[static_cast<std::size_t>(i)] = 2.0F * valueColumn(m_noise, m_octave.seed, m_octave.period, i, y, m_z) - 1.0F;
+            v[i] = 2.0F * valueColumn(m_noise, m_octave.seed, m_octave.period, i, y, m_z) - 1.0F;
         }
-        const auto at = [&](int i) { return v[static_cast<std::size_t>((i + cells) % cells)] * m_octave.amplitude; };
+        const auto at = [&](int i) { return v[(i + cells) % cells] * m_octave.amplitude; };
         RowCoefficients& out = workspace.coefficients;
         for (int i = 0; i < cells; ++i) {
             const auto c = static_cast<std::size_t>(i);
@@ -119,6 +124,7 @@ private:
     const Noise& m_noise;
     const Octave& m_octave;
     int m_size;
+    float m_cellsAPixel;
     float m_z;
     int m_layer = 0;
     float m_fractionZ = 0.0F;
