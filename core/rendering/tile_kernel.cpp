@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/math-inl.h"
+#include "core/rendering/packed_dot-inl.h"
 #include "core/rendering/tile_kernel.h"
 
 #include <algorithm>
@@ -55,17 +56,6 @@ struct Ellipse : Rim {
         , height(yy + xy * slant)
         , halfRoot(1.0F / std::sqrt(xx))
     {
-    }
-
-    /// Narrows a box to what two neighbouring rows cover, the first of which is at dy.
-    HWY_INLINE void rows(const Sprite& sprite, const Box& box, float dy, int& first, int& last) const
-    {
-        // The rows are as wide together as the wider one, and the lean of the ellipse moves one against the other.
-        const float nearest = dy > 0.0F ? dy : std::min(0.0F, dy + 1.0F);
-        const float half = halfRoot * std::sqrt(std::max(0.0F, 1.0F - height * nearest * nearest)) + 0.5F * std::abs(slant);
-        const float middle = sprite.x + slant * (dy + 0.5F) - 0.5F;
-        first = std::max(box.left, static_cast<int>(std::ceil(middle - half)));
-        last = std::min(box.right, static_cast<int>(std::floor(middle + half)));
     }
 };
 
@@ -192,14 +182,19 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
     }
 }
 
+/// Texture coordinates are fixed-point numbers: added to this, a float has 1/128 texel in its lowest bit, negative ones in two's complement.
+constexpr float kToFixed = 98304.0F;
+constexpr int kFractionBits = 7;
+/// Weights of the texels at fraction t are kFull - t and t: the last step before the next texel gives that texel, so that no value jumps.
+constexpr int kFull = (1 << kFractionBits) - 1;
+
 /// What a textured sprite needs for each of its pixels.
 struct TexturedSprite {
     const std::uint32_t* texels;
     int shift; ///< log2 of the level's edge
     float texelsAcross, u, v;
-    float erosion, erosionScale; ///< of grey values 0..255
-    float plainOpacity, noiseOpacity;
-    float reliefU, reliefV; ///< shading by the noise's slope, per grey value
+    float leastAlpha, alphaScale, alphaShift; ///< of grey values 0..255 * kFull^2; at most the sprite's opacity
+    float reliefU, reliefV; ///< shading by the noise's slope, per grey value * kFull
     float roundX, roundY; ///< shading by the place in the sprite, per pixel
 
     TexturedSprite(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite)
@@ -209,19 +204,20 @@ struct TexturedSprite {
         const int edge = texture.levelSize(ref.level);
         shift = std::countr_zero(static_cast<unsigned>(edge));
         texelsAcross = 0.5F * style.textureScale * static_cast<float>(edge);
-        // Half a texel from edge to centre, and another half so that rounding to the nearest finds the texel below.
-        u = static_cast<float>(ref.u) * (1.0F / 256.0F) * static_cast<float>(edge) - 1.0F;
-        v = static_cast<float>(ref.v) * (1.0F / 256.0F) * static_cast<float>(edge) - 1.0F;
-        erosion = ref.erosion * 255.0F;
-        erosionScale = 1.0F / (255.0F * style.erosionSoftness);
-        noiseOpacity = sprite.opacity * style.texture;
-        plainOpacity = sprite.opacity - noiseOpacity;
+        // Half a texel from edge to centre.
+        u = static_cast<float>(ref.u) * (1.0F / 256.0F) * static_cast<float>(edge) - 0.5F;
+        v = static_cast<float>(ref.v) * (1.0F / 256.0F) * static_cast<float>(edge) - 0.5F;
+        // The noise takes its share of the opacity as it rises above the erosion; what it does not disturb stays.
+        const float disturbed = sprite.opacity * style.texture;
+        leastAlpha = sprite.opacity - disturbed;
+        alphaScale = disturbed / (255.0F * style.erosionSoftness * static_cast<float>(kFull * kFull));
+        alphaShift = leastAlpha - disturbed * ref.erosion / style.erosionSoftness;
         // The way of the light in the sprite: turned by its matrix without the scale.
         const float scale = 1.0F / std::sqrt(std::abs(sprite.m00 * sprite.m11 - sprite.m01 * sprite.m10));
         const float lightP = (sprite.m00 * style.lightX + sprite.m01 * style.lightY) * scale;
         const float lightQ = (sprite.m10 * style.lightX + sprite.m11 * style.lightY) * scale;
         // A slope per texel times the texels across is one per radius, whatever the resolution.
-        const float slope = style.relief * texelsAcross / 255.0F;
+        const float slope = style.relief * texelsAcross / static_cast<float>(255 * kFull);
         reliefU = lightP * slope;
         reliefV = lightQ * slope;
         roundX = -(lightP * sprite.m00 + lightQ * sprite.m10) * style.roundness;
@@ -229,79 +225,117 @@ struct TexturedSprite {
     }
 };
 
-/// Values that a pair of rows shares, each for both rows.
-struct RowPair {
-    float u[2], v[2]; ///< texture coordinates at dx = 0
-    float round[2]; ///< shading at dx = 0
-    float slope[2], rest[2]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend dx + slope)
-    float p[2], q[2]; ///< place in the sprite at dx = 0
-};
-
 /// A vector of pixels in a pair of rows.
 struct Strip {
     float x; ///< of the first pixel
-    std::uint32_t pair; ///< index of its rows
+    std::uint32_t row; ///< the first of the two, counted from the top of the sprite in the tile
     std::size_t offset; ///< into the planes
 };
 
 /// The strips of a sprite in a tile, one after the other: one loop over them has one end, where rows would each have theirs.
 struct StripList {
-    static constexpr std::size_t kPairs = static_cast<std::size_t>(Compositor::kTileHeight) / 2 + 1;
-    static constexpr std::size_t kMost = kPairs * static_cast<std::size_t>(Compositor::kTileWidth) + 1;
+    static constexpr std::size_t kRows = roundUp(static_cast<std::size_t>(Compositor::kTileHeight) + 2, kAlignment / sizeof(float));
+    static constexpr std::size_t kMost = kRows / 2 * static_cast<std::size_t>(Compositor::kTileWidth) + 1;
 
+    // Not initialised: that would cost more than the painting.
+    // NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays)
     std::size_t count = 0;
-    Strip strips[kMost]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised, it would cost more than the painting
-    RowPair pairs[kPairs]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+    Strip strips[kMost];
+    // One value a row, at dx = 0.
+    alignas(kAlignment) float u[kRows], v[kRows]; ///< texture coordinates with kToFixed
+    alignas(kAlignment) float round[kRows]; ///< shading
+    alignas(kAlignment) float slope[kRows], rest[kRows]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend dx + slope)
+    alignas(kAlignment) float p[kRows], q[kRows]; ///< place in the sprite
+    // One value a pair of rows.
+    alignas(kAlignment) std::int32_t first[kRows / 2], last[kRows / 2]; ///< columns of the image
+    // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
 };
 
-HWY_INLINE void setPair(float (&values)[2], float constant, float slope, float dy)
+/// dy of rows y, y + step, y + 2 step, ...; exact before the subtraction, as offsets().
+HWY_INLINE V rowOffsets(D d, int y, float step, float centre)
 {
-    values[0] = constant + slope * dy;
-    values[1] = constant + slope * (dy + 1.0F);
+    return hn::Sub(hn::Add(hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, step)), hn::Set(d, static_cast<float>(y) + 0.5F)), hn::Set(d, centre));
+}
+
+template <bool kSquare>
+HWY_INLINE void fillRows(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const Ellipse& ellipse, const Box& box, StripList& list)
+{
+    const D d;
+    const std::size_t rows = roundUp(static_cast<std::size_t>(box.bottom - box.top + 1), 2);
+    const V hardness = hn::Set(d, style.hardness);
+    for (std::size_t i = 0; i < rows; i += hn::Lanes(d)) {
+        const V dy = rowOffsets(d, box.top + static_cast<int>(i), 1.0F, sprite.y);
+        const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR { hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + i); };
+        store(list.u, sprite.m01 * look.texelsAcross, kToFixed + look.u);
+        store(list.v, sprite.m11 * look.texelsAcross, kToFixed + look.v);
+        store(list.round, look.roundY, 1.0F);
+        if constexpr (kSquare) {
+            store(list.p, sprite.m01, 0.0F);
+            store(list.q, sprite.m11, 0.0F);
+        } else {
+            store(list.slope, 2.0F * ellipse.xy * style.hardness, 0.0F);
+            hn::Store(hn::Mul(hardness, hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Mul(hn::Set(d, ellipse.yy), dy), dy))), d, list.rest + i);
+        }
+    }
+}
+
+/// Columns that pairs of rows of an ellipse cover; from a whole vector on, so that loads and stores do not straddle cache lines: the mask leaves
+/// out what lies before the rim.
+HWY_INLINE void fillEnds(const Sprite& sprite, const Ellipse& ellipse, const Box& box, const Tile& tile, StripList& list)
+{
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const auto pairs = static_cast<std::size_t>(box.bottom - box.top) / 2 + 1;
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
+    const auto left = hn::Set(di, tile.left);
+    for (std::size_t i = 0; i < pairs; i += hn::Lanes(d)) {
+        const V dy = rowOffsets(d, box.top + 2 * static_cast<int>(i), 2.0F, sprite.y);
+        // The rows are as wide together as the wider one, and the lean of the ellipse moves one against the other.
+        const V nearest = hn::IfThenElse(hn::Gt(dy, zero), dy, hn::Min(zero, hn::Add(dy, one)));
+        const V root = hn::Sqrt(hn::Max(zero, hn::Sub(one, hn::Mul(hn::Set(d, ellipse.height), hn::Mul(nearest, nearest)))));
+        const V half = mulAdd(hn::Set(d, ellipse.halfRoot), root, hn::Set(d, 0.5F * std::abs(ellipse.slant)));
+        const V middle = mulAdd(hn::Set(d, ellipse.slant), hn::Add(dy, hn::Set(d, 0.5F)), hn::Set(d, sprite.x - 0.5F));
+        const auto first = hn::Max(hn::Set(di, box.left), hn::ConvertTo(di, hn::Ceil(hn::Sub(middle, half))));
+        const auto last = hn::Min(hn::Set(di, box.right), hn::ConvertTo(di, hn::Floor(hn::Add(middle, half))));
+        const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+        hn::Store(hn::Add(left, hn::And(hn::Sub(first, left), hn::Set(di, -lanes))), di, list.first + i);
+        hn::Store(last, di, list.last + i);
+    }
 }
 
 template <bool kSquare>
 HWY_INLINE void listStrips(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const Ellipse& ellipse, const Tile& tile, StripList& list)
 {
     const Box box = boxOf(sprite, tile);
+    if (box.bottom < box.top || box.right < box.left) {
+        return;
+    }
     const int lanes = static_cast<int>(hn::Lanes(D()));
-    const bool narrow = box.right - box.left < lanes;
-    std::uint32_t index = 0;
-    for (int y = box.top; y <= box.bottom; y += 2, ++index) {
-        const float dy = (static_cast<float>(y) + 0.5F) - sprite.y;
-        int first = box.left;
-        int last = box.right;
-        if (!kSquare && !narrow) {
-            ellipse.rows(sprite, box, dy, first, last);
-            // From a whole vector on, loads and stores do not straddle cache lines; the mask leaves out what lies before the rim.
-            first = tile.left + ((first - tile.left) & -lanes);
-        }
-        RowPair& pair = list.pairs[index];
-        setPair(pair.u, look.u, sprite.m01 * look.texelsAcross, dy);
-        setPair(pair.v, look.v, sprite.m11 * look.texelsAcross, dy);
-        setPair(pair.round, 1.0F, look.roundY, dy);
-        setPair(pair.slope, 0.0F, 2.0F * ellipse.xy * style.hardness, dy);
-        setPair(pair.p, 0.0F, sprite.m01, dy);
-        setPair(pair.q, 0.0F, sprite.m11, dy);
-        for (int row = 0; row < 2; ++row) {
-            const float rowDy = dy + static_cast<float>(row);
-            pair.rest[row] = style.hardness * (1.0F - ellipse.yy * rowDy * rowDy);
-        }
+    fillRows<kSquare>(style, sprite, look, ellipse, box, list);
+    const bool whole = kSquare || box.right - box.left < lanes;
+    if (!whole) {
+        fillEnds(sprite, ellipse, box, tile, list);
+    }
+    for (int y = box.top, pair = 0; y <= box.bottom; y += 2, ++pair) {
+        const int first = whole ? box.left : list.first[pair];
+        const int last = whole ? box.right : list.last[pair];
         for (int x = first; x <= last; x += lanes) {
-            list.strips[list.count++] = {static_cast<float>(x), index, tileOffset(tile, x, y)};
+            list.strips[list.count++] = {static_cast<float>(x), static_cast<std::uint32_t>(2 * pair), tileOffset(tile, x, y)};
         }
     }
 }
 
-HWY_INLINE Rows broadcast(D d, const float (&values)[2])
+/// What the two rows of a strip have in one of the lists.
+HWY_INLINE Rows broadcast(D d, const float* HWY_RESTRICT values)
 {
     return {hn::Set(d, values[0]), hn::Set(d, values[1])};
 }
 
-/// What has been read of the texture for a strip, and the place between the texels.
+/// What has been read of the texture for a strip, and the weights of the texels: along u in bytes, along v in halves.
 struct Fetched {
-    hn::Vec<hn::RebindToSigned<D>> a, b;
-    Rows fu, fv;
+    using I = hn::Vec<hn::RebindToSigned<D>>;
+    RowsOf<I> texels, alongU, alongV;
 };
 
 template <bool kSquare, bool kShaded>
@@ -318,22 +352,26 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     }
     list.strips[list.count] = list.strips[list.count - 1]; // fetched ahead, not painted
 
-    const auto wrap = hn::Set(di, (1 << look.shift) - 1);
-    const auto low = hn::Set(di, 255);
+    using I = Fetched::I;
+    const I wrap = hn::Set(di, (1 << look.shift) - 1);
+    // The fraction in all bytes or halves of a lane, then full minus fraction in the first of each two.
+    const I fractionBytes = hn::Set(di, kFull * 0x01010101);
+    const I fractionHalves = hn::Set(di, kFull * 0x00010001);
+    const I firstHalf = hn::Set(di, kFull);
+    const I rise = hn::Set(di, 0x01ff01ff); // +1 and -1 in bytes
+    const I riseOfHalves = hn::Set(di, 0x0001ffff);
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);
-    const V half = hn::Set(d, 0.5F);
-    const V roundingShift = hn::Set(d, 12582912.0F);
     const V halves = hn::Iota(d, 0.5F);
     const V centre = hn::Set(d, sprite.x);
     const V bend = hn::Set(d, ellipse.xx * style.hardness);
     const V alongU = hn::Set(d, sprite.m00 * look.texelsAcross);
     const V alongV = hn::Set(d, sprite.m10 * look.texelsAcross);
     const V alongRound = hn::Set(d, look.roundX);
-    const V erosionScale = hn::Set(d, look.erosionScale);
-    const V erosionShift = hn::Set(d, -look.erosion * look.erosionScale);
-    const V noiseOpacity = hn::Set(d, look.noiseOpacity);
-    const V plainOpacity = hn::Set(d, look.plainOpacity);
+    const V alphaScale = hn::Set(d, look.alphaScale);
+    const V alphaShift = hn::Set(d, look.alphaShift);
+    const V leastAlpha = hn::Set(d, look.leastAlpha);
+    const V mostAlpha = hn::Set(d, sprite.opacity);
     const V reliefU = hn::Set(d, look.reliefU);
     const V reliefV = hn::Set(d, look.reliefV);
     const V directRed = hn::Set(d, sprite.direct[0]);
@@ -344,55 +382,50 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const V ambientBlue = hn::Set(d, sprite.ambient[2]);
     const auto* texels = reinterpret_cast<const std::int32_t*>(look.texels);
 
-    const auto offsetsOf = [&](const Strip& strip) HWY_ATTR { return hn::Sub(hn::Add(halves, hn::Set(d, strip.x)), centre); };
     const auto fetch = [&](const Strip& strip) HWY_ATTR {
-        const RowPair& pair = list.pairs[strip.pair];
-        const V dx = offsetsOf(strip);
-        const Rows u = both(hn::Mul(alongU, dx)) + broadcast(d, pair.u);
-        const Rows v = both(hn::Mul(alongV, dx)) + broadcast(d, pair.v);
-        // Added to 1.5 * 2^23 a float has its whole part in its lowest bits, negative ones in two's complement.
-        const Rows wholeU = u + both(roundingShift);
-        const Rows wholeV = v + both(roundingShift);
-        const auto gather = [&](V column, V row) HWY_ATTR {
-            const auto line = hn::ShiftLeftSame(hn::And(hn::BitCast(di, row), wrap), look.shift);
-            return hn::GatherIndex(di, texels, hn::Add(line, hn::And(hn::BitCast(di, column), wrap)));
+        const V dx = hn::Sub(hn::Add(halves, hn::Set(d, strip.x)), centre);
+        const Rows u = both(hn::Mul(alongU, dx)) + broadcast(d, list.u + strip.row);
+        const Rows v = both(hn::Mul(alongV, dx)) + broadcast(d, list.v + strip.row);
+        const auto read = [&](V column, V row, I& texel, I& weightU, I& weightV) HWY_ATTR {
+            const I fixedU = hn::BitCast(di, column);
+            const I fixedV = hn::BitCast(di, row);
+            const I line = hn::ShiftLeftSame(hn::And(hn::ShiftRight<kFractionBits>(fixedV), wrap), look.shift);
+            texel = hn::GatherIndex(di, texels, hn::Or(line, hn::And(hn::ShiftRight<kFractionBits>(fixedU), wrap)));
+            weightU = hn::Xor(hn::And(spreadLowestByte(di, fixedU), fractionBytes), fractionHalves);
+            weightV = hn::Xor(hn::And(spreadLowestByte(di, fixedV), fractionHalves), firstHalf);
         };
-        return Fetched{gather(wholeU.a, wholeV.a), gather(wholeU.b, wholeV.b), (u - (wholeU - both(roundingShift))) + both(half), (v - (wholeV - both(roundingShift))) + both(half)};
+        Fetched out;
+        read(u.a, v.a, out.texels.a, out.alongU.a, out.alongV.a);
+        read(u.b, v.b, out.texels.b, out.alongU.b, out.alongV.b);
+        return out;
     };
 
     // The texture is read one strip ahead: while it comes, there is the strip before to blend.
     Fetched next = fetch(list.strips[0]);
     for (std::size_t i = 0; i < list.count; ++i) {
-        const Fetched texel = next;
+        const Fetched now = next;
         next = fetch(list.strips[i + 1]);
         const Strip& strip = list.strips[i];
-        const RowPair& pair = list.pairs[strip.pair];
-        const V dx = offsetsOf(strip);
+        const V dx = hn::Sub(hn::Add(halves, hn::Set(d, strip.x)), centre);
         Rows mask;
         if constexpr (kSquare) {
-            const Rows p = both(hn::Mul(hn::Set(d, sprite.m00), dx)) + broadcast(d, pair.p);
-            const Rows q = both(hn::Mul(hn::Set(d, sprite.m10), dx)) + broadcast(d, pair.q);
+            const Rows p = both(hn::Mul(hn::Set(d, sprite.m00), dx)) + broadcast(d, list.p + strip.row);
+            const Rows q = both(hn::Mul(hn::Set(d, sprite.m10), dx)) + broadcast(d, list.q + strip.row);
             mask = {hn::IfThenElseZero(hn::Lt(hn::Max(hn::Abs(p.a), hn::Abs(q.a)), one), one), hn::IfThenElseZero(hn::Lt(hn::Max(hn::Abs(p.b), hn::Abs(q.b)), one), one)};
         } else {
-            const Rows inside = clampRows(broadcast(d, pair.rest) - both(dx) * (both(hn::Mul(bend, dx)) + broadcast(d, pair.slope)), zero, one);
+            const Rows inside = clampRows(broadcast(d, list.rest + strip.row) - both(dx) * (both(hn::Mul(bend, dx)) + broadcast(d, list.slope + strip.row)), zero, one);
             mask = inside * inside;
         }
-        const auto grey8 = [&](auto bits) HWY_ATTR { return hn::ConvertTo(d, hn::And(bits, low)); };
-        const Rows g00{grey8(texel.a), grey8(texel.b)};
-        const Rows g10{grey8(hn::ShiftRight<8>(texel.a)), grey8(hn::ShiftRight<8>(texel.b))};
-        const Rows g01{grey8(hn::ShiftRight<16>(texel.a)), grey8(hn::ShiftRight<16>(texel.b))};
-        const Rows g11{grey8(hn::ShiftRight<24>(texel.a)), grey8(hn::ShiftRight<24>(texel.b))};
-        const Rows slope0 = g10 - g00;
-        const Rows slope1 = g11 - g01;
-        const Rows row0 = texel.fu * slope0 + g00;
-        const Rows slopeV = (texel.fu * slope1 + g01) - row0;
-        const Rows grey = texel.fv * slopeV + row0;
-        const Rows kept = clampRows(grey * both(erosionScale) + both(erosionShift), zero, one);
-        const Rows a = mask * (both(noiseOpacity) * kept + both(plainOpacity));
+        const auto dots = [&](const RowsOf<I>& x, const RowsOf<I>& y) HWY_ATTR { return Rows{hn::ConvertTo(d, dotHalves(di, x.a, y.a)), hn::ConvertTo(d, dotHalves(di, x.b, y.b))}; };
+        const RowsOf<I> lines{dotBytes(di, now.texels.a, now.alongU.a), dotBytes(di, now.texels.b, now.alongU.b)};
+        const Rows grey = dots(lines, now.alongV);
+        const Rows a = mask * clampRows(grey * both(alphaScale) + both(alphaShift), leastAlpha, mostAlpha);
         float* at = tile.planes.data() + strip.offset;
         if constexpr (kShaded) {
-            const Rows slopeU = texel.fv * (slope1 - slope0) + slope0;
-            Rows shade = both(hn::Mul(alongRound, dx)) + broadcast(d, pair.round);
+            const RowsOf<I> rises{dotBytes(di, now.texels.a, rise), dotBytes(di, now.texels.b, rise)};
+            const Rows slopeU = dots(rises, now.alongV);
+            const Rows slopeV = dots(lines, both(riseOfHalves));
+            Rows shade = both(hn::Mul(alongRound, dx)) + broadcast(d, list.round + strip.row);
             shade = both(reliefV) * slopeV + (both(reliefU) * slopeU + shade);
             shade = {hn::Max(shade.a, zero), hn::Max(shade.b, zero)};
             under(d, at, a.a, mulAdd(shade.a, directRed, ambientRed), mulAdd(shade.a, directGreen, ambientGreen), mulAdd(shade.a, directBlue, ambientBlue));

@@ -161,14 +161,19 @@ private slots:
                     const TextureRef ref = unpackTexture(s.texture);
                     if (ref.level != TextureRef::kPlain && a > 0.0) {
                         const int edge = texture.levelSize(ref.level);
-                        const double u = p * 0.3F * edge + ref.u / 256.0 * edge - 0.5;
-                        const double v = q * 0.3F * edge + ref.v / 256.0 * edge - 0.5;
-                        const int iu = static_cast<int>(std::floor(u)) & (edge - 1);
-                        const int iv = static_cast<int>(std::floor(v)) & (edge - 1);
+                        // The place between texels is known to 1/128, that of a row at dx = 0 as well, and the last step is the next texel.
+                        const auto fixed = [&](float alongX, float alongY, double offset) {
+                            const double row = std::round(128.0 * (static_cast<double>(alongY) * dy * 0.3F * edge + offset / 256.0 * edge - 0.5));
+                            return std::lround(128.0 * static_cast<double>(alongX) * dx * 0.3F * edge + row);
+                        };
+                        const long fixedU = fixed(s.m00, s.m01, ref.u);
+                        const long fixedV = fixed(s.m10, s.m11, ref.v);
+                        const int iu = static_cast<int>(fixedU >> 7) & (edge - 1);
+                        const int iv = static_cast<int>(fixedV >> 7) & (edge - 1);
                         const std::uint32_t t = texture.texels(ref.level, ref.slice)[iv * edge + iu];
                         const auto byte = [&](unsigned shift) { return static_cast<double>(t >> shift & 255U); };
-                        const double fu = u - std::floor(u);
-                        const double fv = v - std::floor(v);
+                        const double fu = static_cast<double>(fixedU & 127) / 127.0;
+                        const double fv = static_cast<double>(fixedV & 127) / 127.0;
                         const double low = byte(0) + fu * (byte(8) - byte(0));
                         const double high = byte(16) + fu * (byte(24) - byte(16));
                         const double grey = low + fv * (high - low);
