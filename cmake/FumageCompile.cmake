@@ -13,7 +13,7 @@ endif()
 
 function(fumage_compile_options target)
     # No fused multiply-add and no fast-math: the same bits on every machine are a promise of the library.
-    target_compile_options(${target} PRIVATE -ffp-contract=off
+    target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno
         -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         # GCC 12 reports members of std::variant and std::optional, and copies in std::string, that it cannot follow.

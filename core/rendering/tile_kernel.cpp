@@ -79,13 +79,6 @@ HWY_INLINE std::size_t tileOffset(const Tile& tile, int x, int y)
     return static_cast<std::size_t>(y - tile.top) * Tile::kStride + static_cast<std::size_t>(x - tile.left);
 }
 
-/// x coordinates of a vector of pixels relative to the sprite; exact before the subtraction, so that they do not depend on the vector's width.
-template <class Tag, class W = hn::Vec<Tag>>
-HWY_INLINE W offsets(Tag d, W halves, int first, W centre)
-{
-    return hn::Sub(hn::Add(halves, hn::Set(d, static_cast<float>(first))), centre);
-}
-
 /// The same vector of pixels in two neighbouring rows: twice the independent work for a chain of operations that wait for one another.
 template <class W>
 struct RowsOf {
@@ -123,63 +116,110 @@ HWY_INLINE RowsOf<W> clampRows(RowsOf<W> x, W low, W high)
     return {hn::Min(hn::Max(x.a, low), high), hn::Min(hn::Max(x.b, low), high)};
 }
 
-/// Something that is linear in dy, at two rows.
-template <class Tag>
-HWY_INLINE RowsOf<hn::Vec<Tag>> atRows(Tag d, float constant, float slope, float dy)
+/// dy of rows y, y + step, y + 2 step, ...; exact before the subtraction, so that they do not depend on the vector's width.
+HWY_INLINE V rowOffsets(D d, int y, float step, float centre)
 {
-    return {hn::Set(d, constant + slope * dy), hn::Set(d, constant + slope * (dy + 1.0F))};
+    return hn::Sub(hn::Add(hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, step)), hn::Set(d, static_cast<float>(y) + 0.5F)), hn::Set(d, centre));
 }
 
-/// hardness (1 - yy dy^2) at two rows: what the profile still has before dx is known.
-template <class Tag>
-HWY_INLINE RowsOf<hn::Vec<Tag>> restOfRows(Tag d, float yy, float hardness, float dy)
-{
-    const float next = dy + 1.0F;
-    return {hn::Set(d, hardness * (1.0F - yy * dy * dy)), hn::Set(d, hardness * (1.0F - yy * next * next))};
-}
+/// Room for one value a row of a tile, and for a pair of rows and a vector that run past its end.
+constexpr std::size_t kRowRoom = roundUp(static_cast<std::size_t>(Compositor::kTileHeight) + 2, kAlignment / sizeof(float));
 
-/// A sprite too small for its texture: a soft disc of one colour.
-template <class Tag>
-HWY_INLINE void paintPlainWith(Tag d, const SpriteStyle& style, const Sprite& sprite, Tile& tile)
+/// The profile of a sprite that is too small for its texture: alpha = (rest - dx (bend dx + slope))^2, where rest and slope change with the row.
+/// All have the root of the opacity in them.
+struct PlainProfile {
+    float bend, lean, yy, scale, highest;
+
+    PlainProfile(const SpriteStyle& style, const Sprite& sprite)
+    {
+        const Rim rim(sprite);
+        highest = std::sqrt(sprite.opacity);
+        scale = style.hardness * highest;
+        bend = rim.xx * scale;
+        lean = 2.0F * rim.xy * scale;
+        yy = rim.yy;
+    }
+};
+
+/// @param rowOf vectors of rest and slope of a row, counted from the box's top
+/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre
+template <bool kLean, bool kFlat, class Tag, class RowOf>
+HWY_INLINE void paintColumns(Tag d, const Sprite& sprite, const Box& box, const PlainProfile& profile, const RowOf& rowOf, Tile& tile)
 {
-    using W = hn::Vec<decltype(d)>;
-    using Pair = RowsOf<W>;
-    const Box box = boxOf(sprite, tile);
-    const Rim rim(sprite);
+    using W = hn::Vec<Tag>;
     const W red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
     const W green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
     const W blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
-    const W opacity = hn::Set(d, sprite.opacity);
-    const W bend = hn::Set(d, rim.xx * style.hardness);
     const W zero = hn::Zero(d);
-    const W one = hn::Set(d, 1.0F);
-    const W halves = hn::Iota(d, 0.5F);
+    const W most = hn::Set(d, profile.highest);
+    const W bend = hn::Set(d, profile.bend);
+    const W firstColumn = hn::Iota(d, 0.5F);
     const W centre = hn::Set(d, sprite.x);
     const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int y = box.top; y <= box.bottom; y += 2) {
-        const float dy = (static_cast<float>(y) + 0.5F) - sprite.y;
-        const Pair slope = atRows(d, 0.0F, 2.0F * rim.xy * style.hardness, dy);
-        const Pair rest = restOfRows(d, rim.yy, style.hardness, dy);
-        float* at = tile.planes.data() + tileOffset(tile, box.left, y);
-        for (int x = box.left; x <= box.right; x += lanes, at += lanes) {
-            const Pair dx = both(offsets(d, halves, x, centre));
-            const Pair inside = clampRows(rest - dx * (both(hn::Mul(bend, dx.a)) + slope), zero, one);
-            const Pair alpha = both(opacity) * (inside * inside);
-            under(d, at, alpha.a, red, green, blue);
-            under(d, at + Tile::kStride, alpha.b, red, green, blue);
+    const int rows = box.bottom - box.top + 1;
+    for (int x = box.left; x <= box.right; x += lanes) {
+        const W dx = hn::Sub(hn::Add(firstColumn, hn::Set(d, static_cast<float>(x))), centre);
+        const W curve = hn::Mul(bend, hn::Mul(dx, dx));
+        float* at = tile.planes.data() + tileOffset(tile, x, box.top);
+        for (int row = 0; row < rows; ++row, at += Tile::kStride) {
+            const RowsOf<W> line = rowOf(row);
+            W root = hn::Sub(line.a, curve);
+            if constexpr (kLean) {
+                root = hn::Sub(root, hn::Mul(line.b, dx));
+            }
+            root = hn::Max(root, zero);
+            if constexpr (kFlat) {
+                root = hn::Min(root, most);
+            }
+            under(d, at, hn::Mul(root, root), red, green, blue);
         }
     }
 }
 
+/// A sprite too small for its texture: a soft disc of one colour.
+template <bool kLean, bool kFlat>
 void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
 {
-    // Over a narrow sprite a wide vector would blend mostly nothing.
+    const Box box = boxOf(sprite, tile);
+    const PlainProfile profile(style, sprite);
+    // Over a narrow sprite a wide vector would blend mostly nothing, and lists of its rows would take longer than they save.
     constexpr float kNarrow = 5.0F;
     if (sprite.halfWidth < kNarrow) {
-        paintPlainWith(hn::CappedTag<float, 8>(), style, sprite, tile);
-    } else {
-        paintPlainWith(D(), style, sprite, tile);
+        const hn::CappedTag<float, 8> d;
+        const float top = static_cast<float>(box.top) + 0.5F;
+        const auto rowOf = [&](int row) HWY_ATTR {
+            const float dy = (static_cast<float>(row) + top) - sprite.y;
+            return RowsOf<hn::Vec<decltype(d)>>{hn::Set(d, profile.scale * (1.0F - profile.yy * (dy * dy))), hn::Set(d, profile.lean * dy)};
+        };
+        paintColumns<kLean, kFlat>(d, sprite, box, profile, rowOf, tile);
+        return;
     }
+    const D d;
+    alignas(kAlignment) float rest[kRowRoom]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+    alignas(kAlignment) float slope[kRowRoom]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+    for (int i = 0; i <= box.bottom - box.top; i += static_cast<int>(hn::Lanes(d))) {
+        const V dy = rowOffsets(d, box.top + i, 1.0F, sprite.y);
+        hn::Store(hn::Mul(hn::Set(d, profile.scale), hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Set(d, profile.yy), hn::Mul(dy, dy)))), d, rest + i);
+        if constexpr (kLean) {
+            hn::Store(hn::Mul(hn::Set(d, profile.lean), dy), d, slope + i);
+        }
+    }
+    const auto rowOf = [&](int row) HWY_ATTR {
+        if constexpr (kLean) {
+            return Rows{hn::Set(d, rest[row]), hn::Set(d, slope[row])};
+        } else {
+            return Rows{hn::Set(d, rest[row]), hn::Zero(d)};
+        }
+    };
+    paintColumns<kLean, kFlat>(d, sprite, box, profile, rowOf, tile);
+}
+
+void paintPlainSprite(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
+{
+    const bool lean = sprite.m00 * sprite.m01 + sprite.m10 * sprite.m11 != 0.0F;
+    const bool flat = style.hardness > 1.0F;
+    const auto paint = lean ? (flat ? paintPlain<true, true> : paintPlain<true, false>) : (flat ? paintPlain<false, true> : paintPlain<false, false>);
+    paint(style, sprite, tile);
 }
 
 /// Texture coordinates are fixed-point numbers: added to this, a float has 1/128 texel in its lowest bit, negative ones in two's complement.
@@ -234,28 +274,21 @@ struct Strip {
 
 /// The strips of a sprite in a tile, one after the other: one loop over them has one end, where rows would each have theirs.
 struct StripList {
-    static constexpr std::size_t kRows = roundUp(static_cast<std::size_t>(Compositor::kTileHeight) + 2, kAlignment / sizeof(float));
-    static constexpr std::size_t kMost = kRows / 2 * static_cast<std::size_t>(Compositor::kTileWidth) + 1;
+    static constexpr std::size_t kMost = kRowRoom / 2 * static_cast<std::size_t>(Compositor::kTileWidth) + 1;
 
     // Not initialised: that would cost more than the painting.
     // NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays)
     std::size_t count = 0;
     Strip strips[kMost];
     // One value a row, at dx = 0.
-    alignas(kAlignment) float u[kRows], v[kRows]; ///< texture coordinates with kToFixed
-    alignas(kAlignment) float round[kRows]; ///< shading
-    alignas(kAlignment) float slope[kRows], rest[kRows]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend dx + slope)
-    alignas(kAlignment) float p[kRows], q[kRows]; ///< place in the sprite
+    alignas(kAlignment) float u[kRowRoom], v[kRowRoom]; ///< texture coordinates with kToFixed
+    alignas(kAlignment) float round[kRowRoom]; ///< shading
+    alignas(kAlignment) float slope[kRowRoom], rest[kRowRoom]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend dx + slope)
+    alignas(kAlignment) float p[kRowRoom], q[kRowRoom]; ///< place in the sprite
     // One value a pair of rows.
-    alignas(kAlignment) std::int32_t first[kRows / 2], last[kRows / 2]; ///< columns of the image
+    alignas(kAlignment) std::int32_t first[kRowRoom / 2], last[kRowRoom / 2]; ///< columns of the image
     // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
 };
-
-/// dy of rows y, y + step, y + 2 step, ...; exact before the subtraction, as offsets().
-HWY_INLINE V rowOffsets(D d, int y, float step, float centre)
-{
-    return hn::Sub(hn::Add(hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, step)), hn::Set(d, static_cast<float>(y) + 0.5F)), hn::Set(d, centre));
-}
 
 template <bool kSquare>
 HWY_INLINE void fillRows(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const Ellipse& ellipse, const Box& box, StripList& list)
@@ -496,7 +529,7 @@ void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<con
         }
         const Sprite& sprite = batch.sprites[entryIndex(entries[i])];
         if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
-            paintPlain(batch.style, sprite, tile);
+            paintPlainSprite(batch.style, sprite, tile);
         } else {
             paintSprite(batch.style, texture, sprite, tile);
         }
