@@ -29,8 +29,10 @@ inline Effect everythingOn()
     e.look.relief = 0.5F;
     e.look.roundness = 0.3F;
     e.look.spin = 10.0F;
+    e.look.roll = 0.5F;
     e.look.stretch = 0.05F;
     e.light.emission = 2.0F;
+    e.light.hotCore = 0.3F;
     e.noise.basis = NoiseBasis::Gradient;
     e.noise.resolution = 32;
     e.noise.slices = 8;
@@ -64,6 +66,7 @@ inline Effect thesisEffect(int count)
     e.motion.heatVariance = 0.0F;
     e.motion.pull = 0.0F;
     e.turbulence.strength = 0.0F;
+    e.rings.strength = 0.0F;
     e.life.initialAlpha = 0.1F;
     e.life.fadeRate = 0.02F;
     e.life.lifetimeVariance = 0.0F;

@@ -27,6 +27,11 @@ enum class CameraMode { Orbit,
     Fixed };
 enum class ViewTransform { Standard,
     Filmic };
+enum class EmissionColour { Gradient,
+    BlackBody };
+enum class Quality { Draft,
+    Good,
+    Final };
 enum class Background { Transparent,
     Colour };
 
@@ -70,7 +75,7 @@ struct Motion {
 };
 
 struct Turbulence {
-    float strength = 0.3F;
+    float strength = 0.26F;
     float scale = 0.8F;
     int octaves = 4;
     float roughness = 0.75F;
@@ -87,6 +92,17 @@ struct Vortex {
     float radius = 0.5F;
     glm::vec3 axis{0.0F, 1.0F, 0.0F};
     friend bool operator==(const Vortex&, const Vortex&) = default;
+};
+
+struct Rings {
+    float strength = 0.9F;
+    float speed = 1.5F;
+    float radius = 0.45F;
+    float widening = 0.12F;
+    float spacing = 0.9F;
+    float followers = 0.6F;
+    float variance = 0.6F;
+    friend bool operator==(const Rings&, const Rings&) = default;
 };
 
 struct Life {
@@ -115,6 +131,7 @@ struct Look {
     float rotationVariance = 1.0F;
     float spin = 0.0F;
     float spinVariance = 20.0F;
+    float roll = 0.0F;
     float stretch = 0.0F;
     float relief = 0.0F;
     float roundness = 0.0F;
@@ -142,16 +159,19 @@ struct Noise {
 struct Light {
     glm::vec3 direction{-0.6F, -0.64F, -0.48F};
     glm::vec3 colour{1.0F, 0.96F, 0.9F};
-    float intensity = 1.5F;
+    float intensity = 1.25F;
     float shadow = 1.5F;
     float anisotropy = 0.3F;
     float scattering = 0.45F;
     glm::vec3 sky{0.42F, 0.52F, 0.68F};
     glm::vec3 ground{0.20F, 0.18F, 0.16F};
-    float ambient = 0.45F;
+    float ambient = 0.48F;
     float occlusion = 0.7F;
     float emission = 0.0F;
     float emissionCooling = 2.0F;
+    float hotCore = 0.0F;
+    EmissionColour emissionColour = EmissionColour::Gradient;
+    float temperature = 1900.0F;
     Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},
         {0.15F, glm::vec3(0.0F)},
         {0.35F, glm::vec3(0.2F, 0.015F, 0.0F)},
@@ -187,6 +207,7 @@ struct Timeline {
 struct Output {
     int width = 512;
     int height = 512;
+    Quality quality = Quality::Good;
     int supersample = 1;
     float exposure = 0.0F;
     ViewTransform viewTransform = ViewTransform::Standard;
@@ -201,6 +222,7 @@ struct Effect {
     Motion motion;
     Turbulence turbulence;
     Vortex vortex;
+    Rings rings;
     Life life;
     Look look;
     Noise noise;

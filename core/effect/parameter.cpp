@@ -22,6 +22,7 @@ std::string_view unitSymbol(Unit unit)
     case Unit::Millimetres: return "mm";
     case Unit::Stops: return "EV";
     case Unit::Kilograms: return "kg";
+    case Unit::Kelvin: return "K";
     }
     return "";
 }

@@ -37,7 +37,8 @@ enum class Unit { None,
     Pixels,
     Millimetres,
     Stops,
-    Kilograms };
+    Kilograms,
+    Kelvin };
 
 enum class Scale { Linear,
     Log };

@@ -79,6 +79,8 @@ constexpr std::array<std::string_view, 3> kNoiseBases{"lattice", "gradient", "si
 constexpr std::array<std::string_view, 4> kInterpolations{"linear", "cosine", "cubic", "quintic"};
 constexpr std::array<std::string_view, 2> kCameraModes{"orbit", "fixed"};
 constexpr std::array<std::string_view, 2> kViewTransforms{"standard", "filmic"};
+constexpr std::array<std::string_view, 2> kEmissionColours{"gradient", "black-body"};
+constexpr std::array<std::string_view, 3> kQualities{"draft", "good", "final"};
 constexpr std::array<std::string_view, 2> kBackgrounds{"transparent", "colour"};
 
 constexpr Range kUnit{0.0, 1.0};
@@ -144,6 +146,15 @@ constexpr std::array kTable{
     row<&E::vortex, &Vortex::radius>({.key = "vortex.radius", .label = "Radius", .hard = {0.001, 1000}, .soft = {0.05, 5}, .step = 0.01, .unit = Unit::Metres, .scale = Scale::Log, .tip = "Distance from the axis at which the swirl is fastest."}),
     row<&E::vortex, &Vortex::axis>({.key = "vortex.axis", .label = "Axis", .kind = Kind::Direction, .hard = kComponents, .soft = kComponents, .step = 0.01, .tip = "Direction of the axis through the emitter about which the smoke swirls."}),
 
+    // --- rings -----------------------------------------------------------------------------------------------------
+    row<&E::rings, &Rings::strength>({.key = "rings.strength", .label = "Strength", .hard = {0, 1000}, .soft = {0, 5}, .step = 0.05, .unit = Unit::MetresPerSecond, .tip = "Speed of the flow through the middle of the vortex rings that rise with the smoke: they roll its rim into billows, and the first one is the head of a mushroom.", .source = "Turner 1962, the starting plume"}),
+    row<&E::rings, &Rings::speed>({.key = "rings.speed", .label = "Rise", .hard = {0, 1000}, .soft = {0, 5}, .step = 0.05, .unit = Unit::MetresPerSecond, .tip = "Speed at which the rings travel along the emitter's normal."}),
+    row<&E::rings, &Rings::radius>({.key = "rings.radius", .label = "Radius", .hard = {0.001, 1000}, .soft = {0.05, 5}, .step = 0.01, .unit = Unit::Metres, .scale = Scale::Log, .tip = "Radius of a ring at the emitter: inside it the smoke rises, outside it sinks."}),
+    row<&E::rings, &Rings::widening>({.key = "rings.widening", .label = "Widening", .hard = {0, 10}, .soft = {0, 1}, .step = 0.01, .tip = "Metres that the radius grows with each metre from the emitter."}),
+    row<&E::rings, &Rings::spacing>({.key = "rings.spacing", .label = "Spacing", .hard = {0.01, 1000}, .soft = {0.2, 10}, .step = 0.05, .unit = Unit::Metres, .scale = Scale::Log, .tip = "Distance from one ring to the next."}),
+    row<&E::rings, &Rings::followers>({.key = "rings.followers", .label = "Followers", .hard = {0, 4}, .soft = kUnit, .step = 0.02, .tip = "Strength of the rings that follow, relative to the first; smoke that starts warm has followers only."}),
+    row<&E::rings, &Rings::variance>({.key = "rings.variance", .label = "Variance", .hard = kUnit, .soft = kUnit, .step = 0.01, .tip = "How much the rings differ in strength and lie off the axis, so that they do not march in formation."}),
+
     // --- life ------------------------------------------------------------------------------------------------------
     row<&E::life, &Life::fadeRate>({.key = "life.fade_rate", .label = "Fade rate", .hard = {0.001, 100}, .soft = {0.005, 0.2}, .step = 0.001, .unit = Unit::PerSecond, .scale = Scale::Log, .tip = "Alpha that a particle loses a second. Its life is the initial alpha divided by this.", .source = "2012 model, eq. XIII"}),
     row<&E::life, &Life::initialAlpha>({.key = "life.initial_alpha", .label = "Initial alpha", .hard = {0.001, 1}, .soft = {0.01, 1}, .step = 0.005, .scale = Scale::Log, .tip = "Alpha Ai of a particle at birth.", .source = "2012 model, eq. XIII (0.1 there)"}),
@@ -169,6 +180,7 @@ constexpr std::array kTable{
     row<&E::look, &Look::rotationVariance>({.key = "look.rotation_variance", .label = "Rotation variance", .hard = kUnit, .soft = kUnit, .step = 0.01, .tip = "How much particles are turned at birth; 1 is any angle.", .stage = Stage::Shade}),
     row<&E::look, &Look::spin>({.key = "look.spin", .label = "Spin", .hard = {-3600, 3600}, .soft = {-180, 180}, .step = 1, .unit = Unit::DegreesPerSecond, .tip = "Rate at which each particle turns on the screen.", .stage = Stage::Shade}),
     row<&E::look, &Look::spinVariance>({.key = "look.spin_variance", .label = "Spin variance", .hard = {0, 3600}, .soft = {0, 180}, .step = 1, .unit = Unit::DegreesPerSecond, .tip = "Random part of that rate, different for every particle.", .stage = Stage::Shade}),
+    row<&E::look, &Look::roll>({.key = "look.roll", .label = "Roll", .hard = {0, 4}, .soft = {0, 1}, .step = 0.02, .tip = "How much particles turn with the swirls that carry them; 1 is as much as the air itself."}),
     row<&E::look, &Look::stretch>({.key = "look.stretch", .label = "Stretch", .hard = {0, 1}, .soft = {0, 0.2}, .step = 0.002, .unit = Unit::Seconds, .tip = "Lengthens a particle's texture along its motion, by the way it travels in this time.", .stage = Stage::Shade}),
     row<&E::look, &Look::mask>({.key = "look.mask", .label = "Mask", .tip = "A soft round puff, or the bare square of the 2012 model.", .choices = kMaskShapes, .stage = Stage::Shade}),
 
@@ -201,7 +213,10 @@ constexpr std::array kTable{
     row<&E::light, &Light::occlusion>({.key = "light.occlusion", .label = "Occlusion", .hard = {0, 100}, .soft = {0, 4}, .step = 0.02, .tip = "How much the light from sky and ground is lost inside dense smoke.", .stage = Stage::Shade}),
     row<&E::light, &Light::emission>({.key = "light.emission", .label = "Emission", .hard = {0, 1000}, .soft = {0, 20}, .step = 0.1, .tip = "Light that hot smoke gives off by itself, as fire.", .stage = Stage::Shade}),
     row<&E::light, &Light::emissionCooling>({.key = "light.emission_cooling", .label = "Emission cooling", .hard = {0, 100}, .soft = {0, 10}, .step = 0.05, .unit = Unit::PerSecond, .tip = "How fast the glow moves down its colours as smoke ages.", .stage = Stage::Shade}),
-    row<&E::light, &Light::emissionGradient>({.key = "light.emission_colours", .label = "Emission colours", .hard = kColours, .soft = kUnit, .step = 0.01, .tip = "Colour of the glow from cold (left) to as hot as at birth (right).", .stage = Stage::Shade}),
+    row<&E::light, &Light::hotCore>({.key = "light.hot_core", .label = "Hot core", .hard = kUnit, .soft = kUnit, .step = 0.01, .tip = "How much cooler the rim glows than the inside: air cools what lies open to it, and fire shows in the gaps.", .stage = Stage::Shade}),
+    row<&E::light, &Light::emissionColour>({.key = "light.emission_colour", .label = "Emission from", .tip = "Colours of your choice, or those of a body that glows by its temperature.", .choices = kEmissionColours, .stage = Stage::Shade}),
+    row<&E::light, &Light::temperature>({.key = "light.temperature", .label = "Temperature", .hard = {600, 20000}, .soft = {900, 4000}, .step = 10, .unit = Unit::Kelvin, .tip = "Temperature at birth: 1000 K glows red, 1900 K as a candle, 5800 K as the sun. As smoke cools, its glow turns red and fades.", .source = "Planck 1901; colour matching of Wyman et al. 2013", .visible = when("light.emission_colour", EmissionColour::BlackBody), .stage = Stage::Shade}),
+    row<&E::light, &Light::emissionGradient>({.key = "light.emission_colours", .label = "Emission colours", .hard = kColours, .soft = kUnit, .step = 0.01, .tip = "Colour of the glow from cold (left) to as hot as at birth (right).", .visible = when("light.emission_colour", EmissionColour::Gradient), .stage = Stage::Shade}),
     row<&E::light, &Light::resolution>({.key = "light.resolution", .label = "Resolution", .hard = {8, 256}, .soft = {32, 128}, .step = 8, .tip = "Cells of the density grid along the longest side of the cloud.", .stage = Stage::Shade}),
 
     // --- camera ----------------------------------------------------------------------------------------------------
@@ -225,6 +240,7 @@ constexpr std::array kTable{
     // --- output ----------------------------------------------------------------------------------------------------
     row<&E::output, &Output::width>({.key = "output.width", .label = "Width", .hard = kEdges, .soft = {64, 2048}, .step = 1, .unit = Unit::Pixels, .tip = "Width of a frame.", .stage = Stage::Shade}),
     row<&E::output, &Output::height>({.key = "output.height", .label = "Height", .hard = kEdges, .soft = {64, 2048}, .step = 1, .unit = Unit::Pixels, .tip = "Height of a frame.", .stage = Stage::Shade}),
+    row<&E::output, &Output::quality>({.key = "output.quality", .label = "Quality", .tip = "Draft: a quarter of the particles. Final: four times as many, and finer shadows. The smoke keeps its form and density.", .choices = kQualities}),
     row<&E::output, &Output::supersample>({.key = "output.supersample", .label = "Supersampling", .hard = {1, 4}, .soft = {1, 4}, .step = 1, .tip = "Renders this many times larger and averages.", .stage = Stage::Shade}),
     row<&E::output, &Output::exposure>({.key = "output.exposure", .label = "Exposure", .hard = {-20, 20}, .soft = {-4, 4}, .step = 0.05, .unit = Unit::Stops, .tip = "Brightness in stops; one more doubles it. Not applied to EXR, which is linear.", .stage = Stage::Shade}),
     row<&E::output, &Output::viewTransform>({.key = "output.view_transform", .label = "View transform", .tip = "Standard is plain sRGB; filmic rolls bright light off softly.", .choices = kViewTransforms, .stage = Stage::Shade}),
@@ -260,11 +276,12 @@ constexpr std::size_t rowCount(std::string_view group)
     return count;
 }
 
-static_assert(memberCount<Effect>() == 11, "a new group needs its line below");
+static_assert(memberCount<Effect>() == 12, "a new group needs its line below");
 static_assert(memberCount<Emitter>() == rowCount("emitter"));
 static_assert(memberCount<Motion>() == rowCount("motion"));
 static_assert(memberCount<Turbulence>() == rowCount("turbulence"));
 static_assert(memberCount<Vortex>() == rowCount("vortex"));
+static_assert(memberCount<Rings>() == rowCount("rings"));
 static_assert(memberCount<Life>() == rowCount("life"));
 static_assert(memberCount<Look>() == rowCount("look"));
 static_assert(memberCount<Noise>() == rowCount("noise"));
@@ -273,10 +290,11 @@ static_assert(memberCount<Camera>() == rowCount("camera"));
 static_assert(memberCount<Timeline>() == rowCount("timeline"));
 static_assert(memberCount<Output>() == rowCount("output"));
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kGroupLabels{{{"emitter", "Emitter"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kGroupLabels{{{"emitter", "Emitter"},
     {"motion", "Motion"},
     {"turbulence", "Turbulence"},
     {"vortex", "Vortex"},
+    {"rings", "Vortex rings"},
     {"life", "Life"},
     {"look", "Look"},
     {"noise", "Noise"},

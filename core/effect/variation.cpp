@@ -124,16 +124,4 @@ Effect vary(const Effect& effect, float amount, std::uint32_t seed, const MayVar
     return out;
 }
 
-Effect thinned(const Effect& effect, int most)
-{
-    Effect out = effect;
-    if (effect.emitter.count > most) {
-        // What covers the picture is count * size^2.
-        const float ratio = static_cast<float>(effect.emitter.count) / static_cast<float>(most);
-        out.emitter.count = most;
-        setClamped(out, *findParameter("look.size"), effect.look.size * std::sqrt(ratio));
-    }
-    return out;
-}
-
 } // namespace fumage

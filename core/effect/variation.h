@@ -21,8 +21,4 @@ using MayVary = std::function<bool(const Parameter&)>;
 /// effect stands do not move.
 [[nodiscard]] Effect vary(const Effect& effect, float amount, std::uint32_t seed, const MayVary& mayVary = isCharacter);
 
-/// The same look with fewer particles, for previews: sizes grow so that the smoke covers as much.
-/// @param most particles, 1 or more
-[[nodiscard]] Effect thinned(const Effect& effect, int most);
-
 } // namespace fumage

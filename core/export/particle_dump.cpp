@@ -1,6 +1,7 @@
 #include "core/export/particle_dump.h"
 
 #include "core/base/text.h"
+#include "core/effect/sampling.h"
 #include "core/lighting/appearance.h"
 
 #include <array>
@@ -23,7 +24,7 @@ struct Row {
 std::vector<Row> livingRows(const Frame& frame, const Effect& effect)
 {
     Appearance appearance;
-    findAppearance(frame, effect, Axes{}, appearance);
+    findAppearance(frame, sampled(effect), Axes{}, appearance);
     const Particles& p = frame.particles;
     std::vector<Row> rows;
     for (std::size_t i = 0; i < p.capacity; ++i) {

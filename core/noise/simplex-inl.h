@@ -96,14 +96,22 @@ HWY_INLINE VU latticeBits(DU du, VU lattice, VU key)
     return hn::Xor(bits, hn::ShiftRight<15>(bits));
 }
 
-/// Adds weight times the curl noise at a point to (vx, vy, vz): a velocity without divergence, exactly.
+/// A vector field at a vector of points.
+template <class V>
+struct FieldAt {
+    V x, y, z;
+};
+
+/// Adds weight times the curl noise at a point to the velocity, which is without divergence, exactly; and with kTurns what it turns, to the
+/// vorticity: the curl of that velocity, per unit of the coordinates.
 ///
 /// The potential is Psi = sum over corners of t^4 (c x d), with t = max(0, 1/2 - |d|^2), d the way from corner to point and c a random
 /// vector of the corner, uniform in a cube. Its curl is 2 t^3 ((t - 4 |d|^2) c + 4 (d.c) d): each lattice point is a small vortex.
+/// The curl of the velocity is 8 t^2 (5 t - 6 |d|^2) (c x d).
 /// Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007, on simplex kernels.
 /// The factor 2^-31 of the components of c is left to weight.
-template <class D, class V = hn::VFromD<D>>
-HWY_INLINE void addCurlNoise(D d, V x, V y, V z, std::uint32_t key, float weight, V& vx, V& vy, V& vz)
+template <bool kTurns, class D, class V = hn::VFromD<D>>
+HWY_INLINE void addCurlNoise(D d, V x, V y, V z, std::uint32_t key, float weight, FieldAt<V>& velocity, FieldAt<V>& vorticity)
 {
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
@@ -113,6 +121,7 @@ HWY_INLINE void addCurlNoise(D d, V x, V y, V z, std::uint32_t key, float weight
     V sx = hn::Zero(d);
     V sy = hn::Zero(d);
     V sz = hn::Zero(d);
+    FieldAt<V> turn{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     for (int i = 0; i < 4; ++i) {
         const V dx = corners.dx[i];
         const V dy = corners.dy[i];
@@ -131,11 +140,18 @@ HWY_INLINE void addCurlNoise(D d, V x, V y, V z, std::uint32_t key, float weight
         sx = hn::Add(sx, hn::Add(hn::Mul(along, cx), hn::Mul(outward, dx)));
         sy = hn::Add(sy, hn::Add(hn::Mul(along, cy), hn::Mul(outward, dy)));
         sz = hn::Add(sz, hn::Add(hn::Mul(along, cz), hn::Mul(outward, dz)));
+        if constexpr (kTurns) {
+            const V factor = hn::Mul(hn::Mul(t, t), hn::Sub(hn::Mul(hn::Set(d, 20.0F), t), hn::Mul(hn::Set(d, 24.0F), r2)));
+            turn.x = mulAdd(factor, hn::Sub(hn::Mul(cy, dz), hn::Mul(cz, dy)), turn.x);
+            turn.y = mulAdd(factor, hn::Sub(hn::Mul(cz, dx), hn::Mul(cx, dz)), turn.y);
+            turn.z = mulAdd(factor, hn::Sub(hn::Mul(cx, dy), hn::Mul(cy, dx)), turn.z);
+        }
     }
     const V scale = hn::Set(d, weight);
-    vx = mulAdd(sx, scale, vx);
-    vy = mulAdd(sy, scale, vy);
-    vz = mulAdd(sz, scale, vz);
+    velocity = {mulAdd(sx, scale, velocity.x), mulAdd(sy, scale, velocity.y), mulAdd(sz, scale, velocity.z)};
+    if constexpr (kTurns) {
+        vorticity = {mulAdd(turn.x, scale, vorticity.x), mulAdd(turn.y, scale, vorticity.y), mulAdd(turn.z, scale, vorticity.z)};
+    }
 }
 
 } // namespace fumage::HWY_NAMESPACE

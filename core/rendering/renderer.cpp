@@ -1,5 +1,7 @@
 #include "core/rendering/renderer.h"
 
+#include "core/effect/sampling.h"
+
 namespace fumage {
 
 namespace {
@@ -36,8 +38,9 @@ Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
     return Done{};
 }
 
-Status Renderer::prepare(const Frame& frame, const Effect& effect, const View& view, const std::stop_token& stop)
+Status Renderer::prepare(const Frame& frame, const Effect& asked, const View& view, const std::stop_token& stop)
 {
+    const Effect effect = sampled(asked);
     {
         const Stopwatch stopwatch(m_times.texture);
         if (Status status = updateTexture(effect.noise, stop); !status) {

@@ -8,6 +8,7 @@
 #include "core/base/math-inl.h"
 #include "core/base/math.h"
 #include "core/base/parallel.h"
+#include "core/lighting/black_body.h"
 #include "core/rendering/sprites.h"
 #include "core/simulation/streams.h"
 
@@ -50,9 +51,11 @@ struct SpriteJob {
     float rotationVariance = 0.0F; ///< radians
     float spin = 0.0F; ///< radians/s
     float spinVariance = 0.0F;
+    float roll = 0.0F; ///< share of the particle's own turn
     float textureSlicesPerSecond = 0.0F;
     float emissionCooling = 0.0F;
     float heatVariance = 0.0F;
+    float hotCore = 0.0F;
     float erosion = 0.0F;
     float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
     float stretch = 0.0F; ///< s
@@ -134,7 +137,12 @@ void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& block)
         const V turned = hn::Mul(mulAdd(hn::Set(d, 2.0F), unitStream(d, key, kRotationStream), hn::Set(d, -1.0F)), hn::Set(d, job.rotationVariance));
         const V spun = mulAdd(mulAdd(hn::Set(d, 2.0F), unitStream(d, key, kSpinStream), hn::Set(d, -1.0F)), hn::Set(d, job.spinVariance), hn::Set(d, job.spin));
         // Turns of hours leave the range of the sine; the rest of a division by a full turn brings them back.
-        const V angle = mulAdd(spun, age, turned);
+        V angle = mulAdd(spun, age, turned);
+        if (particles.rolls()) {
+            // The part of the turn about the line of sight; y runs down on the screen.
+            const V about = dotAxis(d, hn::Load(d, particles.rollX.data() + at), hn::Load(d, particles.rollY.data() + at), hn::Load(d, particles.rollZ.data() + at), view.forward);
+            angle = mulAdd(about, hn::Set(d, job.roll), angle);
+        }
         const V turns = hn::Round(hn::Mul(angle, hn::Set(d, 1.0F / kTau)));
         V sine = hn::Zero(d);
         V cosine = hn::Zero(d);
@@ -286,7 +294,9 @@ HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std:
     const Float4 direct = albedo * job.sun * light[0];
     Float4 ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
     if (job.glows) {
-        const float heat = std::clamp(block.heat[i], 0.0F, 1.0F);
+        // Sky and ground together tell how open a place is.
+        const float open = std::min(1.0F, light[1] + light[2]);
+        const float heat = std::clamp(block.heat[i] * (1.0F - job.hotCore * open), 0.0F, 1.0F);
         ambient += job.emission[static_cast<std::size_t>(heat * static_cast<float>(kColourTableSize - 1))];
     }
     // The fourth lanes fall on the opacity and the texture, which are written after this.
@@ -356,12 +366,13 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
 
 void fillTables(const Effect& effect, SpriteJob& job)
 {
+    job.glows = effect.light.emission > 0.0F;
     for (std::size_t i = 0; i < kColourTableSize; ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(kColourTableSize - 1);
         job.albedo[i] = colour4(effect.look.colour * effect.look.colourGradient.at(share));
-        job.emission[i] = colour4(effect.light.emissionGradient.at(share) * effect.light.emission);
+        const glm::vec3 glow = effect.light.emissionColour == EmissionColour::BlackBody ? blackBody(effect.light.temperature * share, effect.light.temperature) : effect.light.emissionGradient.at(share);
+        job.emission[i] = colour4(glow * effect.light.emission);
     }
-    job.glows = effect.light.emission > 0.0F;
     job.sun = colour4(effect.light.colour);
     job.sky = colour4(effect.light.sky * effect.light.ambient);
     job.ground = colour4(effect.light.ground * effect.light.ambient);
@@ -383,9 +394,11 @@ void makeSprites(const Frame& frame, const Effect& effect, const Appearance& app
     job.dt = frame.model->schedule().dt;
     job.rotationVariance = kPi * effect.look.rotationVariance;
     job.spin = radians(effect.look.spin);
+    job.roll = effect.look.roll;
     job.spinVariance = radians(effect.look.spinVariance);
     job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(texture.slices()) / effect.noise.depth;
     job.emissionCooling = effect.light.emissionCooling;
+    job.hotCore = effect.light.hotCore;
     job.heatVariance = effect.motion.heatVariance;
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;

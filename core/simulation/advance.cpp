@@ -96,6 +96,7 @@ private:
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
             const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
+            clearRoll(first - lap, first - lap + count);
             bearParticles(m_birthPlace, random, step, static_cast<std::size_t>(first - lap), static_cast<std::size_t>(count), m_particles);
             first += count;
         }
@@ -106,8 +107,18 @@ private:
         for (AlignedArray<float>* column : {&m_particles.x, &m_particles.y, &m_particles.z, &m_particles.vx, &m_particles.vy, &m_particles.vz}) {
             std::fill(column->begin() + first, column->begin() + last, 0.0F);
         }
+        clearRoll(first, last);
         std::fill(m_particles.key.begin() + first, m_particles.key.begin() + last, 0U);
         std::fill(m_particles.birthStep.begin() + first, m_particles.birthStep.begin() + last, Particles::kUnborn);
+    }
+
+    void clearRoll(std::int64_t first, std::int64_t last) const
+    {
+        if (m_particles.rolls()) {
+            for (AlignedArray<float>* column : {&m_particles.rollX, &m_particles.rollY, &m_particles.rollZ}) {
+                std::fill(column->begin() + first, column->begin() + last, 0.0F);
+            }
+        }
     }
 
     const Schedule& m_schedule;
@@ -131,6 +142,11 @@ void copyChunk(const Particles& from, Particles& to, std::size_t chunk)
     copyChunk(from.vx, to.vx, chunk);
     copyChunk(from.vy, to.vy, chunk);
     copyChunk(from.vz, to.vz, chunk);
+    if (from.rolls()) {
+        copyChunk(from.rollX, to.rollX, chunk);
+        copyChunk(from.rollY, to.rollY, chunk);
+        copyChunk(from.rollZ, to.rollZ, chunk);
+    }
     copyChunk(from.key, to.key, chunk);
     copyChunk(from.birthStep, to.birthStep, chunk);
 }
@@ -179,8 +195,8 @@ Status advance(const Model& model, Particles& particles, std::int64_t from, std:
 
 Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop)
 {
-    if (after.x.size() != before.x.size()) {
-        after.reset(before.capacity);
+    if (after.x.size() != before.x.size() || after.rolls() != before.rolls()) {
+        after.reset(before.capacity, before.rolls());
     }
     after.capacity = before.capacity;
     return run(model, after, from, to, stop, [&](std::size_t chunk) { copyChunk(before, after, chunk); });
@@ -188,7 +204,7 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
 
 Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop)
 {
-    particles.reset(static_cast<std::size_t>(model.schedule().capacity()));
+    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect().look.roll > 0.0F);
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
     return run(model, particles, from, to, stop, [](std::size_t) {});
 }

@@ -2,9 +2,12 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/effect/sampling.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <glm/geometric.hpp>
 
 namespace fumage {
 
@@ -14,7 +17,8 @@ namespace {
 enum EffectStream : std::uint32_t { kGustStrength = 101,
     kGustAngle = 102,
     kRotation = 103,
-    kTurbulence = 104 };
+    kTurbulence = 104,
+    kRings = 120 };
 
 /// Gusts turn the wind by at most this, degrees.
 constexpr float kGustAngleRange = 60.0F;
@@ -57,8 +61,8 @@ RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cell
 } // namespace
 
 Model::Model(const Effect& effect)
-    : m_effect(effect)
-    , m_schedule(makeSchedule(effect))
+    : m_effect(sampled(effect))
+    , m_schedule(makeSchedule(m_effect))
 {
 }
 
@@ -94,6 +98,8 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
     const float amplitude = turbulence.strength * portablePow(turbulence.roughness, order) * kCurlNormalisation;
     const std::uint32_t seed = streamBits(m_effect.emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
     const float latticePerMetre = out.frequency / turbulence.scale;
+    constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it
+    out.turns = octave < kLarge;
     const bool moving = turbulence.evolution > 0.0F || (m_schedule.loopSteps != 0 && turbulence.drift != 0.0F);
     if (!moving) {
         const float seconds = static_cast<float>(m_schedule.randomStep(step)) * m_schedule.dt;
@@ -115,6 +121,35 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
     out.weight = {amplitude * portableCos(blend), amplitude * portableSin(blend)};
     out.offset = {-lattice * row.fraction, -lattice * (row.fraction - 1.0F)};
     return out;
+}
+
+void Model::placeRings(std::int64_t step, StepConstants& out) const
+{
+    const Rings& rings = m_effect.rings;
+    const auto spacing = static_cast<double>(rings.spacing);
+    double passed = static_cast<double>(rings.speed) * static_cast<double>(m_schedule.dt) / spacing; // rings a step
+    if (m_schedule.loopSteps != 0) {
+        const auto loop = static_cast<double>(m_schedule.loopSteps);
+        const double inLoop = std::round(passed * loop);
+        passed = inLoop / loop;
+        out.ringsInLoop = static_cast<float>(std::max(1.0, inLoop));
+    }
+    passed *= static_cast<double>(m_schedule.randomStep(step));
+    out.ringStrength = rings.strength;
+    out.ringRadius = rings.radius;
+    out.ringWidening = rings.widening;
+    out.ringWave = kTau / rings.spacing;
+    out.ringCentre = static_cast<float>((passed - std::floor(passed)) * spacing);
+    out.ringNumber = static_cast<float>(std::floor(passed));
+    // Warm smoke has rings all the way up; otherwise the first one leaves at step 0.
+    out.ringsLead = m_schedule.firstStep == 0;
+    out.ringFollowers = rings.followers;
+    out.ringVariance = rings.variance;
+    out.ringKey = streamBits(m_effect.emitter.seed, kRings);
+    out.ringAxis = glm::normalize(m_effect.emitter.normal);
+    const glm::vec3 helper = std::abs(out.ringAxis.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
+    out.ringSides[0] = glm::normalize(glm::cross(out.ringAxis, helper));
+    out.ringSides[1] = glm::cross(out.ringAxis, out.ringSides[0]);
 }
 
 StepConstants Model::constants(std::int64_t step) const
@@ -146,6 +181,9 @@ StepConstants Model::constants(std::int64_t step) const
     out.vortexStrength = m_effect.vortex.strength;
     out.vortexRadius = m_effect.vortex.radius;
     out.vortexAxis = m_effect.vortex.axis;
+    if (m_effect.rings.strength > 0.0F) {
+        placeRings(step, out);
+    }
     out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
     out.turbulenceFrequency = 1.0F / turbulence.scale;
     out.onset = turbulence.onset;
@@ -154,7 +192,7 @@ StepConstants Model::constants(std::int64_t step) const
         out.octave[static_cast<std::size_t>(octave)] = octaveAt(step, octave);
     }
     out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F && motion.rotationJitter == 0.0F
-        && out.vortexStrength == 0.0F && out.octaves == 0;
+        && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0;
     return out;
 }
 

@@ -15,6 +15,7 @@ struct OctaveAtStep {
     std::array<std::uint32_t, 2> key{};
     std::array<float, 2> weight{}; ///< m/s, with the normalisation of the noise; 0: skip
     std::array<float, 2> offset{}; ///< along y, in lattice units
+    bool turns = false; ///< whether its swirls turn particles
 };
 
 inline constexpr int kMaxTurbulenceOctaves = 8;
@@ -43,6 +44,20 @@ struct StepConstants {
     float vortexRadius = 1.0F;
     glm::vec3 vortexAxis{0.0F, 1.0F, 0.0F};
 
+    float ringStrength = 0.0F;
+    float ringRadius = 1.0F;
+    float ringWidening = 0.0F;
+    float ringWave = 1.0F; ///< 2 pi / spacing, 1/m
+    float ringCentre = 0.0F; ///< distance of a ring from the emitter, m
+    float ringNumber = 0.0F; ///< of that ring, counted from the first that left
+    float ringsInLoop = 0.0F; ///< after which their numbers come again; 0: never
+    bool ringsLead = false; ///< whether ring 0 is the first, with still air before it
+    float ringFollowers = 1.0F; ///< strength of all but ring 0
+    float ringVariance = 0.0F;
+    std::uint32_t ringKey = 0;
+    glm::vec3 ringAxis{0.0F, 1.0F, 0.0F};
+    std::array<glm::vec3, 2> ringSides{}; ///< at right angles to the axis
+
     int octaves = 0;
     float turbulenceFrequency = 1.0F; ///< 1/m, of the first octave
     float onset = 0.0F;
@@ -55,6 +70,7 @@ class Model {
 public:
     explicit Model(const Effect& effect);
 
+    /// The effect with its quality worked in, see sampled().
     [[nodiscard]] const Effect& effect() const { return m_effect; }
     [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
 
@@ -71,6 +87,7 @@ private:
     /// Smooth random value in [-1, 1] of time; whole in a loop.
     [[nodiscard]] float wander(std::int64_t step, float rate, std::uint32_t stream) const;
     [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
+    void placeRings(std::int64_t step, StepConstants& out) const;
 
     Effect m_effect;
     Schedule m_schedule;

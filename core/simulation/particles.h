@@ -17,24 +17,30 @@ struct Particles {
 
     AlignedArray<float> x, y, z; ///< position, m
     AlignedArray<float> vx, vy, vz; ///< velocity without the turbulence that carries the particle, m/s
+    AlignedArray<float> rollX, rollY, rollZ; ///< how far the swirls have turned the particle, a rotation vector in radians; empty where nobody asks
     AlignedArray<std::uint32_t> key; ///< random bits of the particle, see birthKey()
     AlignedArray<std::int32_t> birthStep; ///< kUnborn where the slot is empty
     std::size_t capacity = 0; ///< slots in use at most
 
     /// Makes room and empties every slot.
-    void reset(std::size_t slotCount)
+    /// @param rolls with room for rollX to rollZ
+    void reset(std::size_t slotCount, bool rolls = false)
     {
         capacity = slotCount;
         const std::size_t padded = roundUp(slotCount, kChunk);
         for (AlignedArray<float>* column : {&x, &y, &z, &vx, &vy, &vz}) {
             column->assign(padded, 0.0F);
         }
+        for (AlignedArray<float>* column : {&rollX, &rollY, &rollZ}) {
+            column->assign(rolls ? padded : 0, 0.0F);
+        }
         key.assign(padded, 0U);
         birthStep.assign(padded, kUnborn);
     }
 
     [[nodiscard]] std::size_t chunks() const { return x.size() / kChunk; }
-    [[nodiscard]] std::size_t bytes() const { return x.size() * 8 * sizeof(float); }
+    [[nodiscard]] bool rolls() const { return !rollX.empty(); }
+    [[nodiscard]] std::size_t bytes() const { return x.size() * (rolls() ? 11 : 8) * sizeof(float); }
 };
 
 } // namespace fumage

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/math-inl.h"
+#include "core/base/math.h"
 #include "core/noise/simplex-inl.h"
 #include "core/simulation/step.h"
 #include "core/simulation/streams.h"
@@ -15,9 +16,7 @@ namespace fumage::HWY_NAMESPACE {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-struct Triple {
-    V x, y, z;
-};
+using Triple = FieldAt<V>;
 
 /// Three independent random int32 as float, for one particle and step: three rounds of multiply and shift over key XOR step key.
 template <class VU>
@@ -71,38 +70,123 @@ void stepPlain(const StepConstants& constants, Particles& particles, std::size_t
     }
 }
 
-/// Adds the turbulence at a position. Coordinates shrink with height so that swirls grow: q = (x, ln(1 + g h) / g, z) / (scale (1 + g h))
+/// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s. Coordinates shrink with height so that swirls grow: q = (x, ln(1 + g h) / g, z) / (scale (1 + g h))
 /// in x and z, whose spacing in y is also scale (1 + g h).
-HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Triple& position, V ramp, Triple& velocity)
+template <bool kTurns>
+HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Triple& position, V ramp, Triple& velocity, Triple& vorticity)
 {
     const V frequency = hn::Set(d, constants.turbulenceFrequency);
     const V height = hn::Sub(position.y, hn::Set(d, constants.pivot.y));
     Triple q{hn::Mul(hn::Sub(position.x, hn::Set(d, constants.pivot.x)), frequency), hn::Mul(height, frequency),
         hn::Mul(hn::Sub(position.z, hn::Set(d, constants.pivot.z)), frequency)};
+    V shrunk = ramp;
     if (constants.growth > 0.0F) {
         const V one = hn::Set(d, 1.0F);
         const V above = hn::Max(height, hn::Zero(d));
         const V widening = mulAdd(hn::Set(d, constants.growth), above, one);
         const V logHeight = hn::Mul(logarithm(d, widening), hn::Set(d, 1.0F / constants.growth));
         const V shrink = hn::Div(one, widening);
+        shrunk = hn::Mul(ramp, shrink);
         q.x = hn::Mul(q.x, shrink);
         q.z = hn::Mul(q.z, shrink);
         q.y = hn::Mul(hn::Add(logHeight, hn::Sub(height, above)), frequency);
     }
     Triple sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    Triple turn = sum;
     for (int octave = 0; octave < constants.octaves; ++octave) {
         const OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
         const V scale = hn::Set(d, at.frequency);
         for (std::size_t slice = 0; slice < at.weight.size(); ++slice) {
             if (at.weight[slice] != 0.0F) {
                 const V qy = mulAdd(q.y, scale, hn::Set(d, at.offset[slice]));
-                addCurlNoise(d, hn::Mul(q.x, scale), qy, hn::Mul(q.z, scale), at.key[slice], at.weight[slice], sum.x, sum.y, sum.z);
+                const Triple at3{hn::Mul(q.x, scale), qy, hn::Mul(q.z, scale)};
+                Triple turned{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+                if (kTurns && at.turns) {
+                    addCurlNoise<true>(d, at3.x, at3.y, at3.z, at.key[slice], at.weight[slice], sum, turned);
+                    turn = {mulAdd(turned.x, scale, turn.x), mulAdd(turned.y, scale, turn.y), mulAdd(turned.z, scale, turn.z)};
+                } else {
+                    addCurlNoise<false>(d, at3.x, at3.y, at3.z, at.key[slice], at.weight[slice], sum, turned);
+                }
             }
         }
     }
     velocity.x = mulAdd(sum.x, ramp, velocity.x);
     velocity.y = mulAdd(sum.y, ramp, velocity.y);
     velocity.z = mulAdd(sum.z, ramp, velocity.z);
+    if constexpr (kTurns) {
+        const V perMetre = hn::Mul(shrunk, frequency);
+        vorticity = {mulAdd(turn.x, perMetre, vorticity.x), mulAdd(turn.y, perMetre, vorticity.y), mulAdd(turn.z, perMetre, vorticity.z)};
+    }
+}
+
+/// Adds the flow of a train of vortex rings on an axis through the pivot, and with kTurns its vorticity in 1/s.
+///
+/// With rho the distance from a ring's axis, s = rho / R, z the way along the axis from its centre and z' = z + b rho^2, b = 1 / (2 R), the
+/// potential is A = S/2 rho e^(-s^2) C(z') about the axis, C = (1 + cos k z') / 2: rings arch as domes. Its curl is
+/// S (1 - s^2) e^(-s^2) C - 2 b rho v along the axis and v = S/4 k rho e^(-s^2) sin k z' away from it: through the middle, out above, down
+/// outside and in below, with no divergence where R is constant and the ring on the axis. Half-way to the next C is 0 and flat, so that each may have its
+/// own strength and axis, and the air before the first can be still. The vorticity is that of rings that do not arch.
+template <bool kTurns>
+HWY_INLINE void addRings(D d, const StepConstants& constants, const Triple& position, Triple& velocity, Triple& vorticity)
+{
+    const hn::RebindToUnsigned<D> du;
+    const hn::RebindToSigned<D> di;
+    const V one = hn::Set(d, 1.0F);
+    const V zero = hn::Zero(d);
+    const Triple axis{hn::Set(d, constants.ringAxis.x), hn::Set(d, constants.ringAxis.y), hn::Set(d, constants.ringAxis.z)};
+    Triple away{hn::Sub(position.x, hn::Set(d, constants.pivot.x)), hn::Sub(position.y, hn::Set(d, constants.pivot.y)), hn::Sub(position.z, hn::Set(d, constants.pivot.z))};
+    const V height = mulAdd(away.z, axis.z, mulAdd(away.y, axis.y, hn::Mul(away.x, axis.x)));
+    away = {hn::Sub(away.x, hn::Mul(height, axis.x)), hn::Sub(away.y, hn::Mul(height, axis.y)), hn::Sub(away.z, hn::Mul(height, axis.z))};
+    const V radius = mulAdd(hn::Set(d, constants.ringWidening), hn::Max(height, zero), hn::Set(d, constants.ringRadius));
+    const V perRadius = hn::Div(one, radius);
+    const auto distance2 = [](const Triple& t) HWY_ATTR { return mulAdd(t.z, t.z, mulAdd(t.y, t.y, hn::Mul(t.x, t.x))); };
+
+    // Which ring this is follows from the common axis, so that all of a ring agree about it.
+    const V arch = hn::Mul(hn::Set(d, 0.5F), perRadius);
+    const V way = hn::Sub(mulAdd(arch, distance2(away), height), hn::Set(d, constants.ringCentre));
+    const V turns = hn::Mul(way, hn::Set(d, constants.ringWave * (1.0F / kTau)));
+    const V nearest = hn::Round(turns);
+    V number = hn::Sub(hn::Set(d, constants.ringNumber), nearest);
+    if (constants.ringsInLoop > 0.0F) {
+        const V laps = hn::Floor(hn::Mul(hn::Add(number, hn::Set(d, 0.5F)), hn::Set(d, 1.0F / constants.ringsInLoop)));
+        number = hn::Sub(number, hn::Mul(laps, hn::Set(d, constants.ringsInLoop)));
+    }
+    const auto key = mixBitsV(du, hn::Xor(hn::BitCast(du, hn::ConvertTo(di, number)), hn::Set(du, constants.ringKey)));
+    const V variance = hn::Set(d, constants.ringVariance);
+    V strength = hn::Mul(hn::Set(d, constants.ringStrength), hn::Sub(one, hn::Mul(variance, unitStream(d, key, 0))));
+    const V followers = hn::Set(d, constants.ringFollowers);
+    if (constants.ringsLead) {
+        const V own = hn::IfThenElse(hn::Gt(number, zero), followers, one);
+        strength = hn::IfThenElseZero(hn::Ge(number, zero), hn::Mul(strength, own));
+    } else {
+        strength = hn::Mul(strength, followers);
+    }
+    const V reach = hn::Mul(variance, radius);
+    for (std::uint32_t side = 0; side < 2; ++side) {
+        const glm::vec3& along = constants.ringSides[side];
+        const V shift = hn::Mul(reach, hn::Sub(unitStream(d, key, side + 1), hn::Set(d, 0.5F)));
+        away = {hn::Sub(away.x, hn::Mul(shift, hn::Set(d, along.x))), hn::Sub(away.y, hn::Mul(shift, hn::Set(d, along.y))), hn::Sub(away.z, hn::Mul(shift, hn::Set(d, along.z)))};
+    }
+
+    V sine = zero;
+    V cosine = zero;
+    sinCos(d, hn::Mul(hn::Sub(turns, nearest), hn::Set(d, kTau)), sine, cosine);
+    const V rho2 = distance2(away);
+    const V s2 = hn::Mul(rho2, hn::Mul(perRadius, perRadius));
+    const V bell = hn::Mul(strength, exponential(d, hn::Neg(s2)));
+    const V crest = hn::Mul(hn::Set(d, 0.5F), hn::Add(one, cosine));
+    const V outward = hn::Mul(bell, hn::Mul(hn::Set(d, 0.25F * constants.ringWave), sine)); // per metre from the axis
+    const V along = hn::Sub(hn::Mul(hn::Mul(bell, hn::Sub(one, s2)), crest), hn::Mul(hn::Mul(hn::Add(arch, arch), rho2), outward));
+    const auto component = [&](V from, V alongAxis, V awayFrom) HWY_ATTR { return hn::Add(from, mulAdd(outward, awayFrom, hn::Mul(along, alongAxis))); };
+    velocity = {component(velocity.x, axis.x, away.x), component(velocity.y, axis.y, away.y), component(velocity.z, axis.z, away.z)};
+    if constexpr (kTurns) {
+        const float quarterWave2 = 0.25F * constants.ringWave * constants.ringWave;
+        const V shear = hn::Mul(hn::Mul(hn::Set(d, 2.0F), hn::Mul(perRadius, perRadius)), hn::Mul(hn::Sub(hn::Set(d, 2.0F), s2), crest));
+        const V about = hn::Mul(bell, mulAdd(hn::Set(d, quarterWave2), cosine, shear));
+        vorticity.x = mulAdd(about, hn::Sub(hn::Mul(axis.y, away.z), hn::Mul(axis.z, away.y)), vorticity.x);
+        vorticity.y = mulAdd(about, hn::Sub(hn::Mul(axis.z, away.x), hn::Mul(axis.x, away.z)), vorticity.y);
+        vorticity.z = mulAdd(about, hn::Sub(hn::Mul(axis.x, away.y), hn::Mul(axis.y, away.x)), vorticity.z);
+    }
 }
 
 /// Adds a vortex about an axis through the pivot: speed = strength * 2 s / (1 + s^2), s = distance / radius (Scully 1975).
@@ -136,7 +220,8 @@ HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
     return hn::Mul(hn::Mul(t, t), mulAdd(hn::Set(d, -2.0F), t, hn::Set(d, 3.0F)));
 }
 
-void stepWhole(const StepConstants& constants, Particles& particles, std::size_t chunk)
+template <bool kTurns>
+HWY_INLINE void stepWholeWith(const StepConstants& constants, Particles& particles, std::size_t chunk)
 {
     const D d;
     const hn::RebindToUnsigned<D> du;
@@ -171,11 +256,23 @@ void stepWhole(const StepConstants& constants, Particles& particles, std::size_t
         v.z = accelerate(v.z, own.z, draw.z, constants.steady.z, constants.random.z);
 
         Triple carried = v;
+        Triple vorticity{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
         if (constants.octaves > 0) {
-            addTurbulence(d, constants, p, onsetRamp(d, constants, age), carried);
+            addTurbulence<kTurns>(d, constants, p, onsetRamp(d, constants, age), carried, vorticity);
+        }
+        if (constants.ringStrength != 0.0F) {
+            addRings<kTurns>(d, constants, p, carried, vorticity);
         }
         if (constants.vortexStrength != 0.0F) {
             addVortex(d, constants, p, carried);
+        }
+        if constexpr (kTurns) {
+            // A small body in a flow turns at half its vorticity.
+            const V halfStep = hn::Set(d, 0.5F * constants.dt);
+            const auto turn = [&](AlignedArray<float>& column, V rate) HWY_ATTR { hn::Store(mulAdd(rate, halfStep, hn::Load(d, column.data() + i)), d, column.data() + i); };
+            turn(particles.rollX, vorticity.x);
+            turn(particles.rollY, vorticity.y);
+            turn(particles.rollZ, vorticity.z);
         }
         p = {mulAdd(carried.x, dt, p.x), mulAdd(carried.y, dt, p.y), mulAdd(carried.z, dt, p.z)};
 
@@ -199,6 +296,15 @@ void stepWhole(const StepConstants& constants, Particles& particles, std::size_t
     }
 }
 
+void stepWhole(const StepConstants& constants, Particles& particles, std::size_t chunk)
+{
+    if (particles.rolls()) {
+        stepWholeWith<true>(constants, particles, chunk);
+    } else {
+        stepWholeWith<false>(constants, particles, chunk);
+    }
+}
+
 void evaluateTurbulence(const StepConstants& constants, const float* x, const float* y, const float* z, float* vx, float* vy, float* vz, std::size_t count)
 {
     const D d;
@@ -212,7 +318,8 @@ void evaluateTurbulence(const StepConstants& constants, const float* x, const fl
             buffer[2][lane] = z[i + lane];
         }
         Triple sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-        addTurbulence(d, constants, {hn::Load(d, buffer[0]), hn::Load(d, buffer[1]), hn::Load(d, buffer[2])}, hn::Set(d, 1.0F), sum);
+        Triple none = sum;
+        addTurbulence<false>(d, constants, {hn::Load(d, buffer[0]), hn::Load(d, buffer[1]), hn::Load(d, buffer[2])}, hn::Set(d, 1.0F), sum, none);
         hn::Store(sum.x, d, buffer[3]);
         hn::Store(sum.y, d, buffer[4]);
         hn::Store(sum.z, d, buffer[5]);

@@ -17,32 +17,47 @@ EDGE = 512
 BACKGROUND = (29, 79, 145)
 # Where the references were taken from: 9 m away at 2.8 m height, level, 50 mm on a 36 mm sensor.
 CAMERA = ["camera.mode=fixed", "camera.position=[0,2.8,9]", "camera.view=[0,0,-1]", "camera.focal_length=50"]
-FRONT = ["light.direction=[-0.663,-0.643,-0.382]"]
-BACK = ["light.direction=[-0.322,0.342,0.884]"]
+FRONT = ["light.direction=[-0.66,-0.64,-0.38]"]
+BACK = ["light.direction=[-0.32,0.34,0.88]"]
 PLUME = ["emitter.position=[0,0,0]", "emitter.radius=0.35"]
 YOUNG = ["timeline.prewarm=false"]
+OLD = ["emitter.count=500000", "emitter.spread=6", "life.fade_rate=0.009", "life.size=[[0,0.6],[1,1]]", "look.opacity=0.3", "look.dilution=0.2", "rings.strength=0.5", "rings.radius=0.7",
+       "turbulence.strength=0.22", "turbulence.octaves=6", "turbulence.roughness=0.85", "turbulence.growth=0"]
+WIND = ["light.direction=[0.86,-0.5,0]", "emitter.position=[-1.45,0.58,0]", "emitter.radius=0.22", "emitter.speed=0.3", "emitter.spread=15", "motion.wind=3", "motion.drag=2",
+        "motion.buoyancy=0.5", "motion.cooling=0.3", "motion.gust=0.1", "rings.strength=0", "turbulence.strength=0.22", "turbulence.scale=0.5", "turbulence.growth=0", "turbulence.drift=0",
+        "look.size=0.18", "look.opacity=0.31"]
+WISP = ["emitter.position=[0,0.56,0]", "emitter.radius=0.1", "emitter.count=100000", "emitter.speed=0.6", "emitter.spread=6", "life.fade_rate=0.01", "motion.buoyancy=0.1", "motion.drag=0.3",
+        "rings.strength=0.25", "rings.speed=0.55", "rings.radius=0.25", "rings.widening=0.1", "rings.spacing=0.5", "turbulence.strength=0.1", "turbulence.scale=0.4", "turbulence.octaves=6",
+        "turbulence.drift=0.5", "look.size=0.15", "look.dilution=0.3", "look.opacity=0.14"]
 # reference file, preset, frame, what to set
 PAIRS = [
     ("solver_plume_rgba_080.png", "plume", 78, CAMERA + FRONT + PLUME + YOUNG),
-    ("solver_plume_rgba_150.png", "plume", 120, CAMERA + FRONT + PLUME),
-    ("solver_plume_rgba_150_back.png", "plume", 120, CAMERA + BACK + PLUME),
-    ("solver_wind_rgba_110.png", "plume", 110, CAMERA + ["light.direction=[0.864,-0.503,0]", "emitter.position=[-1.6,0,0]", "emitter.radius=0.25", "motion.wind=0.9"]),
-    ("solver_wisp_rgba_140.png", "cigarette", 100, CAMERA + FRONT + ["look.opacity=0.3", "emitter.position=[0,0.2,0]"]),
+    ("solver_plume_rgba_150.png", "plume", 120, CAMERA + FRONT + PLUME + OLD),
+    ("solver_plume_rgba_150_back.png", "plume", 120, CAMERA + BACK + PLUME + OLD),
+    ("solver_wind_rgba_110.png", "plume", 110, CAMERA + WIND),
+    ("solver_wisp_rgba_140.png", "plume", 140, CAMERA + FRONT + YOUNG + WISP),
 ]
+# Eight frames of 128 x 256 side by side, each lit from the right and from above, and the mean of both; no other light.
+EMBERGEN = "embergen_fire_smoke_frames.png"
+EMBERGEN_FRAMES = (15, 30, 45, 60, 75, 90, 105, 120)
+EMBERGEN_BACKGROUND = (64, 96, 128)
+EMBERGEN_LIGHTS = ("light.direction=[-1,0,0]", "light.direction=[0,-1,0]")
+EMBERGEN_LOOK = ["camera.distance=4.7", "camera.target=[0,2.1,0]", "emitter.radius=0.32", "emitter.count=250000", "life.fade_rate=0.022", "light.intensity=5", "light.colour=[1,1,1]", "light.ambient=0.02", "light.shadow=4",
+                 "light.scattering=0.2", "light.anisotropy=0", "look.colour=[0.9,0.9,0.9]", "look.size=0.13", "look.opacity=3", "look.relief=0.5", "motion.pull=0.25"]
 BAND = (8, 64)  # cycles a picture: from the large billows down to 8 pixels
 STEEP = 99.9  # percentile of the reference's gradients
 
 
-def render(cli: str, preset: str, frame: int, out: pathlib.Path, edge: int, settings: list[str]) -> Image.Image:
-    command = [cli, "render", preset, "--frames", str(frame), "--size", f"{edge}x{edge}", "--supersample", "2", "--output", str(out)]
+def render(cli: str, preset: str, frame: int, out: pathlib.Path, size: tuple[int, int], settings: list[str]) -> Image.Image:
+    command = [cli, "render", preset, "--frames", str(frame), "--size", f"{size[0]}x{size[1]}", "--supersample", "2", "--output", str(out)]
     for setting in settings:
         command += ["--set", setting]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return Image.open(out).convert("RGBA")
 
 
-def flat(image: Image.Image) -> Image.Image:
-    base = Image.new("RGBA", image.size, BACKGROUND + (255,))
+def flat(image: Image.Image, background: tuple[int, int, int] = BACKGROUND) -> Image.Image:
+    base = Image.new("RGBA", image.size, background + (255,))
     return Image.alpha_composite(base, image).convert("RGB")
 
 
@@ -81,8 +96,18 @@ def gradients(alpha: np.ndarray) -> np.ndarray:
 
 def changes(cli: str, preset: str, folder: pathlib.Path) -> np.ndarray:
     """Mean change of density from frame to frame over a second."""
-    frames = [density(render(cli, preset, 60 + i, folder / "step.png", 128, [])) for i in range(30)]
+    frames = [density(render(cli, preset, 60 + i, folder / "step.png", (128, 128), [])) for i in range(30)]
     return np.array([np.abs(b - a).mean() for a, b in zip(frames, frames[1:])])
+
+
+def embergen_rows(cli: str, theirs: Image.Image, out: pathlib.Path) -> Image.Image:
+    """Their frames above ours, at the size of the sheet, which has a border of two pixels around each frame."""
+    sheet = Image.new("RGB", (8 * 128, 2 * 256))
+    for i, frame in enumerate(EMBERGEN_FRAMES):
+        sheet.paste(theirs.convert("RGB").crop((132 * i + 2, 2, 132 * i + 130, 258)), (128 * i, 0))
+        lit = [flat(render(cli, "default", frame, out / "embergen.png", (128, 256), EMBERGEN_LOOK + [light]), EMBERGEN_BACKGROUND) for light in EMBERGEN_LIGHTS]
+        sheet.paste(Image.blend(lit[0], lit[1], 0.5), (128 * i, 256))
+    return sheet
 
 
 def main() -> None:
@@ -94,7 +119,7 @@ def main() -> None:
         if not (references / name).exists():
             continue
         theirs = Image.open(references / name).convert("RGBA").resize((EDGE, EDGE))
-        ours = render(cli, preset, frame, out / f"ours_{name}", EDGE, settings)
+        ours = render(cli, preset, frame, out / f"ours_{name}", (EDGE, EDGE), settings)
         a, b = density(theirs), density(ours)
         power_a, power_b = spectrum(a), spectrum(b)
         limit = np.percentile(gradients(a), STEEP)
@@ -108,11 +133,13 @@ def main() -> None:
     for preset in presets:
         step = changes(cli, preset, out)
         print(f"{preset:18s} {step.max() / max(np.median(step), 1e-9):5.2f}")
-        moments.append([flat(render(cli, preset, frame, out / "moment.png", EDGE // 2, [])) for frame in (20, 60, 110)])
-    sheet = Image.new("RGB", (2 * EDGE, EDGE * len(rows)))
+        moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
+    sheet = Image.new("RGB", (2 * EDGE, EDGE * (len(rows) + 1)))
     for y, row in enumerate(rows):
         for x, image in enumerate(row):
             sheet.paste(image, (x * EDGE, y * EDGE))
+    if (references / EMBERGEN).exists():
+        sheet.paste(embergen_rows(cli, Image.open(references / EMBERGEN), out), (0, EDGE * len(rows)))
     sheet.save(out / "references.png")
     half = EDGE // 2
     sheet = Image.new("RGB", (6 * half, half * ((len(moments) + 1) // 2)))

@@ -1210,7 +1210,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Storlek över livet</translation>
     </message>
     <message>
-        <source>Share of the particle's size, from birth to death.</source>
+        <source>Share of the particle&apos;s size, from birth to death.</source>
         <translation>Andel av partikelns storlek, från födsel till död.</translation>
     </message>
     <message>
@@ -1366,7 +1366,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Töjning</translation>
     </message>
     <message>
-        <source>Lengthens a particle's texture along its motion, by the way it travels in this time.</source>
+        <source>Lengthens a particle&apos;s texture along its motion, by the way it travels in this time.</source>
         <translation>Förlänger en partikels textur längs dess rörelse, med vägen den går på denna tid.</translation>
     </message>
     <message>
@@ -1896,6 +1896,122 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Source: %1</source>
         <translation>Källa: %1</translation>
+    </message>
+    <message>
+        <source>Speed of the flow through the middle of the vortex rings that rise with the smoke: they roll its rim into billows, and the first one is the head of a mushroom.</source>
+        <translation>Hur fort det strömmar genom mitten av de virvelringar som stiger med röken: de rullar dess kant till bolster, och den första är svampens huvud.</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>Stigning</translation>
+    </message>
+    <message>
+        <source>Speed at which the rings travel along the emitter&apos;s normal.</source>
+        <translation>Hur fort ringarna färdas längs emitterns normal.</translation>
+    </message>
+    <message>
+        <source>Radius of a ring at the emitter: inside it the smoke rises, outside it sinks.</source>
+        <translation>En rings radie vid emittern: innanför den stiger röken, utanför sjunker den.</translation>
+    </message>
+    <message>
+        <source>Widening</source>
+        <translation>Vidgning</translation>
+    </message>
+    <message>
+        <source>Metres that the radius grows with each metre from the emitter.</source>
+        <translation>Hur många meter radien växer för varje meter från emittern.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Avstånd mellan ringar</translation>
+    </message>
+    <message>
+        <source>Distance from one ring to the next.</source>
+        <translation>Avståndet från en ring till nästa.</translation>
+    </message>
+    <message>
+        <source>Followers</source>
+        <translation>Följande</translation>
+    </message>
+    <message>
+        <source>Strength of the rings that follow, relative to the first; smoke that starts warm has followers only.</source>
+        <translation>De följande ringarnas styrka i förhållande till den första; rök som börjar varm har bara följande.</translation>
+    </message>
+    <message>
+        <source>Variance</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>How much the rings differ in strength and lie off the axis, so that they do not march in formation.</source>
+        <translation>Hur mycket ringarna skiljer sig i styrka och ligger vid sidan av axeln, så att de inte marscherar i takt.</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rullning</translation>
+    </message>
+    <message>
+        <source>How much particles turn with the swirls that carry them; 1 is as much as the air itself.</source>
+        <translation>Hur mycket partiklarna vrids av virvlarna som bär dem; 1 är lika mycket som luften själv.</translation>
+    </message>
+    <message>
+        <source>Hot core</source>
+        <translation>Het kärna</translation>
+    </message>
+    <message>
+        <source>How much cooler the rim glows than the inside: air cools what lies open to it, and fire shows in the gaps.</source>
+        <translation>Hur mycket svalare kanten glöder än det inre: luften kyler det som ligger öppet, och elden syns i springorna.</translation>
+    </message>
+    <message>
+        <source>Emission from</source>
+        <translation>Glöd från</translation>
+    </message>
+    <message>
+        <source>Colours of your choice, or those of a body that glows by its temperature.</source>
+        <translation>Färger som du väljer, eller de hos en kropp som glöder av sin temperatur.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Temperature at birth: 1000 K glows red, 1900 K as a candle, 5800 K as the sun. As smoke cools, its glow turns red and fades.</source>
+        <translation>Temperatur vid födseln: 1000 K glöder rött, 1900 K som ett stearinljus, 5800 K som solen. När röken svalnar blir glöden röd och dör ut.</translation>
+    </message>
+    <message>
+        <source>Planck 1901; colour matching of Wyman et al. 2013</source>
+        <translation>Planck 1901; färgmatchning enligt Wyman m.fl. 2013</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Kvalitet</translation>
+    </message>
+    <message>
+        <source>Draft: a quarter of the particles. Final: four times as many, and finer shadows. The smoke keeps its form and density.</source>
+        <translation>Utkast: en fjärdedel av partiklarna. Slutlig: fyra gånger så många och finare skuggor. Röken behåller sin form och täthet.</translation>
+    </message>
+    <message>
+        <source>black-body</source>
+        <translation>svartkropp</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>utkast</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>god</translation>
+    </message>
+    <message>
+        <source>final</source>
+        <translation>slutlig</translation>
+    </message>
+    <message>
+        <source>Vortex rings</source>
+        <translation>Virvelringar</translation>
+    </message>
+    <message>
+        <source>Turner 1962, the starting plume</source>
+        <translation>Turner 1962, den begynnande plymen</translation>
     </message>
 </context>
 <context>

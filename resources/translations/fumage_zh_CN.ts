@@ -1210,7 +1210,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>随寿命的大小</translation>
     </message>
     <message>
-        <source>Share of the particle's size, from birth to death.</source>
+        <source>Share of the particle&apos;s size, from birth to death.</source>
         <translation>从诞生到消亡，粒子大小的比例。</translation>
     </message>
     <message>
@@ -1366,7 +1366,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>拉伸</translation>
     </message>
     <message>
-        <source>Lengthens a particle's texture along its motion, by the way it travels in this time.</source>
+        <source>Lengthens a particle&apos;s texture along its motion, by the way it travels in this time.</source>
         <translation>按粒子在这段时间内走过的路程，沿运动方向拉长其纹理。</translation>
     </message>
     <message>
@@ -1896,6 +1896,122 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Source: %1</source>
         <translation>来源：%1</translation>
+    </message>
+    <message>
+        <source>Speed of the flow through the middle of the vortex rings that rise with the smoke: they roll its rim into billows, and the first one is the head of a mushroom.</source>
+        <translation>随烟上升的涡环中心的流速：涡环把烟的边缘卷成滚滚烟团，第一个涡环就是蘑菇的头。</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>上升</translation>
+    </message>
+    <message>
+        <source>Speed at which the rings travel along the emitter&apos;s normal.</source>
+        <translation>涡环沿发射器法线行进的速度。</translation>
+    </message>
+    <message>
+        <source>Radius of a ring at the emitter: inside it the smoke rises, outside it sinks.</source>
+        <translation>涡环在发射器处的半径：环内烟上升，环外烟下沉。</translation>
+    </message>
+    <message>
+        <source>Widening</source>
+        <translation>展宽</translation>
+    </message>
+    <message>
+        <source>Metres that the radius grows with each metre from the emitter.</source>
+        <translation>离发射器每远一米，半径增加的米数。</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>Distance from one ring to the next.</source>
+        <translation>一个涡环到下一个的距离。</translation>
+    </message>
+    <message>
+        <source>Followers</source>
+        <translation>后续</translation>
+    </message>
+    <message>
+        <source>Strength of the rings that follow, relative to the first; smoke that starts warm has followers only.</source>
+        <translation>后续涡环相对于第一个的强度；预热开始的烟只有后续涡环。</translation>
+    </message>
+    <message>
+        <source>Variance</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>How much the rings differ in strength and lie off the axis, so that they do not march in formation.</source>
+        <translation>涡环在强度和偏离轴线上的差异程度，使它们不会列队而行。</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>翻滚</translation>
+    </message>
+    <message>
+        <source>How much particles turn with the swirls that carry them; 1 is as much as the air itself.</source>
+        <translation>粒子随承载它的涡旋转动的程度；1 表示与空气本身相同。</translation>
+    </message>
+    <message>
+        <source>Hot core</source>
+        <translation>炽热内核</translation>
+    </message>
+    <message>
+        <source>How much cooler the rim glows than the inside: air cools what lies open to it, and fire shows in the gaps.</source>
+        <translation>边缘比内部暗多少：暴露在空气中的部分冷却，火光从缝隙中透出。</translation>
+    </message>
+    <message>
+        <source>Emission from</source>
+        <translation>发光来源</translation>
+    </message>
+    <message>
+        <source>Colours of your choice, or those of a body that glows by its temperature.</source>
+        <translation>自选的颜色，或物体因温度而发出的颜色。</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Temperature at birth: 1000 K glows red, 1900 K as a candle, 5800 K as the sun. As smoke cools, its glow turns red and fades.</source>
+        <translation>出生时的温度：1000 K 发红光，1900 K 如烛光，5800 K 如太阳。烟冷却时，光变红并消失。</translation>
+    </message>
+    <message>
+        <source>Planck 1901; colour matching of Wyman et al. 2013</source>
+        <translation>Planck 1901；Wyman 等人 2013 的颜色匹配</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Draft: a quarter of the particles. Final: four times as many, and finer shadows. The smoke keeps its form and density.</source>
+        <translation>草稿：四分之一的粒子。最终：四倍的粒子和更细的阴影。烟的形状和密度不变。</translation>
+    </message>
+    <message>
+        <source>black-body</source>
+        <translation>黑体</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>final</source>
+        <translation>最终</translation>
+    </message>
+    <message>
+        <source>Vortex rings</source>
+        <translation>涡环</translation>
+    </message>
+    <message>
+        <source>Turner 1962, the starting plume</source>
+        <translation>Turner 1962，起始羽流</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 #include "ui/viewport/smoke_worker.h"
 #include "ui/viewport/tracks.h"
 
-#include "core/effect/variation.h"
+#include "core/effect/sampling.h"
 
 using namespace fumage;
 using namespace fumage::tests;

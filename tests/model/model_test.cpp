@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -37,6 +39,40 @@ struct Newborns {
         }
     }
 };
+
+/// What one step of an effect does to particles that stand still at some places.
+std::vector<glm::dvec3> carriedBy(const Effect& effect, std::int64_t step, const std::vector<glm::vec3>& places)
+{
+    const Model model(effect);
+    Particles p;
+    p.reset(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        p.x[i] = places[i].x;
+        p.y[i] = places[i].y;
+        p.z[i] = places[i].z;
+        p.birthStep[i] = 0;
+    }
+    stepChunk(model.constants(step), p, 0);
+    std::vector<glm::dvec3> velocities;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        velocities.push_back(glm::dvec3(p.x[i] - places[i].x, p.y[i] - places[i].y, p.z[i] - places[i].z) / static_cast<double>(model.schedule().dt));
+    }
+    return velocities;
+}
+
+/// Rings alone, all alike and on the axis.
+Effect evenRings()
+{
+    Effect effect = thesisEffect(1);
+    effect.rings.strength = 2.0F;
+    effect.rings.speed = 1.5F;
+    effect.rings.radius = 0.4F;
+    effect.rings.widening = 0.0F;
+    effect.rings.spacing = 1.0F;
+    effect.rings.followers = 0.5F;
+    effect.rings.variance = 0.0F;
+    return effect;
+}
 
 bool near(double value, double expected, double tolerance)
 {
@@ -388,6 +424,78 @@ private slots:
         Effect effect = oneParticle();
         effect.motion.drag = 0.7F;
         QVERIFY(near(Track{effect}.velocity(45).y, std::exp(-0.7 * 1.5), 1e-5));
+    }
+
+    void ringsAreTheCurlOfTheirPotential()
+    {
+        const Effect effect = evenRings();
+        constexpr int kStep = 30; // the first ring is 1.5 m up, the one that follows at 0.5 m
+        for (const double rho : {0.0, 0.15, 0.4, 0.7}) {
+            for (const double height : {0.3, 0.55, 1.1, 1.5, 1.8}) {
+                const double s2 = rho * rho / 0.16;
+                const double arched = height + rho * rho / 0.8; // b = 1 / (2 R)
+                const bool first = arched > 1.0;
+                const double way = arched - (first ? 1.5 : 0.5);
+                const double strength = (first ? 2.0 : 1.0) * (way < 0.5 ? 1.0 : 0.0);
+                const double wave = 2.0 * M_PI;
+                const double away = strength / 4.0 * wave * rho * std::exp(-s2) * std::sin(wave * way);
+                const double along = strength * (1.0 - s2) * std::exp(-s2) * 0.5 * (1.0 + std::cos(wave * way)) - 2.0 / 0.8 * rho * away;
+                const glm::dvec3 v = carriedBy(effect, kStep, {glm::vec3(0.6 * rho, height, 0.8 * rho)}).front();
+                QVERIFY(near(v.y, along, 2e-4));
+                QVERIFY(near(0.6 * v.x + 0.8 * v.z, away, 2e-4));
+                QVERIFY(near(0.8 * v.x - 0.6 * v.z, 0.0, 2e-4));
+            }
+        }
+    }
+
+    void ringsHaveNoDivergence()
+    {
+        constexpr float kHalf = 0.01F;
+        for (const glm::vec3& at : {glm::vec3(0.2F, 0.3F, 0.1F), glm::vec3(0.3F, 0.8F, -0.2F), glm::vec3(-0.1F, 1.3F, 0.25F)}) {
+            const auto v = carriedBy(evenRings(), 30, {at + glm::vec3(kHalf, 0, 0), at - glm::vec3(kHalf, 0, 0), at + glm::vec3(0, kHalf, 0), at - glm::vec3(0, kHalf, 0), at + glm::vec3(0, 0, kHalf), at - glm::vec3(0, 0, kHalf)});
+            const double divergence = (v[0].x - v[1].x + v[2].y - v[3].y + v[4].z - v[5].z) / (2.0 * static_cast<double>(kHalf));
+            QVERIFY(near(divergence, 0.0, 0.02)); // of terms of about 5 / s
+        }
+    }
+
+    void airBeforeTheFirstRingIsStill()
+    {
+        Effect effect = evenRings();
+        effect.rings.variance = 1.0F;
+        QCOMPARE(carriedBy(effect, 30, {glm::vec3(0.1F, 2.05F, 0.0F)}).front(), glm::dvec3(0.0));
+        effect.timeline.prewarm = true; // warm smoke has rings all the way up
+        QVERIFY(glm::length(carriedBy(effect, 30, {glm::vec3(0.1F, 2.4F, 0.0F)}).front()) > 0.01);
+    }
+
+    void particlesTurnAtHalfTheVorticity()
+    {
+        Effect effect = thesisEffect(1);
+        effect.look.roll = 1.0F;
+        effect.turbulence.strength = 1.0F;
+        effect.turbulence.octaves = 2;
+        effect.turbulence.onset = 0.0F;
+        const Model model(effect);
+        const StepConstants constants = model.constants(3);
+        for (const glm::vec3& at : {glm::vec3(0.3F, 0.7F, -0.2F), glm::vec3(-0.8F, 1.4F, 0.5F), glm::vec3(0.05F, 0.2F, 0.9F)}) {
+            Particles p;
+            p.reset(1, true);
+            p.x[0] = at.x;
+            p.y[0] = at.y;
+            p.z[0] = at.z;
+            p.birthStep[0] = 0;
+            stepChunk(constants, p, 0);
+            constexpr float kHalf = 0.004F;
+            const auto slope = [&](const glm::vec3& way) {
+                const auto v = carriedBy(effect, 3, {at + kHalf * way, at - kHalf * way});
+                return (v[0] - v[1]) / (2.0 * static_cast<double>(kHalf));
+            };
+            const glm::dvec3 dx = slope({1, 0, 0});
+            const glm::dvec3 dy = slope({0, 1, 0});
+            const glm::dvec3 dz = slope({0, 0, 1});
+            const glm::dvec3 vorticity(dy.z - dz.y, dz.x - dx.z, dx.y - dy.x);
+            const glm::dvec3 turned = glm::dvec3(p.rollX[0], p.rollY[0], p.rollZ[0]) / (0.5 * static_cast<double>(constants.dt));
+            QVERIFY2(glm::length(turned - vorticity) < 0.03 * glm::length(vorticity), qPrintable(QString::number(glm::length(turned - vorticity) / glm::length(vorticity))));
+        }
     }
 
     void vortexIsFastestAtItsRadius()

@@ -182,7 +182,7 @@ private slots:
         QCOMPARE(e.motion.rotation, 0.0F);
         QCOMPARE(e.life.initialAlpha, 0.1F);
         QCOMPARE(e.noise.basis, NoiseBasis::Lattice);
-        for (const float zero : {e.emitter.spread, e.motion.drag, e.motion.buoyancy, e.motion.pull, e.motion.gust, e.turbulence.strength, e.vortex.strength, e.life.lifetimeVariance, e.look.sizeVariance,
+        for (const float zero : {e.emitter.spread, e.motion.drag, e.motion.buoyancy, e.motion.pull, e.motion.gust, e.turbulence.strength, e.vortex.strength, e.rings.strength, e.look.roll, e.life.lifetimeVariance, e.look.sizeVariance,
                  e.look.spin, e.look.spinVariance, e.look.stretch, e.look.erosion, e.look.dilution, e.light.emission, e.noise.warp}) {
             QCOMPARE(zero, 0.0F);
         }

@@ -336,6 +336,37 @@ private slots:
             QVERIFY(std::isfinite(value));
         }
     }
+
+    void rimOfAHotCoreIsDark()
+    {
+        Effect effect = thesisEffect(1);
+        effect.emitter.mode = EmissionMode::Burst;
+        effect.emitter.speed = 0.0F;
+        effect.emitter.width = effect.emitter.depth = 0.0F;
+        effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
+        effect.motion.heatVariance = 0.0F;
+        effect.light.intensity = 0.0F;
+        effect.light.ambient = 0.0F;
+        effect.light.occlusion = 0.0F; // nothing hides the sky: all of it is rim
+        effect.light.emission = 3.0F;
+        effect.light.emissionCooling = 0.0F;
+        effect.camera.target = {0.0F, 0.0F, 0.0F};
+        const auto glow = [&](float hotCore) {
+            effect.light.hotCore = hotCore;
+            Renderer renderer;
+            Image image;
+            [&] { QVERIFY(renderer.render(*frameOf(effect, 0), effect, 64, 64, image)); }();
+            float sum = 0.0F;
+            for (int y = 0; y < 64; ++y) {
+                for (int x = 0; x < 64; ++x) {
+                    sum += image.at(x, y).r;
+                }
+            }
+            return sum;
+        };
+        QVERIFY(glow(0.0F) > 0.0F);
+        QVERIFY2(glow(1.0F) < 0.05F * glow(0.0F), qPrintable(QString("%1 %2").arg(glow(1.0F)).arg(glow(0.0F))));
+    }
 };
 
 QTEST_GUILESS_MAIN(RenderingTest)

@@ -2,7 +2,7 @@
 
 #include "ui/viewport/smoke_studio.h"
 
-#include "core/effect/variation.h"
+#include "core/effect/sampling.h"
 
 #include <algorithm>
 

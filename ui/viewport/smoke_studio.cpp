@@ -3,8 +3,8 @@
 #include "ui/viewport/tracks.h"
 
 #include "core/effect/parameter_table.h"
+#include "core/effect/sampling.h"
 #include "core/effect/value.h"
-#include "core/effect/variation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,12 @@ int SmokeStudio::particlesWhileDragging(const Effect& effect, double stepsEach, 
 SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
 {
     Plan plan;
-    plan.effect = *request.effect;
+    Effect asked = *request.effect;
+    if (request.haste != Haste::None) {
+        // What the final quality adds would cost the motion more than it gives.
+        asked.output.quality = std::min(asked.output.quality, Quality::Good);
+    }
+    plan.effect = sampled(asked);
     if (request.haste == Haste::None) {
         return plan;
     }

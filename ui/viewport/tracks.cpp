@@ -1,6 +1,6 @@
 #include "ui/viewport/tracks.h"
 
-#include "core/effect/variation.h"
+#include "core/effect/sampling.h"
 #include "core/simulation/simulator.h"
 
 #include <algorithm>

@@ -1,0 +1,45 @@
+#include "core/effect/sampling.h"
+
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+Effect sampled(const Effect& effect)
+{
+    Effect out = effect;
+    out.output.quality = Quality::Good;
+    if (effect.output.quality == Quality::Good) {
+        return out;
+    }
+    const bool fine = effect.output.quality == Quality::Final;
+    constexpr int kTimesParticles = 4;
+    constexpr float kTimesShadow = 1.5F;
+    const int count = effect.emitter.count;
+    out.emitter.count = fine ? (count > kMaxParticles / kTimesParticles ? kMaxParticles : count * kTimesParticles) : std::max(1, count / kTimesParticles);
+    // What makes smoke dense is count * size^2 * opacity.
+    const float ratio = static_cast<float>(count) / static_cast<float>(out.emitter.count);
+    const float root = std::sqrt(ratio);
+    setClamped(out, *findParameter("look.size"), effect.look.size * std::sqrt(root));
+    setClamped(out, *findParameter("look.opacity"), effect.look.opacity * root);
+    const auto cells = static_cast<float>(effect.light.resolution);
+    setClamped(out, *findParameter("light.resolution"), static_cast<int>(fine ? cells * kTimesShadow : cells / kTimesShadow));
+    return out;
+}
+
+Effect thinned(const Effect& effect, int most)
+{
+    Effect out = sampled(effect);
+    if (out.emitter.count > most) {
+        // What covers the picture is count * size^2.
+        const float ratio = static_cast<float>(out.emitter.count) / static_cast<float>(most);
+        out.emitter.count = most;
+        setClamped(out, *findParameter("look.size"), out.look.size * std::sqrt(ratio));
+    }
+    return out;
+}
+
+} // namespace fumage
