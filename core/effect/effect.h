@@ -110,15 +110,15 @@ struct Life {
     float fadeRate = 0.028F;
     float lifetimeVariance = 0.35F;
     Curve alphaCurve{{0.0F, 0.0F}, {0.02F, 1.0F}, {1.0F, 1.0F}};
-    Curve sizeCurve{{0.0F, 0.4F}, {1.0F, 1.0F}};
+    Curve sizeCurve{{0.0F, 0.6F}, {1.0F, 1.0F}};
     friend bool operator==(const Life&, const Life&) = default;
 };
 
 struct Look {
-    float size = 0.17F;
+    float size = 0.15F;
     float sizeVariance = 0.25F;
-    float opacity = 1.8F;
-    float dilution = 0.8F;
+    float opacity = 1.6F;
+    float dilution = 0.6F;
     glm::vec3 colour{0.82F, 0.82F, 0.82F};
     Gradient colourGradient{{0.0F, glm::vec3(1.0F)}};
     MaskShape mask = MaskShape::Disc;

@@ -138,7 +138,7 @@ void Model::placeRings(std::int64_t step, StepConstants& out) const
     out.ringStrength = rings.strength;
     out.ringRadius = rings.radius;
     out.ringWidening = rings.widening;
-    out.ringWave = kTau / rings.spacing;
+    out.ringsPerMetre = 1.0F / rings.spacing;
     out.ringCentre = static_cast<float>((passed - std::floor(passed)) * spacing);
     out.ringNumber = static_cast<float>(std::floor(passed));
     // Warm smoke has rings all the way up; otherwise the first one leaves at step 0.

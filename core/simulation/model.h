@@ -47,7 +47,7 @@ struct StepConstants {
     float ringStrength = 0.0F;
     float ringRadius = 1.0F;
     float ringWidening = 0.0F;
-    float ringWave = 1.0F; ///< 2 pi / spacing, 1/m
+    float ringsPerMetre = 1.0F;
     float ringCentre = 0.0F; ///< distance of a ring from the emitter, m
     float ringNumber = 0.0F; ///< of that ring, counted from the first that left
     float ringsInLoop = 0.0F; ///< after which their numbers come again; 0: never

@@ -121,11 +121,12 @@ HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Triple&
 
 /// Adds the flow of a train of vortex rings on an axis through the pivot, and with kTurns its vorticity in 1/s.
 ///
-/// With rho the distance from a ring's axis, s = rho / R, z the way along the axis from its centre and z' = z + b rho^2, b = 1 / (2 R), the
-/// potential is A = S/2 rho e^(-s^2) C(z') about the axis, C = (1 + cos k z') / 2: rings arch as domes. Its curl is
-/// S (1 - s^2) e^(-s^2) C - 2 b rho v along the axis and v = S/4 k rho e^(-s^2) sin k z' away from it: through the middle, out above, down
-/// outside and in below, with no divergence where R is constant and the ring on the axis. Half-way to the next C is 0 and flat, so that each may have its
-/// own strength and axis, and the air before the first can be still. The vorticity is that of rings that do not arch.
+/// With rho the distance from a ring's axis, s = rho / R, z the way along the axis from its centre, L the spacing and t = (z + b rho^2) / L with
+/// b = 1 / (2 R), so that rings arch as domes, the potential is A = S/2 rho q^4 C about the axis, q = max(0, 1 - s^2 / 5), C = (1 - 4 t^2)^2.
+/// Its curl is S q^3 (q - 4/5 s^2) C - 2 b rho v along the axis and v = 8 S/L rho q^4 t (1 - 4 t^2) away from it: through the middle, out
+/// above, down outside and in below, with no divergence where R is constant and the ring on the axis. Half-way to the next ring C is 0 and
+/// flat, so that each may have its own strength and axis, and the air before the first can be still. The vorticity is that of rings that do
+/// not arch. Polynomials stand in for the Gauss and cosine shapes of measured rings, at a third of their cost.
 template <bool kTurns>
 HWY_INLINE void addRings(D d, const StepConstants& constants, const Triple& position, Triple& velocity, Triple& vorticity)
 {
@@ -144,16 +145,21 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Triple& posi
     // Which ring this is follows from the common axis, so that all of a ring agree about it.
     const V arch = hn::Mul(hn::Set(d, 0.5F), perRadius);
     const V way = hn::Sub(mulAdd(arch, distance2(away), height), hn::Set(d, constants.ringCentre));
-    const V turns = hn::Mul(way, hn::Set(d, constants.ringWave * (1.0F / kTau)));
-    const V nearest = hn::Round(turns);
+    const V rings = hn::Mul(way, hn::Set(d, constants.ringsPerMetre));
+    const V nearest = hn::Round(rings);
+    const V t = hn::Sub(rings, nearest);
     V number = hn::Sub(hn::Set(d, constants.ringNumber), nearest);
     if (constants.ringsInLoop > 0.0F) {
         const V laps = hn::Floor(hn::Mul(hn::Add(number, hn::Set(d, 0.5F)), hn::Set(d, 1.0F / constants.ringsInLoop)));
         number = hn::Sub(number, hn::Mul(laps, hn::Set(d, constants.ringsInLoop)));
     }
-    const auto key = mixBitsV(du, hn::Xor(hn::BitCast(du, hn::ConvertTo(di, number)), hn::Set(du, constants.ringKey)));
+    // Three numbers in [0, 1) from one word.
+    const auto bits = mixBitsV(du, hn::Xor(hn::BitCast(du, hn::ConvertTo(di, number)), hn::Set(du, constants.ringKey)));
+    const auto unit = [&](auto part) HWY_ATTR { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, part)), hn::Set(d, 0x1p-10F)); };
+    const auto tenBits = hn::Set(du, 1023U);
+    const V draws[3] = {unit(hn::ShiftRight<22>(bits)), unit(hn::And(hn::ShiftRight<12>(bits), tenBits)), unit(hn::And(hn::ShiftRight<2>(bits), tenBits))};
     const V variance = hn::Set(d, constants.ringVariance);
-    V strength = hn::Mul(hn::Set(d, constants.ringStrength), hn::Sub(one, hn::Mul(variance, unitStream(d, key, 0))));
+    V strength = hn::Mul(hn::Set(d, constants.ringStrength), hn::Sub(one, hn::Mul(variance, draws[0])));
     const V followers = hn::Set(d, constants.ringFollowers);
     if (constants.ringsLead) {
         const V own = hn::IfThenElse(hn::Gt(number, zero), followers, one);
@@ -162,27 +168,29 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Triple& posi
         strength = hn::Mul(strength, followers);
     }
     const V reach = hn::Mul(variance, radius);
-    for (std::uint32_t side = 0; side < 2; ++side) {
+    for (std::size_t side = 0; side < 2; ++side) {
         const glm::vec3& along = constants.ringSides[side];
-        const V shift = hn::Mul(reach, hn::Sub(unitStream(d, key, side + 1), hn::Set(d, 0.5F)));
+        const V shift = hn::Mul(reach, hn::Sub(draws[side + 1], hn::Set(d, 0.5F)));
         away = {hn::Sub(away.x, hn::Mul(shift, hn::Set(d, along.x))), hn::Sub(away.y, hn::Mul(shift, hn::Set(d, along.y))), hn::Sub(away.z, hn::Mul(shift, hn::Set(d, along.z)))};
     }
 
-    V sine = zero;
-    V cosine = zero;
-    sinCos(d, hn::Mul(hn::Sub(turns, nearest), hn::Set(d, kTau)), sine, cosine);
     const V rho2 = distance2(away);
     const V s2 = hn::Mul(rho2, hn::Mul(perRadius, perRadius));
-    const V bell = hn::Mul(strength, exponential(d, hn::Neg(s2)));
-    const V crest = hn::Mul(hn::Set(d, 0.5F), hn::Add(one, cosine));
-    const V outward = hn::Mul(bell, hn::Mul(hn::Set(d, 0.25F * constants.ringWave), sine)); // per metre from the axis
-    const V along = hn::Sub(hn::Mul(hn::Mul(bell, hn::Sub(one, s2)), crest), hn::Mul(hn::Mul(hn::Add(arch, arch), rho2), outward));
+    const V q = hn::Max(zero, mulAdd(hn::Set(d, -0.2F), s2, one));
+    const V q2 = hn::Mul(q, q);
+    const V outside = mulAdd(hn::Set(d, -0.8F), s2, q);
+    const V slope = mulAdd(hn::Set(d, -4.0F), hn::Mul(t, t), one);
+    const V crest = hn::Mul(slope, slope);
+    const V core = hn::Mul(strength, hn::Mul(q2, q));
+    const V outward = hn::Mul(hn::Mul(core, q), hn::Mul(hn::Set(d, 8.0F * constants.ringsPerMetre), hn::Mul(t, slope))); // per metre from the axis
+    const V along = hn::Sub(hn::Mul(hn::Mul(core, outside), crest), hn::Mul(hn::Mul(perRadius, rho2), outward));
     const auto component = [&](V from, V alongAxis, V awayFrom) HWY_ATTR { return hn::Add(from, mulAdd(outward, awayFrom, hn::Mul(along, alongAxis))); };
     velocity = {component(velocity.x, axis.x, away.x), component(velocity.y, axis.y, away.y), component(velocity.z, axis.z, away.z)};
     if constexpr (kTurns) {
-        const float quarterWave2 = 0.25F * constants.ringWave * constants.ringWave;
-        const V shear = hn::Mul(hn::Mul(hn::Set(d, 2.0F), hn::Mul(perRadius, perRadius)), hn::Mul(hn::Sub(hn::Set(d, 2.0F), s2), crest));
-        const V about = hn::Mul(bell, mulAdd(hn::Set(d, quarterWave2), cosine, shear));
+        const float perSpacing2 = constants.ringsPerMetre * constants.ringsPerMetre;
+        const V bend = hn::Mul(hn::Set(d, perSpacing2), mulAdd(hn::Set(d, -96.0F), hn::Mul(t, t), hn::Set(d, 8.0F)));
+        const V shear = hn::Mul(hn::Mul(hn::Set(d, 2.0F), hn::Mul(perRadius, perRadius)), mulAdd(hn::Set(d, 0.6F), outside, q));
+        const V about = hn::Mul(hn::Mul(strength, q2), mulAdd(q2, bend, hn::Mul(shear, crest)));
         vorticity.x = mulAdd(about, hn::Sub(hn::Mul(axis.y, away.z), hn::Mul(axis.z, away.y)), vorticity.x);
         vorticity.y = mulAdd(about, hn::Sub(hn::Mul(axis.z, away.x), hn::Mul(axis.x, away.z)), vorticity.y);
         vorticity.z = mulAdd(about, hn::Sub(hn::Mul(axis.x, away.y), hn::Mul(axis.y, away.x)), vorticity.z);
