@@ -240,7 +240,7 @@ constexpr std::array kTable{
     // --- output ----------------------------------------------------------------------------------------------------
     row<&E::output, &Output::width>({.key = "output.width", .label = "Width", .hard = kEdges, .soft = {64, 2048}, .step = 1, .unit = Unit::Pixels, .tip = "Width of a frame.", .stage = Stage::Shade}),
     row<&E::output, &Output::height>({.key = "output.height", .label = "Height", .hard = kEdges, .soft = {64, 2048}, .step = 1, .unit = Unit::Pixels, .tip = "Height of a frame.", .stage = Stage::Shade}),
-    row<&E::output, &Output::quality>({.key = "output.quality", .label = "Quality", .tip = "Draft: a quarter of the particles. Final: four times as many, and finer shadows. The smoke keeps its form and density.", .choices = kQualities}),
+    row<&E::output, &Output::quality>({.key = "output.quality", .label = "Quality", .tip = "Draft: a quarter of the particles. Final: eight times as many, and finer shadows. The smoke keeps its form and density.", .choices = kQualities}),
     row<&E::output, &Output::supersample>({.key = "output.supersample", .label = "Supersampling", .hard = {1, 4}, .soft = {1, 4}, .step = 1, .tip = "Renders this many times larger and averages.", .stage = Stage::Shade}),
     row<&E::output, &Output::exposure>({.key = "output.exposure", .label = "Exposure", .hard = {-20, 20}, .soft = {-4, 4}, .step = 0.05, .unit = Unit::Stops, .tip = "Brightness in stops; one more doubles it. Not applied to EXR, which is linear.", .stage = Stage::Shade}),
     row<&E::output, &Output::viewTransform>({.key = "output.view_transform", .label = "View transform", .tip = "Standard is plain sRGB; filmic rolls bright light off softly.", .choices = kViewTransforms, .stage = Stage::Shade}),

@@ -16,10 +16,11 @@ Effect sampled(const Effect& effect)
         return out;
     }
     const bool fine = effect.output.quality == Quality::Final;
-    constexpr int kTimesParticles = 4;
+    constexpr int kFiner = 8;
+    constexpr int kCoarser = 4;
     constexpr float kTimesShadow = 1.5F;
     const int count = effect.emitter.count;
-    out.emitter.count = fine ? (count > kMaxParticles / kTimesParticles ? kMaxParticles : count * kTimesParticles) : std::max(1, count / kTimesParticles);
+    out.emitter.count = fine ? (count > kMaxParticles / kFiner ? kMaxParticles : count * kFiner) : std::max(1, count / kCoarser);
     // What makes smoke dense is count * size^2 * opacity.
     const float ratio = static_cast<float>(count) / static_cast<float>(out.emitter.count);
     const float root = std::sqrt(ratio);

@@ -4,7 +4,7 @@
 
 namespace fumage {
 
-/// The effect with its output.quality worked into its numbers, and quality good: draft has a quarter of the particles, final four times as
+/// The effect with its output.quality worked into its numbers, and quality good: draft has a quarter of the particles, final eight times as
 /// many (kMaxParticles at most), larger or smaller and denser or thinner so that the smoke covers as much and is as dense; shadows are coarser or finer.
 /// Half of what the number changes goes into the size and half into the opacity: finer detail with less noise.
 /// Applied to its own result it changes nothing.

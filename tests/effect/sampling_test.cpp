@@ -54,7 +54,7 @@ private slots:
         for (const Quality quality : {Quality::Draft, Quality::Final}) {
             effect.output.quality = quality;
             const Effect other = sampled(effect);
-            QCOMPARE(other.emitter.count, quality == Quality::Final ? 400000 : 25000);
+            QCOMPARE(other.emitter.count, quality == Quality::Final ? 800000 : 25000);
             QVERIFY(std::abs(density(other) / density(effect) - 1.0) < 1e-4);
         }
     }
