@@ -2,8 +2,8 @@
 """Makes the comparison sheet and its figures: `./dev gallery [folder of references]`.
 
 The sheet shows each reference picture beside ours with the same framing, light and background, then every preset at three moments. The figures
-compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, energy that stands out at the sprites'
-size, steep gradients, and the change from frame to frame.
+compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, whether it rises again at the size of
+the sprites, steep gradients, and the change from frame to frame.
 """
 
 import pathlib
@@ -42,7 +42,7 @@ EMBERGEN = "embergen_fire_smoke_frames.png"
 EMBERGEN_FRAMES = (15, 30, 45, 60, 75, 90, 105, 120)
 EMBERGEN_BACKGROUND = (64, 96, 128)
 EMBERGEN_LIGHTS = ("light.direction=[-1,0,0]", "light.direction=[0,-1,0]")
-EMBERGEN_LOOK = ["camera.distance=4.7", "camera.target=[0,2.1,0]", "emitter.radius=0.32", "emitter.count=250000", "life.fade_rate=0.022", "light.intensity=5", "light.colour=[1,1,1]", "light.ambient=0.02", "light.shadow=4",
+EMBERGEN_LOOK = ["camera.distance=4.7", "camera.target=[0,2.9,0]", "emitter.radius=0.32", "emitter.count=250000", "life.fade_rate=0.022", "light.intensity=5", "light.colour=[1,1,1]", "light.ambient=0.02", "light.shadow=4",
                  "light.scattering=0.2", "light.anisotropy=0", "look.colour=[0.9,0.9,0.9]", "look.size=0.13", "look.opacity=3", "look.relief=0.5", "motion.pull=0.25"]
 BAND = (8, 64)  # cycles a picture: from the large billows down to 8 pixels
 STEEP = 99.9  # percentile of the reference's gradients
@@ -80,13 +80,10 @@ def slope_of(power: np.ndarray) -> float:
     return float(np.polyfit(np.log(cycles), np.log(power[cycles]), 1)[0])
 
 
-def bump_of(power: np.ndarray) -> float:
-    """How far the spectrum rises above its own straight line between 16 and 128 cycles, in factors of e: sprites of one size would show."""
-    cycles = np.arange(16, 128)
-    logs = np.log(power[cycles])
-    smooth = np.convolve(logs, np.ones(9) / 9, mode="same")[4:-4]
-    line = np.polyval(np.polyfit(np.log(cycles), logs, 2), np.log(cycles))[4:-4]
-    return float((smooth - line).max())
+def rise_of(power: np.ndarray) -> float:
+    """How far the spectrum rises again after it has fallen, between 16 and 128 cycles, in factors of e: sprites of one size, or a grid, would show."""
+    smooth = np.convolve(np.log(power[12:132]), np.ones(9) / 9, mode="valid")
+    return float((smooth - np.minimum.accumulate(smooth)).max())
 
 
 def gradients(alpha: np.ndarray) -> np.ndarray:
@@ -94,10 +91,11 @@ def gradients(alpha: np.ndarray) -> np.ndarray:
     return np.hypot(dx, dy)
 
 
-def changes(cli: str, preset: str, folder: pathlib.Path) -> np.ndarray:
-    """Mean change of density from frame to frame over a second."""
+def spike_of(cli: str, preset: str, folder: pathlib.Path) -> float:
+    """Largest change of density from one frame to the next over a second, beside the mean of the changes before and after it."""
     frames = [density(render(cli, preset, 60 + i, folder / "step.png", (128, 128), [])) for i in range(30)]
-    return np.array([np.abs(b - a).mean() for a, b in zip(frames, frames[1:])])
+    steps = np.array([np.abs(b - a).mean() for a, b in zip(frames, frames[1:])])
+    return float((steps[1:-1] / np.maximum(0.5 * (steps[:-2] + steps[2:]), 1e-9)).max())
 
 
 def embergen_rows(cli: str, theirs: Image.Image, out: pathlib.Path) -> Image.Image:
@@ -114,7 +112,7 @@ def main() -> None:
     cli, out, references = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
     out.mkdir(parents=True, exist_ok=True)
     rows: list[list[Image.Image]] = []
-    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'bump':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s}")
+    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s}")
     for name, preset, frame, settings in PAIRS:
         if not (references / name).exists():
             continue
@@ -125,14 +123,13 @@ def main() -> None:
         limit = np.percentile(gradients(a), STEEP)
         steep = [100.0 * float((gradients(image) > limit).mean()) for image in (a, b)]
         slopes = slope_of(power_a), slope_of(power_b)
-        print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {bump_of(power_a):6.2f} {bump_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f}")
+        print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {rise_of(power_a):6.2f} {rise_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f}")
         rows.append([flat(theirs), flat(ours)])
     presets = sorted(path.stem for path in (pathlib.Path(__file__).parents[1] / "presets").glob("*.json"))
-    print(f"\n{'preset':18s} largest change of density from one frame to the next, beside the median")
+    print(f"\n{'preset':18s} largest change of density from one frame to the next, beside those before and after")
     moments = []
     for preset in presets:
-        step = changes(cli, preset, out)
-        print(f"{preset:18s} {step.max() / max(np.median(step), 1e-9):5.2f}")
+        print(f"{preset:18s} {spike_of(cli, preset, out):5.2f}")
         moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
     sheet = Image.new("RGB", (2 * EDGE, EDGE * (len(rows) + 1)))
     for y, row in enumerate(rows):
