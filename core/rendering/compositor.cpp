@@ -23,10 +23,24 @@ int tilesAcross(int pixels, int tile)
     return (pixels + tile - 1) / tile;
 }
 
-/// The tile of a pixel, the nearest for pixels outside. Cutting off the fraction of what is not negative rounds down.
-std::uint16_t tileIndex(float pixel, float tilesAPixel, float lastTile)
+/// Calls visit(sprite, tile) for the sprites of one block and the tiles that each touches, in their order.
+template <class Visit>
+void forTilesOfBlock(const SpriteBatch& batch, std::size_t block, int columns, const Visit& visit)
 {
-    return static_cast<std::uint16_t>(static_cast<int>(std::min(std::max(pixel * tilesAPixel, 0.0F), lastTile)));
+    const std::size_t last = std::min(batch.boxes.size(), (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < last; ++i) {
+        const SpriteBox box = batch.boxes[i];
+        if (box.left > box.right) {
+            continue;
+        }
+        const std::size_t right = box.right / Compositor::kTileWidth;
+        const std::size_t bottom = box.bottom / Compositor::kTileHeight;
+        for (std::size_t row = box.top / Compositor::kTileHeight; row <= bottom; ++row) {
+            for (std::size_t column = box.left / Compositor::kTileWidth; column <= right; ++column) {
+                visit(i, row * static_cast<std::size_t>(columns) + column);
+            }
+        }
+    }
 }
 
 struct Workspace {
@@ -36,57 +50,12 @@ struct Workspace {
 
 } // namespace
 
-void Compositor::findTiles(const SpriteBatch& batch, int columns, int rows)
-{
-    const auto width = static_cast<float>(batch.view.width);
-    const auto height = static_cast<float>(batch.view.height);
-    const auto lastColumn = static_cast<float>(columns - 1);
-    const auto lastRow = static_cast<float>(rows - 1);
-    constexpr float kColumns = 1.0F / static_cast<float>(kTileWidth);
-    constexpr float kRows = 1.0F / static_cast<float>(kTileHeight);
-    m_ranges.resize(batch.sprites.size());
-    parallelFor(m_blocks, [&](std::size_t block) {
-        const std::size_t last = std::min(batch.sprites.size(), (block + 1) * kBlock);
-        for (std::size_t i = block * kBlock; i < last; ++i) {
-            m_ranges[i] = {1, 0, 0, 0};
-            if (batch.depth[i] == SpriteBatch::kHidden) {
-                continue;
-            }
-            const Sprite& s = batch.sprites[i];
-            const float left = s.x - s.halfWidth;
-            const float right = s.x + s.halfWidth;
-            const float top = s.y - s.halfHeight;
-            const float bottom = s.y + s.halfHeight;
-            if (right > 0.0F && left < width && bottom > 0.0F && top < height) {
-                m_ranges[i] = {tileIndex(left, kColumns, lastColumn), tileIndex(top, kRows, lastRow), tileIndex(right, kColumns, lastColumn), tileIndex(bottom, kRows, lastRow)};
-            }
-        }
-    });
-}
-
-template <class Visit>
-void Compositor::forTilesOfBlock(std::size_t block, int columns, const Visit& visit) const
-{
-    const std::size_t last = std::min(m_ranges.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < last; ++i) {
-        const TileRange& range = m_ranges[i];
-        if (range.left > range.right) {
-            continue;
-        }
-        for (std::size_t row = range.top; row <= range.bottom; ++row) {
-            for (std::size_t column = range.left; column <= range.right; ++column) {
-                visit(i, row * static_cast<std::size_t>(columns) + column);
-            }
-        }
-    }
-}
-
-void Compositor::countTiles(std::size_t tiles, int columns)
+void Compositor::countTiles(const SpriteBatch& batch, std::size_t tiles, int columns)
 {
     m_counts.assign(m_blocks * tiles, 0U);
     parallelFor(m_blocks, [&](std::size_t block) {
         std::uint32_t* counts = m_counts.data() + block * tiles;
-        forTilesOfBlock(block, columns, [&](std::size_t, std::size_t tile) { ++counts[tile]; });
+        forTilesOfBlock(batch, block, columns, [&](std::size_t, std::size_t tile) { ++counts[tile]; });
     });
     // Counts become the offset of each block within its tile: entries of a tile lie in the order of their slots.
     m_tileTotals.assign(tiles, 0U);
@@ -115,7 +84,7 @@ void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std:
     parallelFor(m_blocks, [&](std::size_t block) {
         std::vector<std::uint32_t> at(m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + firstTile),
             m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + lastTile));
-        forTilesOfBlock(block, columns, [&](std::size_t sprite, std::size_t tile) {
+        forTilesOfBlock(batch, block, columns, [&](std::size_t sprite, std::size_t tile) {
             if (tile >= firstTile && tile < lastTile) {
                 m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] = depthEntry(batch.depth[sprite], static_cast<std::uint32_t>(sprite));
             }
@@ -135,8 +104,7 @@ Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& textur
     const int rows = tilesAcross(height, kTileHeight);
     const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     m_blocks = (batch.sprites.size() + kBlock - 1) / kBlock;
-    findTiles(batch, columns, rows);
-    countTiles(tiles, columns);
+    countTiles(batch, tiles, columns);
 
     tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces([] { return std::make_unique<Workspace>(); });
     for (std::size_t first = 0; first < tiles;) {

@@ -33,18 +33,9 @@ public:
     [[nodiscard]] Status compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop = {});
 
 private:
-    struct TileRange {
-        std::uint16_t left, top, right, bottom; ///< tiles, inclusive; left > right where hidden
-    };
-
-    /// Calls visit(sprite, tile) for the sprites of one block and the tiles that each touches, in their order.
-    template <class Visit>
-    void forTilesOfBlock(std::size_t block, int columns, const Visit& visit) const;
-    void findTiles(const SpriteBatch& batch, int columns, int rows);
-    void countTiles(std::size_t tiles, int columns);
+    void countTiles(const SpriteBatch& batch, std::size_t tiles, int columns);
     void fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns);
 
-    std::vector<TileRange> m_ranges; ///< one a sprite
     std::vector<std::uint32_t> m_counts; ///< block major: sprites of each block in each tile, then their offsets
     std::vector<std::uint64_t> m_tileTotals;
     AlignedArray<DepthEntry> m_entries;

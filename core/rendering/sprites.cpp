@@ -314,6 +314,7 @@ void spriteBlock(const SpriteJob& job, std::size_t begin)
         const float exact = block.radius[i];
         const bool visible = exact > 0.0F && exact < kLargestRadius && block.depth[i] > kNear && std::abs(block.x[i]) < 1e6F && std::abs(block.y[i]) < 1e6F;
         job.out->depth[at] = SpriteBatch::kHidden;
+        job.out->boxes[at] = {};
         if (!visible) {
             continue;
         }
@@ -327,6 +328,7 @@ void spriteBlock(const SpriteJob& job, std::size_t begin)
         sprite.opacity = job.appearance->alpha[at] * (thinner * thinner);
         shapeSprite(job, block, i, radius, sprite);
         textureSprite(job, block, i, job.particles->key[at], life, radius, sprite);
+        job.out->boxes[at] = boxOf(sprite, job.view.width, job.view.height);
         // Positive floats sort as their bits do.
         job.out->depth[at] = std::bit_cast<std::uint32_t>(block.depth[i]) >> (31U - SpriteBatch::kDepthBits);
     }
@@ -408,6 +410,7 @@ void makeSprites(const Frame& frame, const Effect& effect, const Appearance& app
 
     const std::size_t padded = frame.particles.x.size();
     out.sprites.resize(padded);
+    out.boxes.resize(padded);
     out.depth.resize(padded);
     out.style = job.style;
     out.view = view;

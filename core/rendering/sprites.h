@@ -4,6 +4,7 @@
 #include "core/rendering/camera.h"
 #include "core/rendering/sprite_texture.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace fumage {
@@ -56,15 +57,45 @@ struct SpriteStyle {
     float roundness = 0.0F;
 };
 
+/// Pixels of the picture that a sprite may touch, inclusive: an eighth of the sprite's memory, which is all that binning reads.
+struct SpriteBox {
+    std::uint16_t left = 1, top = 0, right = 0, bottom = 0; ///< left > right: none
+};
+
+/// @param width,height of the picture, at most 65535
+[[nodiscard]] inline SpriteBox boxOf(const Sprite& sprite, int width, int height)
+{
+    const float left = sprite.x - sprite.halfWidth;
+    const float right = sprite.x + sprite.halfWidth;
+    const float top = sprite.y - sprite.halfHeight;
+    const float bottom = sprite.y + sprite.halfHeight;
+    const auto lastColumn = static_cast<float>(width - 1);
+    const auto lastRow = static_cast<float>(height - 1);
+    if (!(right > 0.0F && left < lastColumn + 1.0F && bottom > 0.0F && top < lastRow + 1.0F)) {
+        return {};
+    }
+    const auto pixel = [](float at, float last) { return static_cast<std::uint16_t>(static_cast<int>(std::min(std::max(at, 0.0F), last))); };
+    return {pixel(left, lastColumn), pixel(top, lastRow), pixel(right, lastColumn), pixel(bottom, lastRow)};
+}
+
 /// Everything that is drawn of a frame. Sprite i belongs to slot i of the particles.
 struct SpriteBatch {
     AlignedArray<Sprite> sprites;
+    AlignedArray<SpriteBox> boxes;
     AlignedArray<std::uint32_t> depth; ///< sort key: greater is farther; kHidden where nothing is drawn
     SpriteStyle style;
     View view;
 
     static constexpr std::uint32_t kHidden = 0xffffffffU;
     static constexpr unsigned kDepthBits = 22;
+
+    /// Adds a sprite to a batch made by hand, whose view is set.
+    void add(const Sprite& sprite, std::uint32_t at)
+    {
+        sprites.push_back(sprite);
+        boxes.push_back(at == kHidden ? SpriteBox{} : boxOf(sprite, view.width, view.height));
+        depth.push_back(at);
+    }
 };
 
 /// Projects and lights every particle.

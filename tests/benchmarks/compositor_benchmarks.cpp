@@ -53,8 +53,7 @@ SpriteBatch scatteredSprites(int count, float edge, float opacity, bool shaded =
         s.opacity = opacity;
         const int level = std::clamp(static_cast<int>(std::log2(64.0F / edge)), 0, texture().levels() - 1);
         s.texture = edge < 6.0F ? packTexture(0, TextureRef::kPlain, 0, 0, 0) : packTexture(key >> 27U, static_cast<std::uint32_t>(level), key & 255U, key >> 8U & 255U, 6);
-        batch.sprites.push_back(s);
-        batch.depth.push_back(streamBits(key, 3) >> 10U);
+        batch.add(s, streamBits(key, 3) >> 10U);
     }
     return batch;
 }

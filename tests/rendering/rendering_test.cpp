@@ -38,8 +38,7 @@ SpriteBatch batchOf(int width, int height, const std::vector<std::pair<Sprite, s
     batch.view.width = width;
     batch.view.height = height;
     for (const auto& [sprite, depth] : sprites) {
-        batch.sprites.push_back(sprite);
-        batch.depth.push_back(depth);
+        batch.add(sprite, depth);
     }
     return batch;
 }
@@ -142,8 +141,7 @@ private slots:
             if (i % 3 != 0) {
                 s.texture = packTexture(i % 3, i % 5, i * 7U & 255U, i * 13U & 255U, i % 20);
             }
-            batch.sprites.push_back(s);
-            batch.depth.push_back(i); // already sorted
+            batch.add(s, i); // already sorted
         }
         const Image image = compose(batch, texture);
         for (int y = 0; y < 90; y += 3) {
