@@ -90,6 +90,8 @@ void addRender(CLI::App& program, Action& action)
     command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number. Default: the preset's name")->type_name("FILE");
     command->add_option("-f,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
     command->add_option("--size", options->size, "Picture size: 512 or 640x360. Default: the preset's")->type_name("SIZE");
+    command->add_option_function<std::string>(
+        "--quality", [options](const std::string& name) { options->effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     command->add_option("--supersample", options->supersample, "Render this many times larger and average")->check(CLI::Range(1, 4));
     command->add_option("--format", options->format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
     command->footer("PNG is sRGB with straight alpha; EXR is linear with premultiplied alpha.\n"

@@ -86,6 +86,7 @@ private slots:
         row("frames", {"render", "default", "--frames", "9-2"}, "9-2");
         row("size", {"render", "default", "--size", "0x9"}, "0x9");
         row("huge size", {"render", "default", "--size", "99999"}, "8192");
+        row("quality", {"render", "default", "--quality", "best"}, "output.quality");
         row("simd", {"--simd", "mmx", "render", "default"}, "mmx");
     }
     void badValuesAreThree()

@@ -31,7 +31,7 @@ namespace fumage::ui {
 namespace {
 
 /// The parameters that an export asks about.
-constexpr std::array<std::string_view, 5> kParameters{"output.width", "output.height", "output.supersample", "output.background", "output.background_colour"};
+constexpr std::array<std::string_view, 6> kParameters{"output.width", "output.height", "output.quality", "output.supersample", "output.background", "output.background_colour"};
 
 bool isPicture(ExportKind kind)
 {
