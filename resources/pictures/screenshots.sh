@@ -32,7 +32,7 @@ close_editor() {
 }
 
 presets=$out/../presets
-open_editor 1 "$presets/chimney.json"
+open_editor 1 "$presets/volcano.json"
 keys space
 take editor_dark
 keys ctrl+e
@@ -42,7 +42,7 @@ sleep 3
 take editor_variations
 close_editor
 
-open_editor 2 "$presets/volcano.json"
+open_editor 2 "$presets/tyre-fire.json"
 keys space ctrl+b ctrl+shift+p
 xdotool type 'wind angle'
 keys Return
