@@ -220,13 +220,16 @@ void paintSun(QPainter& painter, QPointF at, const QColor& colour, bool hot)
     painter.drawEllipse(at, kDisc, kDisc);
 }
 
-void paintLabel(QPainter& painter, QPointF at, const QString& text, const QColor& colour)
+/// Writes beyond the end of a line, so that the line does not cross the text.
+void paintLabel(QPainter& painter, const QLineF& line, const QString& text, const QColor& colour)
 {
-    const QPointF offset(14.0, 4.0);
+    constexpr double kGap = 14.0;
+    const double beside = line.dx() < -0.5 * line.length() ? -kGap - painter.fontMetrics().horizontalAdvance(text) : kGap;
+    const QPointF at = line.p2() + QPointF(beside, 4.0);
     painter.setPen(QColor(0, 0, 0, 160));
-    painter.drawText(at + offset + QPointF(1.0, 1.0), text);
+    painter.drawText(at + QPointF(1.0, 1.0), text);
     painter.setPen(colour);
-    painter.drawText(at + offset, text);
+    painter.drawText(at, text);
 }
 
 } // namespace
@@ -253,7 +256,7 @@ void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std:
         } else {
             paintArrow(painter, *line, gizmo.colour, isHot);
         }
-        paintLabel(painter, line->p2(), gizmo.label, gizmo.colour);
+        paintLabel(painter, *line, gizmo.label, gizmo.colour);
     }
     painter.restore();
 }
