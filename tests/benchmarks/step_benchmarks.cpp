@@ -30,6 +30,7 @@ Effect thesisMotion(int particles)
     effect.motion.buoyancy = 0.0F;
     effect.motion.pull = 0.0F;
     effect.turbulence.strength = 0.0F;
+    effect.rings.strength = 0.0F;
     effect.life.lifetimeVariance = 0.0F;
     return effect;
 }
