@@ -59,13 +59,15 @@ glm::vec3 spectrumColour(float kelvin)
 
 } // namespace
 
-glm::vec3 blackBody(float kelvin, float reference)
+BlackBody::BlackBody(float reference)
 {
-    if (kelvin < kDarkest) {
-        return glm::vec3(0.0F);
-    }
-    const glm::vec3 brightest = spectrumColour(std::max(reference, kDarkest));
-    return spectrumColour(kelvin) / std::max({brightest.r, brightest.g, brightest.b, 1e-30F});
+    const glm::vec3 colour = spectrumColour(std::max(reference, kDarkest));
+    m_brightest = std::max({colour.r, colour.g, colour.b, 1e-30F});
+}
+
+glm::vec3 BlackBody::at(float kelvin) const
+{
+    return kelvin < kDarkest ? glm::vec3(0.0F) : spectrumColour(kelvin) / m_brightest;
 }
 
 } // namespace fumage

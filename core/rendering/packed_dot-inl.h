@@ -1,5 +1,5 @@
-// Included once per SIMD target: bytes and halves packed in 32-bit lanes, and sums of their products, for which Highway 1.0.3 has no operation. Integers give the same
-// bits whichever way they are added.
+// Included once per SIMD target: bytes and halves packed in 32-bit lanes, and sums of their products, for which Highway 1.0.3 has no
+// operation. Integers give the same bits whichever way they are added.
 
 #if defined(FUMAGE_PACKED_DOT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUMAGE_PACKED_DOT_INL_H

@@ -366,14 +366,22 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
     return style;
 }
 
+/// The glow of a share of the heat at birth.
+glm::vec3 glowAt(const Light& light, const BlackBody& body, float share)
+{
+    return light.emissionColour == EmissionColour::BlackBody ? body.at(light.temperature * share) : light.emissionGradient.at(share);
+}
+
 void fillTables(const Effect& effect, SpriteJob& job)
 {
+    const BlackBody body(effect.light.temperature);
     job.glows = effect.light.emission > 0.0F;
     for (std::size_t i = 0; i < kColourTableSize; ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(kColourTableSize - 1);
         job.albedo[i] = colour4(effect.look.colour * effect.look.colourGradient.at(share));
-        const glm::vec3 glow = effect.light.emissionColour == EmissionColour::BlackBody ? blackBody(effect.light.temperature * share, effect.light.temperature) : effect.light.emissionGradient.at(share);
-        job.emission[i] = colour4(glow * effect.light.emission);
+        if (job.glows) {
+            job.emission[i] = colour4(glowAt(effect.light, body, share) * effect.light.emission);
+        }
     }
     job.sun = colour4(effect.light.colour);
     job.sky = colour4(effect.light.sky * effect.light.ambient);

@@ -70,8 +70,8 @@ void stepPlain(const StepConstants& constants, Particles& particles, std::size_t
     }
 }
 
-/// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s. Coordinates shrink with height so that swirls grow: q = (x, ln(1 + g h) / g, z) / (scale (1 + g h))
-/// in x and z, whose spacing in y is also scale (1 + g h).
+/// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s. Coordinates shrink with
+/// height so that swirls grow: q = (x, ln(1 + g h) / g, z) / (scale (1 + g h)) in x and z, whose spacing in y is also scale (1 + g h).
 template <bool kTurns>
 HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Triple& position, V ramp, Triple& velocity, Triple& vorticity)
 {
@@ -98,14 +98,13 @@ HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Triple&
         const V scale = hn::Set(d, at.frequency);
         for (std::size_t slice = 0; slice < at.weight.size(); ++slice) {
             if (at.weight[slice] != 0.0F) {
-                const V qy = mulAdd(q.y, scale, hn::Set(d, at.offset[slice]));
-                const Triple at3{hn::Mul(q.x, scale), qy, hn::Mul(q.z, scale)};
+                const Triple place{hn::Mul(q.x, scale), mulAdd(q.y, scale, hn::Set(d, at.offset[slice])), hn::Mul(q.z, scale)};
                 Triple turned{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
                 if (kTurns && at.turns) {
-                    addCurlNoise<true>(d, at3.x, at3.y, at3.z, at.key[slice], at.weight[slice], sum, turned);
+                    addCurlNoise<true>(d, place.x, place.y, place.z, at.key[slice], at.weight[slice], sum, turned);
                     turn = {mulAdd(turned.x, scale, turn.x), mulAdd(turned.y, scale, turn.y), mulAdd(turned.z, scale, turn.z)};
                 } else {
-                    addCurlNoise<false>(d, at3.x, at3.y, at3.z, at.key[slice], at.weight[slice], sum, turned);
+                    addCurlNoise<false>(d, place.x, place.y, place.z, at.key[slice], at.weight[slice], sum, turned);
                 }
             }
         }

@@ -201,7 +201,7 @@ private slots:
     void blackBodyHasTheChromaticityOfIlluminantA()
     {
         // CIE: illuminant A is a black body at 2856 K, x = 0.4476, y = 0.4074.
-        const glm::vec3 c = blackBody(2856.0F, 2856.0F);
+        const glm::vec3 c = BlackBody(2856.0F).at(2856.0F);
         const double x = 0.4124564 * c.r + 0.3575761 * c.g + 0.1804375 * c.b;
         const double y = 0.2126729 * c.r + 0.7151522 * c.g + 0.0721750 * c.b;
         const double z = 0.0193339 * c.r + 0.1191920 * c.g + 0.9503041 * c.b;
@@ -210,15 +210,16 @@ private slots:
 
     void blackBodyDimsAndReddensAsItCools()
     {
-        QCOMPARE(blackBody(2000.0F, 2000.0F).r, 1.0F);
-        glm::vec3 hotter = blackBody(2000.0F, 2000.0F);
+        const BlackBody body(2000.0F);
+        QCOMPARE(body.at(2000.0F).r, 1.0F);
+        glm::vec3 hotter = body.at(2000.0F);
         for (float kelvin = 1900.0F; kelvin >= 700.0F; kelvin -= 100.0F) {
-            const glm::vec3 colour = blackBody(kelvin, 2000.0F);
+            const glm::vec3 colour = body.at(kelvin);
             QVERIFY(colour.r > 0.0F && colour.r < hotter.r);
             QVERIFY(colour.g * hotter.r <= hotter.g * colour.r);
             hotter = colour;
         }
-        QCOMPARE(blackBody(299.0F, 2000.0F), glm::vec3(0.0F));
+        QCOMPARE(body.at(299.0F), glm::vec3(0.0F));
     }
 };
 
