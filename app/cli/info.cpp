@@ -2,6 +2,7 @@
 
 #include "core/base/simd.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/sampling.h"
 #include "core/effect/value.h"
 #include "core/preset/library.h"
 #include "core/simulation/schedule.h"
@@ -21,7 +22,7 @@ Status info(const std::string& name)
     }
     const Preset& preset = reading.value().preset;
     const Effect& effect = preset.effect;
-    const Schedule schedule = makeSchedule(effect);
+    const Schedule schedule = makeSchedule(sampled(effect));
     std::cout << preset.name << "\n"
               << preset.description << "\n\n";
     std::cout << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";

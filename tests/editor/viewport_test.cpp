@@ -278,6 +278,22 @@ private slots:
 
     // --- variations -------------------------------------------------------------------------------------------------
 
+    void finalQualityWaitsForAStillPicture()
+    {
+        Effect effect;
+        effect.emitter.count = 500;
+        effect.output.quality = Quality::Final;
+        SmokeStudio studio;
+        PictureRequest request = requestFor(effect, 10);
+        request.haste = Haste::Playing;
+        const PicturePtr moving = studio.make(request, {});
+        QVERIFY(!moving->complete);
+        request.haste = Haste::None;
+        const PicturePtr still = studio.make(request, {});
+        QVERIFY(still->complete);
+        QVERIFY(still->particles > 4 * moving->particles);
+    }
+
     void thinnedSmokeCoversAsMuch()
     {
         const Effect effect;

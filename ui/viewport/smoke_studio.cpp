@@ -102,7 +102,7 @@ SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
     }
     const double pixels = static_cast<double>(request.width) * request.height;
     plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect.emitter.count, plan.stepsEach, pixels);
-    plan.complete = plan.keepsAll && plan.scale == 1.0;
+    plan.complete = plan.keepsAll && plan.scale == 1.0 && asked.output.quality == request.effect->output.quality;
     return plan;
 }
 
