@@ -9,6 +9,14 @@ namespace fumage {
 /// One cache line, and the widest vector register that the kernels use.
 inline constexpr std::size_t kAlignment = 64;
 
+/// Memory for arrays, not initialised. From 4 MiB on it asks the system for large pages where there are any: kernels that jump about in an
+/// array then do not wait for its page table.
+/// @param bytes more than 0
+/// @throws std::bad_alloc
+[[nodiscard]] void* allocateAligned(std::size_t bytes);
+/// @param bytes as it was allocated
+void freeAligned(void* pointer, std::size_t bytes);
+
 /// Allocator that aligns to kAlignment, so that kernels may use aligned loads at index 0.
 template <class T>
 struct AlignedAllocator {
@@ -20,9 +28,12 @@ struct AlignedAllocator {
     }
     T* allocate(std::size_t count)
     {
-        return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{kAlignment}));
+        if (count > static_cast<std::size_t>(-1) / sizeof(T)) {
+            throw std::bad_array_new_length();
+        }
+        return static_cast<T*>(allocateAligned(count * sizeof(T)));
     }
-    void deallocate(T* pointer, std::size_t /*count*/) { ::operator delete (pointer, std::align_val_t{kAlignment}); }
+    void deallocate(T* pointer, std::size_t count) { freeAligned(pointer, count * sizeof(T)); }
     friend bool operator==(const AlignedAllocator& /*a*/, const AlignedAllocator& /*b*/) { return true; }
 };
 

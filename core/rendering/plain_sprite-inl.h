@@ -12,93 +12,73 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// The profile of a sprite that is too small for its texture: alpha = (rest - dx (bend dx + slope))^2, where rest and slope change with the row.
+/// The profile of a sprite that is too small for its texture: alpha = (rest - bend dx^2 - slope dx)^2, where rest and slope change with the row.
 /// All have the root of the opacity in them.
 struct PlainProfile {
     float bend, lean, yy, scale, highest;
 
-    PlainProfile(const SpriteStyle& style, const Sprite& sprite)
+    PlainProfile(const SpriteStyle& style, const Sprite& sprite, const Rim& rim)
+        : yy(rim.yy)
+        , highest(std::sqrt(sprite.opacity))
     {
-        const Rim rim(sprite);
-        highest = std::sqrt(sprite.opacity);
         scale = style.hardness * highest;
         bend = rim.xx * scale;
         lean = 2.0F * rim.xy * scale;
-        yy = rim.yy;
     }
 };
 
-/// @param rowOf vectors of rest and slope of a row, counted from the box's top
-/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre
-template <bool kLean, bool kFlat, class Tag, class RowOf>
-HWY_INLINE void paintColumns(Tag d, const Sprite& sprite, const Box& box, const PlainProfile& profile, const RowOf& rowOf, Tile& tile)
-{
-    using W = hn::Vec<Tag>;
-    const W red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
-    const W green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
-    const W blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
-    const W zero = hn::Zero(d);
-    const W most = hn::Set(d, profile.highest);
-    const W bend = hn::Set(d, profile.bend);
-    const W firstColumn = hn::Iota(d, 0.5F);
-    const W centre = hn::Set(d, sprite.x);
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const int rows = box.bottom - box.top + 1;
-    for (int x = box.left; x <= box.right; x += lanes) {
-        const W dx = hn::Sub(hn::Add(firstColumn, hn::Set(d, static_cast<float>(x))), centre);
-        const W curve = hn::Mul(bend, hn::Mul(dx, dx));
-        float* at = tile.planes.data() + tileOffset(tile, x, box.top);
-        for (int row = 0; row < rows; ++row, at += Tile::kStride) {
-            const RowsOf<W> line = rowOf(row);
-            W root = hn::Sub(line.a, curve);
-            if constexpr (kLean) {
-                root = hn::Sub(root, hn::Mul(line.b, dx));
-            }
-            root = hn::Max(root, zero);
-            if constexpr (kFlat) {
-                root = hn::Min(root, most);
-            }
-            under(d, at, hn::Mul(root, root), red, green, blue);
-        }
-    }
-}
-
 /// A sprite too small for its texture: a soft disc of one colour.
+/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre
 template <bool kLean, bool kFlat>
 void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
 {
-    const Box box = boxOf(sprite, tile);
-    const PlainProfile profile(style, sprite);
-    // Over a narrow sprite a wide vector would blend mostly nothing, and lists of its rows would take longer than they save.
-    constexpr float kNarrow = 5.0F;
-    if (sprite.halfWidth < kNarrow) {
-        const hn::CappedTag<float, 8> d;
-        const float top = static_cast<float>(box.top) + 0.5F;
-        const auto rowOf = [&](int row) HWY_ATTR {
-            const float dy = (static_cast<float>(row) + top) - sprite.y;
-            return RowsOf<hn::Vec<decltype(d)>>{hn::Set(d, profile.scale * (1.0F - profile.yy * (dy * dy))), hn::Set(d, profile.lean * dy)};
-        };
-        paintColumns<kLean, kFlat>(d, sprite, box, profile, rowOf, tile);
+    const Patches box = patchesOf(sprite, tile);
+    if (box.none()) {
         return;
     }
     const D d;
-    alignas(kAlignment) float rest[kRowRoom]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
-    alignas(kAlignment) float slope[kRowRoom]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
-    for (int i = 0; i <= box.bottom - box.top; i += static_cast<int>(hn::Lanes(d))) {
-        const V dy = rowOffsets(d, box.top + i, 1.0F, sprite.y);
-        hn::Store(hn::Mul(hn::Set(d, profile.scale), hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Set(d, profile.yy), hn::Mul(dy, dy)))), d, rest + i);
-        if constexpr (kLean) {
-            hn::Store(hn::Mul(hn::Set(d, profile.lean), dy), d, slope + i);
+    const std::size_t lanes = hn::Lanes(d);
+    const Rim rim(sprite);
+    const PlainProfile profile(style, sprite, rim);
+    const V red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
+    const V green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
+    const V blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
+    const V most = hn::Set(d, profile.highest);
+
+    alignas(kAlignment) float across[kLineRoom]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+    alignas(kAlignment) float curve[kLineRoom]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+    for (int column = box.left; column <= box.right; ++column) {
+        for (std::size_t part = 0; part < Tile::kPatchPixels; part += lanes) {
+            const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
+            const V dx = fromCentre(d, kColumns + part, tile.left + column * Tile::kPatch, sprite.x);
+            hn::Store(hn::Mul(hn::Set(d, profile.bend), hn::Mul(dx, dx)), d, curve + at);
+            if constexpr (kLean) {
+                hn::Store(dx, d, across + at);
+            }
         }
     }
-    const auto rowOf = [&](int row) HWY_ATTR {
-        if constexpr (kLean) {
-            return Rows{hn::Set(d, rest[row]), hn::Set(d, slope[row])};
-        } else {
-            return Rows{hn::Set(d, rest[row]), hn::Zero(d)};
+    forRows(sprite, rim, box, tile, [&](int row, int first, int last) HWY_ATTR {
+        for (std::size_t part = 0; part < Tile::kPatchPixels; part += lanes) {
+            const V dy = fromCentre(d, kRows + part, tile.top + row * Tile::kPatch, sprite.y);
+            const V rest = hn::Mul(hn::Set(d, profile.scale), hn::Sub(one, hn::Mul(hn::Set(d, profile.yy), hn::Mul(dy, dy))));
+            const V slope = hn::Mul(hn::Set(d, profile.lean), dy);
+            float* pixels = tile.patches.data() + patchOffset(first, row) + part;
+            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats) {
+                const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
+                V root = hn::Sub(rest, hn::Load(d, curve + at));
+                if constexpr (kLean) {
+                    root = hn::Sub(root, hn::Mul(slope, hn::Load(d, across + at)));
+                }
+                root = hn::Max(root, zero);
+                if constexpr (kFlat) {
+                    root = hn::Min(root, most);
+                }
+                under(d, pixels, hn::Mul(root, root), red, green, blue);
+            }
         }
-    };
-    paintColumns<kLean, kFlat>(d, sprite, box, profile, rowOf, tile);
+    });
 }
 
 void paintPlainSprite(const SpriteStyle& style, const Sprite& sprite, Tile& tile)

@@ -20,20 +20,31 @@ namespace fumage::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
+/// Pixels of a patch in one vector, or the part of them that fits: every vector of a patch starts at a multiple of its lanes.
+using D = hn::CappedTag<float, Tile::kPatchPixels>;
 using V = hn::Vec<D>;
+using I = hn::Vec<hn::RebindToSigned<D>>;
 
-/// Rows and columns of the tile inside the box of a sprite; pixel centres lie at halves.
-struct Box {
-    int left, right, top, bottom; ///< inclusive
+/// Patches of the tile inside the box of a sprite, inclusive.
+struct Patches {
+    int left, right, top, bottom;
+
+    [[nodiscard]] bool none() const { return right < left || bottom < top; }
 };
 
-HWY_INLINE Box boxOf(const Sprite& sprite, const Tile& tile)
+HWY_INLINE Patches patchesOf(const Sprite& sprite, const Tile& tile)
 {
-    const auto first = [](float edge) { return static_cast<int>(std::ceil(edge - 0.5F)); };
-    const auto last = [](float edge) { return static_cast<int>(std::floor(edge - 0.5F)); };
-    return {std::max(tile.left, first(std::max(sprite.x - sprite.halfWidth, -1e6F))), std::min(tile.right - 1, last(std::min(sprite.x + sprite.halfWidth, 1e6F))),
-        std::max(tile.top, first(std::max(sprite.y - sprite.halfHeight, -1e6F))), std::min(tile.bottom - 1, last(std::min(sprite.y + sprite.halfHeight, 1e6F)))};
+    // Pixel centres lie at halves. Bounded as floats, for which that takes no branch.
+    const auto first = [](float edge, int least) { return static_cast<int>(std::max(static_cast<float>(least), std::ceil(edge - 0.5F))) - least; };
+    const auto last = [](float edge, int least, int end) { return static_cast<int>(std::max(std::min(static_cast<float>(end - 1), std::floor(edge - 0.5F)), static_cast<float>(least - 1))) - least; };
+    const int left = first(sprite.x - sprite.halfWidth, tile.left);
+    const int right = last(sprite.x + sprite.halfWidth, tile.left, tile.right);
+    const int top = first(sprite.y - sprite.halfHeight, tile.top);
+    const int bottom = last(sprite.y + sprite.halfHeight, tile.top, tile.bottom);
+    // A row or column that ends before it begins may lie in one patch; shifted, what lies before the tile stays negative.
+    constexpr int kShift = 2;
+    static_assert(1 << kShift == Tile::kPatch);
+    return {left >> kShift, right < left ? -1 : right >> kShift, top >> kShift, bottom < top ? -1 : bottom >> kShift};
 }
 
 /// The rim p^2 + q^2 = 1 as xx dx^2 + 2 xy dx dy + yy dy^2 = 1.
@@ -49,70 +60,89 @@ struct Rim {
 };
 
 /// Adds a layer of opacity a and colour c under what is there.
-template <class Tag, class W = hn::Vec<Tag>>
-HWY_INLINE void under(Tag d, float* HWY_RESTRICT through, W a, W red, W green, W blue)
+HWY_INLINE void under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue)
 {
-    float* HWY_RESTRICT toRed = through + Tile::kPixels;
-    float* HWY_RESTRICT toGreen = through + 2 * Tile::kPixels;
-    float* HWY_RESTRICT toBlue = through + 3 * Tile::kPixels;
-    const W before = hn::LoadU(d, through);
-    const W weight = hn::Mul(a, before);
-    hn::StoreU(mulAdd(weight, red, hn::LoadU(d, toRed)), d, toRed);
-    hn::StoreU(mulAdd(weight, green, hn::LoadU(d, toGreen)), d, toGreen);
-    hn::StoreU(mulAdd(weight, blue, hn::LoadU(d, toBlue)), d, toBlue);
-    hn::StoreU(hn::Sub(before, weight), d, through);
+    float* HWY_RESTRICT toRed = through + Tile::kPatchPixels;
+    float* HWY_RESTRICT toGreen = through + 2 * Tile::kPatchPixels;
+    float* HWY_RESTRICT toBlue = through + 3 * Tile::kPatchPixels;
+    const V before = hn::Load(d, through);
+    const V weight = hn::Mul(a, before);
+    hn::Store(mulAdd(weight, red, hn::Load(d, toRed)), d, toRed);
+    hn::Store(mulAdd(weight, green, hn::Load(d, toGreen)), d, toGreen);
+    hn::Store(mulAdd(weight, blue, hn::Load(d, toBlue)), d, toBlue);
+    hn::Store(hn::Sub(before, weight), d, through);
 }
 
-HWY_INLINE std::size_t tileOffset(const Tile& tile, int x, int y)
+HWY_INLINE std::size_t patchOffset(int column, int row)
 {
-    return static_cast<std::size_t>(y - tile.top) * Tile::kStride + static_cast<std::size_t>(x - tile.left);
+    return static_cast<std::size_t>(row * Tile::kAcross + column) * Tile::kPatchFloats;
 }
 
-/// The same vector of pixels in two neighbouring rows: twice the independent work for a chain of operations that wait for one another.
-template <class W>
-struct RowsOf {
-    W a, b;
+/// Column and row of each pixel of a patch, at its centre.
+alignas(kAlignment) constexpr float kColumns[Tile::kPatchPixels] = {0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F};
+alignas(kAlignment) constexpr float kRows[Tile::kPatchPixels] = {0.5F, 0.5F, 0.5F, 0.5F, 1.5F, 1.5F, 1.5F, 1.5F, 2.5F, 2.5F, 2.5F, 2.5F, 3.5F, 3.5F, 3.5F, 3.5F};
+
+/// Way from the sprite's centre to pixels of a patch; exact before the subtraction, so that it does not depend on the vector's width.
+/// @param places kColumns or kRows, from the vector's part of the patch on @param start first pixel of the patch in the image
+HWY_INLINE V fromCentre(D d, const float* places, int start, float centre)
+{
+    return hn::Sub(hn::Add(hn::Load(d, places), hn::Set(d, static_cast<float>(start))), hn::Set(d, centre));
+}
+
+/// Room for one value of each pixel of a row or a column of patches, the same in all the others.
+constexpr std::size_t kLineRoom = Tile::kPatchPixels * static_cast<std::size_t>(std::max(Tile::kAcross, Tile::kDown));
+
+/// Columns of patches that the rim reaches in each row of patches.
+struct Ends {
+    alignas(kAlignment) std::int32_t first[roundUp(Tile::kDown, kAlignment / sizeof(std::int32_t))]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+    alignas(kAlignment) std::int32_t last[roundUp(Tile::kDown, kAlignment / sizeof(std::int32_t))]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+
+    HWY_INLINE Ends(const Sprite& sprite, const Rim& rim, const Patches& box, const Tile& tile)
+    {
+        const D d;
+        const hn::RebindToSigned<D> di;
+        const float slant = -rim.xy / rim.xx; // the centre of a row moves by this for each dy
+        const V zero = hn::Zero(d);
+        const V one = hn::Set(d, 1.0F);
+        constexpr auto kReach = static_cast<float>(Tile::kPatch - 1); // from the first row of pixels in a patch to its last
+        const V height = hn::Set(d, rim.yy + rim.xy * slant);
+        const V halfRoot = hn::Set(d, 1.0F / std::sqrt(rim.xx));
+        const V lean = hn::Set(d, 0.5F * kReach * std::abs(slant));
+        const V toPatches = hn::Set(d, 1.0F / static_cast<float>(Tile::kPatch));
+        const V nearEnd = hn::Set(d, static_cast<float>(box.left));
+        const V farEnd = hn::Set(d, static_cast<float>(box.right));
+        const V rows = hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(Tile::kPatch)));
+        for (int i = 0; i <= box.bottom - box.top; i += static_cast<int>(hn::Lanes(d))) {
+            const V dy = hn::Add(rows, hn::Set(d, static_cast<float>(tile.top + (box.top + i) * Tile::kPatch) + 0.5F - sprite.y));
+            // The rows of a patch are as wide together as the widest, and the lean of the ellipse moves one against the other.
+            const V nearest = hn::IfThenElse(hn::Gt(dy, zero), dy, hn::Min(zero, hn::Add(dy, hn::Set(d, kReach))));
+            const V root = hn::Sqrt(hn::Max(zero, hn::Sub(one, hn::Mul(height, hn::Mul(nearest, nearest)))));
+            const V half = mulAdd(halfRoot, root, lean);
+            // Counted in pixels, the centre of the tile's first being 0.
+            const V middle = mulAdd(hn::Set(d, slant), hn::Add(dy, hn::Set(d, 0.5F * kReach)), hn::Set(d, sprite.x - 0.5F - static_cast<float>(tile.left)));
+            hn::Store(hn::ConvertTo(di, hn::Max(nearEnd, hn::Floor(hn::Mul(hn::Ceil(hn::Sub(middle, half)), toPatches)))), di, first + i);
+            hn::Store(hn::ConvertTo(di, hn::Min(farEnd, hn::Floor(hn::Mul(hn::Floor(hn::Add(middle, half)), toPatches)))), di, last + i);
+        }
+    }
 };
-using Rows = RowsOf<V>;
 
-template <class W>
-HWY_INLINE RowsOf<W> both(W v)
+/// Calls paintRow(row, first, last) for each row of patches that a disc touches.
+template <class PaintRow>
+HWY_INLINE void forRows(const Sprite& sprite, const Rim& rim, const Patches& box, const Tile& tile, const PaintRow& paintRow)
 {
-    return {v, v};
+    // A few patches are painted sooner than it is found which of them the rim leaves out.
+    constexpr int kFew = 6;
+    if (box.right - box.left < kFew) {
+        for (int row = box.top; row <= box.bottom; ++row) {
+            paintRow(row, box.left, box.right);
+        }
+        return;
+    }
+    const Ends ends(sprite, rim, box, tile);
+    for (int row = box.top; row <= box.bottom; ++row) {
+        paintRow(row, ends.first[row - box.top], ends.last[row - box.top]);
+    }
 }
-
-template <class W>
-HWY_INLINE RowsOf<W> operator+(RowsOf<W> x, RowsOf<W> y)
-{
-    return {hn::Add(x.a, y.a), hn::Add(x.b, y.b)};
-}
-
-template <class W>
-HWY_INLINE RowsOf<W> operator-(RowsOf<W> x, RowsOf<W> y)
-{
-    return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b)};
-}
-
-template <class W>
-HWY_INLINE RowsOf<W> operator*(RowsOf<W> x, RowsOf<W> y)
-{
-    return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b)};
-}
-
-template <class W>
-HWY_INLINE RowsOf<W> clampRows(RowsOf<W> x, W low, W high)
-{
-    return {hn::Min(hn::Max(x.a, low), high), hn::Min(hn::Max(x.b, low), high)};
-}
-
-/// dy of rows y, y + step, y + 2 step, ...; exact before the subtraction, so that they do not depend on the vector's width.
-HWY_INLINE V rowOffsets(D d, int y, float step, float centre)
-{
-    return hn::Sub(hn::Add(hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, step)), hn::Set(d, static_cast<float>(y) + 0.5F)), hn::Set(d, centre));
-}
-
-/// Room for one value a row of a tile, and for a pair of rows and a vector that run past its end.
-constexpr std::size_t kRowRoom = roundUp(static_cast<std::size_t>(Compositor::kTileHeight) + 2, kAlignment / sizeof(float));
 
 } // namespace fumage::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

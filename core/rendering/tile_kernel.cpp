@@ -14,10 +14,23 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
+/// Nothing yet in the way of anything. What lies beyond the image's edge counts as covered, or the last tiles would never be full.
 void clearTile(Tile& tile)
 {
-    std::fill_n(tile.planes.begin(), Tile::kPixels, 1.0F);
-    std::fill(tile.planes.begin() + Tile::kPixels, tile.planes.end(), 0.0F);
+    for (std::size_t patch = 0; patch < tile.patches.size(); patch += Tile::kPatchFloats) {
+        std::fill_n(tile.patches.begin() + static_cast<std::ptrdiff_t>(patch), Tile::kPatchPixels, 1.0F);
+        std::fill_n(tile.patches.begin() + static_cast<std::ptrdiff_t>(patch + Tile::kPatchPixels), Tile::kPatchFloats - Tile::kPatchPixels, 0.0F);
+    }
+    const int width = tile.right - tile.left;
+    const int height = tile.bottom - tile.top;
+    if (width == Compositor::kTileWidth && height == Compositor::kTileHeight) {
+        return;
+    }
+    for (int y = 0; y < Compositor::kTileHeight; ++y) {
+        for (int x = y < height ? width : 0; x < Compositor::kTileWidth; ++x) {
+            tile.patches[patchOffset(x / Tile::kPatch, y / Tile::kPatch) + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch + x % Tile::kPatch)] = 0.0F;
+        }
+    }
 }
 
 bool isOpaque(const Tile& tile)
@@ -25,10 +38,9 @@ bool isOpaque(const Tile& tile)
     const D d;
     constexpr float kInvisible = 1.0F / 1024.0F;
     const V limit = hn::Set(d, kInvisible);
-    for (int y = tile.top; y < tile.bottom; ++y) {
-        const float* row = tile.planes.data() + tileOffset(tile, tile.left, y);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(Compositor::kTileWidth); i += hn::Lanes(d)) {
-            if (!hn::AllTrue(d, hn::Lt(hn::LoadU(d, row + i), limit))) {
+    for (std::size_t patch = 0; patch < tile.patches.size(); patch += Tile::kPatchFloats) {
+        for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d)) {
+            if (!hn::AllTrue(d, hn::Lt(hn::Load(d, tile.patches.data() + patch + part), limit))) {
                 return false;
             }
         }
@@ -36,30 +48,43 @@ bool isOpaque(const Tile& tile)
     return true;
 }
 
-void writeTile(const Tile& tile, Image& image)
+/// Puts a row of the image together from its planes.
+void joinRow(const float* HWY_RESTRICT from, int width, float* HWY_RESTRICT to)
 {
-    for (int y = tile.top; y < tile.bottom; ++y) {
-        float* HWY_RESTRICT to = image.row(y) + static_cast<std::size_t>(tile.left) * 4;
-        const float* HWY_RESTRICT from = tile.planes.data() + tileOffset(tile, tile.left, y);
-        const auto width = static_cast<std::size_t>(tile.right - tile.left);
-        for (std::size_t i = 0; i < width; ++i) {
-            to[i * 4] = from[i + Tile::kPixels];
-            to[i * 4 + 1] = from[i + 2 * Tile::kPixels];
-            to[i * 4 + 2] = from[i + 3 * Tile::kPixels];
-            to[i * 4 + 3] = 1.0F - from[i];
+    const hn::CappedTag<float, Tile::kPatch> d;
+    const auto one = hn::Set(d, 1.0F);
+    for (int x = 0; x < width; x += Tile::kPatch, from += Tile::kPatchFloats) {
+        for (std::size_t i = 0; i < Tile::kPatch; i += hn::Lanes(d), to += 4 * hn::Lanes(d)) {
+            const auto plane = [&](std::size_t number) HWY_ATTR { return hn::LoadU(d, from + number * Tile::kPatchPixels + i); };
+            hn::StoreInterleaved4(plane(1), plane(2), plane(3), hn::Sub(one, plane(0)), d, to);
         }
     }
 }
 
-void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+/// Past the cache where rows of the image lie on its lines: nothing reads it before the whole picture, which is larger than the cache, is done.
+void writeTile(const Tile& tile, Image& image)
 {
-    // Columns beyond the image's edge count as covered, or the last tile would never be full.
-    clearTile(tile);
-    for (int y = tile.top; y < tile.bottom && tile.right - tile.left < Compositor::kTileWidth; ++y) {
-        for (int x = tile.right; x < tile.left + Compositor::kTileWidth; ++x) {
-            tile.planes[tileOffset(tile, x, y)] = 0.0F;
+    const D d;
+    const int width = tile.right - tile.left;
+    alignas(kAlignment) float line[static_cast<std::size_t>(Compositor::kTileWidth) * 4]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+    const bool whole = image.width % Tile::kPatch == 0;
+    for (int y = 0; y < tile.bottom - tile.top; ++y) {
+        float* HWY_RESTRICT to = image.row(tile.top + y) + static_cast<std::size_t>(tile.left) * 4;
+        joinRow(tile.patches.data() + patchOffset(0, y / Tile::kPatch) + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch), width, line);
+        if (whole) {
+            for (std::size_t i = 0; i < static_cast<std::size_t>(width) * 4; i += hn::Lanes(d)) {
+                hn::Stream(hn::Load(d, line + i), d, to + i);
+            }
+        } else {
+            std::copy_n(line, static_cast<std::size_t>(width) * 4, to);
         }
     }
+    hwy::FlushStream();
+}
+
+void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+{
+    clearTile(tile);
     const bool shaded = batch.style.relief != 0.0F || batch.style.roundness != 0.0F;
     const auto paintSprite = batch.style.square ? (shaded ? paintTextured<true, true> : paintTextured<true, false>) : (shaded ? paintTextured<false, true> : paintTextured<false, false>);
     constexpr std::size_t kBetweenLooks = 32;

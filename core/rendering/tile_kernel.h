@@ -7,15 +7,17 @@
 
 namespace fumage {
 
-/// A tile while it is painted.
+/// A tile while it is painted: rows of patches of 4 x 4 pixels, which cover a small disc with fewer vectors than rows of pixels do, and lie
+/// on cache lines of their own.
 struct Tile {
-    /// Rows are longer than the tile by a vector, which may run past the edge; what lies there is never read.
-    static constexpr std::size_t kStride = static_cast<std::size_t>(Compositor::kTileWidth) + kAlignment / sizeof(float);
-    /// Rows are painted in pairs, of which the second may lie below the edge: one more than the tile has.
-    static constexpr std::size_t kPixels = kStride * static_cast<std::size_t>(Compositor::kTileHeight + 1);
+    static constexpr int kPatch = 4; ///< pixels along an edge of a patch
+    static constexpr int kAcross = Compositor::kTileWidth / kPatch; ///< patches
+    static constexpr int kDown = Compositor::kTileHeight / kPatch;
+    static constexpr std::size_t kPatchPixels = static_cast<std::size_t>(kPatch) * kPatch;
+    static constexpr std::size_t kPatchFloats = 4 * kPatchPixels;
 
-    /// Four planes: how much still shines through, then premultiplied red, green and blue.
-    alignas(64) std::array<float, 4 * kPixels> planes;
+    /// Of each patch: how much still shines through its pixels, row by row, then their premultiplied red, green and blue.
+    alignas(64) std::array<float, kPatchFloats * kAcross * kDown> patches;
     int left = 0; ///< pixels of the image
     int top = 0;
     int right = 0; ///< exclusive

@@ -88,6 +88,28 @@ private slots:
         }
     }
 
+    void edgesOfThePictureChangeNothingInside()
+    {
+        // Widths that fill tiles and patches, and widths that do not.
+        const auto picture = [](int width, int height) {
+            SpriteBatch batch = batchOf(width, height, {});
+            for (std::uint32_t i = 0; i < 200; ++i) {
+                const auto draw = [i](std::uint32_t stream) { return unitFloat(mixBits(i * 8 + stream)); };
+                batch.add(disc(140.0F * draw(0), 80.0F * draw(1), 1.0F + 20.0F * draw(2), 0.3F, {draw(3), draw(4), 0.5F}), i);
+            }
+            return compose(batch, flatTexture(1.0F));
+        };
+        const Image large = picture(256, 128);
+        for (const auto& [width, height] : {std::pair{128, 64}, {127, 63}, {65, 90}, {3, 2}, {1, 1}, {130, 66}}) {
+            const Image small = picture(width, height);
+            for (int y = 0; y < height; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    QVERIFY(small.at(x, y) == large.at(x, y));
+                }
+            }
+        }
+    }
+
     void nearerCoversFarther()
     {
         const Sprite red = disc(32.0F, 16.0F, 12.0F, 0.5F, {1.0F, 0.0F, 0.0F});
