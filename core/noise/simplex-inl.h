@@ -8,13 +8,10 @@
 #endif
 
 #include "core/base/math-inl.h"
+#include "core/noise/curl_slices.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
-
-inline constexpr std::uint32_t kLatticeU = 0x9e3779b1U;
-inline constexpr std::uint32_t kLatticeV = 0x85ebca77U;
-inline constexpr std::uint32_t kLatticeW = 0xc2b2ae3dU;
 
 /// The four corners of the tetrahedron around a point, in an order that walks its edges.
 /// Lattice: u = y+z, v = x+z, w = x+y, whole numbers at lattice points (body-centred cubic; neighbours sqrt(3)/2 apart).
@@ -102,55 +99,49 @@ struct FieldAt {
     V x, y, z;
 };
 
-/// Adds weight times the curl noise at a point to the velocity, which is without divergence, exactly; and with kTurns what it turns, to the
-/// vorticity: the curl of that velocity, per unit of the coordinates.
+/// Adds the curl noise at a point to the velocity, which is without divergence, exactly; and with kTurns what it turns, to the vorticity: the
+/// curl of that velocity, per unit of the coordinates.
 ///
 /// The potential is Psi = sum over corners of t^4 (c x d), with t = max(0, 1/2 - |d|^2), d the way from corner to point and c a random
 /// vector of the corner, uniform in a cube. Its curl is 2 t^3 ((t - 4 |d|^2) c + 4 (d.c) d): each lattice point is a small vortex.
-/// The curl of the velocity is 8 t^2 (5 t - 6 |d|^2) (c x d).
+/// The curl of the velocity is 8 t^2 (5 t - 6 |d|^2) (c x d). All are linear in c, so that two sets cost little more than one.
 /// Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007, on simplex kernels.
-/// The factor 2^-31 of the components of c is left to weight.
-template <bool kTurns, class D, class V = hn::VFromD<D>>
-HWY_INLINE void addCurlNoise(D d, V x, V y, V z, std::uint32_t key, float weight, FieldAt<V>& velocity, FieldAt<V>& vorticity)
+template <bool kTurns, std::size_t kSlices, class D, class V = hn::VFromD<D>>
+HWY_INLINE void addCurlNoise(D d, V x, V y, V z, const CurlSlices& slices, FieldAt<V>& velocity, FieldAt<V>& vorticity)
 {
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
     const SimplexCorners<D> corners = simplexCorners(d, x, y, z);
     const V four = hn::Set(d, 4.0F);
-    const auto keys = hn::Set(du, key);
-    V sx = hn::Zero(d);
-    V sy = hn::Zero(d);
-    V sz = hn::Zero(d);
-    FieldAt<V> turn{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     for (int i = 0; i < 4; ++i) {
+        FieldAt<V> c;
+        for (std::size_t slice = 0; slice < kSlices; ++slice) {
+            const auto bits = latticeBits(du, hn::Add(corners.lattice[i], hn::Set(du, slices.shift[slice])), hn::Set(du, slices.key[slice]));
+            const V weight = hn::Set(d, slices.weight[slice]);
+            // Three components from one word: each starts at its own bit; what follows below is noise far under its step.
+            const V cx = hn::Mul(weight, hn::ConvertTo(d, hn::BitCast(di, bits)));
+            const V cy = hn::Mul(weight, hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<11>(bits))));
+            const V cz = hn::Mul(weight, hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<22>(bits))));
+            c = slice == 0 ? FieldAt<V>{cx, cy, cz} : FieldAt<V>{hn::Add(c.x, cx), hn::Add(c.y, cy), hn::Add(c.z, cz)};
+        }
         const V dx = corners.dx[i];
         const V dy = corners.dy[i];
         const V dz = corners.dz[i];
         const V r2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
         const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 0.5F), r2));
         const V t3 = hn::Mul(hn::Mul(t, t), t);
-        const auto bits = latticeBits(du, corners.lattice[i], keys);
-        // Three components from one word: each starts at its own bit; what follows below is noise far under its step.
-        const V cx = hn::ConvertTo(d, hn::BitCast(di, bits));
-        const V cy = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<11>(bits)));
-        const V cz = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<22>(bits)));
-        const V dot = hn::Add(hn::Add(hn::Mul(dx, cx), hn::Mul(dy, cy)), hn::Mul(dz, cz));
+        const V dot = hn::Add(hn::Add(hn::Mul(dx, c.x), hn::Mul(dy, c.y)), hn::Mul(dz, c.z));
         const V along = hn::Mul(t3, hn::Sub(t, hn::Mul(four, r2)));
         const V outward = hn::Mul(t3, hn::Mul(four, dot));
-        sx = hn::Add(sx, hn::Add(hn::Mul(along, cx), hn::Mul(outward, dx)));
-        sy = hn::Add(sy, hn::Add(hn::Mul(along, cy), hn::Mul(outward, dy)));
-        sz = hn::Add(sz, hn::Add(hn::Mul(along, cz), hn::Mul(outward, dz)));
+        velocity.x = hn::Add(velocity.x, hn::Add(hn::Mul(along, c.x), hn::Mul(outward, dx)));
+        velocity.y = hn::Add(velocity.y, hn::Add(hn::Mul(along, c.y), hn::Mul(outward, dy)));
+        velocity.z = hn::Add(velocity.z, hn::Add(hn::Mul(along, c.z), hn::Mul(outward, dz)));
         if constexpr (kTurns) {
             const V factor = hn::Mul(hn::Mul(t, t), hn::Sub(hn::Mul(hn::Set(d, 20.0F), t), hn::Mul(hn::Set(d, 24.0F), r2)));
-            turn.x = mulAdd(factor, hn::Sub(hn::Mul(cy, dz), hn::Mul(cz, dy)), turn.x);
-            turn.y = mulAdd(factor, hn::Sub(hn::Mul(cz, dx), hn::Mul(cx, dz)), turn.y);
-            turn.z = mulAdd(factor, hn::Sub(hn::Mul(cx, dy), hn::Mul(cy, dx)), turn.z);
+            vorticity.x = mulAdd(factor, hn::Sub(hn::Mul(c.y, dz), hn::Mul(c.z, dy)), vorticity.x);
+            vorticity.y = mulAdd(factor, hn::Sub(hn::Mul(c.z, dx), hn::Mul(c.x, dz)), vorticity.y);
+            vorticity.z = mulAdd(factor, hn::Sub(hn::Mul(c.x, dy), hn::Mul(c.y, dx)), vorticity.z);
         }
-    }
-    const V scale = hn::Set(d, weight);
-    velocity = {mulAdd(sx, scale, velocity.x), mulAdd(sy, scale, velocity.y), mulAdd(sz, scale, velocity.z)};
-    if constexpr (kTurns) {
-        vorticity = {mulAdd(turn.x, scale, vorticity.x), mulAdd(turn.y, scale, vorticity.y), mulAdd(turn.z, scale, vorticity.z)};
     }
 }
 

@@ -38,8 +38,9 @@ float smoothStep(float t)
 /// A point in a periodic or endless row of random values: two neighbours and the way between them.
 struct RowPosition {
     std::int64_t before = 0;
-    std::int64_t after = 0;
+    std::int64_t after = 0; ///< 0 after the last of a loop
     float fraction = 0.0F;
+    std::int64_t cells = 0; ///< of a loop; 0: endless
 };
 
 RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep)
@@ -52,6 +53,7 @@ RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cell
         : static_cast<double>(schedule.randomStep(step) * cells) / static_cast<double>(schedule.loopSteps);
     const double cell = std::floor(position);
     RowPosition row;
+    row.cells = cells;
     row.before = static_cast<std::int64_t>(cell);
     row.after = cells == 0 ? row.before + 1 : (row.before + 1) % cells;
     row.fraction = static_cast<float>(position - cell);
@@ -100,26 +102,37 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
     const float latticePerMetre = out.frequency / turbulence.scale;
     constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it
     out.turns = octave < kLarge;
-    const bool moving = turbulence.evolution > 0.0F || (m_schedule.loopSteps != 0 && turbulence.drift != 0.0F);
-    if (!moving) {
-        const float seconds = static_cast<float>(m_schedule.randomStep(step)) * m_schedule.dt;
-        out.key = {streamBits(seed, 0), 0};
-        out.weight = {amplitude, 0.0F};
-        out.offset = {-turbulence.drift * seconds * latticePerMetre, 0.0F};
+    const double cellsPerStep = static_cast<double>(turbulence.evolution * portablePow(out.frequency, kTurnoverExponent) * m_schedule.dt);
+    const RowPosition row = rowPosition(step, m_schedule, cellsPerStep);
+
+    // In a loop the smoke drifts by whole units of the lattice, or the slice that lives through its end would jump. Whole numbers are
+    // multiplied before they are divided, so that a quotient is exact where it is whole.
+    const double driftPerStep = static_cast<double>(turbulence.drift) * static_cast<double>(latticePerMetre) * static_cast<double>(m_schedule.dt);
+    const auto loop = static_cast<double>(m_schedule.loopSteps);
+    const double driftInLoop = std::round(driftPerStep * loop);
+    const auto now = static_cast<double>(m_schedule.randomStep(step));
+    const double drifted = row.cells == 0 ? driftPerStep * now : driftInLoop * now / loop;
+    const double whole = std::floor(drifted);
+    out.offset = static_cast<float>(whole - drifted);
+
+    const bool evolves = turbulence.evolution > 0.0F || (row.cells != 0 && turbulence.drift != 0.0F);
+    if (!evolves) {
+        out.slices.key[0] = streamBits(seed, 0);
+        out.slices.weight[0] = amplitude;
+        out.slices.shift[0] = latticeShift(static_cast<std::int64_t>(whole));
         return out;
     }
-    const float rate = turbulence.evolution * portablePow(out.frequency, kTurnoverExponent);
-    const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
-    // In a loop the rate is rounded to whole cells, of which one lasts at most the loop.
-    const float cellSeconds = m_schedule.loopSteps == 0
-        ? 1.0F / rate
-        : static_cast<float>(m_schedule.loopSteps) * m_schedule.dt / std::max(1.0F, std::round(rate * m_schedule.dt * static_cast<float>(m_schedule.loopSteps)));
+    // Counted from where a slice begins, and on through the end of a loop.
+    const auto shiftOf = [&](std::int64_t slice) {
+        const auto cell = static_cast<double>(slice);
+        const double before = row.cells == 0 ? driftPerStep / cellsPerStep * cell : driftInLoop * cell / static_cast<double>(row.cells);
+        return latticeShift(static_cast<std::int64_t>(whole - std::floor(before)));
+    };
     const float blend = 0.5F * kPi * smoothStep(row.fraction);
-    const float lattice = turbulence.drift * cellSeconds * latticePerMetre;
-    out.key = {birthKey(seed, static_cast<std::uint64_t>(row.before)), birthKey(seed, static_cast<std::uint64_t>(row.after))};
+    out.slices.key = {birthKey(seed, static_cast<std::uint64_t>(row.before)), birthKey(seed, static_cast<std::uint64_t>(row.after))};
     // Sine and cosine keep the variance of the sum constant while the slices cross-fade.
-    out.weight = {amplitude * portableCos(blend), amplitude * portableSin(blend)};
-    out.offset = {-lattice * row.fraction, -lattice * (row.fraction - 1.0F)};
+    out.slices.weight = {amplitude * portableCos(blend), amplitude * portableSin(blend)};
+    out.slices.shift = {shiftOf(row.before), shiftOf(row.before + 1)};
     return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/noise/curl_slices.h"
 #include "core/simulation/schedule.h"
 
 #include <array>
@@ -9,12 +10,11 @@
 
 namespace fumage {
 
-/// One octave of turbulence at one step: two slices of time that cross-fade, each moving with its own drift.
+/// One octave of turbulence at one step: two slices of time that cross-fade and drift together.
 struct OctaveAtStep {
     float frequency = 1.0F; ///< relative to the first octave
-    std::array<std::uint32_t, 2> key{};
-    std::array<float, 2> weight{}; ///< m/s, with the normalisation of the noise; 0: skip
-    std::array<float, 2> offset{}; ///< along y, in lattice units
+    float offset = 0.0F; ///< along y, in lattice units: the part of the drift that is no whole number of them
+    CurlSlices slices; ///< weights in m/s, with the normalisation of the noise
     bool turns = false; ///< whether its swirls turn particles
 };
 

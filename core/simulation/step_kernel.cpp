@@ -96,17 +96,20 @@ HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Triple&
     for (int octave = 0; octave < constants.octaves; ++octave) {
         const OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
         const V scale = hn::Set(d, at.frequency);
-        for (std::size_t slice = 0; slice < at.weight.size(); ++slice) {
-            if (at.weight[slice] != 0.0F) {
-                const Triple place{hn::Mul(q.x, scale), mulAdd(q.y, scale, hn::Set(d, at.offset[slice])), hn::Mul(q.z, scale)};
-                Triple turned{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-                if (kTurns && at.turns) {
-                    addCurlNoise<true>(d, place.x, place.y, place.z, at.key[slice], at.weight[slice], sum, turned);
-                    turn = {mulAdd(turned.x, scale, turn.x), mulAdd(turned.y, scale, turn.y), mulAdd(turned.z, scale, turn.z)};
-                } else {
-                    addCurlNoise<false>(d, place.x, place.y, place.z, at.key[slice], at.weight[slice], sum, turned);
-                }
+        const Triple place{hn::Mul(q.x, scale), mulAdd(q.y, scale, hn::Set(d, at.offset)), hn::Mul(q.z, scale)};
+        const auto add = [&](auto turns, Triple& turned) HWY_ATTR {
+            if (at.slices.weight[1] != 0.0F) {
+                addCurlNoise<turns.value, 2>(d, place.x, place.y, place.z, at.slices, sum, turned);
+            } else {
+                addCurlNoise<turns.value, 1>(d, place.x, place.y, place.z, at.slices, sum, turned);
             }
+        };
+        Triple turned{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        if (kTurns && at.turns) {
+            add(std::true_type(), turned);
+            turn = {mulAdd(turned.x, scale, turn.x), mulAdd(turned.y, scale, turn.y), mulAdd(turned.z, scale, turn.z)};
+        } else {
+            add(std::false_type(), turned);
         }
     }
     velocity.x = mulAdd(sum.x, ramp, velocity.x);

@@ -214,21 +214,58 @@ private slots:
 
     void curlNoiseEvolvesSmoothly()
     {
-        Effect effect = turbulent();
-        effect.turbulence.drift = 0.5F;
-        const Model model(effect);
-        const std::vector<float> x{0.3F, 1.7F, -2.2F};
-        double largest = 0.0;
-        Velocities before = turbulenceOf(model.constants(0), x, x, x);
-        for (int step = 1; step < 300; ++step) {
-            const Velocities now = turbulenceOf(model.constants(step), x, x, x);
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                largest = std::max(largest, std::abs(static_cast<double>(now.x[i] - before.x[i])));
+        // Through slices of time, through whole units of drift, and through the end of a loop.
+        for (const bool loop : {false, true}) {
+            Effect effect = turbulent();
+            effect.turbulence.octaves = 2;
+            effect.turbulence.drift = 0.5F;
+            effect.timeline.loop = loop;
+            effect.timeline.length = 110;
+            const Model model(effect);
+            const std::vector<float> x{0.3F, 1.7F, -2.2F};
+            // A jump shows in the change of the change from step to step.
+            double largest = 0.0;
+            double moves = 0.0;
+            std::array<Velocities, 3> v{turbulenceOf(model.constants(0), x, x, x), turbulenceOf(model.constants(1), x, x, x), {}};
+            for (int step = 2; step < 300; ++step) {
+                v[2] = turbulenceOf(model.constants(step), x, x, x);
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    largest = std::max(largest, std::abs(static_cast<double>(v[2].x[i] - 2.0F * v[1].x[i] + v[0].x[i])));
+                    moves = std::max(moves, std::abs(static_cast<double>(v[2].x[i] - v[1].x[i])));
+                }
+                std::rotate(v.begin(), v.begin() + 1, v.end());
             }
-            before = now;
+            QVERIFY2(moves > 0.3, qPrintable(QString::number(moves)));
+            QVERIFY2(largest < 0.2, qPrintable(QString::number(largest)));
         }
-        QVERIFY(largest > 0.001);
-        QVERIFY2(largest < 0.25, qPrintable(QString::number(largest)));
+    }
+
+    void curlNoiseDriftsUpwards()
+    {
+        // Every octave and both slices move by drift times time: who moves along sees the swirls turn over slowly, who stands sees others pass.
+        Effect effect = turbulent();
+        effect.turbulence.octaves = 3;
+        effect.turbulence.scale = 0.3F;
+        effect.turbulence.drift = 2.3F;
+        effect.turbulence.evolution = 0.05F;
+        const Model model(effect);
+        std::vector<float> x(4000);
+        std::vector<float> y(x.size());
+        std::vector<float> moved(x.size());
+        std::vector<float> z(x.size());
+        constexpr int kFrom = 59; // the first octave changes its slices after 600 steps, the third after 238
+        constexpr int kSteps = 6;
+        for (std::uint32_t i = 0; i < x.size(); ++i) {
+            x[i] = 9.0F * signedFloat(mixBits(3 * i));
+            y[i] = 9.0F * signedFloat(mixBits(3 * i + 1));
+            z[i] = 9.0F * signedFloat(mixBits(3 * i + 2));
+            moved[i] = y[i] + effect.turbulence.drift * model.schedule().dt * kSteps;
+        }
+        const Velocities before = turbulenceOf(model.constants(kFrom), x, y, z);
+        const Velocities along = turbulenceOf(model.constants(kFrom + kSteps), x, moved, z);
+        const Velocities standing = turbulenceOf(model.constants(kFrom + kSteps), x, y, z);
+        QVERIFY2(correlation(before.y, along.y) > 0.98, qPrintable(QString::number(correlation(before.y, along.y))));
+        QVERIFY2(correlation(before.y, standing.y) < 0.3, qPrintable(QString::number(correlation(before.y, standing.y))));
     }
 
     void swirlsGrowWithHeight()

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace fumage {
+
+// The linear hash of a lattice point (u, v, w) is the sum of these, each times its coordinate; see simplex-inl.h.
+inline constexpr std::uint32_t kLatticeU = 0x9e3779b1U;
+inline constexpr std::uint32_t kLatticeV = 0x85ebca77U;
+inline constexpr std::uint32_t kLatticeW = 0xc2b2ae3dU;
+
+/// Random vectors of curl noise's lattice points: one or two sets of them, weighted and summed.
+struct CurlSlices {
+    std::array<std::uint32_t, 2> key{};
+    std::array<float, 2> weight{}; ///< of each set, times 2^-31, which its integer components lack; second 0: one set only
+    std::array<std::uint32_t, 2> shift{}; ///< see latticeShift()
+};
+
+/// What moves a set up by whole units of y: u = y + z and w = x + y of every point fall by as many.
+[[nodiscard]] constexpr std::uint32_t latticeShift(std::int64_t units)
+{
+    return static_cast<std::uint32_t>(-units) * (kLatticeU + kLatticeW);
+}
+
+} // namespace fumage
