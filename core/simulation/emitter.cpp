@@ -99,10 +99,19 @@ void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, 
 {
     const D d;
     const DU du;
-    constexpr std::size_t kMost = HWY_MAX_BYTES / sizeof(float);
-    HWY_ALIGN float columns[6][kMost];
-    HWY_ALIGN std::uint32_t keys[kMost];
-    for (std::size_t done = 0; done < count; done += hn::Lanes(d)) {
+    const hn::RebindToSigned<D> di;
+    const std::size_t lanes = hn::Lanes(d);
+    // Neighbours of the last few may be another thread's: what does not fill a vector goes through memory of its own.
+    const auto store = [lanes](auto tag, auto values, auto* to, std::size_t n) HWY_ATTR {
+        if (n == lanes) {
+            hn::StoreU(values, tag, to);
+            return;
+        }
+        HWY_ALIGN hn::TFromD<decltype(tag)> buffer[HWY_MAX_BYTES / sizeof(float)];
+        hn::Store(values, tag, buffer);
+        std::copy_n(buffer, n, to);
+    };
+    for (std::size_t done = 0; done < count; done += lanes) {
         const auto index = static_cast<std::uint64_t>(randomIndex) + done;
         const auto start = static_cast<std::uint32_t>(index);
         const VU low = hn::Add(hn::Iota(du, 0U), hn::Set(du, start));
@@ -115,23 +124,16 @@ void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, 
             const V ahead = hn::Mul(hn::Set(d, place.dt), unitStream(d, key, kBirthBetweenSteps));
             p = {mulAdd(v.x, ahead, p.x), mulAdd(v.y, ahead, p.y), mulAdd(v.z, ahead, p.z)};
         }
-        hn::Store(p.x, d, columns[0]);
-        hn::Store(p.y, d, columns[1]);
-        hn::Store(p.z, d, columns[2]);
-        hn::Store(v.x, d, columns[3]);
-        hn::Store(v.y, d, columns[4]);
-        hn::Store(v.z, d, columns[5]);
-        hn::Store(key, du, keys);
-        const auto n = static_cast<std::ptrdiff_t>(std::min(hn::Lanes(d), count - done));
-        const auto to = static_cast<std::ptrdiff_t>(slot + done);
-        std::copy_n(columns[0], n, particles.x.begin() + to);
-        std::copy_n(columns[1], n, particles.y.begin() + to);
-        std::copy_n(columns[2], n, particles.z.begin() + to);
-        std::copy_n(columns[3], n, particles.vx.begin() + to);
-        std::copy_n(columns[4], n, particles.vy.begin() + to);
-        std::copy_n(columns[5], n, particles.vz.begin() + to);
-        std::copy_n(keys, n, particles.key.begin() + to);
-        std::fill_n(particles.birthStep.begin() + to, n, step);
+        const std::size_t n = std::min(lanes, count - done);
+        const std::size_t to = slot + done;
+        store(d, p.x, particles.x.data() + to, n);
+        store(d, p.y, particles.y.data() + to, n);
+        store(d, p.z, particles.z.data() + to, n);
+        store(d, v.x, particles.vx.data() + to, n);
+        store(d, v.y, particles.vy.data() + to, n);
+        store(d, v.z, particles.vz.data() + to, n);
+        store(du, key, particles.key.data() + to, n);
+        store(di, hn::Set(di, step), particles.birthStep.data() + to, n);
     }
 }
 
