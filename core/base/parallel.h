@@ -20,6 +20,10 @@ void parallelFor(std::size_t count, const Body& body)
     runParallel(count, {&body, [](const void* object, std::size_t index) { (*static_cast<const Body*>(object))(index); }});
 }
 
+/// From now on every thread that takes part in parallelFor() gives way to the other threads of the process and to other programs, but for the
+/// process's first thread, which answers the user. For good: a thread may lower its priority and not raise it again. Linux only.
+void computeInBackground();
+
 /// While alive, the process uses at most this many threads for parallelFor.
 class ThreadLimit {
 public:

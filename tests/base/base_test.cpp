@@ -3,15 +3,20 @@
 #include "core/base/file.h"
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include <QTemporaryDir>
 
 #include <csignal>
 #include <sys/resource.h>
+#include <unistd.h>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -148,6 +153,28 @@ private slots:
     {
         QCOMPARE(forceSimdTarget("mmx").error().code, ErrorCode::UnknownName);
         QVERIFY(!availableSimdTargets().empty());
+    }
+
+    void computingGivesWayToTheFirstThread()
+    {
+        const auto lowestPriority = [] {
+            std::atomic<int> nice{-100};
+            std::thread([&] {
+                parallelFor(1000, [&](std::size_t) {
+                    int seen = nice.load();
+                    const int mine = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+                    while (mine > seen && !nice.compare_exchange_weak(seen, mine)) {
+                    }
+                });
+            }).join();
+            return nice.load();
+        };
+        const int before = getpriority(PRIO_PROCESS, 0);
+        QCOMPARE(lowestPriority(), before);
+        computeInBackground();
+        QVERIFY(lowestPriority() > before);
+        parallelFor(1000, [](std::size_t) {});
+        QCOMPARE(getpriority(PRIO_PROCESS, 0), before);
     }
 };
 

@@ -4,6 +4,8 @@
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
+#include "core/base/parallel.h"
+
 #include <QApplication>
 
 namespace fumage::ui {
@@ -12,6 +14,7 @@ Session::Session(QObject* parent)
     : QObject(parent)
     , m_glSupport(probeOpenGl())
 {
+    computeInBackground();
     static_cast<void>(desktopIsDark());
     applyTheme(m_settings.theme());
     qApp->installEventFilter(new KeyGuard(this));
