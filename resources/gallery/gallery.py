@@ -22,7 +22,7 @@ BACK = ["light.direction=[-0.32,0.34,0.88]"]
 PLUME = ["emitter.position=[0,0,0]", "emitter.radius=0.35"]
 YOUNG = ["timeline.prewarm=false"]
 OLD = ["emitter.count=500000", "emitter.spread=6", "life.fade_rate=0.009", "life.size=[[0,0.6],[1,1]]", "look.opacity=0.3", "look.dilution=0.2", "rings.strength=0.5", "rings.radius=0.7",
-       "turbulence.strength=0.22", "turbulence.octaves=6", "turbulence.roughness=0.85", "turbulence.growth=0"]
+       "turbulence.strength=0.22", "turbulence.octaves=6", "turbulence.roughness=0.9", "turbulence.growth=0"]
 WIND = ["light.direction=[0.86,-0.5,0]", "emitter.position=[-1.45,0.58,0]", "emitter.radius=0.22", "emitter.speed=0.3", "emitter.spread=15", "motion.wind=3", "motion.drag=2",
         "motion.buoyancy=0.5", "motion.cooling=0.3", "motion.gust=0.1", "rings.strength=0", "turbulence.strength=0.22", "turbulence.scale=0.5", "turbulence.growth=0", "turbulence.drift=0",
         "look.size=0.18", "look.opacity=0.31"]
