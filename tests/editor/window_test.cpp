@@ -298,6 +298,25 @@ private slots:
 
     // --- viewport -----------------------------------------------------------------------------------------------------
 
+    void whatIsDrawnOverTheSmokeIsRemembered()
+    {
+        const auto isShown = [](MainWindow& window, const char* action) { return window.actions().get(action).isChecked(); };
+        QVERIFY(isShown(*m_window, "view.grid") && !isShown(*m_window, "view.tracks") && !isShown(*m_window, "view.frame"));
+        trigger("view.grid");
+        trigger("view.tracks");
+        trigger("view.frame");
+        m_window->close();
+        MainWindow* next = m_session->openWindow();
+        QVERIFY(!isShown(*next, "view.grid") && isShown(*next, "view.tracks") && isShown(*next, "view.readout"));
+        QVERIFY(!isShown(*next, "view.frame")); // belongs to the export dialog
+        QVERIFY(!next->viewport().overlays().testFlag(Overlay::Grid) && next->viewport().overlays().testFlag(Overlay::Tracks));
+        next->actions().get("view.grid").trigger();
+        next->actions().get("view.tracks").trigger();
+        next->close();
+        m_window = m_session->openWindow();
+        QVERIFY(isShown(*m_window, "view.grid") && !isShown(*m_window, "view.tracks"));
+    }
+
     void theWindArrowIsDragged()
     {
         Viewport& viewport = m_window->viewport();

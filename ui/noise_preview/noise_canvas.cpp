@@ -1,12 +1,13 @@
 #include "ui/noise_preview/noise_canvas.h"
 
+#include "ui/face/hand.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QWheelEvent>
 
 namespace fumage::ui {
 
@@ -15,7 +16,6 @@ namespace {
 constexpr double kFarthest = 1.0;
 constexpr double kNearest = 16.0;
 constexpr double kZoomOfNotch = 1.25;
-constexpr double kNotch = 120.0;
 constexpr int kTiles = 3;
 
 } // namespace
@@ -103,7 +103,7 @@ void NoiseCanvas::mouseMoveEvent(QMouseEvent* event)
 void NoiseCanvas::wheelEvent(QWheelEvent* event)
 {
     const double before = m_zoom;
-    m_zoom = std::clamp(m_zoom * std::pow(kZoomOfNotch, event->angleDelta().y() / kNotch), kFarthest, kNearest);
+    m_zoom = std::clamp(m_zoom * std::pow(kZoomOfNotch, notchesOf(*event)), kFarthest, kNearest);
     // What lies under the mouse stays there.
     const QPointF middle(width() / 2.0, height() / 2.0);
     const QPointF way = event->position() - middle;

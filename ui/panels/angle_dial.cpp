@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kDegrees = 57.295779513082321;
 constexpr double kSnap = 15.0;
-constexpr int kBurstMs = 500;
 
 } // namespace
 
@@ -22,9 +21,7 @@ AngleDial::AngleDial(QWidget* parent)
 {
     setFixedSize(sizeHint());
     setFocusPolicy(Qt::StrongFocus);
-    m_burst.setSingleShot(true);
-    m_burst.setInterval(kBurstMs);
-    connect(&m_burst, &QTimer::timeout, this, [this] { emit edited(m_angle, true); });
+    connect(&m_burst, &Burst::timeout, this, [this] { emit edited(m_angle, true); });
 }
 
 void AngleDial::setAngle(double degrees)

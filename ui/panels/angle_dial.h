@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QTimer>
+#include "ui/face/hand.h"
+
 #include <QWidget>
 
 namespace fumage::ui {
@@ -29,7 +30,7 @@ private:
     void turnTo(const QPointF& mouse, bool snap);
 
     double m_angle = 0.0;
-    QTimer m_burst;
+    Burst m_burst;
 };
 
 } // namespace fumage::ui

@@ -9,17 +9,14 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QToolTip>
-#include <QWheelEvent>
 
 namespace fumage::ui {
 
 namespace {
 
-constexpr int kBurstMs = 500;
 constexpr double kDragThreshold = 3.0; ///< pixels
 constexpr double kFine = 0.1;
 constexpr double kCoarse = 10.0;
-constexpr double kNotch = 120.0;
 
 } // namespace
 
@@ -32,9 +29,7 @@ NumberField::NumberField(const NumberScale& scale, QWidget* parent)
     // A press may become a drag: the release of a click gives the focus.
     setFocusPolicy(Qt::TabFocus);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
-    m_burst.setSingleShot(true);
-    m_burst.setInterval(kBurstMs);
-    connect(&m_burst, &QTimer::timeout, this, [this] { emit edited(m_value, true); });
+    connect(&m_burst, &Burst::timeout, this, [this] { emit edited(m_value, true); });
     connect(this, &QLineEdit::returnPressed, this, [this] {
         commitText();
         selectAll();
@@ -165,7 +160,7 @@ void NumberField::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    stepBy(event->angleDelta().y() / kNotch * (event->modifiers().testFlag(Qt::ShiftModifier) ? kFine : 1.0));
+    stepBy(notchesOf(*event) * (event->modifiers().testFlag(Qt::ShiftModifier) ? kFine : 1.0));
     event->accept();
 }
 

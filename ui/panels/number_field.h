@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/face/hand.h"
 #include "ui/panels/number_scale.h"
 
 #include <QLineEdit>
-#include <QTimer>
 
 namespace fumage::ui {
 
@@ -42,7 +42,7 @@ private:
 
     NumberScale m_scale;
     double m_value = 0.0;
-    QTimer m_burst;
+    Burst m_burst;
     bool m_pressed = false;
     bool m_dragged = false;
     QPointF m_pressedAt;

@@ -7,15 +7,12 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSlider>
-#include <QWheelEvent>
 
 namespace fumage::ui {
 
 namespace {
 
 constexpr int kPositions = 1000;
-constexpr int kBurstMs = 500;
-constexpr double kNotch = 120.0;
 
 /// One step of a key or a notch: a single one of a short whole range, else a hundredth.
 int positionsAStep(const NumberScale& scale)
@@ -35,9 +32,7 @@ NumberSlider::NumberSlider(const NumberScale& scale, QWidget* parent)
     setSingleStep(positionsAStep(scale));
     setPageStep(singleStep() * 10);
     setFocusPolicy(Qt::StrongFocus);
-    m_burst.setSingleShot(true);
-    m_burst.setInterval(kBurstMs);
-    connect(&m_burst, &QTimer::timeout, this, [this] { emit edited(m_number, true); });
+    connect(&m_burst, &Burst::timeout, this, [this] { emit edited(m_number, true); });
     connect(this, &QSlider::valueChanged, this, &NumberSlider::follow);
     connect(this, &QSlider::sliderReleased, this, [this] { emit edited(m_number, true); });
 }
@@ -85,7 +80,7 @@ void NumberSlider::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    setValue(value() + static_cast<int>(std::lround(event->angleDelta().y() / kNotch * singleStep())));
+    setValue(value() + static_cast<int>(std::lround(notchesOf(*event) * singleStep())));
     event->accept();
 }
 

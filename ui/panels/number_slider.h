@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/face/hand.h"
 #include "ui/panels/number_scale.h"
 
 #include <QSlider>
-#include <QTimer>
 
 namespace fumage::ui {
 
@@ -28,7 +28,7 @@ private:
     void follow(int position);
 
     NumberScale m_scale;
-    QTimer m_burst;
+    Burst m_burst;
     double m_number = 0.0;
     bool m_jumping = false; ///< a click beside the handle brings it there
 };

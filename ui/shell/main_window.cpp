@@ -39,18 +39,20 @@ namespace {
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kLayout = QStringLiteral("window/layout");
 const QString kOpenGroups = QStringLiteral("panels/open");
+const QString kOverlays = QStringLiteral("window/overlays");
 constexpr int kLayoutVersion = 1;
 
 struct OverlayAction {
     const char* action;
     Overlay overlay;
+    bool remembered = true;
 };
 constexpr OverlayAction kOverlayActions[] = {
     {"view.grid", Overlay::Grid},
     {"view.emitter", Overlay::Emitter},
     {"view.gizmos", Overlay::Gizmos},
     {"view.tracks", Overlay::Tracks},
-    {"view.frame", Overlay::Frame},
+    {"view.frame", Overlay::Frame, false}, // comes and goes with the export dialog
     {"view.readout", Overlay::Readout},
 };
 
@@ -514,6 +516,23 @@ void MainWindow::restoreLayout()
         QMetaObject::invokeMethod(this, &MainWindow::arrangeDocks, Qt::QueuedConnection);
     }
     m_effectPanel->setOpenGroups(m_session.settings().list(kOpenGroups, {QStringLiteral("emitter"), QStringLiteral("motion")}));
+    const QStringList overlays = m_session.settings().list(kOverlays, shownOverlays());
+    for (const OverlayAction& entry : kOverlayActions) {
+        if (entry.remembered) {
+            m_actions.get(entry.action).setChecked(overlays.contains(QLatin1String(entry.action)));
+        }
+    }
+}
+
+QStringList MainWindow::shownOverlays() const
+{
+    QStringList shown;
+    for (const OverlayAction& entry : kOverlayActions) {
+        if (entry.remembered && m_viewport->overlays().testFlag(entry.overlay)) {
+            shown.append(QLatin1String(entry.action));
+        }
+    }
+    return shown;
 }
 
 void MainWindow::saveLayout()
@@ -521,6 +540,7 @@ void MainWindow::saveLayout()
     m_session.settings().setBytes(kGeometry, saveGeometry());
     m_session.settings().setBytes(kLayout, saveState(kLayoutVersion));
     m_session.settings().setList(kOpenGroups, m_effectPanel->openGroups());
+    m_session.settings().setList(kOverlays, shownOverlays());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

@@ -71,6 +71,7 @@ private:
     void arrangeDocks();
     void restoreLayout();
     void saveLayout();
+    [[nodiscard]] QStringList shownOverlays() const; ///< their actions, but for those that are not remembered
     void compare(bool split, bool other);
 
     Session& m_session;

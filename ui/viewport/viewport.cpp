@@ -14,9 +14,7 @@ namespace fumage::ui {
 namespace {
 
 constexpr int kRestMs = 160;
-constexpr int kWheelRestMs = 400;
 constexpr int kCacheKiB = 256 * 1024;
-constexpr double kNotch = 120.0; ///< eighths of a degree, as Qt counts the wheel
 constexpr double kDividerReach = 8.0;
 
 int kibibytes(const Picture& picture)
@@ -47,8 +45,6 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
 
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
-    m_wheelRest.setSingleShot(true);
-    m_wheelRest.setInterval(kWheelRestMs);
     connect(&m_rest, &QTimer::timeout, this, [this] {
         // What the hand asked for last is still on its way: sharpening it now would only get in its way.
         if (m_waiting) {
@@ -58,7 +54,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
         m_moving = false;
         refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
     });
-    connect(&m_wheelRest, &QTimer::timeout, this, [this] { m_wheelGesture = {}; });
+    connect(&m_wheelBurst, &Burst::timeout, this, [this] { m_wheelGesture = {}; });
     connect(&m_worker, &SmokeWorker::pictureReady, this, &Viewport::receive);
     connect(&m_document, &Document::effectChanged, this, &Viewport::effectChanged);
     connect(&m_player, &Player::frameChanged, this, &Viewport::frameChanged);
@@ -409,8 +405,8 @@ void Viewport::wheel(QWheelEvent& event)
     if (m_wheelGesture.id == 0) {
         m_wheelGesture = m_document.beginGesture();
     }
-    m_wheelRest.start();
-    applyCamera(zoomed(m_document.effect().camera, event.angleDelta().y() / kNotch, view()), tr("Zoom"), m_wheelGesture);
+    m_wheelBurst.start();
+    applyCamera(zoomed(m_document.effect().camera, notchesOf(event), view()), tr("Zoom"), m_wheelGesture);
 }
 
 void Viewport::setHot(std::optional<GizmoId> gizmo)

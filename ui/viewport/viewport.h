@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/face/hand.h"
 #include "ui/timeline/player.h"
 #include "ui/viewport/gizmos.h"
 #include "ui/viewport/navigation.h"
@@ -109,7 +110,7 @@ private:
     SmokeWorker m_worker;
     std::unique_ptr<SmokeWorker> m_otherWorker; ///< only while two effects are compared
     QTimer m_rest; ///< fires when the hand has been still for a moment
-    QTimer m_wheelRest; ///< ends a burst of the wheel
+    Burst m_wheelBurst;
     Gesture m_wheelGesture;
 
     PicturePtr m_shown;
