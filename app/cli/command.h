@@ -45,6 +45,7 @@ void warn(const std::string& text);
 
 // One function a subcommand: adds it to the program and sets the action when it is chosen.
 void addRender(CLI::App& program, Action& action);
+void addFlipbook(CLI::App& program, Action& action);
 void addBakeNoise(CLI::App& program, Action& action);
 void addDump(CLI::App& program, Action& action);
 void addValidate(CLI::App& program, Action& action);

@@ -53,6 +53,7 @@ int run(int argc, char** argv)
 
     Action action;
     addRender(program, action);
+    addFlipbook(program, action);
     addBakeNoise(program, action);
     addDump(program, action);
     addValidate(program, action);

@@ -115,6 +115,19 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
     return text;
 }
 
+Status makeFolderOf(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.parent_path();
+    std::error_code failure;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, failure)) {
+        std::filesystem::create_directories(folder, failure);
+        if (failure) {
+            return Error{ErrorCode::PermissionDenied, "the folder cannot be made: " + failure.message(), folder.string(), "Choose another place"};
+        }
+    }
+    return Done{};
+}
+
 Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
     struct stat information { };

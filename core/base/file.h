@@ -15,6 +15,10 @@ namespace fumage {
 /// @error FileNotFound, NotAFile, PermissionDenied, TooLarge, ReadFailed; the place is the path
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path, std::size_t mostBytes);
 
+/// Makes the folder that a file is to lie in, and those above it.
+/// @error PermissionDenied
+[[nodiscard]] Status makeFolderOf(const std::filesystem::path& file);
+
 /// Writes a file so that it is either there as a whole or not at all: into a temporary file beside it, flushed to the disk, then renamed.
 /// What was there before stays until then, and for good if anything fails.
 /// @error PermissionDenied, FileNotFound (no such folder), NotAFile, DiskFull, WriteFailed; the place is the path

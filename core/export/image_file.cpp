@@ -1,5 +1,6 @@
 #include "core/export/image_file.h"
 
+#include "core/export/bleed.h"
 #include "core/export/exr_file.h"
 #include "core/export/png_file.h"
 #include "core/rendering/view_transform.h"
@@ -10,12 +11,26 @@ namespace fumage {
 
 namespace {
 
-template <class Channel>
-Result<std::vector<std::byte>> encodePngOf(const Image& image, const Output& output)
+template <class Channel, class Finish>
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Output& output, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
     encode(image, output, encoded);
+    finish(encoded);
     return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels))});
+}
+
+/// @param finish called with the encoded picture of a PNG
+template <class Finish>
+Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& output, ImageFormat format, const Finish& finish)
+{
+    switch (format) {
+    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output, finish);
+    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output, finish);
+    case ImageFormat::ExrHalf:
+    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels});
+    }
+    return Error{ErrorCode::WriteFailed, "unknown image format", "", ""};
 }
 
 template <class Channel>
@@ -41,13 +56,12 @@ std::string_view fileEnding(ImageFormat format)
 
 Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format)
 {
-    switch (format) {
-    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output);
-    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output);
-    case ImageFormat::ExrHalf:
-    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels});
-    }
-    return Error{ErrorCode::WriteFailed, "unknown image format", "", ""};
+    return encodeWith(image, output, format, [](auto&) {});
+}
+
+Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight)
+{
+    return encodeWith(image, output, format, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
 Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format)

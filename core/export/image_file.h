@@ -27,6 +27,9 @@ enum class ImageFormat {
 /// @error WriteFailed when the library refuses
 [[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format);
 
+/// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
+[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight);
+
 /// Encodes a tile of noise as a grey picture: PNG holds the values as they are, not as light.
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format);
 

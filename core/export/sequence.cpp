@@ -23,19 +23,6 @@ Status writeImage(const Image& image, const Output& output, ImageFormat format, 
     return writeFileAtomically(path, bytes.value());
 }
 
-Status makeFolder(const std::filesystem::path& file)
-{
-    const std::filesystem::path folder = file.parent_path();
-    std::error_code failure;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, failure)) {
-        std::filesystem::create_directories(folder, failure);
-        if (failure) {
-            return Error{ErrorCode::PermissionDenied, "the folder cannot be made: " + failure.message(), folder.string(), "Choose another place"};
-        }
-    }
-    return Done{};
-}
-
 std::string padded(int number, std::size_t digits)
 {
     std::string text = std::to_string(number);
@@ -82,7 +69,7 @@ std::filesystem::path framePath(const SequenceOptions& options, int frame)
 
 Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
 {
-    if (Status status = makeFolder(options.output); !status) {
+    if (Status status = makeFolderOf(options.output); !status) {
         return status;
     }
     Simulator simulator(effect);

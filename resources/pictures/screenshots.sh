@@ -35,7 +35,7 @@ presets=$out/../presets
 open_editor 1 "$presets/volcano.json"
 keys space
 take editor_dark
-keys ctrl+e
+keys ctrl+e Down
 take editor_export
 keys Escape ctrl+r
 sleep 3

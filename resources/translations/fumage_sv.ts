@@ -441,10 +441,6 @@
         <translation>Stäng</translation>
     </message>
     <message>
-        <source>%1 of %2 files, %3 s left</source>
-        <translation>%1 av %2 filer, %3 s kvar</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>Klart: %1</translation>
     </message>
@@ -487,6 +483,41 @@
     <message>
         <source>Export to</source>
         <translation>Exportera till</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolumner</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rader</translation>
+    </message>
+    <message>
+        <source>Flipbook</source>
+        <translation>Flipbook</translation>
+    </message>
+    <message>
+        <source>Columns × rows</source>
+        <translation>Kolumner × rader</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 s left</source>
+        <translation>%1 av %2, %3 s kvar</translation>
+    </message>
+    <message>
+        <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
+        <translation>%1 bildrutor fyller inte %2 rutor: välj fler bildrutor eller färre kolumner och rader.</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and how it is to be played beside it</source>
+        <translation>%1, %2 × %3 bildpunkter, och bredvid den en fil om hur den spelas</translation>
+    </message>
+</context>
+<context>
+    <name>ExportPlan</name>
+    <message>
+        <source>The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.</source>
+        <translation>Röken skärs av vid rutornas kant: flytta kameran bakåt eller låt röken tona bort tidigare.</translation>
     </message>
 </context>
 <context>

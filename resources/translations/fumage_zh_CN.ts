@@ -441,10 +441,6 @@
         <translation>关闭</translation>
     </message>
     <message>
-        <source>%1 of %2 files, %3 s left</source>
-        <translation>%2 个文件中的第 %1 个，剩余 %3 秒</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>完成：%1</translation>
     </message>
@@ -487,6 +483,41 @@
     <message>
         <source>Export to</source>
         <translation>导出到</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列数</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Flipbook</source>
+        <translation>序列帧图集</translation>
+    </message>
+    <message>
+        <source>Columns × rows</source>
+        <translation>列 × 行</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 s left</source>
+        <translation>%1 / %2，剩余 %3 秒</translation>
+    </message>
+    <message>
+        <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
+        <translation>%1 帧无法填满 %2 个格子：请选择更多帧，或减少列数和行数。</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and how it is to be played beside it</source>
+        <translation>%1，%2 × %3 像素，旁边附有播放说明文件</translation>
+    </message>
+</context>
+<context>
+    <name>ExportPlan</name>
+    <message>
+        <source>The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.</source>
+        <translation>烟雾在格子边缘被截断：请将相机后移，或让烟雾更早消散。</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,7 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
+        for (const char* command : {"render", "flipbook", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }
@@ -87,6 +87,8 @@ private slots:
         row("size", {"render", "default", "--size", "0x9"}, "0x9");
         row("huge size", {"render", "default", "--size", "99999"}, "8192");
         row("quality", {"render", "default", "--quality", "best"}, "output.quality");
+        row("grid", {"flipbook", "default", "--grid", "8x99"}, "8x99");
+        row("too few frames", {"flipbook", "default", "--frames", "0-9"}, "64 cells");
         row("simd", {"--simd", "mmx", "render", "default"}, "mmx");
     }
     void badValuesAreThree()

@@ -508,6 +508,34 @@ private slots:
         QVERIFY(image.hasAlphaChannel());
     }
 
+    void aFlipbookIsExported()
+    {
+        QDialog* dialog = openExport();
+        auto* begin = set<QPushButton>(*dialog, u"export.begin"_q);
+        auto* kind = set<QComboBox>(*dialog, u"export.kind"_q);
+        QVERIFY(!set<QSpinBox>(*dialog, u"export.columns"_q)->isVisible());
+        kind->setCurrentIndex(kind->findText(u"Flipbook"_q));
+        QVERIFY(set<QSpinBox>(*dialog, u"export.columns"_q)->isVisible());
+        QVERIFY(set<QLineEdit>(*dialog, u"export.path"_q)->text().endsWith(u"-8x8.png"_q));
+        auto* field = set<QLineEdit>(*dialog, u"export.path"_q);
+        field->selectAll();
+        QTest::keyClicks(field, m_folder.filePath(u"book.png"_q));
+        set<QSpinBox>(*dialog, u"export.first"_q)->setValue(0);
+        set<QSpinBox>(*dialog, u"export.last"_q)->setValue(9);
+        QVERIFY(!begin->isEnabled()); // ten frames do not fill 64 cells
+        QVERIFY(set<QLabel>(*dialog, u"export.files"_q)->text().contains(u"64"_q));
+        set<QSpinBox>(*dialog, u"export.columns"_q)->setValue(4);
+        set<QSpinBox>(*dialog, u"export.rows"_q)->setValue(2);
+        QVERIFY(begin->isEnabled());
+        m_window->document().edit(*findParameter("camera.distance"), 2.0F);
+        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
+        QTest::mouseClick(begin, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        QCOMPARE(QImage(m_folder.filePath(u"book.png"_q)).size(), QSize(4 * 128, 2 * 128));
+        QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
+        QVERIFY(set<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
+    }
+
     void anExportIsCancelled()
     {
         QDialog* dialog = openExport();

@@ -1,10 +1,15 @@
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
+#include "core/export/bleed.h"
+#include "core/export/flipbook.h"
 #include "core/export/particle_dump.h"
 #include "core/export/sequence.h"
 #include "core/rendering/view_transform.h"
 
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 
@@ -51,6 +56,28 @@ std::vector<std::uint16_t> readPng16(const std::vector<std::byte>& bytes)
     png_destroy_read_struct(&png, &info, nullptr);
     return pixels;
 }
+
+/// A picture file as libpng reads it into RGBA of 8 bits.
+struct Rgba {
+    int width = 0;
+    int height = 0;
+    std::vector<std::array<std::uint8_t, 4>> pixels;
+
+    explicit Rgba(const std::string& path)
+    {
+        png_image png{};
+        png.version = PNG_IMAGE_VERSION;
+        if (png_image_begin_read_from_file(&png, path.c_str()) == 0) {
+            qFatal("%s", path.c_str());
+        }
+        png.format = PNG_FORMAT_RGBA;
+        width = static_cast<int>(png.width);
+        height = static_cast<int>(png.height);
+        pixels.resize(static_cast<std::size_t>(png.width) * png.height);
+        png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr);
+    }
+    [[nodiscard]] std::array<std::uint8_t, 4> at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
+};
 
 SequenceOptions options(const std::string& output, FrameRange frames)
 {
@@ -160,6 +187,127 @@ private slots:
         for (const QString& name : QDir(folder.path() + "/other").entryList(QDir::Files)) {
             QVERIFY(name.endsWith(".png"));
         }
+    }
+
+    void cellsOfAFlipbookAreTheFrames()
+    {
+        const QTemporaryDir folder;
+        const std::string path = folder.path().toStdString();
+        Effect effect = everythingOn();
+        effect.output.width = 40;
+        effect.output.height = 24;
+        FlipbookOptions flipbook;
+        flipbook.output = path + "/new/book";
+        flipbook.columns = 3;
+        flipbook.rows = 2;
+        flipbook.frames = {10, 33, 2}; // twelve, of which the cells show 10, 14, 18, ...
+        std::vector<int> progress;
+        const Result<Flipbook> done = renderFlipbook(effect, flipbook, [&](int count, int) { progress.push_back(count); });
+        QVERIFY(done.ok());
+        QVERIFY((progress == std::vector<int>{1, 2, 3, 4, 5, 6}));
+        QCOMPARE(done.value().picture.string(), path + "/new/book.png");
+
+        const Rgba sheet(done.value().picture.string());
+        QVERIFY(sheet.width == 120 && sheet.height == 48);
+        for (int cell = 0; cell < 6; ++cell) {
+            const int number = 10 + 4 * cell;
+            QCOMPARE(frameOfCell(flipbook, cell), number);
+            QVERIFY(renderSequence(effect, options(path + "/frame.png", {number, number, 1}), [](int, int) {}).ok());
+            const Rgba frame(path + "/frame.png");
+            int seen = 0;
+            for (int y = 0; y < frame.height; ++y) {
+                for (int x = 0; x < frame.width; ++x) {
+                    const auto here = sheet.at(cell % 3 * 40 + x, cell / 3 * 24 + y);
+                    const auto there = frame.at(x, y);
+                    QCOMPARE(here[3], there[3]);
+                    QVERIFY(there[3] == 0 || here == there);
+                    seen += there[3] > 0 ? 1 : 0;
+                }
+            }
+            QVERIFY(seen > 50);
+        }
+
+        const QJsonObject description = QJsonDocument::fromJson(QByteArray::fromStdString(readFile(done.value().description, 10000).value())).object();
+        QCOMPARE(description["picture"].toString(), "book.png");
+        QCOMPARE(description["columns"].toInt(), 3);
+        QCOMPARE(description["cell_height"].toInt(), 24);
+        QCOMPARE(description["cells_per_second"].toDouble(), 6 * effect.timeline.frameRate / 24.0);
+        QCOMPARE(description["seconds"].toDouble(), 24.0 / effect.timeline.frameRate);
+    }
+
+    void aFlipbookSpreadsItsFramesEvenly()
+    {
+        FlipbookOptions flipbook;
+        flipbook.frames = {5, 104, 1};
+        QCOMPARE(frameOfCell(flipbook, 0), 5);
+        for (int cell = 1; cell < 64; ++cell) {
+            const int way = frameOfCell(flipbook, cell) - frameOfCell(flipbook, cell - 1);
+            QVERIFY(way == 1 || way == 2);
+        }
+        QCOMPARE(frameOfCell(flipbook, 63), 5 + 98); // a 64th of the way before the end, where a loop begins anew
+    }
+
+    void aFlipbookThatCannotBeIsRefused()
+    {
+        const QTemporaryDir folder;
+        const auto errorOf = [&](int columns, int rows, int frames, int edge) {
+            Effect effect = everythingOn();
+            effect.output.width = effect.output.height = edge;
+            FlipbookOptions flipbook;
+            flipbook.output = folder.path().toStdString() + "/a.png";
+            flipbook.columns = columns;
+            flipbook.rows = rows;
+            flipbook.frames = {0, frames - 1, 1};
+            return renderFlipbook(effect, flipbook, [](int, int) {}).error().code;
+        };
+        QCOMPARE(errorOf(0, 8, 100, 16), ErrorCode::OutOfRange);
+        QCOMPARE(errorOf(8, 65, 1000, 16), ErrorCode::OutOfRange);
+        QCOMPARE(errorOf(8, 8, 63, 16), ErrorCode::OutOfRange);
+        QCOMPARE(errorOf(8, 1, 63, 2049), ErrorCode::TooLarge);
+        QCOMPARE(errorOf(8, 8, 64, 2048), ErrorCode::TooLarge);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void colourBleedsUnderTransparencyAndNotIntoOtherCells()
+    {
+        // Three cells of 5 x 3: one red pixel; a faint green and a strong blue one; nothing.
+        EncodedImage<std::uint16_t> image{15, 3, std::vector<std::uint16_t>(15 * 3 * 4, 0)};
+        const auto pixel = [&](int x, int y) { return image.pixels.data() + static_cast<std::size_t>((y * 15 + x) * 4); };
+        const auto set = [&](int x, int y, const std::array<std::uint16_t, 4>& to) { std::copy(to.begin(), to.end(), pixel(x, y)); };
+        set(4, 1, {60000, 0, 0, 65535});
+        set(5, 0, {0, 50000, 0, 1});
+        set(9, 2, {0, 0, 40000, 65535});
+        bleedColours(image, 5, 3);
+        for (int y = 0; y < 3; ++y) {
+            for (int x = 0; x < 15; ++x) {
+                const std::uint16_t* p = pixel(x, y);
+                QCOMPARE(p[3], (x == 4 && y == 1) || (x == 9 && y == 2) ? 65535 : (x == 5 && y == 0 ? 1 : 0));
+                QCOMPARE(p[0], x < 5 ? 60000 : 0);
+                QVERIFY(x < 10 || (p[1] == 0 && p[2] == 0));
+            }
+        }
+        QCOMPARE(pixel(6, 1)[1], 50000); // beside green alone
+        QCOMPARE(pixel(8, 1)[2], 40000); // beside blue alone
+    }
+
+    void smokeThatIsCutOffIsToldAbout()
+    {
+        const QTemporaryDir folder;
+        Effect effect;
+        effect.emitter.count = 3000;
+        effect.look.size = 0.8F;
+        effect.output.width = effect.output.height = 32;
+        FlipbookOptions flipbook;
+        flipbook.output = folder.path().toStdString() + "/a.png";
+        flipbook.columns = flipbook.rows = 2;
+        flipbook.frames = {30, 33, 1};
+        const auto edgeAt = [&](float distance) {
+            effect.camera.mode = CameraMode::Orbit;
+            effect.camera.distance = distance;
+            return renderFlipbook(effect, flipbook, [](int, int) {}).value().edgeAlpha;
+        };
+        QVERIFY(edgeAt(4.0F) > 0.1F);
+        QCOMPARE(edgeAt(200.0F), 0.0F);
     }
 
     void unwritableFolderIsAnError()

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 6> kParameters{"output.width", "output.he
 
 bool isPicture(ExportKind kind)
 {
-    return kind == ExportKind::Sequence || kind == ExportKind::Picture;
+    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Picture;
 }
 
 } // namespace
@@ -49,9 +49,12 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_kind(new QComboBox(this))
     , m_format(new QComboBox(this))
     , m_path(new QLineEdit(this))
-    , m_first(addFrameField(QStringLiteral("export.first"), tr("First frame")))
-    , m_last(addFrameField(QStringLiteral("export.last"), tr("Last frame")))
-    , m_step(addFrameField(QStringLiteral("export.step"), tr("Every so many frames")))
+    , m_first(addNumber(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame))
+    , m_last(addNumber(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame))
+    , m_step(addNumber(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame))
+    , m_columns(addNumber(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells))
+    , m_rowsOfCells(addNumber(QStringLiteral("export.rows"), tr("Rows"), 1, kMaxSheetCells))
+    , m_grid(new QWidget(this))
     , m_files(new QLabel(this))
     , m_state(new QLabel(this))
     , m_progress(new QProgressBar(this))
@@ -63,13 +66,15 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     setWindowTitle(tr("Export"));
     m_kind->setObjectName(QStringLiteral("export.kind"));
     m_kind->setAccessibleName(tr("What"));
-    m_kind->addItems({tr("Image sequence"), tr("Single picture"), tr("Noise texture"), tr("Particles")});
+    m_kind->addItems({tr("Image sequence"), tr("Flipbook"), tr("Single picture"), tr("Noise texture"), tr("Particles")});
     m_format->setObjectName(QStringLiteral("export.format"));
     m_format->setAccessibleName(tr("Format"));
     m_path->setObjectName(QStringLiteral("export.path"));
     m_path->setAccessibleName(tr("File"));
     m_path->setToolTip(tr("A run of # becomes the number of the frame"));
-    m_step->setMinimum(1);
+    const ExportPlan usual;
+    m_columns->setValue(usual.columns);
+    m_rowsOfCells->setValue(usual.rows);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
@@ -79,7 +84,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followPlan);
     connect(m_path, &QLineEdit::textEdited, this, [this] { m_pathIsSuggested = false; });
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::followPlan);
-    for (QSpinBox* field : {m_first, m_last, m_step}) {
+    for (QSpinBox* field : {m_first, m_last, m_step, m_columns, m_rowsOfCells}) {
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
     connect(&document, &Document::effectChanged, this, &ExportDialog::followPlan);
@@ -90,13 +95,13 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     followJob();
 }
 
-QSpinBox* ExportDialog::addFrameField(const QString& name, const QString& spoken)
+QSpinBox* ExportDialog::addNumber(const QString& name, const QString& spoken, int least, int most)
 {
     auto* field = new QSpinBox(this);
     field->setObjectName(name);
     field->setAccessibleName(spoken);
     field->setToolTip(spoken);
-    field->setRange(0, kMaxFrame);
+    field->setRange(least, most);
     return field;
 }
 
@@ -109,6 +114,7 @@ void ExportDialog::buildForm()
         auto* label = new QLabel(text, this);
         label->setFixedWidth(ParameterRow::kLabelWidth);
         form->addRow(label, content);
+        return label;
     };
     addRow(tr("What"), m_kind);
     addRow(tr("Format"), m_format);
@@ -119,6 +125,7 @@ void ExportDialog::buildForm()
     place->addWidget(choose);
     addRow(tr("File"), place);
     auto* range = new QHBoxLayout;
+    range->setSpacing(8);
     range->addWidget(m_first);
     range->addWidget(new QLabel(tr("to"), this));
     range->addWidget(m_last);
@@ -126,6 +133,14 @@ void ExportDialog::buildForm()
     range->addWidget(m_step);
     range->addStretch();
     addRow(tr("Frames"), range);
+    auto* grid = new QHBoxLayout(m_grid);
+    grid->setContentsMargins({});
+    grid->setSpacing(8);
+    grid->addWidget(m_columns);
+    grid->addWidget(new QLabel(QStringLiteral("×"), m_grid));
+    grid->addWidget(m_rowsOfCells);
+    grid->addStretch();
+    m_gridLabel = addRow(tr("Columns × rows"), m_grid);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addLayout(form);
     for (const std::string_view key : kParameters) {
@@ -173,11 +188,12 @@ void ExportDialog::buildProgress()
     connect(&m_job, &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
         m_progress->setRange(0, total);
         m_progress->setValue(done);
-        m_state->setText(tr("%1 of %2 files, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)));
+        m_state->setText(tr("%1 of %2, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)));
     });
-    connect(&m_job, &ExportJob::finished, this, [this](const QString& firstFile) {
+    connect(&m_job, &ExportJob::finished, this, [this](const QString& firstFile, const QString& remark) {
         m_written = firstFile;
-        m_state->setText(tr("Done: %1").arg(QDir::toNativeSeparators(firstFile)));
+        const QString done = tr("Done: %1").arg(QDir::toNativeSeparators(firstFile));
+        m_state->setText(remark.isEmpty() ? done : done + QLatin1Char('\n') + remark);
         followJob();
     });
     connect(&m_job, &ExportJob::cancelled, this, [this] {
@@ -206,6 +222,8 @@ ExportPlan ExportDialog::plan() const
     plan.kind = kind();
     plan.path = m_path->text();
     plan.frames = {m_first->value(), m_last->value(), m_step->value()};
+    plan.columns = m_columns->value();
+    plan.rows = m_rowsOfCells->value();
     if (kind() == ExportKind::Particles) {
         plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
     } else {
@@ -220,6 +238,7 @@ QString ExportDialog::suggestedPath() const
     QString name = m_document.displayName().toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
     switch (kind()) {
     case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
+    case ExportKind::Flipbook: name += QStringLiteral("-%1x%2").arg(m_columns->value()).arg(m_rowsOfCells->value()); break;
     case ExportKind::Picture: break;
     case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
     case ExportKind::Particles: name += QStringLiteral("-particles"); break;
@@ -248,20 +267,43 @@ void ExportDialog::followPlan()
         row->setVisible(picture && fumage::isVisible(row->parameter(), m_document.effect()));
     }
     m_first->setEnabled(kind() != ExportKind::NoiseTexture);
-    m_last->setEnabled(kind() == ExportKind::Sequence);
-    m_step->setEnabled(kind() == ExportKind::Sequence);
+    const bool many = kind() == ExportKind::Sequence || kind() == ExportKind::Flipbook;
+    m_last->setEnabled(many);
+    m_step->setEnabled(many);
+    m_grid->setVisible(kind() == ExportKind::Flipbook);
+    m_gridLabel->setVisible(kind() == ExportKind::Flipbook);
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
         m_path->setText(suggestedPath());
     }
     const ExportPlan now = plan();
-    const bool possible = !m_path->text().trimmed().isEmpty() && m_first->value() <= m_last->value();
-    if (kind() == ExportKind::Sequence && possible) {
-        m_files->setText(tr("Files: %1, from %2 to %3").arg(now.frames.count()).arg(QFileInfo(firstFileOf(now)).fileName(), QFileInfo(lastFileOf(now)).fileName()));
-    } else {
-        m_files->setText(possible ? QFileInfo(firstFileOf(now)).fileName() : tr("Choose a file, and a first frame that comes before the last."));
+    m_files->setText(summary(now));
+    m_export->setEnabled(isPossible(now) && !m_job.isRunning());
+}
+
+bool ExportDialog::isPossible(const ExportPlan& plan) const
+{
+    const bool filled = plan.kind != ExportKind::Flipbook || plan.frames.count() >= plan.columns * plan.rows;
+    return !plan.path.trimmed().isEmpty() && plan.frames.first <= plan.frames.last && filled;
+}
+
+QString ExportDialog::summary(const ExportPlan& plan) const
+{
+    if (plan.path.trimmed().isEmpty() || plan.frames.first > plan.frames.last) {
+        return tr("Choose a file, and a first frame that comes before the last.");
     }
-    m_export->setEnabled(possible && !m_job.isRunning());
+    if (!isPossible(plan)) {
+        return tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
+    }
+    const QString first = QFileInfo(firstFileOf(plan)).fileName();
+    if (plan.kind == ExportKind::Sequence) {
+        return tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, QFileInfo(lastFileOf(plan)).fileName());
+    }
+    if (plan.kind == ExportKind::Flipbook) {
+        const Output& output = m_document.effect().output;
+        return tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows);
+    }
+    return first;
 }
 
 void ExportDialog::followJob()

@@ -39,7 +39,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    QSpinBox* addFrameField(const QString& name, const QString& spoken);
+    QSpinBox* addNumber(const QString& name, const QString& spoken, int least, int most);
     void buildForm();
     void buildProgress();
     void followKind();
@@ -50,6 +50,8 @@ private:
     void showInFolder();
     [[nodiscard]] ExportKind kind() const;
     [[nodiscard]] QString suggestedPath() const;
+    [[nodiscard]] QString summary(const ExportPlan& plan) const;
+    [[nodiscard]] bool isPossible(const ExportPlan& plan) const;
 
     Document& m_document;
     Player& m_player;
@@ -61,6 +63,10 @@ private:
     QSpinBox* m_first;
     QSpinBox* m_last;
     QSpinBox* m_step;
+    QSpinBox* m_columns;
+    QSpinBox* m_rowsOfCells;
+    QWidget* m_grid; ///< columns and rows
+    QLabel* m_gridLabel = nullptr;
     QLabel* m_files;
     QLabel* m_state;
     QProgressBar* m_progress;

@@ -28,9 +28,9 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
                 },
                 Qt::QueuedConnection);
         };
-        const Status status = runExport(effect, plan, report, stop);
+        const Result<QString> result = runExport(effect, plan, report, stop);
         QMetaObject::invokeMethod(
-            this, [this, status] { end(status); }, Qt::QueuedConnection);
+            this, [this, result] { end(result); }, Qt::QueuedConnection);
     });
 }
 
@@ -39,15 +39,15 @@ void ExportJob::cancel()
     m_thread.request_stop();
 }
 
-void ExportJob::end(const Status& status)
+void ExportJob::end(const Result<QString>& result)
 {
     m_running = false;
-    if (status) {
-        emit finished(firstFileOf(*m_lastPlan));
-    } else if (status.error().code == ErrorCode::Cancelled) {
+    if (result) {
+        emit finished(firstFileOf(*m_lastPlan), result.value());
+    } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {
-        emit failed(toQString(status.error().text()));
+        emit failed(toQString(result.error().text()));
     }
 }
 

@@ -29,12 +29,13 @@ signals:
     void started();
     /// @param secondsLeft less than 0 while it cannot be told
     void progressed(int done, int total, double secondsLeft);
-    void finished(const QString& firstFile);
+    /// @param remark what the artist should know of the result; empty: nothing
+    void finished(const QString& firstFile, const QString& remark);
     void cancelled();
     void failed(const QString& message);
 
 private:
-    void end(const Status& status);
+    void end(const Result<QString>& result);
 
     std::optional<ExportPlan> m_lastPlan;
     QElapsedTimer m_timer;

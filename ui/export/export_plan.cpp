@@ -7,6 +7,8 @@
 #include "core/noise/texture.h"
 #include "core/simulation/simulator.h"
 
+#include <QCoreApplication>
+
 namespace fumage::ui {
 
 namespace {
@@ -17,7 +19,7 @@ SequenceOptions optionsOf(const ExportPlan& plan)
     options.output = plan.path.toStdString();
     options.format = plan.format;
     options.frames = plan.frames;
-    if (plan.kind != ExportKind::Sequence) {
+    if (plan.kind != ExportKind::Sequence && plan.kind != ExportKind::Flipbook) {
         options.frames = {plan.frames.first, plan.frames.first, 1};
     }
     return options;
@@ -28,6 +30,21 @@ QString plainPath(const ExportPlan& plan)
 {
     const QString ending = endingOf(plan);
     return plan.path.endsWith(ending) ? plan.path : plan.path + ending;
+}
+
+Result<QString> exportFlipbook(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+{
+    FlipbookOptions options;
+    options.output = plainPath(plan).toStdString();
+    options.columns = plan.columns;
+    options.rows = plan.rows;
+    options.frames = plan.frames;
+    options.format = plan.format;
+    const Result<Flipbook> flipbook = renderFlipbook(effect, options, progress, stop);
+    if (!flipbook) {
+        return flipbook.error();
+    }
+    return flipbook.value().isCutOff() ? QCoreApplication::translate("ExportPlan", "The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.") : QString();
 }
 
 Status exportNoise(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
@@ -72,15 +89,17 @@ QString lastFileOf(const ExportPlan& plan)
     return plan.kind == ExportKind::Sequence ? toQString(framePath(optionsOf(plan), last).string()) : firstFileOf(plan);
 }
 
-Status runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+Result<QString> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
 {
+    const auto silently = [](const Status& status) { return status ? Result<QString>(QString()) : Result<QString>(status.error()); };
     switch (plan.kind) {
     case ExportKind::Sequence:
-    case ExportKind::Picture: return renderSequence(effect, optionsOf(plan), progress, stop);
-    case ExportKind::NoiseTexture: return exportNoise(effect, plan, stop);
-    case ExportKind::Particles: return exportParticles(effect, plan, stop);
+    case ExportKind::Picture: return silently(renderSequence(effect, optionsOf(plan), progress, stop));
+    case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
+    case ExportKind::NoiseTexture: return silently(exportNoise(effect, plan, stop));
+    case ExportKind::Particles: return silently(exportParticles(effect, plan, stop));
     }
-    return Done{};
+    return QString();
 }
 
 } // namespace fumage::ui

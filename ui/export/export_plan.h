@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/sequence.h"
+#include "core/export/flipbook.h"
 
 #include <QString>
 
@@ -9,6 +9,7 @@ namespace fumage::ui {
 /// What can be written.
 enum class ExportKind {
     Sequence, ///< a picture for every frame of a range
+    Flipbook, ///< frames of a range side by side in one picture
     Picture, ///< one frame
     NoiseTexture, ///< one tile, as particles read it
     Particles, ///< where they are at one frame
@@ -26,6 +27,8 @@ struct ExportPlan {
     ParticleFormat particles = ParticleFormat::Csv;
     QString path; ///< with # for the frame number in a sequence
     FrameRange frames;
+    int columns = 8; ///< of a flipbook
+    int rows = 8;
 };
 
 /// The ending of the files that a plan writes, with its dot.
@@ -36,7 +39,8 @@ struct ExportPlan {
 [[nodiscard]] QString lastFileOf(const ExportPlan& plan);
 
 /// Writes everything. On the calling thread.
-/// @param progress called after each file
-[[nodiscard]] Status runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop);
+/// @param progress called after each file or cell
+/// @return what the artist should know of the result; empty: nothing
+[[nodiscard]] Result<QString> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop);
 
 } // namespace fumage::ui

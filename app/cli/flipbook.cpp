@@ -1,0 +1,62 @@
+#include "app/cli/command.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/progress.h"
+
+#include "core/base/text.h"
+#include "core/export/flipbook.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+struct FlipbookArguments {
+    PictureOptions picture;
+    std::string grid = "8x8";
+};
+
+Status flipbook(const FlipbookArguments& arguments)
+{
+    Result<PictureJob> job = arguments.picture.load();
+    if (!job) {
+        return job.error();
+    }
+    FlipbookOptions options;
+    if (!parseTwo(arguments.grid, kMaxSheetCells, options.columns, options.rows)) {
+        return Error{ErrorCode::OutOfRange, "the grid " + inQuotes(arguments.grid) + " is not understood", "--grid", "Write 8 or 8x4: columns and rows from 1 to " + std::to_string(kMaxSheetCells)};
+    }
+    options.output = job.value().output;
+    options.frames = job.value().frames;
+    options.format = job.value().format;
+
+    ProgressBar bar("Rendering");
+    const Result<Flipbook> done = renderFlipbook(
+        job.value().effect, options, [&](int count, int total) { bar.show(count, total); }, interruption());
+    if (!done) {
+        return done.error();
+    }
+    if (done.value().isCutOff()) {
+        warn("the smoke is cut off at the edge of cells (alpha " + std::to_string(done.value().edgeAlpha).substr(0, 4) + " there): move the camera back or make it fade sooner");
+    }
+    return Done{};
+}
+
+} // namespace
+
+void addFlipbook(CLI::App& program, Action& action)
+{
+    auto arguments = std::make_shared<FlipbookArguments>();
+    CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
+    arguments->picture.addTo(*command, "Size of a cell: 256 or 320x180. Default: the preset's");
+    command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
+                    "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"
+                    "Examples:\n"
+                    "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
+                    "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png");
+    command->callback([arguments, &action] { action = [arguments] { return flipbook(*arguments); }; });
+}
+
+} // namespace fumage::cli
