@@ -1,5 +1,6 @@
 #include "tests/benchmarks/measure.h"
 #include "tests/benchmarks/obvious.h"
+#include "tests/effects.h"
 
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
@@ -11,27 +12,15 @@ namespace {
 
 constexpr int kThesisParticles = 20000;
 
-/// The 2012 model's motion and nothing else.
-Effect thesisMotion(int particles)
+/// The 2012 model's motion with all its randomness, and nothing else.
+Effect thesisMotion()
 {
-    Effect effect;
-    effect.emitter.count = particles;
-    effect.emitter.shape = EmitterShape::Rectangle;
+    Effect effect = tests::thesisEffect(kThesisParticles);
     effect.emitter.velocityRandomness = 1.0F;
-    effect.emitter.spread = 0.0F;
-    effect.emitter.subframe = false;
-    effect.motion = {};
     effect.motion.wind = 0.5F;
     effect.motion.windAngle = 37.0F;
-    effect.motion.gust = 0.0F;
     effect.motion.gravity = 0.5F;
     effect.motion.randomness = 1.0F;
-    effect.motion.drag = 0.0F;
-    effect.motion.buoyancy = 0.0F;
-    effect.motion.pull = 0.0F;
-    effect.turbulence.strength = 0.0F;
-    effect.rings.strength = 0.0F;
-    effect.life.lifetimeVariance = 0.0F;
     return effect;
 }
 
@@ -85,11 +74,11 @@ void addStepBenchmarks(std::vector<Claim>& claims)
     };
     benchmark::RegisterBenchmark("step2012/obvious", [](benchmark::State& state) { obvious(state, makeObvious2012(kThesisParticles)); })->UseRealTime()->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark("step2012/obvious_native", [](benchmark::State& state) { obvious(state, makeObvious2012Native(kThesisParticles)); })->UseRealTime()->Unit(benchmark::kMicrosecond);
-    add("step2012/fumage", thesisMotion(kThesisParticles), 1);
+    add("step2012/fumage", thesisMotion(), 1);
     for (const std::string& simd : availableSimdTargets()) {
-        add("step2012/fumage_" + simd, thesisMotion(kThesisParticles), 1, simd);
+        add("step2012/fumage_" + simd, thesisMotion(), 1, simd);
     }
-    add("step2012/fumage_16_steps", thesisMotion(kThesisParticles), 1, "", 16);
+    add("step2012/fumage_16_steps", thesisMotion(), 1, "", 16);
     claims.push_back({"2012 kernel, 20 000 particles, 1 thread, over the obvious program", "step2012/fumage", "step2012/obvious", "", 30.0});
     claims.push_back({"  over the same built with -march=native", "step2012/fumage", "step2012/obvious_native", "", 10.0});
     claims.push_back({"  rate", "step2012/fumage", "", "Mparticles/s"});
