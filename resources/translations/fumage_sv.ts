@@ -542,6 +542,10 @@
         <source>Vortex</source>
         <translation>Virvel</translation>
     </message>
+    <message>
+        <source>Rings</source>
+        <translation>Ringar</translation>
+    </message>
 </context>
 <context>
     <name>GlSprites</name>

@@ -542,6 +542,10 @@
         <source>Vortex</source>
         <translation>涡旋</translation>
     </message>
+    <message>
+        <source>Rings</source>
+        <translation>涡环</translation>
+    </message>
 </context>
 <context>
     <name>GlSprites</name>

@@ -160,6 +160,8 @@ private slots:
         QVERIFY(glm::length(after.vortex.axis - effect.vortex.axis) < 0.02F);
         QVERIFY(glm::length(glm::normalize(after.light.direction) - glm::normalize(effect.light.direction)) < 0.02F);
         QVERIFY(qAbs(after.motion.windAngle - effect.motion.windAngle) < 1.5F);
+        QVERIFY(qAbs(after.rings.radius - effect.rings.radius) < 0.01F);
+        QVERIFY(qAbs(after.rings.spacing - effect.rings.spacing) < 0.01F);
     }
 
     void aDraggedGizmoGoesWhereTheMouseGoes_data() { addGizmos(); }
@@ -181,6 +183,24 @@ private slots:
             QVERIFY(qAbs(QLineF(from, now).angleTo(QLineF(from, to))) < 3.0 || qAbs(QLineF(from, now).angleTo(QLineF(from, to))) > 357.0);
         } else {
             QVERIFY(QLineF(now, to).length() < 2.0);
+        }
+    }
+
+    void ringsHaveAHandleOnlyWhereThereAreRings()
+    {
+        Effect effect;
+        effect.rings.strength = 0.0F;
+        for (const Gizmo& gizmo : gizmosOf(effect, windowView(effect, 0, 800, 600))) {
+            QVERIFY(gizmo.id != GizmoId::Rings);
+        }
+        // Seen along the axis the ring is a circle around the emitter: there is a handle still, and it can be dragged or not, but nothing breaks.
+        effect.rings.strength = 1.0F;
+        effect.camera.pitch = 90.0F;
+        const View above = windowView(effect, 0, 800, 600);
+        const Gizmo handle = gizmoOf(effect, above, GizmoId::Rings);
+        QVERIFY(std::isfinite(handle.to.x) && std::isfinite(handle.to.z));
+        for (const Assignment& assignment : dragGizmo(GizmoId::Rings, effect, above, onScreen(above, handle.to) + QPointF(20.0, 10.0), false)) {
+            QVERIFY(std::isfinite(std::get<float>(assignment.value)));
         }
     }
 
@@ -312,6 +332,7 @@ private:
         QTest::newRow("emitter normal") << static_cast<int>(GizmoId::EmitterNormal);
         QTest::newRow("wind") << static_cast<int>(GizmoId::Wind);
         QTest::newRow("vortex axis") << static_cast<int>(GizmoId::VortexAxis);
+        QTest::newRow("rings") << static_cast<int>(GizmoId::Rings);
         QTest::newRow("light") << static_cast<int>(GizmoId::Light);
     }
 };

@@ -106,6 +106,41 @@ std::vector<Assignment> dragEmitter(const Effect& effect, const View& view, QPoi
     return {{&parameter("emitter.position"), position}};
 }
 
+/// Away from the axis of the rings, to the right as far as the view allows.
+glm::vec3 ringSide(const glm::vec3& axis, const View& view)
+{
+    constexpr float kEdgeOn = 0.1F;
+    const auto across = [&](const glm::vec3& way) { return way - axis * glm::dot(way, axis); };
+    const glm::vec3 right = across(view.right);
+    return glm::normalize(glm::length(right) > kEdgeOn ? right : across(view.up));
+}
+
+/// Radius of the ring that is one spacing away.
+float ringRadius(const Rings& rings)
+{
+    return rings.radius + rings.widening * rings.spacing;
+}
+
+std::vector<Assignment> dragRings(const Effect& effect, const View& view, QPointF mouse, bool snap)
+{
+    // In the plane of the axis and the handle.
+    const glm::vec3 axis = glm::normalize(effect.emitter.normal);
+    const glm::vec3 side = ringSide(axis, view);
+    const glm::vec3 ray = rayThrough(view, mouse);
+    const glm::vec3 normal = glm::cross(axis, side);
+    const float towards = glm::dot(ray, normal);
+    constexpr float kEdgeOn = 1e-3F;
+    if (std::abs(towards) < kEdgeOn) {
+        return {};
+    }
+    const glm::vec3 place = view.eye + ray * (glm::dot(effect.emitter.position - view.eye, normal) / towards) - effect.emitter.position;
+    const auto snapped = [&](float length) { return snap ? std::round(length / kSnapMetres) * kSnapMetres : length; };
+    Rings rings = effect.rings;
+    rings.spacing = snapped(glm::dot(place, axis));
+    rings.radius = snapped(glm::dot(place, side)) - rings.widening * std::max(0.0F, rings.spacing);
+    return {{&parameter("rings.spacing"), rings.spacing}, {&parameter("rings.radius"), rings.radius}};
+}
+
 std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF mouse, bool snap)
 {
     const glm::vec3 ray = rayThrough(view, mouse);
@@ -139,6 +174,11 @@ std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
     if (effect.vortex.strength != 0.0F) {
         gizmos.push_back({GizmoId::VortexAxis, emitter, tip(glm::normalize(effect.vortex.axis), kVortexPixels), QColor(0xb0, 0x8c, 0xf0), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Vortex"))});
     }
+    if (effect.rings.strength > 0.0F) {
+        const glm::vec3 axis = glm::normalize(effect.emitter.normal);
+        const glm::vec3 centre = emitter + axis * effect.rings.spacing;
+        gizmos.push_back({GizmoId::Rings, centre, centre + ringSide(axis, view) * ringRadius(effect.rings), QColor(0xf0, 0x94, 0xb4), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Rings"))});
+    }
     return gizmos;
 }
 
@@ -171,6 +211,7 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
     case GizmoId::Wind: return dragWind(effect, view, mouse, snap);
     case GizmoId::VortexAxis:
         return {{&parameter("vortex.axis"), onBall(emitter, metres(view, emitter, kVortexPixels), effect.vortex.axis)}};
+    case GizmoId::Rings: return dragRings(effect, view, mouse, snap);
     case GizmoId::Light:
         return {{&parameter("light.direction"), -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
     }
@@ -203,6 +244,14 @@ void paintArrow(QPainter& painter, const QLineF& line, const QColor& colour, boo
     }
     painter.setBrush(colour);
     painter.drawPolygon(head);
+}
+
+void paintHandle(QPainter& painter, QPointF at, const QColor& colour, bool hot)
+{
+    constexpr double kRadius = 5.0;
+    painter.setPen(QPen(QColor(0, 0, 0, 140), 1.0));
+    painter.setBrush(hot ? colour.lighter() : colour);
+    painter.drawEllipse(at, kRadius, kRadius);
 }
 
 void paintSun(QPainter& painter, QPointF at, const QColor& colour, bool hot)
@@ -249,10 +298,12 @@ void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std:
             painter.drawLine(*line);
             paintSun(painter, line->p2(), gizmo.colour, isHot);
         } else if (gizmo.id == GizmoId::EmitterPosition) {
-            painter.setPen(QPen(QColor(0, 0, 0, 140), 1.0));
-            painter.setBrush(isHot ? gizmo.colour.lighter() : gizmo.colour);
-            painter.drawEllipse(line->p2(), 5.0, 5.0);
+            paintHandle(painter, line->p2(), gizmo.colour, isHot);
             continue;
+        } else if (gizmo.id == GizmoId::Rings) {
+            painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 150), isHot ? 2.0 : 1.2));
+            paintCircle(painter, gizmo.from, glm::normalize(effect.emitter.normal), ringRadius(effect.rings), view);
+            paintHandle(painter, line->p2(), gizmo.colour, isHot);
         } else {
             paintArrow(painter, *line, gizmo.colour, isHot);
         }

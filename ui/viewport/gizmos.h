@@ -20,6 +20,7 @@ enum class GizmoId {
     EmitterNormal,
     Wind,
     VortexAxis,
+    Rings, ///< rim of the ring that is one spacing away: its height is the spacing, its distance from the axis the radius
     Light,
 };
 
@@ -31,7 +32,7 @@ struct Gizmo {
     QString label;
 };
 
-/// The gizmos of an effect, of the same size on the screen from any distance; the vortex only where there is one.
+/// The gizmos of an effect, of the same size on the screen from any distance, but for the ring; vortex and rings only where there are such.
 [[nodiscard]] std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view);
 
 /// @return the gizmo whose handle lies under the mouse, the nearest to it

@@ -99,6 +99,12 @@ void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view)
     painter.restore();
 }
 
+void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& normal, float radius, const View& view)
+{
+    const PlaneBasis basis = planeBasis(normal);
+    drawLoop(painter, view, circle(centre, basis.across * radius, basis.along * radius));
+}
+
 void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view)
 {
     painter.save();

@@ -30,6 +30,8 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Overlays)
 
 void paintGrid(QPainter& painter, const View& view);
 void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view);
+/// With the painter's pen. @param normal of the circle's plane
+void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& normal, float radius, const View& view);
 /// Figure 2 of the 2012 model: the ways of particles, in green.
 void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view);
 /// The frame that is exported, with what lies outside of it dimmed.
