@@ -295,7 +295,7 @@ QString ExportDialog::summary(const ExportPlan& plan) const
     if (!isPossible(plan)) {
         return tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
-    const QString first = QFileInfo(firstFileOf(plan)).fileName();
+    QString first = QFileInfo(firstFileOf(plan)).fileName();
     if (plan.kind == ExportKind::Sequence) {
         return tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, QFileInfo(lastFileOf(plan)).fileName());
     }
