@@ -49,7 +49,7 @@ void addFlipbook(CLI::App& program, Action& action)
 {
     auto arguments = std::make_shared<FlipbookArguments>();
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
-    arguments->picture.addTo(*command, "Size of a cell: 256 or 320x180. Default: the preset's");
+    arguments->picture.addTo(*command, "Picture to write. Default: the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
                     "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"

@@ -33,10 +33,10 @@ bool parseTwo(const std::string& text, int most, int& first, int& second)
     return true;
 }
 
-void PictureOptions::addTo(CLI::App& command, const std::string& sizeHelp)
+void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp)
 {
     effect.addTo(command);
-    command.add_option("-o,--output", output, "File to write; #### stands for the frame number. Default: the preset's name")->type_name("FILE");
+    command.add_option("-o,--output", output, outputHelp)->type_name("FILE");
     command.add_option("-f,--frames", frames, "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
     command.add_option("--size", size, sizeHelp)->type_name("SIZE");
     command.add_option_function<std::string>(

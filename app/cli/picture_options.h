@@ -28,7 +28,7 @@ struct PictureOptions {
     int supersample = 0;
     std::string format;
 
-    void addTo(CLI::App& command, const std::string& sizeHelp);
+    void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
     [[nodiscard]] Result<PictureJob> load() const;
 };
 

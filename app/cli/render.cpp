@@ -27,7 +27,7 @@ void addRender(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<PictureOptions>();
     CLI::App* command = program.add_subcommand("render", "Render frames of a preset to numbered pictures");
-    options->addTo(*command, "Picture size: 512 or 640x360. Default: the preset's");
+    options->addTo(*command, "File to write; #### stands for the frame number. Default: the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
     command->footer("PNG is sRGB with straight alpha; EXR is linear with premultiplied alpha.\n"
                     "Examples:\n"
                     "  fumage-cli render chimney --frames 40 --output chimney.png\n"

@@ -27,7 +27,7 @@ struct Level {
     [[nodiscard]] glm::vec4& at(int x, int y) { return blocks[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
 };
 
-Level halved(Level& fine)
+Level halved(const Level& fine)
 {
     Level coarse((fine.width + 1) / 2, (fine.height + 1) / 2);
     for (int y = 0; y < fine.height; ++y) {
@@ -71,7 +71,7 @@ void bleedCell(EncodedImage<Channel>& image, int left, int top, int width, int h
     }
     const Level seen = levels[0];
     for (std::size_t level = levels.size() - 1; level > 0; --level) {
-        Level& coarse = levels[level];
+        const Level& coarse = levels[level];
         Level& fine = levels[level - 1];
         for (int y = 0; y < fine.height; ++y) {
             for (int x = 0; x < fine.width; ++x) {

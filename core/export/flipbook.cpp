@@ -84,7 +84,7 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
         return status.error();
     }
     Flipbook flipbook;
-    flipbook.picture = framePath({options.output, {}, options.format}, 0);
+    flipbook.picture = withEnding(options.output, options.format);
     flipbook.description = std::filesystem::path(flipbook.picture).replace_extension(".flipbook.json");
     const int cells = options.columns * options.rows;
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;

@@ -54,6 +54,13 @@ std::string_view fileEnding(ImageFormat format)
     return format == ImageFormat::Png8 || format == ImageFormat::Png16 ? ".png" : ".exr";
 }
 
+std::filesystem::path withEnding(const std::filesystem::path& path, ImageFormat format)
+{
+    const std::string name = path.filename().string();
+    const std::string_view ending = fileEnding(format);
+    return name.ends_with(ending) ? path : path.parent_path() / (name + std::string(ending));
+}
+
 Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format)
 {
     return encodeWith(image, output, format, [](auto&) {});

@@ -22,6 +22,9 @@ enum class ImageFormat {
 /// ".png" or ".exr".
 [[nodiscard]] std::string_view fileEnding(ImageFormat format);
 
+/// A path with the ending of a format, which is added if it is missing.
+[[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, ImageFormat format);
+
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
 /// @param output exposure and view transform for PNG
 /// @error WriteFailed when the library refuses

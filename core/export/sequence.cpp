@@ -52,17 +52,13 @@ Result<FrameRange> parseFrameRange(std::string_view text)
 std::filesystem::path framePath(const SequenceOptions& options, int frame)
 {
     constexpr std::size_t kDigits = 4;
-    std::string name = options.output.filename().string();
-    const std::string_view ending = fileEnding(options.format);
-    if (!name.ends_with(ending)) {
-        name += ending;
-    }
+    std::string name = withEnding(options.output, options.format).filename().string();
     const std::size_t first = name.find('#');
     if (first != std::string::npos) {
         const std::size_t past = std::min(name.size(), name.find_first_not_of('#', first));
         name.replace(first, past - first, padded(frame, past - first));
     } else if (options.frames.count() > 1) {
-        name.insert(name.size() - ending.size(), "_" + padded(frame, kDigits));
+        name.insert(name.size() - fileEnding(options.format).size(), "_" + padded(frame, kDigits));
     }
     return options.output.parent_path() / name;
 }

@@ -1,4 +1,4 @@
-// Included once per SIMD target: paints sprites with their noise texture, strip by strip.
+// Included once per SIMD target: paints sprites with their noise texture, patch by patch.
 
 #if defined(FUMAGE_TEXTURED_SPRITE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUMAGE_TEXTURED_SPRITE_INL_H
@@ -77,7 +77,7 @@ struct SpriteLines {
     // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
 };
 
-template <bool kSquare>
+template <bool kSquare, bool kShaded>
 HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const Rim& rim, const Patches& box, const Tile& tile, SpriteLines& lines)
 {
     const D d;
@@ -90,7 +90,9 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
             const auto store = [&](float* HWY_RESTRICT to, float slope) HWY_ATTR { hn::Store(hn::Mul(hn::Set(d, slope), dx), d, to + at); };
             store(lines.across.u, sprite.m00 * look.texelsAcross);
             store(lines.across.v, sprite.m10 * look.texelsAcross);
-            store(lines.across.round, look.roundX);
+            if constexpr (kShaded) {
+                store(lines.across.round, look.roundX);
+            }
             if constexpr (kSquare) {
                 store(lines.across.p, sprite.m00);
                 store(lines.across.q, sprite.m10);
@@ -105,7 +107,9 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
             const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR { hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + at); };
             store(lines.down.u, sprite.m01 * look.texelsAcross, kToFixed + look.u);
             store(lines.down.v, sprite.m11 * look.texelsAcross, kToFixed + look.v);
-            store(lines.down.round, look.roundY, 1.0F);
+            if constexpr (kShaded) {
+                store(lines.down.round, look.roundY, 1.0F);
+            }
             if constexpr (kSquare) {
                 store(lines.down.p, sprite.m01, 0.0F);
                 store(lines.down.q, sprite.m11, 0.0F);
@@ -129,7 +133,7 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const TexturedSprite look(style, texture, sprite);
     const Rim rim(sprite);
     SpriteLines lines;
-    fillLines<kSquare>(style, sprite, look, rim, box, tile, lines);
+    fillLines<kSquare, kShaded>(style, sprite, look, rim, box, tile, lines);
 
     const I wrap = hn::Set(di, (1 << look.shift) - 1);
     // The fraction in all bytes or halves of a lane, then full minus fraction in the first of each two.
