@@ -13,11 +13,13 @@
 namespace fumage::cli {
 
 /// What the program exits with; documented in its help and the README.
-enum ExitCode { kSuccess = 0,
+enum ExitCode {
+    kSuccess = 0,
     kFailure = 1,
     kUsage = 2,
     kBadInput = 3,
-    kInterrupted = 130 };
+    kInterrupted = 130
+};
 
 /// The action of the chosen subcommand; set while the command line is read, run after it.
 using Action = std::function<Status()>;

@@ -9,31 +9,51 @@
 
 namespace fumage {
 
-enum class EmitterShape { Rectangle,
+enum class EmitterShape {
+    Rectangle,
     Disc,
-    Sphere };
-enum class EmissionMode { Continuous,
-    Burst };
-enum class MaskShape { Disc,
-    Square };
-enum class NoiseBasis { Lattice,
+    Sphere
+};
+enum class EmissionMode {
+    Continuous,
+    Burst
+};
+enum class MaskShape {
+    Disc,
+    Square
+};
+enum class NoiseBasis {
+    Lattice,
     Gradient,
-    Simplex };
-enum class Interpolation { Linear,
+    Simplex
+};
+enum class Interpolation {
+    Linear,
     Cosine,
     Cubic,
-    Quintic };
-enum class CameraMode { Orbit,
-    Fixed };
-enum class ViewTransform { Standard,
-    Filmic };
-enum class EmissionColour { Gradient,
-    BlackBody };
-enum class Quality { Draft,
+    Quintic
+};
+enum class CameraMode {
+    Orbit,
+    Fixed
+};
+enum class ViewTransform {
+    Standard,
+    Filmic
+};
+enum class EmissionColour {
+    Gradient,
+    BlackBody
+};
+enum class Quality {
+    Draft,
     Good,
-    Final };
-enum class Background { Transparent,
-    Colour };
+    Final
+};
+enum class Background {
+    Transparent,
+    Colour
+};
 
 // The structs below are the document: plain data in the units that an artist sees (metres, seconds, degrees, linear RGB),
 // and the only place with defaults. What each member means, its range and its unit stand in parameter_table.cpp.

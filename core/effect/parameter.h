@@ -9,7 +9,8 @@
 namespace fumage {
 
 /// What a parameter is, for its editor, its JSON and its checks.
-enum class Kind { Bool,
+enum class Kind {
+    Bool,
     Int,
     Float,
     Choice,
@@ -18,10 +19,12 @@ enum class Kind { Bool,
     Vector,
     Colour,
     Curve,
-    Gradient };
+    Gradient
+};
 
 /// The unit that a value is shown and stored in.
-enum class Unit { None,
+enum class Unit {
+    None,
     Metres,
     Seconds,
     PerSecond,
@@ -38,10 +41,13 @@ enum class Unit { None,
     Millimetres,
     Stops,
     Kilograms,
-    Kelvin };
+    Kelvin
+};
 
-enum class Scale { Linear,
-    Log };
+enum class Scale {
+    Linear,
+    Log
+};
 
 /// The first stage of the work that a change makes stale; what lies before it stays valid.
 enum class Stage {

@@ -11,12 +11,14 @@ namespace fumage {
 
 /// A JSON value that knows where it stands in its text, so that errors can say so.
 struct JsonNode {
-    enum class Type { Null,
+    enum class Type {
+        Null,
         Bool,
         Number,
         String,
         Array,
-        Object };
+        Object
+    };
 
     Type type = Type::Null;
     std::size_t begin = 0; ///< bytes [begin, end) of the text

@@ -14,11 +14,13 @@ namespace fumage {
 namespace {
 
 // Streams of the random numbers that belong to the whole effect and not to a particle.
-enum EffectStream : std::uint32_t { kGustStrength = 101,
+enum EffectStream : std::uint32_t {
+    kGustStrength = 101,
     kGustAngle = 102,
     kRotation = 103,
     kTurbulence = 104,
-    kRings = 120 };
+    kRings = 120
+};
 
 /// Gusts turn the wind by at most this, degrees.
 constexpr float kGustAngleRange = 60.0F;
