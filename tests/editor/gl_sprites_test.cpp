@@ -84,7 +84,7 @@ private slots:
         request.height = kEdge;
         request.backdrop.colour = {0.02F, 0.03F, 0.05F};
         request.backdrop.kind = checker ? Backdrop::Kind::Checker : Backdrop::Kind::Colour;
-        SmokeStudio studio;
+        Studio studio;
         const QImage reference = studio.make(request, {})->image;
         request.sprites = true;
         const PicturePtr scene = studio.make(request, {});
@@ -124,7 +124,7 @@ private slots:
         request.width = kEdge;
         request.height = kEdge;
         request.backdrop = viewport.backdrop();
-        const QImage reference = SmokeStudio().make(request, {})->image;
+        const QImage reference = Studio().make(request, {})->image;
         auto* surface = qobject_cast<QOpenGLWidget*>(viewport.surface());
         QVERIFY(psnr(reference, surface->grabFramebuffer().convertToFormat(QImage::Format_RGB32)) >= kLeastPsnr);
     }

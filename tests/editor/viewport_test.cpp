@@ -1,11 +1,11 @@
 // Cameras, gizmos and the studio that makes pictures: what needs no window.
 #include "editor_helpers.h"
 
+#include "ui/pictures/haste.h"
+#include "ui/pictures/picture_worker.h"
+#include "ui/pictures/tracks.h"
 #include "ui/viewport/gizmos.h"
-#include "ui/viewport/haste.h"
 #include "ui/viewport/navigation.h"
-#include "ui/viewport/smoke_worker.h"
-#include "ui/viewport/tracks.h"
 
 #include "core/effect/sampling.h"
 
@@ -222,20 +222,20 @@ private slots:
 
     void theSameFrameIsTheSamePictureWhateverCameBefore()
     {
-        SmokeStudio studio;
+        Studio studio;
         const Effect effect = smallEffect();
         const QImage first = studio.make(requestFor(effect, 30), {})->image;
         QVERIFY(studio.make(requestFor(effect, 90), {}) != nullptr);
         QVERIFY(studio.make(requestFor(effect, 3), {}) != nullptr);
         QCOMPARE(studio.make(requestFor(effect, 30), {})->image, first);
-        QCOMPARE(SmokeStudio().make(requestFor(effect, 30), {})->image, first);
+        QCOMPARE(Studio().make(requestFor(effect, 30), {})->image, first);
     }
 
     void hasteGivesUpPixelsAndParticlesButSaysSo()
     {
         Effect effect = smallEffect();
         effect.emitter.count = 400000;
-        SmokeStudio studio;
+        Studio studio;
         PictureRequest request = requestFor(effect, 10);
         request.haste = Haste::Dragging;
         const PicturePtr hasty = studio.make(request, {});
@@ -253,14 +253,14 @@ private slots:
         effect.emitter.count = 1000000;
         std::stop_source source;
         source.request_stop();
-        QVERIFY(SmokeStudio().make(requestFor(effect), source.get_token()) == nullptr);
+        QVERIFY(Studio().make(requestFor(effect), source.get_token()) == nullptr);
     }
 
     void theNewestRequestIsTheOneThatCounts()
     {
-        SmokeWorker worker;
+        PictureWorker worker;
         QList<int> frames;
-        connect(&worker, &SmokeWorker::pictureReady, this, [&](const PicturePtr& picture) { frames += picture->frame; });
+        connect(&worker, &PictureWorker::pictureReady, this, [&](const PicturePtr& picture) { frames += picture->frame; });
         for (int i = 0; i < 50; ++i) {
             worker.request(requestFor(smallEffect(), i));
         }
@@ -303,7 +303,7 @@ private slots:
         Effect effect;
         effect.emitter.count = 500;
         effect.output.quality = Quality::Final;
-        SmokeStudio studio;
+        Studio studio;
         PictureRequest request = requestFor(effect, 10);
         request.haste = Haste::Playing;
         const PicturePtr moving = studio.make(request, {});

@@ -5,7 +5,7 @@ cd "$1" || exit 1
 failed=0
 forbid() { # <folder> <pattern of includes> <why>
     local found
-    found=$(grep -rnE "#include *[<\"]($2)" "$1" --include='*.h' --include='*.cpp' || true)
+    found=$(grep -rnP "#include *[<\"]($2)" "$1" --include='*.h' --include='*.cpp' || true)
     if [ -n "$found" ]; then
         printf '%s\n%s\n' "$3:" "$found"
         failed=1
@@ -15,15 +15,17 @@ forbid core 'Q[A-Z]|Qt|GL/|epoxy' 'core knows no Qt and no OpenGL'
 forbid core 'ui/|app/' 'core does not know the editor or the programs'
 forbid app/cli 'Q[A-Z]|Qt|ui/' 'the command line knows no Qt'
 forbid ui 'app/' 'the editor library does not know the programs'
-forbid ui/document 'ui/(panels|viewport|noise_preview|timeline|presets|export|shell)/' 'the document does not know what shows it'
-forbid ui/face 'ui/(document|panels|viewport|noise_preview|timeline|presets|export|shell)/' 'the face knows none of what it is the face of'
-forbid ui/work 'ui/(document|panels|viewport|noise_preview|timeline|presets|export|shell|face)/' 'work does not know what it is done for'
-forbid ui/panels 'ui/(viewport|noise_preview|timeline|presets|export|shell)/' 'panels know the document alone'
-forbid ui/timeline 'ui/(viewport|noise_preview|presets|export|shell)/' 'the timeline knows the document alone'
-forbid ui/viewport 'ui/(panels|noise_preview|presets|export|shell)/' 'the viewport knows document and timeline'
-forbid ui/noise_preview 'ui/(panels|viewport|timeline|presets|export|shell)/' 'the noise pane knows the document alone'
-forbid ui/presets 'ui/(noise_preview|timeline|export|shell)/' 'presets know document and viewport'
-forbid ui/export 'ui/(viewport|noise_preview|presets|shell)/' 'export knows document, panels and timeline'
+forbid ui/document 'ui/(panels|pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'the document does not know what shows it'
+forbid ui/face 'ui/(document|panels|pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'the face knows none of what it is the face of'
+forbid ui/work 'ui/(document|panels|pictures|viewport|noise_preview|timeline|presets|export|shell|face)/' 'work does not know what it is done for'
+forbid ui/panels 'ui/(pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'panels know the document alone'
+forbid ui/timeline 'ui/(pictures|viewport|noise_preview|presets|export|shell)/' 'the timeline knows the document alone'
+forbid ui/pictures 'ui/(?!pictures/|work/)' 'pictures know values and the core alone'
+forbid ui/pictures 'Q(?!(Object|Timer|ElapsedTimer|Cache|List|Image|RectF|MetaType)>)' 'pictures know no widgets'
+forbid ui/viewport 'ui/(panels|noise_preview|presets|export|shell)/' 'the viewport knows document, pictures and timeline'
+forbid ui/noise_preview 'ui/(panels|pictures|viewport|timeline|presets|export|shell)/' 'the noise pane knows the document alone'
+forbid ui/presets 'ui/(viewport|noise_preview|timeline|export|shell)/' 'presets know document and pictures'
+forbid ui/export 'ui/(pictures|viewport|noise_preview|presets|shell)/' 'export knows document, panels and timeline'
 forbid core/base 'core/(effect|preset|noise|simulation|lighting|rendering|export)/' 'base stands below everything'
 forbid core/effect 'core/(preset|noise|simulation|lighting|rendering|export)/' 'effect knows only base'
 forbid core/preset 'core/(noise|simulation|lighting|rendering|export)/' 'preset knows effect and base'

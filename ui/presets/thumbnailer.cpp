@@ -1,6 +1,6 @@
 #include "ui/presets/thumbnailer.h"
 
-#include "ui/viewport/smoke_studio.h"
+#include "ui/pictures/studio.h"
 
 #include "core/effect/sampling.h"
 
@@ -34,7 +34,7 @@ QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& st
     request.frame = tellingFrame(small);
     request.width = edge;
     request.height = edge;
-    const PicturePtr picture = SmokeStudio().make(request, stop);
+    const PicturePtr picture = Studio().make(request, stop);
     return picture ? picture->image : QImage();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/pictures/picture.h"
 #include "ui/viewport/gl_support.h"
-#include "ui/viewport/picture.h"
 
 #include <QOpenGLWidget>
 

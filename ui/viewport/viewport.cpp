@@ -1,6 +1,6 @@
 #include "ui/viewport/viewport.h"
 
-#include "ui/viewport/tracks.h"
+#include "ui/pictures/tracks.h"
 
 #include <cmath>
 
@@ -55,7 +55,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
         refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
     });
     connect(&m_wheelBurst, &Burst::timeout, this, [this] { m_wheelGesture = {}; });
-    connect(&m_worker, &SmokeWorker::pictureReady, this, &Viewport::receive);
+    connect(&m_worker, &PictureWorker::pictureReady, this, &Viewport::receive);
     connect(&m_document, &Document::effectChanged, this, &Viewport::effectChanged);
     connect(&m_player, &Player::frameChanged, this, &Viewport::frameChanged);
     connect(&m_player, &Player::playingChanged, this, [this](bool playing) {
@@ -109,8 +109,8 @@ void Viewport::setCompare(Compare compare, const Effect& other)
         m_otherShown.reset();
     } else {
         if (!m_otherWorker) {
-            m_otherWorker = std::make_unique<SmokeWorker>();
-            connect(m_otherWorker.get(), &SmokeWorker::pictureReady, this, &Viewport::receiveOther);
+            m_otherWorker = std::make_unique<PictureWorker>();
+            connect(m_otherWorker.get(), &PictureWorker::pictureReady, this, &Viewport::receiveOther);
         }
         requestOther(Haste::None);
     }

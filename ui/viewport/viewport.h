@@ -2,11 +2,11 @@
 
 #include "ui/document/document.h"
 #include "ui/face/hand.h"
+#include "ui/pictures/picture_worker.h"
 #include "ui/timeline/player.h"
 #include "ui/viewport/gizmos.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/overlays.h"
-#include "ui/viewport/smoke_worker.h"
 #include "ui/viewport/surface.h"
 
 #include <QCache>
@@ -107,8 +107,8 @@ private:
     Document& m_document;
     Player& m_player;
     std::unique_ptr<Surface> m_surface;
-    SmokeWorker m_worker;
-    std::unique_ptr<SmokeWorker> m_otherWorker; ///< only while two effects are compared
+    PictureWorker m_worker;
+    std::unique_ptr<PictureWorker> m_otherWorker; ///< only while two effects are compared
     QTimer m_rest; ///< fires when the hand has been still for a moment
     Burst m_wheelBurst;
     Gesture m_wheelGesture;

@@ -1,4 +1,4 @@
-#include "ui/viewport/tracks.h"
+#include "ui/pictures/tracks.h"
 
 #include "core/effect/sampling.h"
 #include "core/simulation/simulator.h"

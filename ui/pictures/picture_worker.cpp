@@ -1,8 +1,8 @@
-#include "ui/viewport/smoke_worker.h"
+#include "ui/pictures/picture_worker.h"
 
 namespace fumage::ui {
 
-SmokeWorker::SmokeWorker(QObject* parent)
+PictureWorker::PictureWorker(QObject* parent)
     : QObject(parent)
     , m_job(
           [this](const PictureRequest& request, const std::stop_token& stop) {

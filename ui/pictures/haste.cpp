@@ -1,4 +1,4 @@
-#include "ui/viewport/haste.h"
+#include "ui/pictures/haste.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/viewport/picture.h"
-#include "ui/viewport/smoke_studio.h"
+#include "ui/pictures/picture.h"
+#include "ui/pictures/studio.h"
 #include "ui/work/latest_job.h"
 
 #include <QObject>
@@ -9,11 +9,11 @@
 namespace fumage::ui {
 
 /// Makes pictures of an effect on a thread of its own: simulation, light, sprites and paint. The newest request is the one that counts.
-class SmokeWorker : public QObject {
+class PictureWorker : public QObject {
     Q_OBJECT
 
 public:
-    explicit SmokeWorker(QObject* parent = nullptr);
+    explicit PictureWorker(QObject* parent = nullptr);
 
     void request(PictureRequest request) { m_job.post(std::move(request)); }
 
@@ -22,7 +22,7 @@ signals:
     void pictureReady(fumage::ui::PicturePtr picture);
 
 private:
-    SmokeStudio m_studio; ///< used by the thread of the job alone
+    Studio m_studio; ///< used by the thread of the job alone
     LatestJob<PictureRequest> m_job;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/viewport/picture.h"
+#include "ui/pictures/picture.h"
 
 namespace fumage::ui {
 

@@ -1,6 +1,6 @@
-#include "ui/viewport/smoke_studio.h"
+#include "ui/pictures/studio.h"
 
-#include "ui/viewport/tracks.h"
+#include "ui/pictures/tracks.h"
 
 #include "core/effect/parameter_table.h"
 #include "core/effect/sampling.h"
@@ -59,7 +59,7 @@ bool simulateAlike(const Effect& a, const Effect& b)
     return std::none_of(changed.begin(), changed.end(), [](const Parameter* parameter) { return parameter->stage == Stage::Simulate; });
 }
 
-int SmokeStudio::particlesWhileDragging(const Effect& effect, double stepsEach, double preRoll) const
+int Studio::particlesWhileDragging(const Effect& effect, double stepsEach, double preRoll) const
 {
     const int all = effect.emitter.count;
     if (all <= m_costs.particlesWithin(kParticleBudgetNs, stepsEach)) {
@@ -77,7 +77,7 @@ int SmokeStudio::particlesWhileDragging(const Effect& effect, double stepsEach, 
     return std::max(1, count);
 }
 
-SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
+Studio::Plan Studio::planFor(const PictureRequest& request) const
 {
     Plan plan;
     Effect asked = *request.effect;
@@ -106,7 +106,7 @@ SmokeStudio::Plan SmokeStudio::planFor(const PictureRequest& request) const
     return plan;
 }
 
-Simulator& SmokeStudio::simulatorFor(const Effect& effect, bool complete)
+Simulator& Studio::simulatorFor(const Effect& effect, bool complete)
 {
     std::optional<Running>& running = complete ? m_complete : m_thinned;
     if (!running || !simulateAlike(running->effect, effect)) {
@@ -117,7 +117,7 @@ Simulator& SmokeStudio::simulatorFor(const Effect& effect, bool complete)
     return running->simulator;
 }
 
-std::shared_ptr<const Frame> SmokeStudio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
+std::shared_ptr<const Frame> Studio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
     Simulator& simulator = simulatorFor(plan.effect, plan.keepsAll);
     Result<std::shared_ptr<const Frame>> result = simulator.frame(frame, stop);
@@ -130,7 +130,7 @@ std::shared_ptr<const Frame> SmokeStudio::simulate(const Plan& plan, int frame, 
     return result.value();
 }
 
-std::shared_ptr<const SpriteScene> SmokeStudio::collectSprites() const
+std::shared_ptr<const SpriteScene> Studio::collectSprites() const
 {
     const SpriteBatch& batch = m_renderer.batch();
     AlignedArray<DepthEntry> entries;
@@ -154,7 +154,7 @@ std::shared_ptr<const SpriteScene> SmokeStudio::collectSprites() const
     return scene;
 }
 
-bool SmokeStudio::paint(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
+bool Studio::paint(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
 {
     if (request.sprites) {
         picture.scene = collectSprites();
@@ -173,7 +173,7 @@ bool SmokeStudio::paint(const PictureRequest& request, const Plan& plan, Picture
     return true;
 }
 
-PicturePtr SmokeStudio::make(const PictureRequest& request, const std::stop_token& stop)
+PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& stop)
 {
     const Plan plan = planFor(request);
     auto picture = std::make_shared<Picture>();

@@ -1,4 +1,4 @@
-#include "ui/viewport/picture.h"
+#include "ui/pictures/picture.h"
 
 #include <QRectF>
 

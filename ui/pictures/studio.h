@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/viewport/haste.h"
-#include "ui/viewport/picture.h"
+#include "ui/pictures/haste.h"
+#include "ui/pictures/picture.h"
 
 #include "core/rendering/view_transform.h"
 #include "core/simulation/simulator.h"
@@ -11,7 +11,7 @@
 namespace fumage::ui {
 
 /// Makes pictures one after the other: keeps simulators, renderer and buffers from one to the next. For one thread.
-class SmokeStudio {
+class Studio {
 public:
     /// @return no picture where it was stopped or is too large
     [[nodiscard]] PicturePtr make(const PictureRequest& request, const std::stop_token& stop);
