@@ -12,8 +12,8 @@ struct ActionSpec {
     const char* id; ///< objectName of the QAction
     const char* menu; ///< key for tr(); the menu that it stands in
     const char* text; ///< key for tr()
-    const char* keys; ///< "Ctrl+S", or a list with "; "; empty where there is none
-    const char* icon; ///< empty: none
+    const char* keys = ""; ///< "Ctrl+S", or a list with "; "; empty where there is none
+    const char* icon = ""; ///< empty: none
     bool checkable = false;
     bool beginsSection = false; ///< a line above it in the menu
 };
