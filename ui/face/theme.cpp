@@ -70,16 +70,14 @@ QString styleSheet(const Colours& c)
 
 } // namespace
 
-bool desktopIsDark()
+bool isDark(const QPalette& palette)
 {
-    // The palette that the platform gave, before this program put its own in its place.
-    static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
-    return dark;
+    return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
 }
 
-void applyTheme(QApplication& application, Theme theme)
+void applyTheme(QApplication& application, Theme theme, bool desktopIsDark)
 {
-    const bool dark = theme == Theme::Dark || (theme == Theme::System && desktopIsDark());
+    const bool dark = theme == Theme::Dark || (theme == Theme::System && desktopIsDark);
     const Colours& colours = dark ? kDark : kLight;
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(makePalette(colours));

@@ -13,10 +13,11 @@ enum class Theme {
     Light,
 };
 
-/// Colours and style sheet for the whole application; open windows follow at once.
-void applyTheme(QApplication& application, Theme theme);
+/// Whether a palette is light on dark. That of the application tells of the desktop until applyTheme() puts the program's own in its place.
+[[nodiscard]] bool isDark(const QPalette& palette);
 
-/// Whether the desktop was light or dark before applyTheme() was first called.
-[[nodiscard]] bool desktopIsDark();
+/// Colours and style sheet for the whole application; open windows follow at once.
+/// @param desktopIsDark what Theme::System means
+void applyTheme(QApplication& application, Theme theme, bool desktopIsDark);
 
 } // namespace fumage::ui

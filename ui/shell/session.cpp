@@ -12,11 +12,11 @@ namespace fumage::ui {
 
 Session::Session(QObject* parent)
     : QObject(parent)
+    , m_desktopIsDark(isDark(QApplication::palette()))
     , m_glSupport(probeOpenGl())
 {
     computeInBackground();
-    static_cast<void>(desktopIsDark());
-    applyTheme(m_settings.theme());
+    ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
     qApp->installEventFilter(new KeyGuard(this));
 }
 
@@ -69,7 +69,7 @@ void Session::closeAll()
 void Session::applyTheme(Theme theme)
 {
     m_settings.setTheme(theme);
-    ui::applyTheme(*qApp, theme);
+    ui::applyTheme(*qApp, theme, m_desktopIsDark);
 }
 
 } // namespace fumage::ui

@@ -34,6 +34,7 @@ private:
     bool recover();
 
     Settings m_settings;
+    const bool m_desktopIsDark; ///< as the program found it
     GlSupport m_glSupport;
     QList<QPointer<MainWindow>> m_windows;
 };
