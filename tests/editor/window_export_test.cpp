@@ -1,0 +1,109 @@
+// Exports from the window, while one works.
+#include "window_fixture.h"
+
+#include "ui/export/export_job.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class WindowExportTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void aSequenceIsExportedWhileOneWorks()
+    {
+        QDialog* dialog = openExport();
+        childOf<QComboBox>(*dialog, u"export.kind"_q)->setCurrentIndex(0);
+        const QString path = m_folder.filePath(u"out/smoke_##.png"_q);
+        auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
+        field->selectAll();
+        QTest::keyClicks(field, path);
+        childOf<QSpinBox>(*dialog, u"export.first"_q)->setValue(3);
+        childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(6);
+        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F); // does not touch what is being written
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        QCOMPARE(QDir(m_folder.filePath(u"out"_q)).entryList({u"*.png"_q}), (QStringList{u"smoke_03.png"_q, u"smoke_04.png"_q, u"smoke_05.png"_q, u"smoke_06.png"_q}));
+        const QImage image(m_folder.filePath(u"out/smoke_03.png"_q));
+        QCOMPARE(image.size(), QSize(128, 128));
+        QVERIFY(image.hasAlphaChannel());
+    }
+
+    void aFlipbookIsExported()
+    {
+        QDialog* dialog = openExport();
+        auto* begin = childOf<QPushButton>(*dialog, u"export.begin"_q);
+        auto* kind = childOf<QComboBox>(*dialog, u"export.kind"_q);
+        QVERIFY(!childOf<QSpinBox>(*dialog, u"export.columns"_q)->isVisible());
+        kind->setCurrentIndex(kind->findText(u"Flipbook"_q));
+        QVERIFY(childOf<QSpinBox>(*dialog, u"export.columns"_q)->isVisible());
+        QVERIFY(childOf<QLineEdit>(*dialog, u"export.path"_q)->text().endsWith(u"-8x8.png"_q));
+        auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
+        field->selectAll();
+        QTest::keyClicks(field, m_folder.filePath(u"book.png"_q));
+        childOf<QSpinBox>(*dialog, u"export.first"_q)->setValue(0);
+        childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(9);
+        QVERIFY(!begin->isEnabled()); // ten frames do not fill 64 cells
+        QVERIFY(childOf<QLabel>(*dialog, u"export.files"_q)->text().contains(u"64"_q));
+        childOf<QSpinBox>(*dialog, u"export.columns"_q)->setValue(4);
+        childOf<QSpinBox>(*dialog, u"export.rows"_q)->setValue(2);
+        QVERIFY(begin->isEnabled());
+        m_window->document().edit(*findParameter("camera.distance"), 2.0F);
+        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
+        QTest::mouseClick(begin, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        QCOMPARE(QImage(m_folder.filePath(u"book.png"_q)).size(), QSize(4 * 128, 2 * 128));
+        QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
+        QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
+    }
+
+    void anExportIsCancelled()
+    {
+        QDialog* dialog = openExport();
+        auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
+        field->selectAll();
+        QTest::keyClicks(field, m_folder.filePath(u"long/smoke_####.png"_q));
+        childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(5000);
+        QSignalSpy cancelled(&m_window->exportJob(), &ExportJob::cancelled);
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
+        auto* cancel = childOf<QPushButton>(*dialog, u"export.cancel"_q);
+        QTRY_VERIFY(!QDir(m_folder.filePath(u"long"_q)).isEmpty());
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(cancelled.size(), 1, 60000);
+        // What is there is whole.
+        for (const QFileInfo& file : QDir(m_folder.filePath(u"long"_q)).entryInfoList(QDir::Files | QDir::Hidden)) {
+            QVERIFY2(!QImage(file.filePath()).isNull(), qPrintable(file.filePath()));
+        }
+    }
+
+    void anExportThatFailsSaysWhy()
+    {
+        QDialog* dialog = openExport();
+        auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
+        field->selectAll();
+        QTest::keyClicks(field, u"/proc/smoke_##.png"_q);
+        QSignalSpy failed(&m_window->exportJob(), &ExportJob::failed);
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, 60000);
+        QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"/proc"_q));
+    }
+
+private:
+    QDialog* openExport()
+    {
+        m_window->document().edit({{findParameter("output.width"), 128}, {findParameter("output.height"), 128}}, u"Size"_q);
+        trigger("file.export");
+        return m_window->findChild<QDialog*>(u"exportDialog"_q);
+    }
+};
+
+FUMAGE_TEST_MAIN(WindowExportTest)
+#include "window_export_test.moc"

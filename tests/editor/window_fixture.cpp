@@ -1,0 +1,84 @@
+#include "window_fixture.h"
+
+#include "ui/viewport/viewport.h"
+
+#include <QAbstractButton>
+#include <QTimer>
+
+namespace fumage::tests {
+
+Preset smallPreset()
+{
+    Preset preset;
+    preset.name = "Small";
+    preset.effect.emitter.count = 1500;
+    preset.effect.look.size = 0.5F;
+    preset.effect.turbulence.octaves = 2;
+    preset.effect.light.resolution = 24;
+    preset.effect.noise.resolution = 32;
+    preset.effect.noise.slices = 8;
+    preset.effect.motion.wind = 0.8F;
+    preset.effect.timeline.length = 60;
+    return preset;
+}
+
+void answerNext(const char* boxName, const std::function<void(QMessageBox&)>& answer)
+{
+    auto* timer = new QTimer(qApp);
+    timer->setInterval(10);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, boxName, answer] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (box != nullptr && box->objectName() == QLatin1String(boxName)) {
+            timer->stop();
+            timer->deleteLater();
+            answer(*box);
+        }
+    });
+    timer->start();
+}
+
+void pressButton(QMessageBox& box, QMessageBox::StandardButton button)
+{
+    QTest::mouseClick(box.button(button), Qt::LeftButton);
+}
+
+void WindowFixture::init()
+{
+    m_session = std::make_unique<Session>();
+    m_window = m_session->openWindow();
+    m_window->player().pause();
+    m_window->document().load(smallPreset(), {});
+    m_window->player().setFrame(30);
+    QVERIFY(QTest::qWaitForWindowActive(m_window));
+    QTRY_VERIFY(m_window->viewport().isSettled());
+}
+
+void WindowFixture::cleanup()
+{
+    m_session.reset();
+    QDir(m_folder.path()).removeRecursively();
+    QDir().mkpath(m_folder.path());
+}
+
+QImage WindowFixture::settled()
+{
+    const Viewport& viewport = m_window->viewport();
+    if (!QTest::qWaitFor([&] { return viewport.isSettled(); }, 20000)) {
+        qWarning("the picture did not settle");
+        return {};
+    }
+    return viewport.picture()->image;
+}
+
+MainWindow* WindowFixture::otherWindow() const
+{
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        auto* window = qobject_cast<MainWindow*>(widget);
+        if (window != nullptr && window != m_window) {
+            return window;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace fumage::tests

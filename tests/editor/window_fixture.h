@@ -1,0 +1,56 @@
+#pragma once
+
+#include "editor_helpers.h"
+
+#include "ui/shell/main_window.h"
+#include "ui/shell/session.h"
+
+#include <QImage>
+#include <QMessageBox>
+
+#include <functional>
+#include <memory>
+
+namespace fumage::tests {
+
+/// Smoke that a slow machine shows in a moment.
+[[nodiscard]] Preset smallPreset();
+
+/// Answers the next message box of a name as soon as it is there.
+void answerNext(const char* boxName, const std::function<void(QMessageBox&)>& answer);
+
+void pressButton(QMessageBox& box, QMessageBox::StandardButton button);
+
+/// A part of a window by its objectName; it must be there.
+template <class Widget>
+Widget* childOf(const QWidget& parent, const QString& name)
+{
+    auto* widget = parent.findChild<Widget*>(name);
+    if (widget == nullptr) {
+        qFatal("there is no %s", qPrintable(name));
+    }
+    return widget;
+}
+
+/// Whole windows, driven as a person would: on a screen, with mouse and keyboard. Each test gets a window of its own on the small preset,
+/// paused at frame 30, with its picture on the screen, and a folder that is empty.
+class WindowFixture : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+
+protected:
+    /// The picture of the document as it is now; null, with a warning, where it does not come.
+    [[nodiscard]] QImage settled();
+    void trigger(const char* action) { m_window->actions().get(action).trigger(); }
+    /// The window beside m_window.
+    [[nodiscard]] MainWindow* otherWindow() const;
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Session> m_session;
+    MainWindow* m_window = nullptr;
+};
+
+} // namespace fumage::tests

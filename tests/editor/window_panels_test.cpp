@@ -1,0 +1,157 @@
+// Panels in their window: what the sliders, the browser and the variations do to document and picture.
+#include "window_fixture.h"
+
+#include "ui/noise_preview/noise_pane.h"
+#include "ui/panels/effect_panel.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/number_slider.h"
+#include "ui/presets/preset_browser.h"
+#include "ui/presets/variations_panel.h"
+
+#include "core/preset/library.h"
+
+#include <QLabel>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QToolButton>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class WindowPanelsTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    // --- the sliders of the design card ------------------------------------------------------------------------------
+
+    void aSliderIsDraggedTypedWheeledResetUndoneAndRedone_data()
+    {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("part"); // of the editor: its slider and field
+        QTest::addColumn<QString>("typed");
+        QTest::newRow("emitter normal") << u"emitter.normal"_q << u"emitter.normal.pitch"_q << u"40"_q;
+        QTest::newRow("wind angle") << u"motion.wind_angle"_q << u"motion.wind_angle"_q << u"120°"_q;
+        QTest::newRow("gravity") << u"motion.gravity"_q << u"motion.gravity"_q << u"1,5 m/s²"_q;
+        QTest::newRow("fade rate") << u"life.fade_rate"_q << u"life.fade_rate"_q << u"0.06"_q;
+        QTest::newRow("noise octaves") << u"noise.octaves"_q << u"noise.octaves"_q << u"2"_q;
+        QTest::newRow("sharpness") << u"noise.sharpness"_q << u"noise.sharpness"_q << u"4"_q;
+    }
+    void aSliderIsDraggedTypedWheeledResetUndoneAndRedone()
+    {
+        QFETCH(QString, key);
+        QFETCH(QString, part);
+        QFETCH(QString, typed);
+        const Parameter& parameter = *findParameter(key.toStdString());
+        Document& document = m_window->document();
+        auto* panel = m_window->findChild<EffectPanel*>();
+        panel->showParameter(key);
+        auto* slider = panel->findChild<NumberSlider*>(part + u".slider"_q);
+        auto* field = panel->findChild<NumberField*>(part + u".field"_q);
+        QVERIFY(slider != nullptr && field != nullptr && slider->isVisible());
+        const Value before = parameter.get(document.effect());
+        const QImage first = settled();
+        const QImage firstTexture = texture();
+        const std::string firstJson = formatPreset(document.preset());
+
+        // Dragged.
+        const QPoint handle = handleOf(*slider);
+        const int way = handle.x() > slider->width() / 2 ? -30 : 30;
+        dragMouse(*slider, handle, handle + QPoint(way, 0));
+        const Value dragged = parameter.get(document.effect());
+        QVERIFY(!(dragged == before));
+        QCOMPARE(document.undoStack()->count(), 1);
+        const QImage second = settled();
+        QVERIFY(second != first);
+        if (parameter.stage == Stage::Noise) {
+            QTRY_VERIFY(texture() != firstTexture);
+        }
+        QVERIFY(formatPreset(document.preset()) != firstJson);
+
+        // Undone and redone, to the same pictures.
+        trigger("edit.undo");
+        QVERIFY(parameter.get(document.effect()) == before);
+        QCOMPARE(settled(), first);
+        QCOMPARE(formatPreset(document.preset()), firstJson);
+        trigger("edit.redo");
+        QVERIFY(parameter.get(document.effect()) == dragged);
+        QCOMPARE(settled(), second);
+        trigger("edit.undo");
+
+        // Typed, with unit and decimal comma.
+        QTest::mouseClick(field, Qt::LeftButton);
+        QTRY_VERIFY(field->hasFocus());
+        QTest::keyClicks(field, typed);
+        QTest::keyClick(field, Qt::Key_Return);
+        const Value written = parameter.get(document.effect());
+        QVERIFY(!(written == before));
+        QCOMPARE(document.undoStack()->count(), 1);
+
+        // The wheel, with the focus: one burst, one step.
+        turnWheel(*field, -2);
+        QVERIFY(!(parameter.get(document.effect()) == written));
+        QCOMPARE(document.undoStack()->count(), 2);
+
+        // Reset by a double click on the label.
+        auto* label = panel->findChild<QLabel*>(key + u".label"_q);
+        QTest::mouseDClick(label, Qt::LeftButton);
+        QVERIFY(parameter.get(document.effect()) == before);
+        QCOMPARE(settled(), first);
+    }
+    // --- presets and variations ---------------------------------------------------------------------------------------
+
+    void aPresetOfTheBrowserIsOpened()
+    {
+        auto* browser = m_window->findChild<PresetBrowser*>();
+        PresetList& list = browser->list();
+        QTRY_VERIFY(list.count() >= 14);
+        QListWidgetItem* campfire = nullptr;
+        for (int i = 0; i < list.count(); ++i) {
+            campfire = list.idOf(list.item(i)) == u"campfire"_q ? list.item(i) : campfire;
+        }
+        QVERIFY(campfire != nullptr);
+        emit list.itemActivated(campfire);
+        QVERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.effect);
+        QVERIFY(m_window->document().filePath().isEmpty());
+    }
+
+    void aVariationIsAdoptedAndUndone()
+    {
+        trigger("edit.variations");
+        auto* variations = m_window->findChild<VariationsPanel*>();
+        QTRY_VERIFY(variations->isVisible());
+        auto* cell = variations->findChild<QToolButton*>(u"variation.2"_q);
+        QTRY_VERIFY(!cell->icon().isNull());
+        const Effect chosen = variations->effectOf(2);
+        QVERIFY(!(chosen == smallPreset().effect));
+        QTest::mouseClick(cell, Qt::LeftButton);
+        QVERIFY(m_window->document().effect() == chosen);
+        trigger("edit.undo");
+        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        trigger("edit.redo");
+        auto* back = variations->findChild<QToolButton*>(u"variations.back"_q);
+        QTRY_VERIFY(back->isEnabled());
+        QTest::mouseClick(back, Qt::LeftButton);
+        QVERIFY(m_window->document().effect() == smallPreset().effect);
+    }
+
+private:
+    QImage texture()
+    {
+        const NoisePicturePtr& picture = m_window->noisePane().picture();
+        return picture ? picture->image : QImage();
+    }
+    static QPoint handleOf(const NumberSlider& slider)
+    {
+        QStyleOptionSlider option;
+        option.initFrom(&slider);
+        option.orientation = Qt::Horizontal;
+        option.minimum = slider.minimum();
+        option.maximum = slider.maximum();
+        option.sliderPosition = slider.sliderPosition();
+        option.sliderValue = slider.value();
+        return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
+    }
+};
+
+FUMAGE_TEST_MAIN(WindowPanelsTest)
+#include "window_panels_test.moc"

@@ -1,0 +1,64 @@
+// What a program that is killed leaves behind.
+#include "window_fixture.h"
+
+#include "ui/document/recovery.h"
+
+#include <QProcess>
+#include <QTimer>
+
+#include <cstdio>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class WindowRecoveryTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void whatWasNotSavedIsThereAgainAfterAKill()
+    {
+        QProcess victim;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("FUMAGE_TEST_VICTIM"), QStringLiteral("1"));
+        victim.setProcessEnvironment(environment);
+        victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        victim.start(QCoreApplication::applicationFilePath());
+        QVERIFY(victim.waitForReadyRead(20000)); // it says so when its copy is on the disk
+        victim.kill();
+        QVERIFY(victim.waitForFinished());
+        QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
+
+        m_session->start({});
+        MainWindow* recovered = otherWindow();
+        QVERIFY(recovered != nullptr);
+        QCOMPARE(recovered->document().effect().motion.gravity, 6.5F);
+        QCOMPARE(recovered->document().filePath(), u"/somewhere/mine.json"_q);
+        QVERIFY(recovered->isWindowModified());
+        QVERIFY(Recovery::take(QDir(Settings::recoveryFolder())).empty());
+    }
+};
+
+/// The program that is killed while it has unsaved work.
+static int runVictim(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    Session session;
+    MainWindow* window = session.openWindow();
+    window->document().load(smallPreset(), u"/somewhere/mine.json"_q);
+    window->document().edit(*findParameter("motion.gravity"), 6.5F);
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &timer, [] {
+        if (!QDir(Settings::recoveryFolder()).entryList({u"*.json"_q}).isEmpty()) {
+            std::puts("saved");
+            std::fflush(stdout);
+        }
+    });
+    timer.start(20);
+    return QApplication::exec();
+}
+
+int main(int argc, char** argv)
+{
+    return qEnvironmentVariableIsSet("FUMAGE_TEST_VICTIM") ? runVictim(argc, argv) : runTest<WindowRecoveryTest>(argc, argv);
+}
+#include "window_recovery_test.moc"

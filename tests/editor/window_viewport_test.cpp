@@ -1,0 +1,126 @@
+// The viewport in its window, with the mouse.
+#include "window_fixture.h"
+
+#include "ui/panels/effect_panel.h"
+#include "ui/panels/number_field.h"
+#include "ui/viewport/gizmos.h"
+#include "ui/viewport/viewport.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class WindowViewportTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void theWindArrowIsDragged()
+    {
+        Viewport& viewport = m_window->viewport();
+        m_window->document().edit(*findParameter("camera.pitch"), 35.0F);
+        const QImage before = settled();
+        const QPoint from = handleOnScreen(GizmoId::Wind);
+        const int steps = m_window->document().undoStack()->count();
+        dragMouse(*viewport.surface(), from, from + QPoint(-60, 50));
+        QVERIFY(m_window->document().effect().motion.windAngle != 0.0F);
+        QCOMPARE(m_window->document().undoStack()->count(), steps + 1);
+        QVERIFY(settled() != before);
+        trigger("edit.undo");
+        QCOMPARE(m_window->document().effect().motion.windAngle, 0.0F);
+        QCOMPARE(settled(), before);
+    }
+
+    void theEmitterNormalIsDraggedAndThePanelFollows()
+    {
+        auto* panel = m_window->findChild<EffectPanel*>();
+        auto* x = panel->findChild<NumberField*>(u"emitter.normal.x"_q);
+        const QPoint from = handleOnScreen(GizmoId::EmitterNormal);
+        dragMouse(*m_window->viewport().surface(), from, from + QPoint(40, 20));
+        QVERIFY(m_window->document().effect().emitter.normal.x > 0.2F);
+        QCOMPARE(x->value(), std::round(static_cast<double>(m_window->document().effect().emitter.normal.x) * 1e4) / 1e4);
+        QCOMPARE(m_window->document().undoStack()->count(), 1);
+    }
+
+    void theCameraOrbitsPansAndZooms()
+    {
+        QWidget& surface = *m_window->viewport().surface();
+        const QPoint corner(30, 30);
+        const Camera before = m_window->document().effect().camera;
+        dragMouse(surface, corner, corner + QPoint(80, 40), Qt::MiddleButton);
+        QVERIFY(m_window->document().effect().camera.yaw != before.yaw);
+        dragMouse(surface, corner, corner + QPoint(80, 40), Qt::MiddleButton, Qt::ShiftModifier);
+        QVERIFY(!(m_window->document().effect().camera.target == before.target));
+        turnWheel(surface, 2);
+        turnWheel(surface, 1);
+        QVERIFY(m_window->document().effect().camera.distance < before.distance);
+        QCOMPARE(m_window->document().undoStack()->count(), 3);
+        trigger("view.front");
+        QCOMPARE(m_window->document().effect().camera.yaw, 0.0F);
+    }
+
+    void scrubbingBackAndForthGivesTheSamePictures()
+    {
+        Player& player = m_window->player();
+        QHash<int, QImage> pictures;
+        for (const int frame : {5, 40, 12}) {
+            player.setFrame(frame);
+            pictures.insert(frame, settled());
+        }
+        QVERIFY(pictures[5] != pictures[40]);
+        // Another revision and back again, so that nothing comes out of the cache.
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        QVERIFY(!settled().isNull());
+        trigger("edit.undo");
+        for (const int frame : {12, 5, 40, 5}) {
+            player.setFrame(frame);
+            QCOMPARE(settled(), pictures[frame]);
+        }
+    }
+
+    void playingShowsEveryFrameAndKeepsThePictures()
+    {
+        Player& player = m_window->player();
+        player.setRange(0, 9);
+        player.setFrame(0);
+        QVERIFY(!settled().isNull());
+        QSet<int> shown;
+        connect(&m_window->viewport(), &Viewport::pictureShown, this, [&](const PicturePtr& picture) { shown += picture->frame; });
+        QTest::keyClick(m_window, Qt::Key_Space);
+        QVERIFY(player.isPlaying());
+        QTRY_COMPARE(shown.size(), 10);
+        QTest::keyClick(m_window, Qt::Key_Space);
+        QVERIFY(!player.isPlaying());
+        QVERIFY(m_window->viewport().cachedFrames().size() >= 10);
+    }
+
+    void aHiddenWindowDoesNotWork()
+    {
+        m_window->player().play();
+        QTRY_VERIFY(m_window->player().frame() != 30);
+        m_window->hide();
+        const int frame = m_window->player().frame();
+        // Many turns of the event loop, in which a player that ran would have gone on.
+        QTimer timer;
+        QSignalSpy turns(&timer, &QTimer::timeout);
+        timer.start(5);
+        QTRY_VERIFY(turns.size() > 40);
+        QCOMPARE(m_window->player().frame(), frame);
+        m_window->show();
+        QTRY_VERIFY(m_window->player().frame() != frame);
+    }
+
+private:
+    QPoint handleOnScreen(GizmoId id)
+    {
+        const View view = m_window->viewport().view();
+        for (const Gizmo& gizmo : gizmosOf(m_window->document().effect(), view)) {
+            if (gizmo.id == id) {
+                const Projected at = project(view, gizmo.to);
+                return {qRound(at.x), qRound(at.y)};
+            }
+        }
+        return {};
+    }
+};
+
+FUMAGE_TEST_MAIN(WindowViewportTest)
+#include "window_viewport_test.moc"
