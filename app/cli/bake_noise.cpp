@@ -1,10 +1,8 @@
 #include "app/cli/command.h"
 
-#include "core/base/file.h"
-#include "core/export/image_file.h"
+#include "core/export/plan.h"
 #include "core/noise/texture.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace fumage::cli {
@@ -25,14 +23,14 @@ Status bake(const BakeOptions& options)
     if (!effect) {
         return effect.error();
     }
-    const Result<NoiseTile> tile = bakeNoise(effect.value().noise, options.size, options.depth, interruption());
-    if (!tile) {
-        return tile.error();
-    }
-    const bool exr = std::filesystem::path(options.output).extension() == ".exr";
-    const ImageFormat narrow = exr ? ImageFormat::ExrHalf : ImageFormat::Png8;
-    const Result<std::vector<std::byte>> bytes = encodeNoise(tile.value(), options.wide ? (exr ? ImageFormat::ExrFloat : ImageFormat::Png16) : narrow);
-    return bytes ? writeFileAtomically(options.output, bytes.value()) : Status(bytes.error());
+    ExportPlan plan;
+    plan.kind = ExportKind::NoiseTexture;
+    plan.output = options.output;
+    plan.format = formatOf(plan.output, options.wide);
+    plan.noiseSize = options.size;
+    plan.noiseDepth = options.depth;
+    const auto done = runExport(effect.value(), plan, {}, interruption());
+    return done ? Status(Done{}) : done.error();
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 
 #include "core/export/particle_dump.h"
 #include "core/export/sequence.h"
-#include "core/simulation/simulator.h"
 
 #include <memory>
 
@@ -23,12 +22,9 @@ Status dump(const DumpOptions& options)
     if (!effect) {
         return effect.error();
     }
-    Simulator simulator(effect.value());
-    const Result<std::shared_ptr<const Frame>> frame = simulator.frame(options.frame, interruption());
-    if (!frame) {
-        return frame.error();
-    }
-    return writeOutput(options.output, options.format == "ply" ? dumpPly(*frame.value(), effect.value()) : dumpCsv(*frame.value(), effect.value()));
+    const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
+    const Result<std::string> text = dumpParticles(effect.value(), options.frame, format, interruption());
+    return text ? writeOutput(options.output, text.value()) : Status(text.error());
 }
 
 } // namespace

@@ -1,11 +1,8 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/progress.h"
 
 #include "core/base/text.h"
-#include "core/export/flipbook.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace fumage::cli {
@@ -23,22 +20,17 @@ Status flipbook(const FlipbookArguments& arguments)
     if (!job) {
         return job.error();
     }
-    FlipbookOptions options;
-    if (!parseTwo(arguments.grid, kMaxSheetCells, options.columns, options.rows)) {
+    ExportPlan& plan = job.value().plan;
+    plan.kind = ExportKind::Flipbook;
+    if (!parseTwo(arguments.grid, kMaxSheetCells, plan.columns, plan.rows)) {
         return Error{ErrorCode::OutOfRange, "the grid " + inQuotes(arguments.grid) + " is not understood", "--grid", "Write 8 or 8x4: columns and rows from 1 to " + std::to_string(kMaxSheetCells)};
     }
-    options.output = job.value().output;
-    options.frames = job.value().frames;
-    options.format = job.value().format;
-
-    ProgressBar bar("Rendering");
-    const Result<Flipbook> done = renderFlipbook(
-        job.value().effect, options, [&](int count, int total) { bar.show(count, total); }, interruption());
+    const Result<std::optional<Flipbook>> done = writePictures(job.value());
     if (!done) {
         return done.error();
     }
-    if (done.value().isCutOff()) {
-        warn("the smoke is cut off at the edge of cells (alpha " + std::to_string(done.value().edgeAlpha).substr(0, 4) + " there): move the camera back or make it fade sooner");
+    if (done.value()->isCutOff()) {
+        warn("the smoke is cut off at the edge of cells (alpha " + std::to_string(done.value()->edgeAlpha).substr(0, 4) + " there): move the camera back or make it fade sooner");
     }
     return Done{};
 }

@@ -1,5 +1,7 @@
 #include "app/cli/picture_options.h"
 
+#include "app/cli/progress.h"
+
 #include "core/base/text.h"
 
 #include <map>
@@ -9,14 +11,6 @@ namespace fumage::cli {
 namespace {
 
 const std::map<std::string, ImageFormat> kFormats{{"png", ImageFormat::Png8}, {"png16", ImageFormat::Png16}, {"exr", ImageFormat::ExrHalf}, {"exr32", ImageFormat::ExrFloat}};
-
-ImageFormat chooseFormat(const PictureOptions& options)
-{
-    if (!options.format.empty()) {
-        return kFormats.at(options.format);
-    }
-    return std::filesystem::path(options.output).extension() == ".exr" ? ImageFormat::ExrHalf : ImageFormat::Png8;
-}
 
 } // namespace
 
@@ -60,17 +54,24 @@ Result<PictureJob> PictureOptions::load() const
     if (supersample > 0) {
         job.effect.output.supersample = supersample;
     }
-    job.frames = {0, job.effect.timeline.length - 1, 1};
+    job.plan.frames = {0, job.effect.timeline.length - 1, 1};
     if (!frames.empty()) {
         const Result<FrameRange> range = parseFrameRange(frames);
         if (!range) {
             return range.error();
         }
-        job.frames = range.value();
+        job.plan.frames = range.value();
     }
-    job.format = chooseFormat(*this);
-    job.output = output.empty() ? std::filesystem::path(effect.preset).stem() : std::filesystem::path(output);
+    job.plan.format = format.empty() ? formatOf(output) : kFormats.at(format);
+    job.plan.output = output.empty() ? std::filesystem::path(effect.preset).stem() : std::filesystem::path(output);
     return job;
+}
+
+Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
+{
+    ProgressBar bar("Rendering");
+    return runExport(
+        job.effect, job.plan, [&](int done, int total) { bar.show(done, total); }, interruption());
 }
 
 } // namespace fumage::cli

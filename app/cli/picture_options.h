@@ -2,9 +2,7 @@
 
 #include "app/cli/command.h"
 
-#include "core/export/sequence.h"
-
-#include <filesystem>
+#include "core/export/plan.h"
 
 namespace fumage::cli {
 
@@ -14,10 +12,11 @@ namespace fumage::cli {
 /// What pictures are to be rendered.
 struct PictureJob {
     Effect effect;
-    FrameRange frames;
-    ImageFormat format = ImageFormat::Png8;
-    std::filesystem::path output;
+    ExportPlan plan;
 };
+
+/// Runs the job with a progress bar, until it is done or interrupted.
+[[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
 /// The options that the commands that render have in common.
 struct PictureOptions {

@@ -1,8 +1,5 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/progress.h"
-
-#include "core/export/sequence.h"
 
 #include <memory>
 
@@ -16,9 +13,8 @@ Status render(const PictureOptions& options)
     if (!job) {
         return job.error();
     }
-    ProgressBar bar("Rendering");
-    return renderSequence(
-        job.value().effect, {job.value().output, job.value().frames, job.value().format}, [&](int done, int total) { bar.show(done, total); }, interruption());
+    const Result<std::optional<Flipbook>> done = writePictures(job.value());
+    return done ? Status(Done{}) : done.error();
 }
 
 } // namespace

@@ -75,7 +75,7 @@ std::string describe(const Effect& effect, const FlipbookOptions& options, const
 int frameOfCell(const FlipbookOptions& options, int cell)
 {
     const std::int64_t index = static_cast<std::int64_t>(cell) * options.frames.count() / (options.columns * options.rows);
-    return options.frames.first + static_cast<int>(index) * options.frames.step;
+    return options.frames.at(static_cast<int>(index));
 }
 
 Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
@@ -84,7 +84,7 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
         return status.error();
     }
     Flipbook flipbook;
-    flipbook.picture = withEnding(options.output, options.format);
+    flipbook.picture = withEnding(options.output, fileEnding(options.format));
     flipbook.description = std::filesystem::path(flipbook.picture).replace_extension(".flipbook.json");
     const int cells = options.columns * options.rows;
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;

@@ -54,10 +54,17 @@ std::string_view fileEnding(ImageFormat format)
     return format == ImageFormat::Png8 || format == ImageFormat::Png16 ? ".png" : ".exr";
 }
 
-std::filesystem::path withEnding(const std::filesystem::path& path, ImageFormat format)
+ImageFormat formatOf(const std::filesystem::path& path, bool wide)
+{
+    if (path.extension() == ".exr") {
+        return wide ? ImageFormat::ExrFloat : ImageFormat::ExrHalf;
+    }
+    return wide ? ImageFormat::Png16 : ImageFormat::Png8;
+}
+
+std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending)
 {
     const std::string name = path.filename().string();
-    const std::string_view ending = fileEnding(format);
     return name.ends_with(ending) ? path : path.parent_path() / (name + std::string(ending));
 }
 

@@ -22,8 +22,13 @@ enum class ImageFormat {
 /// ".png" or ".exr".
 [[nodiscard]] std::string_view fileEnding(ImageFormat format);
 
-/// A path with the ending of a format, which is added if it is missing.
-[[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, ImageFormat format);
+/// The format that the ending of a path asks for: half floats for .exr; PNG of 8 bits for .png and all others.
+/// @param wide the format with more bits of the two: floats, or 16 bits
+[[nodiscard]] ImageFormat formatOf(const std::filesystem::path& path, bool wide = false);
+
+/// A path with an ending, which is added if it is missing.
+/// @param ending with its dot
+[[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending);
 
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
 /// @param output exposure and view transform for PNG

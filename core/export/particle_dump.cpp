@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/effect/sampling.h"
 #include "core/lighting/appearance.h"
+#include "core/simulation/simulator.h"
 
 #include <array>
 #include <bit>
@@ -45,6 +46,11 @@ void appendLittleEndian(std::string& out, std::uint32_t bits)
 
 } // namespace
 
+std::string_view fileEnding(ParticleFormat format)
+{
+    return format == ParticleFormat::Csv ? ".csv" : ".ply";
+}
+
 std::string dumpCsv(const Frame& frame, const Effect& effect)
 {
     std::string out = "id";
@@ -79,6 +85,15 @@ std::string dumpPly(const Frame& frame, const Effect& effect)
         }
     }
     return out;
+}
+
+Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop)
+{
+    const Result<std::shared_ptr<const Frame>> simulated = Simulator(effect).frame(frame, stop);
+    if (!simulated) {
+        return simulated.error();
+    }
+    return format == ParticleFormat::Csv ? dumpCsv(*simulated.value(), effect) : dumpPly(*simulated.value(), effect);
 }
 
 } // namespace fumage

@@ -52,7 +52,7 @@ Result<FrameRange> parseFrameRange(std::string_view text)
 std::filesystem::path framePath(const SequenceOptions& options, int frame)
 {
     constexpr std::size_t kDigits = 4;
-    std::string name = withEnding(options.output, options.format).filename().string();
+    std::string name = withEnding(options.output, fileEnding(options.format)).filename().string();
     const std::size_t first = name.find('#');
     if (first != std::string::npos) {
         const std::size_t past = std::min(name.size(), name.find_first_not_of('#', first));
@@ -75,7 +75,7 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
     const int total = options.frames.count();
     const auto finishWriting = [&]() -> Status { return writing.valid() ? writing.get() : Status(Done{}); };
     for (int done = 0; done < total; ++done) {
-        const int number = options.frames.first + done * options.frames.step;
+        const int number = options.frames.at(done);
         const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop);
         if (!frame) {
             return frame.error();

@@ -18,6 +18,8 @@ struct FrameRange {
     int step = 1;
 
     [[nodiscard]] int count() const { return (last - first) / step + 1; }
+    /// The frame that stands at a place, 0 to count() - 1.
+    [[nodiscard]] int at(int index) const { return first + index * step; }
 };
 
 /// Largest frame number that may be asked for.

@@ -514,7 +514,7 @@
     </message>
 </context>
 <context>
-    <name>ExportPlan</name>
+    <name>fumage::ui::ExportJob</name>
     <message>
         <source>The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.</source>
         <translation>Röken skärs av vid rutornas kant: flytta kameran bakåt eller låt röken tona bort tidigare.</translation>

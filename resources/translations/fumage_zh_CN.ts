@@ -514,7 +514,7 @@
     </message>
 </context>
 <context>
-    <name>ExportPlan</name>
+    <name>fumage::ui::ExportJob</name>
     <message>
         <source>The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.</source>
         <translation>烟雾在格子边缘被截断：请将相机后移，或让烟雾更早消散。</translation>

@@ -148,7 +148,7 @@ void blockedWhileExporting(benchmark::State& state)
     QTemporaryDir folder;
     for (auto _ : state) {
         ExportPlan plan;
-        plan.path = folder.filePath(QStringLiteral("smoke_####.png"));
+        plan.output = folder.filePath(QStringLiteral("smoke_####.png")).toStdString();
         plan.frames = {0, 10000, 1};
         editor.window->exportJob().start(editor.window->document().effect(), plan);
         editor.window->player().play();

@@ -220,7 +220,6 @@ ExportPlan ExportDialog::plan() const
 {
     ExportPlan plan;
     plan.kind = kind();
-    plan.path = m_path->text();
     plan.frames = {m_first->value(), m_last->value(), m_step->value()};
     plan.columns = m_columns->value();
     plan.rows = m_rowsOfCells->value();
@@ -228,6 +227,9 @@ ExportPlan ExportDialog::plan() const
         plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
     } else {
         plan.format = static_cast<ImageFormat>(std::max(0, m_format->currentIndex()));
+    }
+    if (!m_path->text().trimmed().isEmpty()) {
+        plan.output = withEnding(m_path->text().toStdString(), fileEnding(plan));
     }
     return plan;
 }
@@ -243,7 +245,7 @@ QString ExportDialog::suggestedPath() const
     case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
     case ExportKind::Particles: name += QStringLiteral("-particles"); break;
     }
-    return QDir(folder).filePath(name) + endingOf(plan());
+    return QDir(folder).filePath(name) + toQString(fileEnding(plan()));
 }
 
 void ExportDialog::followKind()
@@ -284,20 +286,20 @@ void ExportDialog::followPlan()
 bool ExportDialog::isPossible(const ExportPlan& plan) const
 {
     const bool filled = plan.kind != ExportKind::Flipbook || plan.frames.count() >= plan.columns * plan.rows;
-    return !plan.path.trimmed().isEmpty() && plan.frames.first <= plan.frames.last && filled;
+    return !plan.output.empty() && plan.frames.first <= plan.frames.last && filled;
 }
 
 QString ExportDialog::summary(const ExportPlan& plan) const
 {
-    if (plan.path.trimmed().isEmpty() || plan.frames.first > plan.frames.last) {
+    if (plan.output.empty() || plan.frames.first > plan.frames.last) {
         return tr("Choose a file, and a first frame that comes before the last.");
     }
     if (!isPossible(plan)) {
         return tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
-    QString first = QFileInfo(firstFileOf(plan)).fileName();
+    const QString first = toQString(firstFile(plan).filename().string());
     if (plan.kind == ExportKind::Sequence) {
-        return tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, QFileInfo(lastFileOf(plan)).fileName());
+        return tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, toQString(lastFile(plan).filename().string()));
     }
     if (plan.kind == ExportKind::Flipbook) {
         const Output& output = m_document.effect().output;

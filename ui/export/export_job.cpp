@@ -28,7 +28,7 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
                 },
                 Qt::QueuedConnection);
         };
-        const Result<QString> result = runExport(effect, plan, report, stop);
+        const Result<std::optional<Flipbook>> result = runExport(effect, plan, report, stop);
         QMetaObject::invokeMethod(
             this, [this, result] { end(result); }, Qt::QueuedConnection);
     });
@@ -39,11 +39,13 @@ void ExportJob::cancel()
     m_thread.request_stop();
 }
 
-void ExportJob::end(const Result<QString>& result)
+void ExportJob::end(const Result<std::optional<Flipbook>>& result)
 {
     m_running = false;
     if (result) {
-        emit finished(firstFileOf(*m_lastPlan), result.value());
+        const bool cutOff = result.value() && result.value()->isCutOff();
+        const QString remark = cutOff ? tr("The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.") : QString();
+        emit finished(toQString(firstFile(*m_lastPlan).string()), remark);
     } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "ui/export/export_plan.h"
+#include "core/export/plan.h"
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QString>
 
 #include <optional>
 #include <thread>
@@ -35,7 +36,7 @@ signals:
     void failed(const QString& message);
 
 private:
-    void end(const Result<QString>& result);
+    void end(const Result<std::optional<Flipbook>>& result);
 
     std::optional<ExportPlan> m_lastPlan;
     QElapsedTimer m_timer;

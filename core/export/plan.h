@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/export/flipbook.h"
+#include "core/export/particle_dump.h"
+
+#include <optional>
+
+namespace fumage {
+
+/// What can be written.
+enum class ExportKind {
+    Sequence, ///< a picture for every frame of a range
+    Flipbook, ///< frames of a range side by side in one picture
+    Picture, ///< one frame
+    NoiseTexture, ///< one tile, as particles read it
+    Particles, ///< where they are at one frame
+};
+
+/// All that decides what an export writes, but for the effect.
+struct ExportPlan {
+    ExportKind kind = ExportKind::Sequence;
+    std::filesystem::path output; ///< of pictures: # stands for the frame number, a missing ending is added; else the file as it is named
+    FrameRange frames; ///< of one picture and of particles: the first
+    ImageFormat format = ImageFormat::Png8;
+    ParticleFormat particles = ParticleFormat::Csv;
+    int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
+    int rows = 8;
+    int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
+    float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
+};
+
+/// The ending of the files that a plan writes, with its dot.
+[[nodiscard]] std::string_view fileEnding(const ExportPlan& plan);
+
+/// The files of a plan, first and last; what describes a flipbook lies beside it.
+[[nodiscard]] std::filesystem::path firstFile(const ExportPlan& plan);
+[[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
+
+/// Writes all that a plan says, each file whole or not at all. On the calling thread.
+/// @param progress called after each picture of a sequence and each cell of a flipbook
+/// @return         the flipbook, where that is what was made
+/// @error          those of renderSequence(), renderFlipbook(), bakeNoise() and writeFileAtomically()
+[[nodiscard]] Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop = {});
+
+} // namespace fumage

@@ -1,0 +1,221 @@
+// What a plan says is what lies on the disk: names, formats and contents.
+#include "tests/helpers.h"
+
+#include "core/base/file.h"
+#include "core/export/plan.h"
+#include "core/noise/texture.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <png.h>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// A grey picture file, rows from the top.
+struct Grey {
+    int width = 0;
+    int height = 0;
+    int bits = 0;
+    std::vector<float> values;
+};
+
+/// Reads a grey PNG without any conversion but the byte order.
+Grey readGreyPng(const std::string& path)
+{
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    if (file == nullptr) {
+        qFatal("%s", path.c_str());
+    }
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file);
+    png_read_png(png, info, PNG_TRANSFORM_SWAP_ENDIAN, nullptr);
+    Grey grey{static_cast<int>(png_get_image_width(png, info)), static_cast<int>(png_get_image_height(png, info)), png_get_bit_depth(png, info), {}};
+    const bool isGrey = png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY;
+    for (int y = 0; isGrey && y < grey.height; ++y) {
+        const png_bytep row = png_get_rows(png, info)[y];
+        for (int x = 0; x < grey.width; ++x) {
+            grey.values.push_back(static_cast<float>(grey.bits == 16 ? reinterpret_cast<const std::uint16_t*>(row)[x] : row[x]));
+        }
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+    std::fclose(file);
+    return grey;
+}
+
+Grey readGreyExr(const std::string& path)
+{
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i box = file.header().dataWindow();
+    Grey grey{box.max.x + 1, box.max.y + 1, 32, {}};
+    grey.values.resize(static_cast<std::size_t>(grey.width * grey.height));
+    Imf::FrameBuffer buffer;
+    buffer.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(grey.values.data()), sizeof(float), sizeof(float) * static_cast<std::size_t>(grey.width)));
+    file.setFrameBuffer(buffer);
+    file.readPixels(box.min.y, box.max.y);
+    return grey;
+}
+
+Effect smallEffect()
+{
+    Effect effect = everythingOn();
+    effect.emitter.count = 200;
+    effect.output.width = 24;
+    effect.output.height = 16;
+    return effect;
+}
+
+} // namespace
+
+class PlanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void aPlanNamesTheFilesThatItWrites_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("output");
+        QTest::addColumn<QStringList>("files"); // first and last, and what lies beside
+        const auto add = [](const char* name, ExportKind kind, const char* output, const QStringList& files) { QTest::newRow(name) << static_cast<int>(kind) << QString::fromLatin1(output) << files; };
+        add("sequence", ExportKind::Sequence, "a_##.png", {"a_03.png", "a_07.png", "a_05.png"});
+        add("sequence without numbers and ending", ExportKind::Sequence, "a", {"a_0003.png", "a_0007.png", "a_0005.png"});
+        add("flipbook", ExportKind::Flipbook, "book", {"book.png", "book.png", "book.flipbook.json"});
+        add("picture", ExportKind::Picture, "a", {"a.png", "a.png"});
+        add("numbered picture", ExportKind::Picture, "a_###", {"a_003.png", "a_003.png"});
+        add("noise", ExportKind::NoiseTexture, "n.png", {"n.png", "n.png"});
+        add("noise as it is named", ExportKind::NoiseTexture, "n", {"n", "n"});
+        add("particles", ExportKind::Particles, "p.csv", {"p.csv", "p.csv"});
+    }
+    void aPlanNamesTheFilesThatItWrites()
+    {
+        QFETCH(int, kind);
+        QFETCH(QString, output);
+        QFETCH(QStringList, files);
+        ExportPlan plan = planFor(static_cast<ExportKind>(kind), output);
+        plan.frames = {3, 8, 2};
+        plan.columns = 3;
+        plan.rows = 1;
+        QCOMPARE(firstFile(plan).string(), pathOf(files[0]));
+        QCOMPARE(lastFile(plan).string(), pathOf(files[1]));
+        const Result<std::optional<Flipbook>> done = runExport(smallEffect(), plan, [](int, int) {});
+        QVERIFY(done.ok());
+        QCOMPARE(done.value().has_value(), plan.kind == ExportKind::Flipbook);
+        files.removeDuplicates();
+        files.sort();
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files, QDir::Name), files);
+    }
+
+    void theEndingChoosesTheFormat()
+    {
+        QCOMPARE(formatOf("a/b.png"), ImageFormat::Png8);
+        QCOMPARE(formatOf("b.png", true), ImageFormat::Png16);
+        QCOMPARE(formatOf("b.exr"), ImageFormat::ExrHalf);
+        QCOMPARE(formatOf("b.exr", true), ImageFormat::ExrFloat);
+        QCOMPARE(formatOf("exr"), ImageFormat::Png8);
+        QCOMPARE(formatOf(""), ImageFormat::Png8);
+        for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::ExrHalf}) {
+            QCOMPARE(formatOf(withEnding("a", fileEnding(format))), format);
+        }
+        QCOMPARE(withEnding("a.b/c.csv", fileEnding(ParticleFormat::Csv)).string(), std::string("a.b/c.csv"));
+        QCOMPARE(withEnding("a.b/c", fileEnding(ParticleFormat::Ply)).string(), std::string("a.b/c.ply"));
+    }
+
+    void anExportedNoiseTextureHoldsTheBakedValuesUpright_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::newRow("8 bits") << static_cast<int>(ImageFormat::Png8);
+        QTest::newRow("16 bits") << static_cast<int>(ImageFormat::Png16);
+        QTest::newRow("floats") << static_cast<int>(ImageFormat::ExrFloat);
+    }
+    void anExportedNoiseTextureHoldsTheBakedValuesUpright()
+    {
+        QFETCH(int, format);
+        Effect effect = smallEffect();
+        effect.noise.resolution = 48;
+        ExportPlan plan = planFor(ExportKind::NoiseTexture, u"noise"_qs);
+        plan.format = static_cast<ImageFormat>(format);
+        plan.noiseDepth = 0.25F;
+        QVERIFY(runExport(effect, plan, {}).ok());
+        const bool png = plan.format != ImageFormat::ExrFloat;
+        const Grey grey = png ? readGreyPng(plan.output.string()) : readGreyExr(plan.output.string());
+        const float full = png ? std::ldexp(1.0F, grey.bits) - 1.0F : 1.0F;
+
+        const NoiseTile tile = bakeNoise(effect.noise, 48, 0.25F).value();
+        QVERIFY(grey.width == 48 && grey.height == 48 && grey.values.size() == tile.values.size());
+        int upsideDown = 0;
+        for (int y = 0; y < 48; ++y) {
+            for (int x = 0; x < 48; ++x) {
+                // The tile's first row is its lowest, the picture's its highest.
+                const float seen = grey.values[static_cast<std::size_t>(y * 48 + x)];
+                const auto expected = [&](int row) { return png ? std::floor(tile.at(x, row) * full + 0.5F) : tile.at(x, row); };
+                QVERIFY(seen == expected(47 - y));
+                upsideDown += seen == expected(y) ? 1 : 0;
+            }
+        }
+        QVERIFY(upsideDown < 48 * 48 / 4); // a tile that looks the same either way would show nothing
+    }
+
+    void aNoiseTextureHasTheSizeThatIsAskedFor()
+    {
+        ExportPlan plan = planFor(ExportKind::NoiseTexture, u"noise.png"_qs);
+        plan.noiseSize = 20;
+        QVERIFY(runExport(smallEffect(), plan, {}).ok());
+        QCOMPARE(readGreyPng(plan.output.string()).width, 20);
+        plan.noiseSize = kMaxTextureSize + 1;
+        QCOMPARE(runExport(smallEffect(), plan, {}).error().code, ErrorCode::TooLarge);
+    }
+
+    void exportedParticlesAreThoseOfTheFrame()
+    {
+        const Effect effect = smallEffect();
+        const auto frame = frameOf(effect, 6);
+        ExportPlan plan = planFor(ExportKind::Particles, u"p.csv"_qs);
+        plan.frames = {6, 90, 1};
+        QVERIFY(runExport(effect, plan, {}).ok());
+        constexpr std::size_t kMost = 1U << 20U;
+        QVERIFY(readFile(plan.output, kMost).value() == dumpCsv(*frame, effect));
+        plan.particles = ParticleFormat::Ply;
+        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(readFile(plan.output, kMost).value() == dumpPly(*frame, effect));
+    }
+
+    void everyKindCanBeCancelled()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles}) {
+            ExportPlan plan = planFor(kind, u"a"_qs);
+            plan.frames = {5, 100, 1};
+            const auto done = runExport(
+                smallEffect(), plan, [](int, int) {}, stop.get_token());
+            QVERIFY(!done.ok());
+            QCOMPARE(done.error().code, ErrorCode::Cancelled);
+        }
+        QVERIFY(QDir(m_folder->path()).isEmpty());
+    }
+
+private:
+    [[nodiscard]] std::string pathOf(const QString& name) const { return m_folder->filePath(name).toStdString(); }
+
+    [[nodiscard]] ExportPlan planFor(ExportKind kind, const QString& output) const
+    {
+        ExportPlan plan;
+        plan.kind = kind;
+        plan.output = pathOf(output);
+        return plan;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_GUILESS_MAIN(PlanTest)
+#include "plan_test.moc"
