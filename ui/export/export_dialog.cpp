@@ -80,6 +80,16 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     layout->setSpacing(12);
     buildForm();
     buildProgress();
+    connectPlan();
+    connectJob();
+    constexpr int kWidth = 520;
+    resize(kWidth, sizeHint().height());
+    followKind();
+    followJob();
+}
+
+void ExportDialog::connectPlan()
+{
     connect(m_kind, &QComboBox::currentIndexChanged, this, &ExportDialog::followKind);
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followPlan);
     connect(m_path, &QLineEdit::textEdited, this, [this] { m_pathIsSuggested = false; });
@@ -87,12 +97,8 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     for (QSpinBox* field : {m_first, m_last, m_step, m_columns, m_rowsOfCells}) {
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
-    connect(&document, &Document::effectChanged, this, &ExportDialog::followPlan);
-    connect(&document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
-    constexpr int kWidth = 520;
-    resize(kWidth, sizeHint().height());
-    followKind();
-    followJob();
+    connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
+    connect(&m_document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
 }
 
 QSpinBox* ExportDialog::addNumber(const QString& name, const QString& spoken, int least, int most)
@@ -176,10 +182,14 @@ void ExportDialog::buildProgress()
     box->addWidget(m_progress);
     box->addWidget(m_state);
     box->addLayout(buttons);
+    connect(close, &QPushButton::clicked, this, &QWidget::close);
+}
+
+void ExportDialog::connectJob()
+{
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::begin);
     connect(m_cancel, &QPushButton::clicked, &m_job, &ExportJob::cancel);
     connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
-    connect(close, &QPushButton::clicked, this, &QWidget::close);
     connect(&m_job, &ExportJob::started, this, [this] {
         m_progress->setRange(0, 0);
         m_state->clear();
@@ -263,6 +273,10 @@ void ExportDialog::followKind()
 
 void ExportDialog::followPlan()
 {
+    // Nobody sees it: showEvent() catches up.
+    if (!isVisible()) {
+        return;
+    }
     const bool picture = isPicture(kind());
     for (ParameterRow* row : m_rows) {
         row->sync();

@@ -42,6 +42,8 @@ private:
     QSpinBox* addNumber(const QString& name, const QString& spoken, int least, int most);
     void buildForm();
     void buildProgress();
+    void connectPlan();
+    void connectJob();
     void followKind();
     void followPlan();
     void followJob();

@@ -1,0 +1,122 @@
+#include "editor_helpers.h"
+
+#include "ui/export/export_dialog.h"
+#include "ui/panels/number_field.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_document = std::make_unique<Document>();
+        m_player = std::make_unique<Player>();
+        m_player->setTimeline(100, 30);
+        m_locks = std::make_unique<Locks>();
+        m_job = std::make_unique<ExportJob>();
+        m_dialog = std::make_unique<ExportDialog>(*m_document, *m_player, *m_locks, *m_job, nullptr);
+        m_dialog->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
+    }
+    void cleanup()
+    {
+        m_dialog.reset();
+        m_job.reset();
+    }
+
+    void aHiddenDialogDoesNotFollowTheDocument()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        setWidth(100);
+        const auto* files = child<QLabel>(u"export.files"_q);
+        const auto* field = child<NumberField>(u"output.width.field"_q);
+        QVERIFY(files->text().contains(u"800"_q));
+        m_dialog->hide();
+        const QStringList before{files->text(), field->text()};
+        setWidth(50);
+        QCOMPARE((QStringList{files->text(), field->text()}), before);
+        m_dialog->show();
+        QVERIFY(files->text().contains(u"400"_q));
+        QCOMPARE(field->text(), u"50"_q + before[1].mid(3));
+    }
+
+    void theFileIsSuggestedUntilOneIsTyped()
+    {
+        auto* path = child<QLineEdit>(u"export.path"_q);
+        QVERIFY(path->text().endsWith(u"_####.png"_q));
+        m_dialog->setKind(ExportKind::Flipbook);
+        QVERIFY(path->text().endsWith(u"-8x8.png"_q));
+        child<QSpinBox>(u"export.columns"_q)->setValue(4);
+        QVERIFY(path->text().endsWith(u"-4x8.png"_q));
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(2);
+        QVERIFY(path->text().endsWith(u"-4x8.exr"_q));
+        typePath(u"mine"_q);
+        child<QSpinBox>(u"export.columns"_q)->setValue(2);
+        QCOMPARE(path->text(), u"mine"_q);
+        m_dialog->setKind(ExportKind::Particles);
+        QVERIFY(path->text().endsWith(u"-particles.csv"_q));
+    }
+
+    void thePlanIsWhatTheFieldsSay()
+    {
+        m_dialog->setKind(ExportKind::Particles);
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
+        child<QSpinBox>(u"export.first"_q)->setValue(12);
+        typePath(u"/tmp/a.b"_q);
+        const ExportPlan plan = m_dialog->plan();
+        QCOMPARE(plan.kind, ExportKind::Particles);
+        QCOMPARE(plan.particles, ParticleFormat::Ply);
+        QCOMPARE(plan.frames.first, 12);
+        QCOMPARE(plan.output.string(), std::string("/tmp/a.b.ply"));
+        QCOMPARE(child<QLabel>(u"export.files"_q)->text(), u"a.b.ply"_q);
+    }
+
+    void whatCannotBeWrittenCannotBeBegun()
+    {
+        const auto* begin = child<QPushButton>(u"export.begin"_q);
+        QVERIFY(begin->isEnabled());
+        typePath(u"  "_q);
+        QVERIFY(!begin->isEnabled());
+        typePath(u"a"_q);
+        QVERIFY(begin->isEnabled());
+        child<QSpinBox>(u"export.first"_q)->setValue(50);
+        child<QSpinBox>(u"export.last"_q)->setValue(49);
+        QVERIFY(!begin->isEnabled());
+    }
+
+private:
+    void setWidth(int pixels) { m_document->edit(*findParameter("output.width"), pixels); }
+
+    void typePath(const QString& text)
+    {
+        auto* path = child<QLineEdit>(u"export.path"_q);
+        path->selectAll();
+        QTest::keyClicks(path, text);
+    }
+
+    template <class Widget>
+    Widget* child(const QString& name)
+    {
+        auto* widget = m_dialog->findChild<Widget*>(name);
+        Q_ASSERT(widget != nullptr);
+        return widget;
+    }
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Player> m_player;
+    std::unique_ptr<Locks> m_locks;
+    std::unique_ptr<ExportJob> m_job;
+    std::unique_ptr<ExportDialog> m_dialog;
+};
+
+FUMAGE_TEST_MAIN(ExportDialogTest)
+#include "export_dialog_test.moc"
