@@ -178,7 +178,7 @@ private slots:
 
     void typingWithoutChangingCommitsNothing()
     {
-        // The field shows six digits of a longer number; passing through it must not round the document.
+        // The field shows five digits of a longer number; passing through it must not round the document.
         Preset preset;
         preset.effect.motion.wind = 0.123456789F;
         m_document->load(preset, {});

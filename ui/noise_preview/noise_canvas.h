@@ -17,7 +17,6 @@ public:
     void setTiled(bool tiled);
     void setLineShown(bool shown);
     [[nodiscard]] double line() const { return m_line; } ///< height of the line in the tile, from its top, in [0, 1)
-    [[nodiscard]] double zoom() const { return m_zoom; }
 
     QSize minimumSizeHint() const override { return {96, 96}; }
     QSize sizeHint() const override { return {260, 260}; }
