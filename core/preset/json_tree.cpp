@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
@@ -82,14 +83,12 @@ public:
     bool binary(binary_t& /*value*/) { return false; }
     bool start_object(std::size_t /*elements*/) { return open(JsonNode::Type::Object); }
     bool start_array(std::size_t /*elements*/) { return open(JsonNode::Type::Array); }
-    bool end_object() { return close(); }
+    bool end_object() { return keysDiffer() && close(); }
     bool end_array() { return close(); }
     bool key(string_t& name)
     {
-        if (m_open.back().find(name) != nullptr) {
-            return fail(ErrorCode::Syntax, "the key " + inQuotes(name) + " is there twice", stringNode().begin, "Remove one of them");
-        }
-        m_keys.back() = std::move(name);
+        m_open.back().key = std::move(name);
+        m_open.back().keyPlaces.push_back(stringNode().begin);
         return true;
     }
     bool parse_error(std::size_t position, const std::string& /*token*/, const nlohmann::detail::exception& cause)
@@ -115,6 +114,13 @@ public:
     [[nodiscard]] const Error& error() const { return m_error; }
 
 private:
+    /// An array or object whose end has not been read.
+    struct Container {
+        JsonNode node;
+        std::string key; ///< waits for its value
+        std::vector<std::size_t> keyPlaces;
+    };
+
     static std::string reason(const std::string& what)
     {
         const std::size_t dash = what.rfind(" - ");
@@ -180,20 +186,33 @@ private:
         if (m_open.size() == kDeepest) {
             return fail(ErrorCode::TooDeep, "brackets are nested more than " + std::to_string(kDeepest) + " deep", m_consumed - 1, "This is not a preset");
         }
-        JsonNode node;
-        node.type = type;
-        node.begin = m_consumed - 1;
-        m_open.push_back(std::move(node));
-        m_keys.emplace_back();
+        Container container;
+        container.node.type = type;
+        container.node.begin = m_consumed - 1;
+        m_open.push_back(std::move(container));
         return true;
+    }
+
+    /// Sorts the keys once the object is complete: looking each one up as it comes would cost the square of their number.
+    bool keysDiffer()
+    {
+        const std::vector<std::string>& keys = m_open.back().node.keys;
+        std::vector<std::size_t> order(keys.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+        const auto twice = std::adjacent_find(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] == keys[b]; });
+        if (twice == order.end()) {
+            return true;
+        }
+        const std::size_t second = *(twice + 1);
+        return fail(ErrorCode::Syntax, "the key " + inQuotes(keys[second]) + " is there twice", m_open.back().keyPlaces[second], "Remove one of them");
     }
 
     bool close()
     {
-        JsonNode node = std::move(m_open.back());
+        JsonNode node = std::move(m_open.back().node);
         node.end = m_consumed;
         m_open.pop_back();
-        m_keys.pop_back();
         return add(std::move(node));
     }
 
@@ -201,22 +220,29 @@ private:
     {
         if (m_open.empty()) {
             m_root = std::move(node);
-        } else if (m_open.back().type == JsonNode::Type::Object) {
-            m_open.back().keys.push_back(std::move(m_keys.back()));
-            m_open.back().items.push_back(std::move(node));
-        } else {
-            m_open.back().items.push_back(std::move(node));
+            return true;
         }
+        Container& container = m_open.back();
+        if (container.node.type == JsonNode::Type::Object) {
+            container.node.keys.push_back(std::move(container.key));
+        }
+        container.node.items.push_back(std::move(node));
         return true;
     }
 
     std::string_view m_text;
     const std::size_t& m_consumed;
-    std::vector<JsonNode> m_open;
-    std::vector<std::string> m_keys; ///< the key that waits for its value, one for each open container
+    std::vector<Container> m_open;
     JsonNode m_root;
     Error m_error;
 };
+
+/// JSON begins with an ASCII character, so that UTF-16 has a zero byte there, unless it begins with a mark.
+bool isUtf16(std::string_view text)
+{
+    const std::string_view begin = text.substr(0, 2);
+    return begin == "\xFF\xFE" || begin == "\xFE\xFF" || (begin.size() == 2 && (begin[0] == '\0') != (begin[1] == '\0'));
+}
 
 } // namespace
 
@@ -228,6 +254,13 @@ const JsonNode* JsonNode::find(std::string_view key) const
 
 Result<JsonNode> parseJson(std::string_view text)
 {
+    if (isUtf16(text)) {
+        return Error{ErrorCode::NotUtf8, "the text is UTF-16", placeInText(text, 0), "Save the file as UTF-8"};
+    }
+    // The parser would take a zero byte for the end of the text.
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        return Error{ErrorCode::Syntax, "this is not JSON: there is a zero byte", placeInText(text, zero), "It may be a binary file or a damaged one"};
+    }
     std::size_t consumed = 0;
     TreeBuilder builder(text, consumed);
     const CountingIterator begin(text.data(), &consumed);

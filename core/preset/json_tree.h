@@ -35,10 +35,10 @@ struct JsonNode {
 
 /// Parses JSON (RFC 8259).
 /// @error Syntax, NotUtf8, NotFinite, TooDeep; the place is "line L, column C"
-/// Cost and memory are linear in the text; nothing recurses while it parses.
+/// O(n log n) in the text, memory linear; nothing recurses while it parses.
 [[nodiscard]] Result<JsonNode> parseJson(std::string_view text);
 
-/// @return "line L, column C" of a byte, both from 1; columns count characters, not bytes
+/// @return "line L, column C" of a byte, both from 1; columns count characters, not bytes. O(offset)
 [[nodiscard]] std::string placeInText(std::string_view text, std::size_t offset);
 
 /// @return the text as a JSON string with its quotes

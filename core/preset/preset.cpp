@@ -14,6 +14,8 @@ namespace fumage {
 namespace {
 
 constexpr std::array<std::string_view, 4> kHeaderKeys{"format", "version", "name", "description"};
+/// More are counted only: nobody reads them, and a hostile file has a hundred thousand.
+constexpr std::size_t kMostWarnings = 20;
 
 class Reader {
 public:
@@ -37,6 +39,8 @@ public:
         if (Status status = readRoot(root.value()); !status) {
             return status.error();
         }
+        reportHidden();
+        reportMissing();
         return std::move(m_reading);
     }
 
@@ -48,7 +52,17 @@ private:
         return {code, std::move(message), placed(placeInText(m_text, node.begin)), std::move(remedy)};
     }
 
-    void warn(const JsonNode& node, const std::string& message) { m_reading.warnings.push_back(placed(placeInText(m_text, node.begin)) + ": " + message); }
+    /// @param message called only where there is room for it: a place and a suggestion cost far more than reading what they are about
+    template <class Message>
+    void warn(const JsonNode& node, const Message& message)
+    {
+        ++m_warnings;
+        if (m_warnings <= kMostWarnings) {
+            m_reading.warnings.push_back(placed(placeInText(m_text, node.begin)) + ": " + message());
+        }
+    }
+
+    void warnOfFile(const std::string& message) { m_reading.warnings.push_back((m_place.empty() ? "" : m_place + ": ") + message); }
 
     Status readRoot(const JsonNode& root)
     {
@@ -68,7 +82,6 @@ private:
                 return status;
             }
         }
-        reportMissing();
         return Done{};
     }
 
@@ -115,9 +128,11 @@ private:
 
     Status keepUnknown(const std::string& group, const std::string& key, const JsonNode& node)
     {
-        const std::string path = group.empty() ? key : group + "." + key;
-        const std::string_view near = nearestParameterKey(path);
-        warn(node, "unknown key " + inQuotes(path) + " is kept but has no effect" + (near.empty() ? "" : "; did you mean " + inQuotes(near) + "?"));
+        warn(node, [&] {
+            const std::string path = group.empty() ? key : group + "." + key;
+            const std::string_view near = nearestParameterKey(path);
+            return "unknown key " + inQuotes(path) + " is kept but has no effect" + (near.empty() ? "" : "; did you mean " + inQuotes(near) + "?");
+        });
         m_reading.preset.unknown.push_back({group, key, std::string(m_text.substr(node.begin, node.end - node.begin))});
         return Done{};
     }
@@ -129,7 +144,7 @@ private:
             return errorAt(node, value.error().code, value.error().place + ": " + value.error().message, value.error().remedy);
         }
         if (setClamped(m_reading.preset.effect, parameter, value.value())) {
-            warn(node, std::string(parameter.key) + " was out of range and is now " + formatText(parameter, parameter.get(m_reading.preset.effect), true));
+            warn(node, [&] { return std::string(parameter.key) + " was out of range and is now " + formatText(parameter, parameter.get(m_reading.preset.effect), true); });
         }
         m_seen.push_back(parameter.key);
         return Done{};
@@ -179,6 +194,13 @@ private:
         return false;
     }
 
+    void reportHidden()
+    {
+        if (m_warnings > kMostWarnings) {
+            warnOfFile("and " + std::to_string(m_warnings - kMostWarnings) + " more warnings");
+        }
+    }
+
     void reportMissing()
     {
         std::size_t missing = 0;
@@ -190,13 +212,14 @@ private:
             }
         }
         if (missing > 0) {
-            m_reading.warnings.push_back((m_place.empty() ? "" : m_place + ": ") + std::to_string(missing) + " parameters are not in the preset and keep their defaults, the first is " + first);
+            warnOfFile(std::to_string(missing) + " parameters are not in the preset and keep their defaults, the first is " + first);
         }
     }
 
     std::string_view m_text;
     const std::string& m_place;
     PresetReading m_reading;
+    std::size_t m_warnings = 0; ///< all of them, shown or not
     std::vector<std::string_view> m_seen;
 };
 

@@ -32,9 +32,10 @@ struct Preset {
 /// A preset that was read, and what the reader had to put right.
 struct PresetReading {
     Preset preset;
-    std::vector<std::string> warnings; ///< unknown keys with the nearest known one, clamped values, missing parameters
+    std::vector<std::string> warnings; ///< unknown keys with the nearest known one, clamped values, missing parameters; the first 20, then how many more
 };
 
+/// O(n log n) in the text.
 /// @param place name of the source for messages, usually the file; may be empty
 /// @error Syntax, NotUtf8, NotFinite, TooDeep, TooLarge, WrongType, WrongVersion, UnknownName; places have line and column
 [[nodiscard]] Result<PresetReading> parsePreset(std::string_view json, const std::string& place = "");

@@ -9,6 +9,9 @@
 
 #include <QTemporaryDir>
 
+#include <ctime>
+#include <functional>
+
 using namespace fumage;
 
 namespace {
@@ -67,6 +70,54 @@ private slots:
         QCOMPARE(formatPreset(second.value().preset), again);
     }
 
+    void aHostileFileIsReadInTimeLinearInItsSize_data()
+    {
+        QTest::addColumn<QByteArray>("json");
+        const auto row = [](const char* name, const std::string& before, const std::function<std::string(int)>& each, const std::string& after) {
+            std::string text = before;
+            for (int i = 0; text.size() + after.size() + 32 < kMaxPresetBytes; ++i) {
+                text += (i == 0 ? "" : ",") + each(i);
+            }
+            QTest::newRow(name) << QByteArray::fromStdString(text + after);
+        };
+        const auto key = [](int i) { return "\"u" + std::to_string(i) + "\":0"; };
+        row("unknown keys at the top", kHead, key, "}");
+        row("unknown keys in a group", kHead + "\"motion\": {", key, "}}");
+        row(
+            "unknown objects", kHead, [](int i) { return "\n\"wind" + std::to_string(i) + "\":{}"; }, "}");
+        row("keys of an unknown object", kHead + "\"x\": {", key, "}}");
+        row(
+            "a long list", kHead + "\"x\": [", [](int) { return "1"; }, "]}");
+        row(
+            "a long curve", kHead + "\"life\": {\"size\": [", [](int) { return "[0,0]"; }, "]}}");
+        row(
+            "quotes in a text", kHead + "\"name\": \"", [](int) { return "\\\"\\\\"; }, "\"}");
+    }
+    void aHostileFileIsReadInTimeLinearInItsSize()
+    {
+        QFETCH(QByteArray, json);
+        const std::clock_t start = std::clock();
+        const Result<PresetReading> reading = parsePreset(json.toStdString());
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        QVERIFY(!reading || reading.value().warnings.size() < 25);
+        // Time of the processor, 0.1 s when optimised; the square of the size costs a minute.
+        constexpr double kMostSeconds = 3.0;
+        QVERIFY2(seconds < kMostSeconds, QByteArray::number(seconds).constData());
+    }
+
+    void manyWarningsAreCounted()
+    {
+        std::string json = kHead;
+        for (int i = 0; i < 100; ++i) {
+            json += "\"u" + std::to_string(i) + "\": 1, ";
+        }
+        const std::vector<std::string> warnings = parsePreset(json + "\"motion\": {}}", "x.json").value().warnings;
+        QCOMPARE(warnings.size(), std::size_t(22));
+        QVERIFY(warnings[19].find("\"u19\"") != std::string::npos);
+        QCOMPARE(warnings[20], std::string("x.json: and 80 more warnings"));
+        QVERIFY(warnings[21].find("not in the preset") != std::string::npos);
+    }
+
     void outOfRangeIsClampedWithAWarning()
     {
         const Result<PresetReading> reading = parsePreset(kHead + R"("motion": {"randomness": 5}})");
@@ -112,6 +163,8 @@ private slots:
         row("version missing", R"({"format": "fumage-preset"})", ErrorCode::WrongVersion);
         row("version is text", R"({"format": "fumage-preset", "version": "1"})", ErrorCode::WrongVersion);
         row("not UTF-8", kHead + "\"name\": \"\xff\xfe\"}", ErrorCode::NotUtf8);
+        row("a zero byte and rubbish behind the end", formatPreset({}) + std::string("\0rubbish", 8), ErrorCode::Syntax);
+        row("a zero byte in the middle", kHead + std::string("\0", 1) + "\"name\": \"x\"}", ErrorCode::Syntax);
         row("deep", std::string(1000, '['), ErrorCode::TooDeep);
         row(
             "deep objects", [] { std::string s; for (int i = 0; i < 1000; ++i) { s += "{\"a\":"; } return s; }(), ErrorCode::TooDeep);
@@ -122,6 +175,22 @@ private slots:
         QFETCH(QByteArray, json);
         QFETCH(int, code);
         QCOMPARE(int(codeOf(json.toStdString())), code);
+    }
+
+    void utf16IsNamed()
+    {
+        const QString json = QString::fromStdString(formatPreset({}));
+        const std::string plain(reinterpret_cast<const char*>(json.utf16()), static_cast<std::size_t>(json.size()) * 2);
+        std::string swapped = plain;
+        for (std::size_t i = 0; i < swapped.size(); i += 2) {
+            std::swap(swapped[i], swapped[i + 1]);
+        }
+        for (const std::string& text : {plain, swapped, "\xFF\xFE" + plain, "\xFE\xFF" + swapped}) {
+            const Error error = parsePreset(text).error();
+            QCOMPARE(error.code, ErrorCode::NotUtf8);
+            QVERIFY2(error.message.find("UTF-16") != std::string::npos, error.message.c_str());
+        }
+        QVERIFY(parsePreset("\xEF\xBB\xBF" + formatPreset({})).ok());
     }
 
     void everyPrefixOfAPresetIsAnError()
