@@ -15,14 +15,37 @@ namespace fumage {
 /// @error FileNotFound, NotAFile, PermissionDenied, TooLarge, ReadFailed; the place is the path
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path, std::size_t mostBytes);
 
-/// Makes the folder that a file is to lie in, and those above it.
+/// Makes the folder that a file is to lie in, and those above it; clears away what writers that were killed have left in it.
 /// @error PermissionDenied
 [[nodiscard]] Status makeFolderOf(const std::filesystem::path& file);
 
-/// Writes a file so that it is either there as a whole or not at all: into a temporary file beside it, flushed to the disk, then renamed.
-/// What was there before stays until then, and for good if anything fails.
-/// @error PermissionDenied, FileNotFound (no such folder), NotAFile, DiskFull, WriteFailed; the place is the path
-[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
-[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, std::string_view text);
+/// Removes the temporary files of writers that were killed. Those of running programs stay. O(files in the folder).
+void clearLeftovers(const std::filesystem::path& folder);
+
+/// Who may read a file that is made.
+enum class FileAccess {
+    Usual, ///< what the umask leaves; that of the file that is replaced
+    Private, ///< the user alone
+};
+
+/// Writes a file so that it is either there as a whole or not at all: into a temporary one, flushed to the disk, which then takes its place.
+/// The temporary file has no name where the file system can do that, so that nothing is left behind by a program that is killed.
+/// What was there before stays until then, and for good if anything fails. Its mode is kept, its owner and group where that is allowed. Other hard
+/// links to it keep the old contents. A symbolic link stays, and its target is written.
+/// @error PermissionDenied, FileNotFound (no such folder), NotAFile, DiskFull, WriteFailed; the place is the path, or the folder if that is to blame
+[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes, FileAccess access = FileAccess::Usual);
+[[nodiscard]] Status writeFileAtomically(const std::filesystem::path& path, std::string_view text, FileAccess access = FileAccess::Usual);
+
+struct FileContents {
+    std::filesystem::path path;
+    std::span<const std::byte> bytes;
+};
+
+/// Writes two files of one folder that belong together. Of two programs that write the same pair at once one wins with both files.
+/// @error as writeFileAtomically(); nothing has changed then, unless the disk failed between taking the first place and the second
+[[nodiscard]] Status writePairAtomically(const FileContents& first, const FileContents& second);
+
+/// Whether two paths lead to one file that is there.
+[[nodiscard]] bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 } // namespace fumage

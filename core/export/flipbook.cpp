@@ -118,10 +118,8 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
         error.place = flipbook.picture.string();
         return error;
     }
-    if (Status status = writeFileAtomically(flipbook.picture, bytes.value()); !status) {
-        return status.error();
-    }
-    if (Status status = writeFileAtomically(flipbook.description, describe(effect, options, flipbook)); !status) {
+    const std::string description = describe(effect, options, flipbook);
+    if (Status status = writePairAtomically({flipbook.picture, bytes.value()}, {flipbook.description, std::as_bytes(std::span(description))}); !status) {
         return status.error();
     }
     return flipbook;

@@ -1,6 +1,7 @@
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/base/file_draft.h"
+#include "core/base/file_error.h"
 #include "core/base/hash.h"
 #include "core/base/math.h"
 #include "core/base/parallel.h"
@@ -16,10 +17,32 @@
 
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace fumage;
 using namespace fumage::tests;
+
+namespace {
+
+std::span<const std::byte> bytesOf(std::string_view text)
+{
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+QStringList namesIn(const QTemporaryDir& folder)
+{
+    return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden | QDir::System, QDir::Name);
+}
+
+mode_t modeOf(const std::string& path)
+{
+    struct stat information { };
+    return ::stat(path.c_str(), &information) == 0 ? information.st_mode & 07777U : 0;
+}
+
+} // namespace
 
 class BaseTest : public QObject {
     Q_OBJECT
@@ -128,6 +151,157 @@ private slots:
         QVERIFY(error.text().find("/big") != std::string::npos);
         QCOMPARE(writeFileAtomically(base, std::string_view("x")).error().code, ErrorCode::NotAFile);
         QCOMPARE(writeFileAtomically(base + "/no/such/folder", std::string_view("x")).error().code, ErrorCode::FileNotFound);
+    }
+
+    void aDraftTakesItsPlaceOnlyWhenPublished_data()
+    {
+        QTest::addColumn<int>("naming");
+        QTest::newRow("without a name") << int(FileDraft::Naming::None);
+        QTest::newRow("with a temporary name") << int(FileDraft::Naming::Temporary);
+    }
+    void aDraftTakesItsPlaceOnlyWhenPublished()
+    {
+        QFETCH(int, naming);
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString() + "/a.txt";
+        for (const std::string_view text : {"one", "second"}) {
+            {
+                FileDraft given = FileDraft::make(path, bytesOf("rubbish"), FileAccess::Usual, FileDraft::Naming(naming)).value();
+            }
+            FileDraft draft = FileDraft::make(path, bytesOf(text), FileAccess::Usual, FileDraft::Naming(naming)).value();
+            QVERIFY(readFile(path, 100).ok() == (text == "second"));
+            clearLeftovers(folder.path().toStdString()); // its writer lives
+            QVERIFY(draft.publish().ok());
+            QCOMPARE(readFile(path, 100).value(), std::string(text));
+        }
+        QCOMPARE(namesIn(folder), QStringList{"a.txt"});
+    }
+
+    void whatAKilledWriterLeavesIsClearedAway()
+    {
+        const QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        QVERIFY(writeFileAtomically(base + "/.fumage", std::string_view("not ours")));
+        const pid_t writer = fork();
+        if (writer == 0) {
+            const Result<FileDraft> draft = FileDraft::make(base + "/a.txt", bytesOf("half"), FileAccess::Usual, FileDraft::Naming::Temporary);
+            _exit(draft ? 0 : 1);
+        }
+        int status = 1;
+        QVERIFY(waitpid(writer, &status, 0) == writer && status == 0);
+        QCOMPARE(namesIn(folder).size(), 2);
+        QVERIFY(makeFolderOf(base + "/b.txt").ok());
+        QCOMPARE(namesIn(folder), QStringList{".fumage"});
+    }
+
+    void modeIsKeptAndLongNamesAreWritten()
+    {
+        const QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        const mode_t mask = umask(027);
+        for (const std::size_t length : {1U, 245U, 255U}) {
+            const std::string path = base + "/" + std::string(length, 'n');
+            QVERIFY(writeFileAtomically(path, std::string_view("one")).ok());
+            QCOMPARE(modeOf(path), mode_t(0640));
+            chmod(path.c_str(), 0604);
+            QVERIFY(writeFileAtomically(path, std::string_view("two")).ok());
+            QCOMPARE(modeOf(path), mode_t(0604));
+            QVERIFY(writeFileAtomically(path, std::string_view("three"), FileAccess::Private).ok());
+            QCOMPARE(modeOf(path), mode_t(0600));
+        }
+        umask(mask);
+        QCOMPARE(writeFileAtomically(base + "/" + std::string(256, 'n'), std::string_view("x")).error().message, std::string("cannot write: the name is too long"));
+        QCOMPARE(namesIn(folder).size(), 3);
+    }
+
+    void ownerIsKeptWhenRootSaves()
+    {
+        if (geteuid() != 0) {
+            return; // nobody else may give a file away
+        }
+        const QTemporaryDir folder;
+        const std::string path = folder.path().toStdString() + "/theirs";
+        QVERIFY(writeFileAtomically(path, std::string_view("one")).ok());
+        constexpr uid_t kNobody = 65534;
+        QCOMPARE(chown(path.c_str(), kNobody, kNobody), 0);
+        chmod(path.c_str(), 0600);
+        QVERIFY(writeFileAtomically(path, std::string_view("two")).ok());
+        struct stat information { };
+        QCOMPARE(stat(path.c_str(), &information), 0);
+        QCOMPARE(information.st_uid, kNobody);
+        QCOMPARE(information.st_gid, kNobody);
+        QCOMPARE(modeOf(path), mode_t(0600));
+    }
+
+    void linksStayLinks()
+    {
+        const QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        std::filesystem::create_directory(base + "/far");
+        std::filesystem::create_symlink("far/target", base + "/link");
+        std::filesystem::create_symlink("link", base + "/chain");
+        for (const std::string_view text : {"made", "replaced"}) { // the link dangles at first
+            QVERIFY(writeFileAtomically(base + "/chain", text).ok());
+            QCOMPARE(readFile(base + "/far/target", 100).value(), std::string(text));
+            QVERIFY(std::filesystem::is_symlink(base + "/link") && std::filesystem::is_symlink(base + "/chain"));
+        }
+        std::filesystem::create_symlink("round", base + "/round");
+        QVERIFY(writeFileAtomically(base + "/round", std::string_view("x")).error().message.find("circle") != std::string::npos);
+        QVERIFY(readFile(base + "/round", 100).error().message.find("circle") != std::string::npos);
+        std::filesystem::create_hard_link(base + "/far/target", base + "/other");
+        QVERIFY(writeFileAtomically(base + "/far/target", std::string_view("new")).ok());
+        QCOMPARE(readFile(base + "/other", 100).value(), std::string("replaced"));
+    }
+
+    void errorsOfWritingBlameWhatIsToBlame()
+    {
+        const QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        QCOMPARE(mkfifo((base + "/fifo").c_str(), 0600), 0);
+        for (const std::string& path : {base + "/fifo", std::string("/dev/full")}) {
+            const Error error = writeFileAtomically(path, std::string_view("x")).error();
+            QCOMPARE(error.code, ErrorCode::NotAFile);
+            QCOMPARE(error.message, std::string("cannot write: it is not a regular file"));
+        }
+        QCOMPARE(writeFileAtomically(base + "/none/a", std::string_view("x")).error().place, base + "/none");
+        QCOMPARE(fileError(EROFS, "a", ErrorCode::WriteFailed, "write").message, std::string("cannot write: the disk is read-only"));
+        std::filesystem::permissions(base, std::filesystem::perms(0555));
+        const pid_t writer = fork();
+        if (writer == 0) {
+            static_cast<void>(seteuid(65534)); // root may write anywhere
+            const Status status = writeFileAtomically(base + "/a", std::string_view("x"));
+            _exit(!status && status.error().code == ErrorCode::PermissionDenied && status.error().place == base ? 0 : 1);
+        }
+        int result = 1;
+        QVERIFY(waitpid(writer, &result, 0) == writer);
+        QCOMPARE(result, 0);
+        std::filesystem::permissions(base, std::filesystem::perms(0755));
+    }
+
+    void pairsThatAreWrittenAtOnceStayPairs()
+    {
+        const QTemporaryDir folder;
+        const std::string base = folder.path().toStdString();
+        const auto write = [&](char mark) {
+            const std::string one(100, mark);
+            const std::string other(200, mark);
+            return writePairAtomically({base + "/one", bytesOf(one)}, {base + "/other", bytesOf(other)});
+        };
+        for (int round = 0; round < 20; ++round) {
+            std::vector<pid_t> writers;
+            for (const char mark : {'a', 'b', 'c'}) {
+                writers.push_back(fork());
+                if (writers.back() == 0) {
+                    _exit(write(mark) ? 0 : 1);
+                }
+            }
+            for (const pid_t writer : writers) {
+                int status = 1;
+                QVERIFY(waitpid(writer, &status, 0) == writer && status == 0);
+            }
+            QCOMPARE(readFile(base + "/one", 1000).value()[0], readFile(base + "/other", 1000).value()[0]);
+        }
+        QCOMPARE(namesIn(folder).size(), 2);
     }
 
     void aFullDiskLeavesTheOldFile()
