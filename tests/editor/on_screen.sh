@@ -1,3 +1,15 @@
 #!/usr/bin/env bash
 # Runs a program under a virtual X screen of its own with a window manager, which gives windows their focus.
-exec xvfb-run -a -s "-screen 0 1920x1080x24 +extension GLX" sh -c 'openbox 2>/dev/null & manager=$!; "$@"; code=$?; kill $manager; exit $code' sh "$@"
+# The server picks its number itself: xvfb-run -a looks for a free one first, and two that look at once share a screen.
+set -u
+exec {number}< <(exec Xvfb -displayfd 1 -screen 0 1920x1080x24 +extension GLX -nolisten tcp 2>/dev/null)
+server=$!
+read -r -t 60 -u "$number" screen || { echo "The virtual X server did not start." >&2; exit 1; }
+export DISPLAY=:$screen
+unset XAUTHORITY WAYLAND_DISPLAY
+openbox 2>/dev/null &
+manager=$!
+"$@"
+code=$?
+kill "$manager" "$server" 2>/dev/null
+exit "$code"
