@@ -13,17 +13,20 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
 PLAIN_CONTEXTS = ["Actions", "Parameters", "Help", "Gizmos", "GlSprites", "main"]
-TABLE = ROOT / "core/effect/parameter_table.cpp"
+TABLE = ROOT / "core/effect/parameters"
 
 
 def table_texts() -> list[str]:
-    """Labels, tips, sources, choices and headings of the parameter table, as they stand in the source, in their order."""
-    source = TABLE.read_text()
-    quoted = r'"((?:[^"\\]|\\.)*)"'
-    texts = re.findall(r"\.(?:label|tip|source) = " + quoted, source)
-    for line in re.findall(r"string_view, \d+> k\w+\{(.*?)\};", source):
-        texts += re.findall(quoted, line)
-    texts += re.findall(r'\{+"\w+", ' + quoted + r"\}", source)
+    """Labels, tips, sources, choices and headings of the parameters, as they stand in the source."""
+    literal = r'"(?:[^"\\]|\\.)*"'
+    rows, choices, headings = [], [], []
+    for file in sorted(TABLE.glob("*.h")):
+        source = file.read_text()
+        rows += re.findall(rf"\.(?:label|tip|source) = ({literal}(?:\s+{literal})*)", source)
+        for names in re.findall(r"string_view, \d+> k\w+\{(.*?)\};", source):
+            choices += re.findall(literal, names)
+        headings += re.findall(rf"kGroup<\w+>\{{.*, ({literal})\}};", source)
+    texts = ["".join(part[1:-1] for part in re.findall(literal, text)) for text in rows + choices + headings]
     return list(dict.fromkeys(texts))
 
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/effect/parameters/camera.h"
+#include "core/effect/parameters/emitter.h"
+#include "core/effect/parameters/life.h"
+#include "core/effect/parameters/light.h"
+#include "core/effect/parameters/look.h"
+#include "core/effect/parameters/motion.h"
+#include "core/effect/parameters/noise.h"
+#include "core/effect/parameters/output.h"
+#include "core/effect/parameters/rings.h"
+#include "core/effect/parameters/timeline.h"
+#include "core/effect/parameters/turbulence.h"
+#include "core/effect/parameters/vortex.h"
+
+namespace fumage {
+
+/// The groups of the Effect in the order of panels and files.
+template <class... Members>
+struct GroupList {
+    static constexpr std::array kLabels{std::pair{kGroup<Members>.name, kGroup<Members>.label}...};
+
+    static consteval auto table()
+    {
+        std::array<Parameter, (kRows<Members>.size() + ...)> all;
+        auto* next = all.begin();
+        ((next = std::copy(kRows<Members>.begin(), kRows<Members>.end(), next)), ...);
+        return all;
+    }
+};
+using Groups = GroupList<Emitter, Motion, Turbulence, Vortex, Rings, Life, Look, Noise, Light, Camera, Timeline, Output>;
+
+/// The table behind parameterTable(), for what is decided while compiling.
+inline constexpr std::array kParameterTable = Groups::table();
+
+namespace rows {
+
+/// @return the row with this key, or nullptr
+constexpr const Parameter* find(std::string_view key)
+{
+    for (const Parameter& parameter : kParameterTable) {
+        if (parameter.key == key) {
+            return &parameter;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace rows
+
+/// The row with a key that stands in the code: knownParameter("look.size"). A key that no row has does not compile.
+[[nodiscard]] consteval const Parameter& knownParameter(std::string_view key)
+{
+    const Parameter* parameter = rows::find(key);
+    if (parameter == nullptr) {
+        rows::mistake("no parameter has this key");
+    }
+    return *parameter;
+}
+
+} // namespace fumage

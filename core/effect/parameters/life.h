@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+template <>
+inline constexpr Group<Life> kGroup<Life>{&Effect::life, "life", "Life"};
+
+template <>
+inline constexpr std::array kRows<Life>{
+    row<&Life::fadeRate>({
+        .key = "life.fade_rate",
+        .label = "Fade rate",
+        .hard = {0.001, 100},
+        .soft = {0.005, 0.2},
+        .step = 0.001,
+        .unit = Unit::PerSecond,
+        .scale = Scale::Log,
+        .tip = "Alpha that a particle loses a second. Its life is the initial alpha divided by this.",
+        .source = "2012 model, eq. XIII",
+    }),
+    row<&Life::initialAlpha>({
+        .key = "life.initial_alpha",
+        .label = "Initial alpha",
+        .hard = {0.001, 1},
+        .soft = {0.01, 1},
+        .step = 0.005,
+        .scale = Scale::Log,
+        .tip = "Alpha Ai of a particle at birth.",
+        .source = "2012 model, eq. XIII (0.1 there)",
+    }),
+    row<&Life::lifetimeVariance>({
+        .key = "life.lifetime_variance",
+        .label = "Lifetime variance",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Lets particles die earlier, by up to this share of their life, so that the smoke thins out unevenly.",
+    }),
+    row<&Life::sizeCurve>({
+        .key = "life.size",
+        .label = "Size over life",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Share of the particle's size, from birth to death.",
+    }),
+    row<&Life::alphaCurve>({
+        .key = "life.alpha",
+        .label = "Alpha over life",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Multiplies the fading alpha, from birth to death.",
+        .stage = Stage::Shade,
+    }),
+};
+
+} // namespace fumage

@@ -1,0 +1,145 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+template <>
+inline constexpr Group<Motion> kGroup<Motion>{&Effect::motion, "motion", "Motion"};
+
+template <>
+inline constexpr std::array kRows<Motion>{
+    row<&Motion::buoyancy>({
+        .key = "motion.buoyancy",
+        .label = "Buoyancy",
+        .hard = {-1000, 1000},
+        .soft = {-2, 10},
+        .step = 0.05,
+        .unit = Unit::MetresPerSecond2,
+        .tip = "Upward acceleration of smoke that is as hot as at birth; it fades as the smoke cools.",
+        .source = "2012 model, figure 1",
+    }),
+    row<&Motion::wind>({
+        .key = "motion.wind",
+        .label = "Wind",
+        .hard = {0, 1000},
+        .soft = {0, 5},
+        .step = 0.01,
+        .unit = Unit::MetresPerSecond2,
+        .tip = "Acceleration Vw by the wind, level with the ground.",
+        .source = "2012 model, eq. III and V",
+    }),
+    row<&Motion::windAngle>({
+        .key = "motion.wind_angle",
+        .label = "Wind angle",
+        .hard = {-360, 360},
+        .soft = {-180, 180},
+        .step = 1,
+        .unit = Unit::Degrees,
+        .tip = "Angle \u03b8 of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z.",
+        .source = "2012 model, eq. III and V",
+    }),
+    row<&Motion::gravity>({
+        .key = "motion.gravity",
+        .label = "Gravity",
+        .hard = {-1000, 1000},
+        .soft = {-10, 10},
+        .step = 0.05,
+        .unit = Unit::MetresPerSecond2,
+        .tip = "Gravity g; divided by the mass it pulls particles down.",
+        .source = "2012 model, eq. IV",
+    }),
+    row<&Motion::drag>({
+        .key = "motion.drag",
+        .label = "Drag",
+        .hard = {0, 100},
+        .soft = {0, 5},
+        .step = 0.05,
+        .unit = Unit::PerSecond,
+        .tip = "Air resistance: the share of its velocity that a particle loses a second.",
+    }),
+    row<&Motion::cooling>({
+        .key = "motion.cooling",
+        .label = "Cooling",
+        .hard = {0, 100},
+        .soft = {0, 5},
+        .step = 0.01,
+        .unit = Unit::PerSecond,
+        .tip = "How fast the heat that lifts the smoke is lost.",
+    }),
+    row<&Motion::randomness>({
+        .key = "motion.randomness",
+        .label = "Randomness",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random "
+               "walk.",
+        .source = "2012 model, eq. XI and XII (1 there)",
+    }),
+    row<&Motion::gust>({
+        .key = "motion.gust",
+        .label = "Gusts",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "How much the strength and direction of the wind wander.",
+    }),
+    row<&Motion::gustRate>({
+        .key = "motion.gust_rate",
+        .label = "Gust rate",
+        .hard = {0, 100},
+        .soft = {0, 5},
+        .step = 0.05,
+        .unit = Unit::Hertz,
+        .tip = "How often the wind changes.",
+    }),
+    row<&Motion::heatVariance>({
+        .key = "motion.heat_variance",
+        .label = "Heat variance",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "How much the heat at birth differs from one particle to the next; hot ones run ahead.",
+    }),
+    row<&Motion::pull>({
+        .key = "motion.pull",
+        .label = "Pull to axis",
+        .hard = {-100, 100},
+        .soft = {-2, 5},
+        .step = 0.05,
+        .unit = Unit::PerSecond2,
+        .tip = "Acceleration towards the vertical line through the emitter, per metre of distance: the inflow that "
+               "keeps a plume together.",
+    }),
+    row<&Motion::rotation>({
+        .key = "motion.rotation",
+        .label = "Rotation",
+        .hard = {-3600, 3600},
+        .soft = {-180, 180},
+        .step = 1,
+        .unit = Unit::DegreesPerSecond,
+        .tip = "Mean rate at which the whole cloud turns about the vertical line through the emitter.",
+        .source = "2012 model, whole-body rotation (0 there)",
+    }),
+    row<&Motion::rotationJitter>({
+        .key = "motion.rotation_jitter",
+        .label = "Rotation jitter",
+        .hard = {0, 3600},
+        .soft = {0, 180},
+        .step = 1,
+        .unit = Unit::DegreesPerSecond,
+        .tip = "Random part of that rate, drawn anew every step.",
+        .source = "2012 model, whole-body rotation",
+    }),
+    row<&Motion::mass>({
+        .key = "motion.mass",
+        .label = "Mass",
+        .hard = {0.001, 1000},
+        .soft = {0.1, 10},
+        .step = 0.05,
+        .unit = Unit::Kilograms,
+        .scale = Scale::Log,
+        .tip = "Mass m of a particle, which divides gravity.",
+        .source = "2012 model, eq. IV",
+    }),
+};
+
+} // namespace fumage

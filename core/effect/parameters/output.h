@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+inline constexpr std::array<std::string_view, 3> kQualities{"draft", "good", "final"};
+inline constexpr std::array<std::string_view, 2> kViewTransforms{"standard", "filmic"};
+inline constexpr std::array<std::string_view, 2> kBackgrounds{"transparent", "colour"};
+
+template <>
+inline constexpr Group<Output> kGroup<Output>{&Effect::output, "output", "Output"};
+
+template <>
+inline constexpr std::array kRows<Output>{
+    row<&Output::width>({
+        .key = "output.width",
+        .label = "Width",
+        .hard = kEdges,
+        .soft = {64, 2048},
+        .step = 1,
+        .unit = Unit::Pixels,
+        .tip = "Width of a frame.",
+        .stage = Stage::Shade,
+    }),
+    row<&Output::height>({
+        .key = "output.height",
+        .label = "Height",
+        .hard = kEdges,
+        .soft = {64, 2048},
+        .step = 1,
+        .unit = Unit::Pixels,
+        .tip = "Height of a frame.",
+        .stage = Stage::Shade,
+    }),
+    row<&Output::quality>({
+        .key = "output.quality",
+        .label = "Quality",
+        .tip = "Draft: a quarter of the particles. Final: eight times as many, and finer shadows. The smoke keeps "
+               "its form and density.",
+        .choices = kQualities,
+    }),
+    row<&Output::supersample>({
+        .key = "output.supersample",
+        .label = "Supersampling",
+        .hard = {1, 4},
+        .step = 1,
+        .tip = "Renders this many times larger and averages.",
+        .stage = Stage::Shade,
+    }),
+    row<&Output::exposure>({
+        .key = "output.exposure",
+        .label = "Exposure",
+        .hard = {-20, 20},
+        .soft = {-4, 4},
+        .step = 0.05,
+        .unit = Unit::Stops,
+        .tip = "Brightness in stops; one more doubles it. Not applied to EXR, which is linear.",
+        .stage = Stage::Shade,
+    }),
+    row<&Output::viewTransform>({
+        .key = "output.view_transform",
+        .label = "View transform",
+        .tip = "Standard is plain sRGB; filmic rolls bright light off softly.",
+        .choices = kViewTransforms,
+        .stage = Stage::Shade,
+    }),
+    row<&Output::background>({
+        .key = "output.background",
+        .label = "Background",
+        .tip = "Keep transparency, or put a colour behind the smoke.",
+        .choices = kBackgrounds,
+        .stage = Stage::Shade,
+    }),
+    row<&Output::backgroundColour>({
+        .key = "output.background_colour",
+        .label = "Background colour",
+        .kind = Kind::Colour,
+        .hard = kColours,
+        .soft = kUnit,
+        .step = 0.01,
+        .tip = "The colour behind the smoke.",
+        .visible = when("output.background", Background::Colour),
+        .stage = Stage::Shade,
+    }),
+};
+
+} // namespace fumage

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+template <>
+inline constexpr Group<Timeline> kGroup<Timeline>{&Effect::timeline, "timeline", "Timeline"};
+
+template <>
+inline constexpr std::array kRows<Timeline>{
+    row<&Timeline::length>({
+        .key = "timeline.length",
+        .label = "Length",
+        .hard = {1, 100000},
+        .soft = {1, 600},
+        .step = 1,
+        .unit = Unit::Frames,
+        .tip = "Frames from the first to the last; also the length of the loop.",
+    }),
+    row<&Timeline::loop>({
+        .key = "timeline.loop",
+        .label = "Loop",
+        .tip = "The frame after the last is the first again, to the bit.",
+    }),
+    row<&Timeline::prewarm>({
+        .key = "timeline.prewarm",
+        .label = "Start warm",
+        .tip = "Frame 0 shows smoke that has been rising for a lifetime, instead of none.",
+        .visible = when("timeline.loop", 0),
+    }),
+    row<&Timeline::frameRate>({
+        .key = "timeline.frame_rate",
+        .label = "Frame rate",
+        .hard = {1, 240},
+        .soft = {12, 60},
+        .step = 1,
+        .unit = Unit::FramesPerSecond,
+        .tip = "Frames a second.",
+    }),
+    row<&Timeline::stepsPerFrame>({
+        .key = "timeline.steps_per_frame",
+        .label = "Steps a frame",
+        .hard = {1, 32},
+        .soft = {1, 8},
+        .step = 1,
+        .tip = "Steps of the simulation in a frame; more follow fast motion more closely.",
+        .source = "2012 model, eq. IX and X (1 there)",
+    }),
+};
+
+} // namespace fumage

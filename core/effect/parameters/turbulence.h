@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+template <>
+inline constexpr Group<Turbulence> kGroup<Turbulence>{&Effect::turbulence, "turbulence", "Turbulence"};
+
+template <>
+inline constexpr std::array kRows<Turbulence>{
+    row<&Turbulence::strength>({
+        .key = "turbulence.strength",
+        .label = "Strength",
+        .hard = {0, 1000},
+        .soft = {0, 5},
+        .step = 0.02,
+        .unit = Unit::MetresPerSecond,
+        .tip = "Typical speed of the swirls that carry the particles.",
+        .source = "Bridson et al. 2007, curl noise",
+    }),
+    row<&Turbulence::scale>({
+        .key = "turbulence.scale",
+        .label = "Scale",
+        .hard = {0.001, 1000},
+        .soft = {0.1, 10},
+        .step = 0.02,
+        .unit = Unit::Metres,
+        .scale = Scale::Log,
+        .tip = "Size of the largest swirls at the height of the emitter.",
+    }),
+    row<&Turbulence::octaves>({
+        .key = "turbulence.octaves",
+        .label = "Octaves",
+        .hard = {1, 8},
+        .soft = {1, 6},
+        .step = 1,
+        .tip = "Layers of ever smaller swirls; each costs the same time.",
+    }),
+    row<&Turbulence::roughness>({
+        .key = "turbulence.roughness",
+        .label = "Roughness",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "Speed of each layer of swirls relative to the one before.",
+    }),
+    row<&Turbulence::evolution>({
+        .key = "turbulence.evolution",
+        .label = "Evolution",
+        .hard = {0, 100},
+        .soft = {0, 3},
+        .step = 0.02,
+        .unit = Unit::Hertz,
+        .tip = "How often the largest swirls become others; smaller ones change faster.",
+    }),
+    row<&Turbulence::onset>({
+        .key = "turbulence.onset",
+        .label = "Onset",
+        .hard = {0, 100},
+        .soft = {0, 5},
+        .step = 0.02,
+        .unit = Unit::Seconds,
+        .tip = "Age at which the swirls have their full strength; younger smoke is calmer.",
+    }),
+    row<&Turbulence::growth>({
+        .key = "turbulence.growth",
+        .label = "Growth with height",
+        .hard = {0, 10},
+        .soft = {0, 2},
+        .step = 0.02,
+        .unit = Unit::PerMetre,
+        .tip = "How much larger the swirls are with each metre above the emitter, as in a plume that takes in air.",
+    }),
+    row<&Turbulence::drift>({
+        .key = "turbulence.drift",
+        .label = "Drift",
+        .hard = {-1000, 1000},
+        .soft = {0, 5},
+        .step = 0.02,
+        .unit = Unit::MetresPerSecond,
+        .tip = "Speed at which the swirls rise along with the smoke, instead of standing still while it passes.",
+    }),
+    row<&Turbulence::lacunarity>({
+        .key = "turbulence.lacunarity",
+        .label = "Lacunarity",
+        .hard = {1, 8},
+        .soft = {1.5, 3},
+        .step = 0.05,
+        .tip = "How many times smaller each layer of swirls is than the one before.",
+    }),
+};
+
+} // namespace fumage

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+template <>
+inline constexpr Group<Vortex> kGroup<Vortex>{&Effect::vortex, "vortex", "Vortex"};
+
+template <>
+inline constexpr std::array kRows<Vortex>{
+    row<&Vortex::strength>({
+        .key = "vortex.strength",
+        .label = "Strength",
+        .hard = {-1000, 1000},
+        .soft = {-5, 5},
+        .step = 0.05,
+        .unit = Unit::MetresPerSecond,
+        .tip = "Speed of the swirl at its radius; negative turns the other way.",
+        .source = "Scully 1975, vortex profile",
+    }),
+    row<&Vortex::radius>({
+        .key = "vortex.radius",
+        .label = "Radius",
+        .hard = {0.001, 1000},
+        .soft = {0.05, 5},
+        .step = 0.01,
+        .unit = Unit::Metres,
+        .scale = Scale::Log,
+        .tip = "Distance from the axis at which the swirl is fastest.",
+    }),
+    row<&Vortex::axis>({
+        .key = "vortex.axis",
+        .label = "Axis",
+        .kind = Kind::Direction,
+        .hard = kComponents,
+        .step = 0.01,
+        .tip = "Direction of the axis through the emitter about which the smoke swirls.",
+    }),
+};
+
+} // namespace fumage
