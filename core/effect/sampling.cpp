@@ -1,6 +1,6 @@
 #include "core/effect/sampling.h"
 
-#include "core/effect/parameter_table.h"
+#include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 
 #include <algorithm>
@@ -24,10 +24,10 @@ Effect sampled(const Effect& effect)
     // What makes smoke dense is count * size^2 * opacity.
     const float ratio = static_cast<float>(count) / static_cast<float>(out.emitter.count);
     const float root = std::sqrt(ratio);
-    setClamped(out, *findParameter("look.size"), effect.look.size * std::sqrt(root));
-    setClamped(out, *findParameter("look.opacity"), effect.look.opacity * root);
+    setClamped(out, knownParameter("look.size"), effect.look.size * std::sqrt(root));
+    setClamped(out, knownParameter("look.opacity"), effect.look.opacity * root);
     const auto cells = static_cast<float>(effect.light.resolution);
-    setClamped(out, *findParameter("light.resolution"), static_cast<int>(fine ? cells * kTimesShadow : cells / kTimesShadow));
+    setClamped(out, knownParameter("light.resolution"), static_cast<int>(fine ? cells * kTimesShadow : cells / kTimesShadow));
     return out;
 }
 
@@ -38,7 +38,7 @@ Effect thinned(const Effect& effect, int most)
         // What covers the picture is count * size^2.
         const float ratio = static_cast<float>(out.emitter.count) / static_cast<float>(most);
         out.emitter.count = most;
-        setClamped(out, *findParameter("look.size"), out.look.size * std::sqrt(ratio));
+        setClamped(out, knownParameter("look.size"), out.look.size * std::sqrt(ratio));
     }
     return out;
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 
@@ -103,12 +104,15 @@ bool canMove(const Parameter& parameter)
 
 bool isCharacter(const Parameter& parameter)
 {
-    constexpr std::array<std::string_view, 3> kNot{"camera", "timeline", "output"};
-    if (std::find(kNot.begin(), kNot.end(), parameter.group()) != kNot.end()) {
-        return false;
-    }
-    const bool costs = parameter.key == "emitter.count" || parameter.name() == "resolution" || parameter.key == "noise.slices";
-    return canMove(parameter) && !costs;
+    constexpr std::array kOtherGroups{kGroup<Camera>.name, kGroup<Timeline>.name, kGroup<Output>.name};
+    constexpr std::array kCosts{
+        &knownParameter("emitter.count"),
+        &knownParameter("noise.slices"),
+        &knownParameter("noise.resolution"),
+        &knownParameter("light.resolution"),
+    };
+    return canMove(parameter) && std::find(kOtherGroups.begin(), kOtherGroups.end(), parameter.group()) == kOtherGroups.end()
+        && std::find(kCosts.begin(), kCosts.end(), &parameter) == kCosts.end();
 }
 
 Effect vary(const Effect& effect, float amount, std::uint32_t seed, const MayVary& mayVary)

@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 #include "core/effect/variation.h"
 #include "core/preset/library.h"
@@ -17,7 +18,7 @@ private slots:
     void aDragIsOneUndoStep()
     {
         Document document;
-        const Parameter& gravity = *findParameter("motion.gravity");
+        const Parameter& gravity = knownParameter("motion.gravity");
         const Gesture gesture = document.beginGesture();
         for (int i = 1; i <= 20; ++i) {
             document.edit(gravity, static_cast<float>(i), gesture);
@@ -33,7 +34,7 @@ private slots:
     void twoDragsAreTwoUndoSteps()
     {
         Document document;
-        const Parameter& gravity = *findParameter("motion.gravity");
+        const Parameter& gravity = knownParameter("motion.gravity");
         document.edit(gravity, 1.0F, document.beginGesture());
         document.edit(gravity, 2.0F, document.beginGesture());
         QCOMPARE(document.undoStack()->count(), 2);
@@ -42,7 +43,7 @@ private slots:
     void aDragBackToWhereItBeganLeavesNoTrace()
     {
         Document document;
-        const Parameter& gravity = *findParameter("motion.gravity");
+        const Parameter& gravity = knownParameter("motion.gravity");
         const Gesture gesture = document.beginGesture();
         document.edit(gravity, 3.0F, gesture);
         document.edit(gravity, Effect().motion.gravity, gesture);
@@ -54,7 +55,7 @@ private slots:
     {
         Document document;
         QSignalSpy changes(&document, &Document::effectChanged);
-        document.edit(*findParameter("motion.gravity"), Effect().motion.gravity);
+        document.edit(knownParameter("motion.gravity"), Effect().motion.gravity);
         QCOMPARE(document.undoStack()->count(), 0);
         QCOMPARE(changes.size(), 0);
     }
@@ -62,16 +63,16 @@ private slots:
     void valuesAreClampedToTheirHardRange()
     {
         Document document;
-        document.edit(*findParameter("noise.octaves"), 99);
-        QCOMPARE(document.effect().noise.octaves, static_cast<int>(findParameter("noise.octaves")->hard.high));
+        document.edit(knownParameter("noise.octaves"), 99);
+        QCOMPARE(document.effect().noise.octaves, static_cast<int>(knownParameter("noise.octaves").hard.high));
     }
 
     void severalParametersInOneGestureAreOneStep()
     {
         Document document;
         const Gesture gesture = document.beginGesture();
-        document.edit({{findParameter("camera.yaw"), 10.0F}, {findParameter("camera.pitch"), 20.0F}}, u"Orbit"_q, gesture);
-        document.edit({{findParameter("camera.yaw"), 15.0F}, {findParameter("camera.distance"), 9.0F}}, u"Orbit"_q, gesture);
+        document.edit({{&knownParameter("camera.yaw"), 10.0F}, {&knownParameter("camera.pitch"), 20.0F}}, u"Orbit"_q, gesture);
+        document.edit({{&knownParameter("camera.yaw"), 15.0F}, {&knownParameter("camera.distance"), 9.0F}}, u"Orbit"_q, gesture);
         QCOMPARE(document.undoStack()->count(), 1);
         document.undoStack()->undo();
         QVERIFY(document.effect() == Effect());
@@ -81,9 +82,9 @@ private slots:
     {
         Document document;
         QSignalSpy changes(&document, &Document::effectChanged);
-        document.edit(*findParameter("look.opacity"), 5.0F);
-        document.edit(*findParameter("noise.sharpness"), 5.0F);
-        document.edit(*findParameter("motion.wind"), 5.0F);
+        document.edit(knownParameter("look.opacity"), 5.0F);
+        document.edit(knownParameter("noise.sharpness"), 5.0F);
+        document.edit(knownParameter("motion.wind"), 5.0F);
         QCOMPARE(changes.size(), 3);
         QCOMPARE(changes[0][0].value<Stage>(), Stage::Shade);
         QCOMPARE(changes[1][0].value<Stage>(), Stage::Noise);
@@ -96,8 +97,8 @@ private slots:
         Preset preset;
         preset.effect.motion.gravity = 4.0F;
         document.load(preset, {});
-        document.edit(*findParameter("motion.gravity"), 7.0F);
-        document.reset(*findParameter("motion.gravity"));
+        document.edit(knownParameter("motion.gravity"), 7.0F);
+        document.reset(knownParameter("motion.gravity"));
         QCOMPARE(document.effect().motion.gravity, 4.0F);
         QCOMPARE(document.undoStack()->count(), 2);
     }
@@ -107,7 +108,7 @@ private slots:
         QTemporaryDir folder;
         const QString path = folder.filePath(u"smoke.json"_q);
         Document document;
-        document.edit(*findParameter("motion.gravity"), 7.0F);
+        document.edit(knownParameter("motion.gravity"), 7.0F);
         QVERIFY(document.isModified());
         QVERIFY(document.save(path).ok());
         QVERIFY(!document.isModified());
@@ -122,7 +123,7 @@ private slots:
     void savingWhereItCannotBeSavedChangesNothing()
     {
         Document document;
-        document.edit(*findParameter("motion.gravity"), 7.0F);
+        document.edit(knownParameter("motion.gravity"), 7.0F);
         const Status status = document.save(u"/nowhere/at/all/smoke.json"_q);
         QVERIFY(!status.ok());
         QVERIFY(toQString(status.error().text()).contains(u"/nowhere/at/all"_q));
@@ -183,7 +184,7 @@ private slots:
         QTemporaryDir folder;
         Document document;
         Recovery recovery(document, QDir(folder.path()));
-        document.edit(*findParameter("motion.gravity"), 7.0F);
+        document.edit(knownParameter("motion.gravity"), 7.0F);
         QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 1);
         QVERIFY(Recovery::take(QDir(folder.path())).empty()); // its program is running
         document.undoStack()->undo();

@@ -3,6 +3,8 @@
 #include "ui/export/export_dialog.h"
 #include "ui/panels/number_field.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -94,7 +96,7 @@ private slots:
     }
 
 private:
-    void setWidth(int pixels) { m_document->edit(*findParameter("output.width"), pixels); }
+    void setWidth(int pixels) { m_document->edit(knownParameter("output.width"), pixels); }
 
     void typePath(const QString& text)
     {

@@ -6,6 +6,8 @@
 #include "ui/panels/effect_panel.h"
 #include "ui/shell/action_table.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -77,7 +79,7 @@ private slots:
         QCOMPARE(panel.findChild<QLineEdit*>(u"parameterSearch"_q)->placeholderText(), u"Sök parametrar"_q);
         QCOMPARE(NoisePane(document).findChild<QComboBox*>(u"noiseChannel"_q)->itemText(0), u"Textur"_q);
         QCOMPARE(panel.findChild<QWidget*>(u"emitter.seed.dice"_q)->accessibleName(), u"Utsändare: Frö tärning"_q);
-        document.edit(*findParameter("motion.gravity"), 3.0F);
+        document.edit(knownParameter("motion.gravity"), 3.0F);
         QCOMPARE(document.undoStack()->undoText(), u"Rörelse: Tyngdkraft"_q);
     }
 

@@ -8,6 +8,7 @@
 #include "ui/document/number_text.h"
 #include "ui/panels/vector_editors.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 #include "core/preset/library.h"
 
@@ -323,9 +324,9 @@ private slots:
     void rowsThatHaveNoInfluenceAreHidden()
     {
         QVERIFY(row("emitter.radius")->isVisible());
-        m_document->edit(*findParameter("emitter.shape"), static_cast<int>(EmitterShape::Rectangle));
+        m_document->edit(knownParameter("emitter.shape"), static_cast<int>(EmitterShape::Rectangle));
         QVERIFY(row("emitter.width")->isVisible());
-        m_document->edit(*findParameter("emitter.shape"), static_cast<int>(EmitterShape::Disc));
+        m_document->edit(knownParameter("emitter.shape"), static_cast<int>(EmitterShape::Disc));
         QVERIFY(!row("emitter.width")->isVisible());
     }
 

@@ -3,6 +3,8 @@
 
 #include "ui/viewport/viewport.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <QElapsedTimer>
 
 using namespace fumage;
@@ -16,7 +18,7 @@ private slots:
     {
         Viewport& viewport = m_window->viewport();
         trigger("compare.remember");
-        m_window->document().edit(*findParameter("look.colour"), glm::vec3(1.0F, 0.1F, 0.1F));
+        m_window->document().edit(knownParameter("look.colour"), glm::vec3(1.0F, 0.1F, 0.1F));
         const QImage a = settled();
         m_window->actions().get("compare.split").setChecked(true);
         QCOMPARE(viewport.compare(), Viewport::Compare::Split);
@@ -24,7 +26,7 @@ private slots:
         QVERIFY(viewport.otherPicture()->image != a);
         // Both halves move together.
         const QImage b = viewport.otherPicture()->image;
-        m_window->document().edit(*findParameter("camera.yaw"), 50.0F);
+        m_window->document().edit(knownParameter("camera.yaw"), 50.0F);
         QTRY_VERIFY(viewport.otherPicture()->image != b);
         m_window->actions().get("compare.split").setChecked(false);
         trigger("compare.adopt");

@@ -3,6 +3,8 @@
 
 #include "ui/export/export_job.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -29,7 +31,7 @@ private slots:
         childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(6);
         QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
         QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
-        m_window->document().edit(*findParameter("motion.gravity"), 2.0F); // does not touch what is being written
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F); // does not touch what is being written
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
         QCOMPARE(QDir(m_folder.filePath(u"out"_q)).entryList({u"*.png"_q}), (QStringList{u"smoke_03.png"_q, u"smoke_04.png"_q, u"smoke_05.png"_q, u"smoke_06.png"_q}));
         const QImage image(m_folder.filePath(u"out/smoke_03.png"_q));
@@ -56,7 +58,7 @@ private slots:
         childOf<QSpinBox>(*dialog, u"export.columns"_q)->setValue(4);
         childOf<QSpinBox>(*dialog, u"export.rows"_q)->setValue(2);
         QVERIFY(begin->isEnabled());
-        m_window->document().edit(*findParameter("camera.distance"), 2.0F);
+        m_window->document().edit(knownParameter("camera.distance"), 2.0F);
         QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
         QTest::mouseClick(begin, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
@@ -99,7 +101,7 @@ private slots:
 private:
     QDialog* openExport()
     {
-        m_window->document().edit({{findParameter("output.width"), 128}, {findParameter("output.height"), 128}}, u"Size"_q);
+        m_window->document().edit({{&knownParameter("output.width"), 128}, {&knownParameter("output.height"), 128}}, u"Size"_q);
         trigger("file.export");
         return m_window->findChild<QDialog*>(u"exportDialog"_q);
     }

@@ -1,6 +1,7 @@
 // Files of a document: saving, opening, giving up, and what is asked and told on the way.
 #include "window_fixture.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/preset/preset.h"
 
 #include <QMenu>
@@ -15,7 +16,7 @@ private slots:
     void whatIsSavedIsWhatIsLoaded()
     {
         const QString path = m_folder.filePath(u"mine.json"_q);
-        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
         QVERIFY(m_window->document().save(path).ok());
         const Effect saved = m_window->document().effect();
         m_window->document().load(Preset(), {});
@@ -33,7 +34,7 @@ private slots:
 
     void unsavedChangesAreAskedAbout()
     {
-        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
         QVERIFY(m_window->isWindowModified());
         answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Cancel); });
         trigger("file.new");
@@ -49,7 +50,7 @@ private slots:
     {
         const QString path = m_folder.filePath(u"kept.json"_q);
         QVERIFY(m_window->document().save(path).ok());
-        m_window->document().edit(*findParameter("motion.gravity"), 3.0F);
+        m_window->document().edit(knownParameter("motion.gravity"), 3.0F);
         answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Save); });
         trigger("file.new");
         QCOMPARE(readPresetFile(path.toStdString()).value().preset.effect.motion.gravity, 3.0F);
@@ -77,7 +78,7 @@ private slots:
     {
         const QString path = u"/proc/smoke.json"_q; // not even root writes here
         m_window->document().load(smallPreset(), path);
-        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
         QString told;
         answerNext("errorBox", [&told](QMessageBox& box) {
             told = box.text() + u" "_q + box.informativeText();
@@ -90,7 +91,7 @@ private slots:
 
     void aPresetIsCopiedAndPasted()
     {
-        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
         const Effect copied = m_window->document().effect();
         trigger("edit.copyPreset");
         m_window->document().load(smallPreset(), {});

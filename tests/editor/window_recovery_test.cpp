@@ -3,6 +3,8 @@
 
 #include "ui/document/recovery.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <QProcess>
 #include <QTimer>
 
@@ -45,7 +47,7 @@ static int runVictim(int argc, char** argv)
     Session session;
     MainWindow* window = session.openWindow();
     window->document().load(smallPreset(), u"/somewhere/mine.json"_q);
-    window->document().edit(*findParameter("motion.gravity"), 6.5F);
+    window->document().edit(knownParameter("motion.gravity"), 6.5F);
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &timer, [] {
         if (!QDir(Settings::recoveryFolder()).entryList({u"*.json"_q}).isEmpty()) {

@@ -6,6 +6,8 @@
 #include "ui/panels/number_slider.h"
 #include "ui/viewport/viewport.h"
 
+#include "core/effect/known_parameter.h"
+
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QDialog>
@@ -45,7 +47,7 @@ private slots:
         trigger("file.newWindow");
         MainWindow* second = otherWindow();
         QVERIFY(second != nullptr);
-        second->document().edit(*findParameter("motion.gravity"), 5.0F);
+        second->document().edit(knownParameter("motion.gravity"), 5.0F);
         QVERIFY(m_window->document().effect() == smallPreset().effect);
         QVERIFY(!m_window->isWindowModified());
     }

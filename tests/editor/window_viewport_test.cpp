@@ -6,6 +6,8 @@
 #include "ui/viewport/gizmos.h"
 #include "ui/viewport/viewport.h"
 
+#include "core/effect/known_parameter.h"
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -16,7 +18,7 @@ private slots:
     void theWindArrowIsDragged()
     {
         Viewport& viewport = m_window->viewport();
-        m_window->document().edit(*findParameter("camera.pitch"), 35.0F);
+        m_window->document().edit(knownParameter("camera.pitch"), 35.0F);
         const QImage before = settled();
         const QPoint from = handleOnScreen(GizmoId::Wind);
         const int steps = m_window->document().undoStack()->count();
@@ -67,7 +69,7 @@ private slots:
         }
         QVERIFY(pictures[5] != pictures[40]);
         // Another revision and back again, so that nothing comes out of the cache.
-        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
         QVERIFY(!settled().isNull());
         trigger("edit.undo");
         for (const int frame : {12, 5, 40, 5}) {

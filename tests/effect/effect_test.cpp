@@ -1,5 +1,6 @@
 #include "tests/helpers.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 
@@ -89,7 +90,7 @@ private slots:
 
     void directionsBecomeUnitVectors()
     {
-        const Parameter& p = *findParameter("emitter.normal");
+        const Parameter& p = knownParameter("emitter.normal");
         Effect effect;
         setClamped(effect, p, Value(glm::vec3(3.0F, 0.0F, 4.0F)));
         QCOMPARE(effect.emitter.normal, glm::vec3(0.6F, 0.0F, 0.8F));
@@ -154,9 +155,9 @@ private slots:
     {
         Effect effect;
         effect.emitter.shape = EmitterShape::Disc;
-        QVERIFY(!isVisible(*findParameter("emitter.width"), effect));
+        QVERIFY(!isVisible(knownParameter("emitter.width"), effect));
         effect.emitter.shape = EmitterShape::Rectangle;
-        QVERIFY(isVisible(*findParameter("emitter.width"), effect));
+        QVERIFY(isVisible(knownParameter("emitter.width"), effect));
     }
 };
 

@@ -1,5 +1,6 @@
 #include "tests/helpers.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/effect/variation.h"
@@ -60,7 +61,7 @@ private slots:
     void aParameterMovesByItsShareOfTheSoftRange()
     {
         // Drag goes from 0 to 5 with 0.8 in the middle of neither end: mean and deviation over many seeds.
-        const Parameter& drag = *findParameter("motion.drag");
+        const Parameter& drag = knownParameter("motion.drag");
         const auto mayVary = [&](const Parameter& parameter) { return parameter.key == drag.key; };
         constexpr int kSeeds = 4000;
         double sum = 0.0;

@@ -2,6 +2,7 @@
 
 #include "tests/helpers.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/rendering/view_transform.h"
@@ -23,7 +24,7 @@ Value moved(const Parameter& p, const Effect& effect)
     switch (p.kind) {
     case Kind::Bool: return !std::get<bool>(value);
     case Kind::Choice: return (std::get<int>(value) + 1) % static_cast<int>(p.choices.size());
-    case Kind::Int: return p.key == "emitter.count" ? 1000 : static_cast<int>(towards(static_cast<float>(std::get<int>(value))));
+    case Kind::Int: return &p == &knownParameter("emitter.count") ? 1000 : static_cast<int>(towards(static_cast<float>(std::get<int>(value))));
     case Kind::Float: return towards(std::get<float>(value));
     case Kind::Seed: return std::get<std::uint32_t>(value) + 1U;
     case Kind::Direction: return clampValue(p, Value(std::get<glm::vec3>(value) + glm::vec3(0.7F, 0.1F, 0.4F))).value;
@@ -39,7 +40,7 @@ Value moved(const Parameter& p, const Effect& effect)
 Effect stageFor(const Parameter& p)
 {
     Effect effect = everythingOn();
-    if (p.key == "noise.smooth") {
+    if (&p == &knownParameter("noise.smooth")) {
         effect.noise.basis = NoiseBasis::Lattice;
     }
     if (const Parameter* other = findParameter(p.visible.key); other != nullptr) {
@@ -49,10 +50,10 @@ Effect stageFor(const Parameter& p)
             other->set(effect, p.visible.value);
         }
     }
-    if (p.key == "timeline.prewarm") {
+    if (&p == &knownParameter("timeline.prewarm")) {
         effect.timeline.loop = false;
     }
-    if (p.key == "timeline.length") {
+    if (&p == &knownParameter("timeline.length")) {
         effect.timeline.loop = true;
     }
     return effect;

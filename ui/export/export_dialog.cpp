@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 #include "ui/panels/parameter_row.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 
 #include <algorithm>
@@ -31,7 +32,14 @@ namespace fumage::ui {
 namespace {
 
 /// The parameters that an export asks about.
-constexpr std::array<std::string_view, 6> kParameters{"output.width", "output.height", "output.quality", "output.supersample", "output.background", "output.background_colour"};
+constexpr std::array kParameters{
+    &knownParameter("output.width"),
+    &knownParameter("output.height"),
+    &knownParameter("output.quality"),
+    &knownParameter("output.supersample"),
+    &knownParameter("output.background"),
+    &knownParameter("output.background_colour"),
+};
 
 bool isPicture(ExportKind kind)
 {
@@ -149,8 +157,8 @@ void ExportDialog::buildForm()
     m_gridLabel = addRow(tr("Columns × rows"), m_grid);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addLayout(form);
-    for (const std::string_view key : kParameters) {
-        m_rows.push_back(new ParameterRow(*findParameter(key), m_document, m_locks, this));
+    for (const Parameter* parameter : kParameters) {
+        m_rows.push_back(new ParameterRow(*parameter, m_document, m_locks, this));
         box->addWidget(m_rows.back());
     }
     m_files->setObjectName(QStringLiteral("export.files"));

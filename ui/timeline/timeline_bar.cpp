@@ -2,7 +2,7 @@
 
 #include "ui/face/icons.h"
 
-#include "core/effect/parameter_table.h"
+#include "core/effect/known_parameter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,7 +194,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     rate->setAccessibleName(tr("Frames per second"));
     rate->setToolTip(tr("Frames per second of the effect"));
     rate->setKeyboardTracking(false);
-    const Parameter& rateParameter = *findParameter("timeline.frame_rate");
+    const Parameter& rateParameter = knownParameter("timeline.frame_rate");
     rate->setRange(static_cast<int>(rateParameter.hard.low), static_cast<int>(rateParameter.hard.high));
     rate->setSuffix(tr(" frames/s"));
     speed->setMinimumWidth(kLeastSpeed);

@@ -4,7 +4,7 @@
 #include "ui/viewport/overlays.h"
 
 #include "core/base/vector.h"
-#include "core/effect/parameter_table.h"
+#include "core/effect/known_parameter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,11 +89,6 @@ glm::vec3 directionOnBall(const View& view, const glm::vec3& centre, float radiu
     return glm::normalize(nearest + ray * (away ? half : -half));
 }
 
-const Parameter& parameter(std::string_view key)
-{
-    return *findParameter(key);
-}
-
 std::vector<Assignment> dragEmitter(const Effect& effect, const View& view, QPointF mouse, bool snap)
 {
     // In the plane through the emitter that faces the camera.
@@ -103,7 +98,7 @@ std::vector<Assignment> dragEmitter(const Effect& effect, const View& view, QPoi
     if (snap) {
         position = glm::vec3(std::round(position.x / kSnapMetres), std::round(position.y / kSnapMetres), std::round(position.z / kSnapMetres)) * kSnapMetres;
     }
-    return {{&parameter("emitter.position"), position}};
+    return {{&knownParameter("emitter.position"), position}};
 }
 
 /// Away from the axis of the rings, to the right as far as the view allows.
@@ -138,7 +133,7 @@ std::vector<Assignment> dragRings(const Effect& effect, const View& view, QPoint
     Rings rings = effect.rings;
     rings.spacing = snapped(glm::dot(place, axis));
     rings.radius = snapped(glm::dot(place, side)) - rings.widening * std::max(0.0F, rings.spacing);
-    return {{&parameter("rings.spacing"), rings.spacing}, {&parameter("rings.radius"), rings.radius}};
+    return {{&knownParameter("rings.spacing"), rings.spacing}, {&knownParameter("rings.radius"), rings.radius}};
 }
 
 std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF mouse, bool snap)
@@ -156,7 +151,7 @@ std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF
     float angle = std::atan2(way.z, way.x);
     angle = snap ? snapAngle(angle) : angle;
     // Whole degrees are what a hand means.
-    return {{&parameter("motion.wind_angle"), std::round(angle * kDegrees)}};
+    return {{&knownParameter("motion.wind_angle"), std::round(angle * kDegrees)}};
 }
 
 } // namespace
@@ -207,13 +202,13 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
     switch (id) {
     case GizmoId::EmitterPosition: return dragEmitter(effect, view, mouse, snap);
     case GizmoId::EmitterNormal:
-        return {{&parameter("emitter.normal"), onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
+        return {{&knownParameter("emitter.normal"), onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
     case GizmoId::Wind: return dragWind(effect, view, mouse, snap);
     case GizmoId::VortexAxis:
-        return {{&parameter("vortex.axis"), onBall(emitter, metres(view, emitter, kVortexPixels), effect.vortex.axis)}};
+        return {{&knownParameter("vortex.axis"), onBall(emitter, metres(view, emitter, kVortexPixels), effect.vortex.axis)}};
     case GizmoId::Rings: return dragRings(effect, view, mouse, snap);
     case GizmoId::Light:
-        return {{&parameter("light.direction"), -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
+        return {{&knownParameter("light.direction"), -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
     }
     return {};
 }
