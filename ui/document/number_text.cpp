@@ -8,6 +8,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <glm/trigonometric.hpp>
+
 namespace fumage::ui {
 
 namespace {
@@ -30,9 +32,9 @@ constexpr std::array kAliases{
     Alias{Unit::MetresPerSecond2, u"m/s2", 1.0},
     Alias{Unit::MetresPerSecond2, u"m/s^2", 1.0},
     Alias{Unit::Degrees, u"deg", 1.0},
-    Alias{Unit::Degrees, u"rad", 57.295779513082321},
+    Alias{Unit::Degrees, u"rad", glm::degrees(1.0)},
     Alias{Unit::DegreesPerSecond, u"deg/s", 1.0},
-    Alias{Unit::DegreesPerSecond, u"rad/s", 57.295779513082321},
+    Alias{Unit::DegreesPerSecond, u"rad/s", glm::degrees(1.0)},
     Alias{Unit::Millimetres, u"cm", 10.0},
     Alias{Unit::Kilograms, u"g", 0.001},
     Alias{Unit::None, u"k", 1000.0},

@@ -7,11 +7,12 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <glm/trigonometric.hpp>
+
 namespace fumage::ui {
 
 namespace {
 
-constexpr double kDegrees = 57.295779513082321;
 constexpr double kSnap = 15.0;
 
 } // namespace
@@ -35,7 +36,7 @@ void AngleDial::setAngle(double degrees)
 void AngleDial::turnTo(const QPointF& mouse, bool snap)
 {
     const QPointF way = mouse - QRectF(rect()).center();
-    double angle = std::round(std::atan2(way.y(), way.x()) * kDegrees);
+    double angle = std::round(glm::degrees(std::atan2(way.y(), way.x())));
     angle = snap ? std::round(angle / kSnap) * kSnap : angle;
     if (angle != m_angle) {
         setAngle(angle);

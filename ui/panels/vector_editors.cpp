@@ -11,12 +11,12 @@
 #include <QLabel>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace fumage::ui {
 
 namespace {
 
-constexpr double kDegrees = 57.295779513082321;
 const std::array<QString, 3> kNames{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
 
 NumberScale yawScale()
@@ -60,13 +60,13 @@ YawPitch anglesOf(const glm::vec3& direction, double yawWhereVertical)
     const double z = static_cast<double>(direction.z);
     const double level = std::hypot(x, z);
     constexpr double kVertical = 1e-6;
-    return {level > kVertical ? std::atan2(z, x) * kDegrees : yawWhereVertical, std::atan2(static_cast<double>(direction.y), level) * kDegrees};
+    return {level > kVertical ? glm::degrees(std::atan2(z, x)) : yawWhereVertical, glm::degrees(std::atan2(static_cast<double>(direction.y), level))};
 }
 
 glm::vec3 directionOf(const YawPitch& angles)
 {
-    const double yaw = angles.yaw / kDegrees;
-    const double pitch = angles.pitch / kDegrees;
+    const double yaw = glm::radians(angles.yaw);
+    const double pitch = glm::radians(angles.pitch);
     return {static_cast<float>(std::cos(pitch) * std::cos(yaw)), static_cast<float>(std::sin(pitch)), static_cast<float>(std::cos(pitch) * std::sin(yaw))};
 }
 

@@ -15,12 +15,12 @@
 #include <QPainterPath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace fumage::ui {
 
 namespace {
 
-constexpr float kDegrees = 57.2957795F;
 constexpr float kSnapDegrees = 15.0F;
 constexpr float kSnapMetres = 0.1F;
 
@@ -44,7 +44,7 @@ float metres(const View& view, const glm::vec3& at, float pixels)
 
 glm::vec3 windDirection(const Effect& effect)
 {
-    const float angle = effect.motion.windAngle / kDegrees;
+    const float angle = glm::radians(effect.motion.windAngle);
     return {std::cos(angle), 0.0F, std::sin(angle)};
 }
 
@@ -61,7 +61,7 @@ float lightReach(const Effect& effect, const View& view)
 
 float snapAngle(float radians)
 {
-    const float step = kSnapDegrees / kDegrees;
+    const float step = glm::radians(kSnapDegrees);
     return std::round(radians / step) * step;
 }
 
@@ -151,7 +151,7 @@ std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF
     float angle = std::atan2(way.z, way.x);
     angle = snap ? snapAngle(angle) : angle;
     // Whole degrees are what a hand means.
-    return {{&knownParameter("motion.wind_angle"), std::round(angle * kDegrees)}};
+    return {{&knownParameter("motion.wind_angle"), std::round(glm::degrees(angle))}};
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace fumage::ui {
 
@@ -14,7 +15,6 @@ namespace {
 constexpr float kHalfTurn = 180.0F;
 constexpr float kFullTurn = 360.0F;
 constexpr float kSteepest = 89.0F;
-constexpr float kDegrees = 57.2957795F;
 constexpr double kZoomOfNotch = 1.12;
 
 float wrapped(float degrees)
@@ -24,9 +24,9 @@ float wrapped(float degrees)
 
 glm::vec3 turned(const glm::vec3& view, float yawDegrees, float pitchDegrees)
 {
-    const float yaw = std::atan2(view.x, -view.z) + yawDegrees / kDegrees;
-    const float steepest = kSteepest / kDegrees;
-    const float pitch = std::clamp(std::asin(std::clamp(view.y, -1.0F, 1.0F)) + pitchDegrees / kDegrees, -steepest, steepest);
+    const float yaw = std::atan2(view.x, -view.z) + glm::radians(yawDegrees);
+    const float steepest = glm::radians(kSteepest);
+    const float pitch = std::clamp(std::asin(std::clamp(view.y, -1.0F, 1.0F)) + glm::radians(pitchDegrees), -steepest, steepest);
     return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
 }
 
