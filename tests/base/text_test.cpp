@@ -1,0 +1,80 @@
+#include "tests/helpers.h"
+
+#include "core/base/hash.h"
+#include "core/base/text.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class TextTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void floatsRoundTripAsText()
+    {
+        for (std::uint32_t i = 0; i < 20000; ++i) {
+            const auto value = std::bit_cast<float>(mixBits(i));
+            if (std::isfinite(value)) {
+                QCOMPARE(std::bit_cast<std::uint32_t>(*parseFloat(formatFloat(value))), std::bit_cast<std::uint32_t>(value));
+            }
+        }
+        QCOMPARE(formatFloat(0.1F), std::string("0.1"));
+    }
+
+    void rubbishIsNoNumber()
+    {
+        for (const char* text : {"", " 1", "1 ", "1,5", "0x10", "--1", "+-1", "one", "1e"}) {
+            QVERIFY2(!parseFloat(text), text);
+        }
+        QCOMPARE(*parseFloat("+1.5"), 1.5F);
+        QVERIFY(!parseInteger("99999999999999999999"));
+    }
+
+    void nearestNameFindsASlip()
+    {
+        const std::array<std::string_view, 3> names{"motion.wind", "motion.gravity", "look.size"};
+        QCOMPARE(nearestName("motion.wnd", names), std::string_view("motion.wind"));
+        QCOMPARE(nearestName("xyzzy", names), std::string_view());
+    }
+
+    void partsLieBetweenSeparators()
+    {
+        QCOMPARE(splitCount("a,,b", ','), std::size_t{3});
+        QCOMPARE(splitPart("a,,b", ',', 0), std::string_view("a"));
+        QCOMPARE(splitPart("a,,b", ',', 1), std::string_view());
+        QCOMPARE(splitPart("a,,b", ',', 2), std::string_view("b"));
+        QCOMPARE(splitCount("", ','), std::size_t{1});
+        QCOMPARE(splitPart("", ',', 0), std::string_view());
+        QCOMPARE(splitPart("whole", ',', 0), std::string_view("whole"));
+    }
+
+    void aPartBehindTheLastIsEmpty()
+    {
+        QCOMPARE(splitPart("a,b", ',', 2), std::string_view());
+        QCOMPARE(splitPart("a,b,", ',', 2), std::string_view());
+        QCOMPARE(splitPart("", ',', 7), std::string_view());
+    }
+
+    void trimmingTakesSpaceFromBothEndsOnly()
+    {
+        QCOMPARE(trimmed(" \t a b\r\n"), std::string_view("a b"));
+        QCOMPARE(trimmed("a"), std::string_view("a"));
+        QCOMPARE(trimmed(" \n "), std::string_view());
+        QCOMPARE(trimmed(""), std::string_view());
+    }
+
+    void quotedTextIsShortAndWithoutControlCharacters()
+    {
+        QCOMPARE(inQuotes("wind"), std::string("\"wind\""));
+        QCOMPARE(inQuotes("a\x1b[2Jb\x7f\n"), std::string("\"a?[2Jb??\""));
+        QCOMPARE(inQuotes(std::string(60, 'x')), "\"" + std::string(60, 'x') + "\"");
+        QCOMPARE(inQuotes(std::string(61, 'x')), "\"" + std::string(60, 'x') + "...\"");
+    }
+};
+
+QTEST_GUILESS_MAIN(TextTest)
+#include "text_test.moc"

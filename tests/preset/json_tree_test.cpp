@@ -1,0 +1,27 @@
+#include "core/preset/json_tree.h"
+
+#include <QtTest/QtTest>
+
+using namespace fumage;
+
+class JsonTreeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aPlaceIsCountedInLinesAndCharacters()
+    {
+        QCOMPARE(placeInText("", 0), std::string("line 1, column 1"));
+        QCOMPARE(placeInText("one\ntwo", 3), std::string("line 1, column 4"));
+        QCOMPARE(placeInText("one\ntwo", 4), std::string("line 2, column 1"));
+        QCOMPARE(placeInText("\n\n x", 3), std::string("line 3, column 2"));
+        QCOMPARE(placeInText("r\xc3\xb6k\xe7\x83\x9f!", 7), std::string("line 1, column 5"));
+    }
+
+    void aPlaceBehindTheEndIsTheEnd()
+    {
+        QCOMPARE(placeInText("one\ntwo", 1000), std::string("line 2, column 4"));
+    }
+};
+
+QTEST_GUILESS_MAIN(JsonTreeTest)
+#include "json_tree_test.moc"
