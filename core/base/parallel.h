@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 namespace fumage {
 
@@ -14,11 +17,36 @@ void runParallel(std::size_t count, const ParallelBody& body);
 
 /// Calls body(index) for every index in [0, count), on as many threads as the process allows.
 /// The caller must make sure that bodies do not touch the same memory; results then never depend on the thread count.
+/// An exception that leaves a body leaves the loop, once all bodies that had begun have ended.
 template <class Body>
 void parallelFor(std::size_t count, const Body& body)
 {
     runParallel(count, {&body, [](const void* object, std::size_t index) { (*static_cast<const Body*>(object))(index); }});
 }
+
+/// How many bodies of one parallelFor() may run at the same time; 1 or more.
+[[nodiscard]] std::size_t parallelThreads();
+
+/// One T for each thread that asks for it: room to work in for bodies of parallelFor(). A body that itself runs a parallelFor()
+/// must not hold on to its T meanwhile, since its thread may be lent to another body while it waits.
+template <class T>
+class PerThread {
+public:
+    /// The calling thread's T, made on its first call; stays where it is as long as this object lives. Thread-safe.
+    [[nodiscard]] T& local()
+    {
+        const std::scoped_lock lock(m_mutex);
+        std::unique_ptr<T>& mine = m_all[std::this_thread::get_id()];
+        if (!mine) {
+            mine = std::make_unique<T>();
+        }
+        return *mine;
+    }
+
+private:
+    std::mutex m_mutex;
+    std::map<std::thread::id, std::unique_ptr<T>> m_all;
+};
 
 /// From now on every thread that takes part in parallelFor() gives way to the other threads of the process and to other programs, but for the
 /// process's first thread, which answers the user. For good: a thread may lower its priority and not raise it again. Linux only.

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace fumage {
+
+/// What every thread calls before it takes part in a parallel loop: gives way where computeInBackground() asked for it.
+/// The loops themselves, parallelThreads() and ThreadLimit are in parallel_tbb.cpp or, where the build says so, in parallel_threads.cpp.
+void enterParallelLoop();
+
+} // namespace fumage
