@@ -6,6 +6,7 @@
 #include "core/effect/value.h"
 #include "core/preset/library.h"
 #include "core/simulation/schedule.h"
+#include "core/version.h"
 
 #include <iostream>
 #include <memory>

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
+#include "core/version.h"
 
 #include <exception>
 #include <iostream>

@@ -1,14 +1,53 @@
 #!/usr/bin/env bash
-# Installs the library into a temporary folder, builds a small program against the installed package and runs it.
+# Installs the library into a temporary folder, builds a small program against the installed package and runs it; then builds the same
+# program with the library as a part of its tree.
+#   build_consumer.sh <build tree> <consumer> <compiler> <its flags> <source tree> [whole]
+# A part of a tree is compiled as far as the program's own code; "whole" links and runs that too, which compiles the library once more.
 set -euo pipefail
 build=$1
-source=$2
+consumer=$2
 compiler=$3
 flags=$4
-prefix=$(mktemp -d)
-trap 'rm -rf "$prefix"' EXIT
-cmake --install "$build" --prefix "$prefix/installed" > "$prefix/log"
-cmake -S "$source" -B "$prefix/build" -DCMAKE_PREFIX_PATH="$prefix/installed" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" > "$prefix/log" || { cat "$prefix/log"; exit 1; }
-cmake --build "$prefix/build" > "$prefix/log" || { cat "$prefix/log"; exit 1; }
-"$prefix/build/consumer"
-"$prefix/installed/bin/fumage-cli" --version
+source=$5
+whole=${6:-}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+quietly() {
+    "$@" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+}
+configure() { # <build folder> <definitions>...
+    quietly cmake -G Ninja -S "$consumer" -B "$@" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags"
+}
+
+echo "-- installed"
+quietly cmake --install "$build" --prefix "$work/installed"
+headers=$(cd "$work/installed/include" && find fumage -name '*.h' | sort | paste -sd ';')
+configure "$work/find" -DCMAKE_PREFIX_PATH="$work/installed" -DHEADERS="$headers"
+quietly cmake --build "$work/find"
+"$work/find/consumer"
+if [ -x "$work/installed/bin/fumage-cli" ]; then
+    "$work/installed/bin/fumage-cli" --version
+fi
+strangers=$(find "$work/installed/include" -name '*-inl.h' -o -name '*_kernel.h' -o -path '*/core/*')
+[ -z "$strangers" ] || { echo "headers that are nobody's business: $strangers"; exit 1; }
+if grep -rn '#include "core/' "$work/installed/include"; then
+    exit 1
+fi
+
+echo "-- as a part of a tree"
+configure "$work/part" -DFUMAGE_AS_SUBPROJECT="$source"
+if grep -E '^FUMAGE_(BUILD_.*|INSTALL):BOOL=(ON|TRUE)' "$work/part/CMakeCache.txt"; then
+    echo "programs, tests and installation are on although the project is not top level"
+    exit 1
+fi
+if grep -rq -e -Werror "$work/part/build.ninja"; then
+    echo "warnings are errors although nobody asked for it"
+    exit 1
+fi
+if [ -n "$whole" ]; then
+    quietly cmake --build "$work/part"
+    "$work/part/consumer"
+else
+    quietly cmake --build "$work/part" --target consumer_code
+fi

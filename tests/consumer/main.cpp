@@ -1,6 +1,13 @@
-#include "core/preset/library.h"
-#include "core/rendering/renderer.h"
-#include "core/simulation/simulator.h"
+#include <fumage/preset/library.h>
+#include <fumage/rendering/renderer.h>
+#include <fumage/simulation/simulator.h>
+#include <fumage/version.h>
+
+#include <iostream>
+
+#if FUMAGE_VERSION_MAJOR * 10000 + FUMAGE_VERSION_MINOR * 100 + FUMAGE_VERSION_PATCH < 1
+#error "the version is not told"
+#endif
 
 int main()
 {
@@ -8,5 +15,6 @@ int main()
     fumage::Simulator simulator(effect);
     fumage::Renderer renderer;
     fumage::Image image;
+    std::cout << "Fumage " << FUMAGE_VERSION << '\n';
     return renderer.render(*simulator.frame(10).value(), effect, 64, 64, image).ok() ? 0 : 1;
 }

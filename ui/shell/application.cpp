@@ -3,6 +3,8 @@
 #include "ui/face/language.h"
 #include "ui/shell/session.h"
 
+#include "core/version.h"
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
