@@ -46,8 +46,9 @@ bool sameBits(const AlignedArray<T>& a, const AlignedArray<T>& b)
 
 inline bool sameBits(const Particles& a, const Particles& b)
 {
-    return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.z, b.z) && sameBits(a.vx, b.vx) && sameBits(a.vy, b.vy) && sameBits(a.vz, b.vz) && sameBits(a.key, b.key)
-        && sameBits(a.birthStep, b.birthStep);
+    bool same = a.capacity == b.capacity;
+    forEachColumn([&](const auto& column) { same = same && sameBits(column.of(a), column.of(b)); });
+    return same;
 }
 
 /// Puts the best instruction set back at the end of a test that forced another.

@@ -96,60 +96,20 @@ private:
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
             const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
-            clearRoll(first - lap, first - lap + count);
-            bearParticles(m_birthPlace, random, step, static_cast<std::size_t>(first - lap), static_cast<std::size_t>(count), m_particles);
+            const auto slot = static_cast<std::size_t>(first - lap);
+            m_particles.clearRoll(slot, slot + static_cast<std::size_t>(count));
+            bearParticles(m_birthPlace, random, step, slot, static_cast<std::size_t>(count), m_particles);
             first += count;
         }
     }
 
-    void clear(std::int64_t first, std::int64_t last) const
-    {
-        for (AlignedArray<float>* column : {&m_particles.x, &m_particles.y, &m_particles.z, &m_particles.vx, &m_particles.vy, &m_particles.vz}) {
-            std::fill(column->begin() + first, column->begin() + last, 0.0F);
-        }
-        clearRoll(first, last);
-        std::fill(m_particles.key.begin() + first, m_particles.key.begin() + last, 0U);
-        std::fill(m_particles.birthStep.begin() + first, m_particles.birthStep.begin() + last, Particles::kUnborn);
-    }
-
-    void clearRoll(std::int64_t first, std::int64_t last) const
-    {
-        if (m_particles.rolls()) {
-            for (AlignedArray<float>* column : {&m_particles.rollX, &m_particles.rollY, &m_particles.rollZ}) {
-                std::fill(column->begin() + first, column->begin() + last, 0.0F);
-            }
-        }
-    }
+    void clear(std::int64_t first, std::int64_t last) const { m_particles.clear(static_cast<std::size_t>(first), static_cast<std::size_t>(last)); }
 
     const Schedule& m_schedule;
     BirthPlace m_birthPlace;
     Particles& m_particles;
     std::int64_t m_capacity;
 };
-
-template <class Column>
-void copyChunk(const Column& from, Column& to, std::size_t chunk)
-{
-    const auto begin = static_cast<std::ptrdiff_t>(chunk * Particles::kChunk);
-    std::copy_n(from.begin() + begin, Particles::kChunk, to.begin() + begin);
-}
-
-void copyChunk(const Particles& from, Particles& to, std::size_t chunk)
-{
-    copyChunk(from.x, to.x, chunk);
-    copyChunk(from.y, to.y, chunk);
-    copyChunk(from.z, to.z, chunk);
-    copyChunk(from.vx, to.vx, chunk);
-    copyChunk(from.vy, to.vy, chunk);
-    copyChunk(from.vz, to.vz, chunk);
-    if (from.rolls()) {
-        copyChunk(from.rollX, to.rollX, chunk);
-        copyChunk(from.rollY, to.rollY, chunk);
-        copyChunk(from.rollZ, to.rollZ, chunk);
-    }
-    copyChunk(from.key, to.key, chunk);
-    copyChunk(from.birthStep, to.birthStep, chunk);
-}
 
 /// @param prepare called for a chunk before its first step
 template <class Prepare>
@@ -199,7 +159,7 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
         after.reset(before.capacity, before.rolls());
     }
     after.capacity = before.capacity;
-    return run(model, after, from, to, stop, [&](std::size_t chunk) { copyChunk(before, after, chunk); });
+    return run(model, after, from, to, stop, [&](std::size_t chunk) { after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk); });
 }
 
 Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop)

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string_view>
 
 namespace fumage {
 
@@ -15,32 +16,62 @@ struct Particles {
     /// Slots that are stepped together: their arrays stay in the first-level cache.
     static constexpr std::size_t kChunk = 1024;
 
+    // A new column needs its line in forEachColumn().
     AlignedArray<float> x, y, z; ///< position, m
     AlignedArray<float> vx, vy, vz; ///< velocity without the turbulence that carries the particle, m/s
     AlignedArray<float> rollX, rollY, rollZ; ///< how far the swirls have turned the particle, a rotation vector in radians; empty where nobody asks
-    AlignedArray<std::uint32_t> key; ///< random bits of the particle, see birthKey()
+    AlignedArray<std::uint32_t> key; ///< random bits of the particle, see keyOf()
     AlignedArray<std::int32_t> birthStep; ///< kUnborn where the slot is empty
     std::size_t capacity = 0; ///< slots in use at most
 
     /// Makes room and empties every slot.
     /// @param rolls with room for rollX to rollZ
-    void reset(std::size_t slotCount, bool rolls = false)
-    {
-        capacity = slotCount;
-        const std::size_t padded = roundUp(slotCount, kChunk);
-        for (AlignedArray<float>* column : {&x, &y, &z, &vx, &vy, &vz}) {
-            column->assign(padded, 0.0F);
-        }
-        for (AlignedArray<float>* column : {&rollX, &rollY, &rollZ}) {
-            column->assign(rolls ? padded : 0, 0.0F);
-        }
-        key.assign(padded, 0U);
-        birthStep.assign(padded, kUnborn);
-    }
+    void reset(std::size_t slotCount, bool rolls = false);
+
+    /// Empties slots [first, last).
+    void clear(std::size_t first, std::size_t last);
+
+    /// Takes the roll of slots [first, last) back to zero, where there is one.
+    void clearRoll(std::size_t first, std::size_t last);
+
+    /// Takes slots [first, last) over from particles with the same columns and at least as many slots.
+    void copySlots(const Particles& from, std::size_t first, std::size_t last);
 
     [[nodiscard]] std::size_t chunks() const { return x.size() / kChunk; }
     [[nodiscard]] bool rolls() const { return !rollX.empty(); }
-    [[nodiscard]] std::size_t bytes() const { return x.size() * (rolls() ? 11 : 8) * sizeof(float); }
+
+    /// Memory of all columns.
+    [[nodiscard]] std::size_t bytes() const;
 };
+
+/// One column of Particles, whatever its type.
+template <class T>
+struct ParticleColumn {
+    std::string_view name;
+    AlignedArray<T> Particles::*member;
+    T empty{}; ///< value of slots that are not alive
+    bool isRoll = false; ///< without slots where Particles::rolls() is false
+
+    [[nodiscard]] AlignedArray<T>& of(Particles& particles) const { return particles.*member; }
+    [[nodiscard]] const AlignedArray<T>& of(const Particles& particles) const { return particles.*member; }
+};
+
+/// Calls visit(ParticleColumn) for every column: the one list of them, for all that has to treat each.
+template <class Visit>
+constexpr void forEachColumn(const Visit& visit)
+{
+    using Number = ParticleColumn<float>;
+    visit(Number{"x", &Particles::x});
+    visit(Number{"y", &Particles::y});
+    visit(Number{"z", &Particles::z});
+    visit(Number{"vx", &Particles::vx});
+    visit(Number{"vy", &Particles::vy});
+    visit(Number{"vz", &Particles::vz});
+    visit(Number{"rollX", &Particles::rollX, 0.0F, true});
+    visit(Number{"rollY", &Particles::rollY, 0.0F, true});
+    visit(Number{"rollZ", &Particles::rollZ, 0.0F, true});
+    visit(ParticleColumn<std::uint32_t>{"key", &Particles::key});
+    visit(ParticleColumn<std::int32_t>{"birthStep", &Particles::birthStep, Particles::kUnborn});
+}
 
 } // namespace fumage

@@ -1,0 +1,98 @@
+#include "tests/helpers.h"
+
+#include <map>
+#include <set>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// Two chunks in which no two columns hold the same.
+Particles distinct()
+{
+    Particles particles;
+    particles.reset(Particles::kChunk + 100, true);
+    int number = 0;
+    forEachColumn([&](const auto& column) {
+        ++number;
+        std::fill(column.of(particles).begin(), column.of(particles).end(), static_cast<std::decay_t<decltype(column.empty)>>(number));
+    });
+    return particles;
+}
+
+} // namespace
+
+class ParticlesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyColumnIsVisitedOnceUnderItsName()
+    {
+        Particles particles = distinct();
+        std::map<std::string_view, double> values;
+        forEachColumn([&](const auto& column) { values[column.name] = static_cast<double>(column.of(particles).back()); });
+        const std::map<std::string_view, double> members{{"x", particles.x.back()}, {"y", particles.y.back()}, {"z", particles.z.back()},
+            {"vx", particles.vx.back()}, {"vy", particles.vy.back()}, {"vz", particles.vz.back()},
+            {"rollX", particles.rollX.back()}, {"rollY", particles.rollY.back()}, {"rollZ", particles.rollZ.back()},
+            {"key", particles.key.back()}, {"birthStep", particles.birthStep.back()}};
+        QCOMPARE(values, members);
+        std::set<double> different;
+        for (const auto& [name, value] : values) {
+            different.insert(value);
+        }
+        QCOMPARE(different.size(), std::size_t(11));
+    }
+
+    void sameBitsSeesADifferenceInAnyColumn()
+    {
+        const Particles before = distinct();
+        QVERIFY(sameBits(before, before));
+        forEachColumn([&](const auto& column) {
+            Particles after = before;
+            ++column.of(after)[77];
+            QVERIFY2(!sameBits(before, after), column.name.data());
+        });
+        Particles smaller = before;
+        --smaller.capacity;
+        QVERIFY(!sameBits(before, smaller));
+    }
+
+    void resetEmptiesEverySlotAndMakesRollsOnlyWhereAsked()
+    {
+        for (const bool rolls : {false, true}) {
+            Particles particles = distinct();
+            particles.reset(5, rolls);
+            QCOMPARE(particles.rolls(), rolls);
+            QCOMPARE(particles.bytes(), Particles::kChunk * 4 * (rolls ? 11U : 8U));
+            forEachColumn([&](const auto& column) {
+                const auto& values = column.of(particles);
+                QCOMPARE(values.size(), column.isRoll && !rolls ? std::size_t(0) : Particles::kChunk);
+                QVERIFY2(std::all_of(values.begin(), values.end(), [&](auto value) { return value == column.empty; }), column.name.data());
+            });
+            QCOMPARE(particles.birthStep[4], Particles::kUnborn);
+        }
+    }
+
+    void slotsAreClearedAndCopiedInEveryColumnAndNoFurther()
+    {
+        const Particles full = distinct();
+        Particles some = full;
+        some.clear(10, 20);
+        Particles back = some;
+        back.copySlots(full, 10, 20);
+        QVERIFY(sameBits(back, full));
+        forEachColumn([&](const auto& column) {
+            const auto& values = column.of(some);
+            for (std::size_t i = 0; i < 30; ++i) {
+                QCOMPARE(values[i], i >= 10 && i < 20 ? column.empty : column.of(full)[i]);
+            }
+        });
+        Particles unrolled = full;
+        unrolled.clearRoll(10, 20);
+        forEachColumn([&](const auto& column) { QCOMPARE(column.of(unrolled)[15], column.isRoll ? column.empty : column.of(full)[15]); });
+    }
+};
+
+QTEST_GUILESS_MAIN(ParticlesTest)
+#include "particles_test.moc"
