@@ -18,7 +18,7 @@ namespace {
 class Dice {
 public:
     Dice(std::uint32_t seed, std::uint32_t row)
-        : m_key(birthKey(seed, row))
+        : m_key(keyOf(seed, row))
     {
     }
 

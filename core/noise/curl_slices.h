@@ -1,14 +1,16 @@
 #pragma once
 
+#include "core/base/hash.h"
+
 #include <array>
 #include <cstdint>
 
 namespace fumage {
 
 // The linear hash of a lattice point (u, v, w) is the sum of these, each times its coordinate; see simplex-inl.h.
-inline constexpr std::uint32_t kLatticeU = 0x9e3779b1U;
-inline constexpr std::uint32_t kLatticeV = 0x85ebca77U;
-inline constexpr std::uint32_t kLatticeW = 0xc2b2ae3dU;
+inline constexpr std::uint32_t kLatticeU = kPrime1;
+inline constexpr std::uint32_t kLatticeV = kPrime2;
+inline constexpr std::uint32_t kLatticeW = kPrime3;
 
 /// Random vectors of curl noise's lattice points: one or two sets of them, weighted and summed.
 struct CurlSlices {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cstdint>
+#include "core/base/hash.h"
 
 namespace fumage {
 
-// The hash of lattice points in two parts, so that a row of points shares one of them. The same constants as simplex-inl.h.
+// The hash of lattice points in two parts, so that a row of points shares one of them.
 
-inline constexpr std::uint32_t kColumnPrime = 0x9e3779b1U;
-inline constexpr std::uint32_t kRowPrime = 0x85ebca77U;
-inline constexpr std::uint32_t kLayerPrime = 0xc2b2ae3dU;
+inline constexpr std::uint32_t kColumnPrime = kPrime1;
+inline constexpr std::uint32_t kRowPrime = kPrime2;
+inline constexpr std::uint32_t kLayerPrime = kPrime3;
 
 [[nodiscard]] constexpr std::uint32_t latticeColumn(int x)
 {
@@ -20,12 +20,18 @@ inline constexpr std::uint32_t kLayerPrime = 0xc2b2ae3dU;
     return static_cast<std::uint32_t>(y) * kRowPrime + static_cast<std::uint32_t>(z) * kLayerPrime;
 }
 
-/// @param linear latticeColumn() + latticeRow()
+/// The factors of mixLattice().
+inline constexpr std::uint32_t kLatticeFactor1 = 0x2c1b3c6dU;
+inline constexpr std::uint32_t kLatticeFactor2 = 0x297a2d39U;
+
+/// Mixes the linear hash of a lattice point; all 32 bits are usable.
+/// @param linear latticeColumn() + latticeRow(), or what simplexCorners() finds
+/// Source: Wellons, "Prospecting for Hash Functions", 2018 (a family of xor, shift and multiply).
 [[nodiscard]] constexpr std::uint32_t mixLattice(std::uint32_t linear, std::uint32_t seed)
 {
     std::uint32_t bits = linear ^ seed;
-    bits = (bits ^ (bits >> 15U)) * 0x2c1b3c6dU;
-    bits = (bits ^ (bits >> 12U)) * 0x297a2d39U;
+    bits = (bits ^ (bits >> 15U)) * kLatticeFactor1;
+    bits = (bits ^ (bits >> 12U)) * kLatticeFactor2;
     return bits ^ (bits >> 15U);
 }
 

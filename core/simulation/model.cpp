@@ -74,8 +74,8 @@ float Model::wander(std::int64_t step, float rate, std::uint32_t stream) const
 {
     const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
     const std::uint32_t seed = streamBits(m_effect.emitter.seed, stream);
-    const float a = signedFloat(birthKey(seed, static_cast<std::uint64_t>(row.before)));
-    const float b = signedFloat(birthKey(seed, static_cast<std::uint64_t>(row.after)));
+    const float a = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.before)));
+    const float b = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.after)));
     return a + (b - a) * smoothStep(row.fraction);
 }
 
@@ -131,7 +131,7 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
         return latticeShift(static_cast<std::int64_t>(whole - std::floor(before)));
     };
     const float blend = 0.5F * kPi * smoothStep(row.fraction);
-    out.slices.key = {birthKey(seed, static_cast<std::uint64_t>(row.before)), birthKey(seed, static_cast<std::uint64_t>(row.after))};
+    out.slices.key = {keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
     // Sine and cosine keep the variance of the sum constant while the slices cross-fade.
     out.slices.weight = {amplitude * portableCos(blend), amplitude * portableSin(blend)};
     out.slices.shift = {shiftOf(row.before), shiftOf(row.before + 1)};

@@ -39,7 +39,7 @@ SpriteBatch scatteredSprites(int count, float edge, float opacity, bool shaded =
     batch.style.lightX = 0.7F;
     const float radius = 0.5F * edge;
     for (int i = 0; i < count; ++i) {
-        const std::uint32_t key = birthKey(1, static_cast<std::uint64_t>(i));
+        const std::uint32_t key = keyOf(1, static_cast<std::uint64_t>(i));
         const float angle = kPi * signedFloat(streamBits(key, 0));
         Sprite s;
         s.x = unitFloat(streamBits(key, 1)) * kWidth;
