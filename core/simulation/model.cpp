@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/base/vector.h"
 #include "core/effect/sampling.h"
 
 #include <algorithm>
@@ -162,9 +163,8 @@ void Model::placeRings(std::int64_t step, StepConstants& out) const
     out.ringVariance = rings.variance;
     out.ringKey = streamBits(m_effect.emitter.seed, kRings);
     out.ringAxis = glm::normalize(m_effect.emitter.normal);
-    const glm::vec3 helper = std::abs(out.ringAxis.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
-    out.ringSides[0] = glm::normalize(glm::cross(out.ringAxis, helper));
-    out.ringSides[1] = glm::cross(out.ringAxis, out.ringSides[0]);
+    const PlaneBasis plane = planeBasis(out.ringAxis);
+    out.ringSides = {-plane.along, -plane.across};
 }
 
 StepConstants Model::constants(std::int64_t step) const
