@@ -256,4 +256,16 @@ struct Effect {
 /// Most particles an effect may ask for; the state of that many takes 128 MiB.
 inline constexpr int kMaxParticles = 4'000'000;
 
+/// Most octaves of turbulence: the constants of a step have room for as many.
+inline constexpr int kMaxTurbulenceOctaves = 8;
+
+/// Most slices of the noise: a sprite has 7 bits for the one that it shows.
+inline constexpr int kMaxNoiseSlices = 128;
+
+/// Most cells along an edge of the density grid: what lights it has room for a line of as many.
+inline constexpr int kMaxLightResolution = 256;
+
+/// Longest edge of a picture that an effect may ask for, pixels.
+inline constexpr int kMaxOutputEdge = 8192;
+
 } // namespace fumage

@@ -82,6 +82,9 @@ void splat(const Particles& particles, const Appearance& appearance, const GridS
     }
 }
 
+/// Room for one float for each cell of a line along u, and for a vector past its end.
+using LineOfCells = std::array<float, kMaxLightResolution + kAlignment / sizeof(float)>;
+
 /// exp(-depth * scale) * weights, added to the sky and ground of a line of cells, u fastest.
 HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t count, const AmbientDirection& direction, float scale, float* HWY_RESTRICT sky, float* HWY_RESTRICT ground)
 {
@@ -124,7 +127,7 @@ void ambient(LightGrid& grid, const AmbientDirection& direction, float occlusion
     const auto nw = static_cast<std::size_t>(grid.shape.nw);
     const float scale = occlusion * grid.shape.cell;
     // Densities are padded by a vector, so that the last line may be read past its end.
-    std::array<float, 256 + 64> depth{};
+    LineOfCells depth{};
     const auto lineOf = [&](std::size_t v, std::size_t w) { return (w * nv + v) * nu; };
     const auto index = static_cast<std::size_t>(line);
     if (direction.axis == 0) {
@@ -166,7 +169,7 @@ void sun(LightGrid& grid, const SunJob& job, int row)
     const GridShape& shape = grid.shape;
     const auto nu = static_cast<std::size_t>(shape.nu);
     const auto v = static_cast<std::size_t>(row);
-    std::array<float, 256 + 64> depth{};
+    LineOfCells depth{};
     const float scatterSum = 1.0F + job.scattering + job.scattering * job.scattering;
     constexpr float kDeeper = 0.35F; // extinction that each order of scattering still sees, relative to the one before
     for (std::size_t w = 0; w < static_cast<std::size_t>(shape.nw); ++w) {

@@ -276,7 +276,7 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     const auto slice = static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));
     const float threshold = job.erosion * life;
     if (radius * job.contrast >= kPlainRadius || job.style.square) {
-        sprite.texture = packTexture(slice, static_cast<std::uint32_t>(textureLevel(job, radius)), offset & 255U, offset >> 8U & 255U, static_cast<std::uint32_t>(threshold * 31.0F + 0.5F));
+        sprite.texture = packTexture(slice, static_cast<std::uint32_t>(textureLevel(job, radius)), offset & 255U, offset >> 8U & 255U, static_cast<std::uint32_t>(threshold * static_cast<float>(TextureRef::kErosionSteps) + 0.5F));
         return;
     }
     const int coarsest = job.texture->levels() - 1;

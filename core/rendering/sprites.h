@@ -27,21 +27,41 @@ struct alignas(64) Sprite {
 
 /// Where a textured sprite reads the noise, in 32 bits.
 struct TextureRef {
-    int slice = 0; ///< 0..127
+    static constexpr unsigned kSliceBits = 7;
+    static constexpr unsigned kLevelBits = 4;
+    static constexpr unsigned kOffsetBits = 8;
+    static constexpr std::uint32_t kErosionSteps = 31; ///< in the 5 bits that are left
+
+    static constexpr int kPlain = (1 << kLevelBits) - 1;
+
+    int slice = 0; ///< below kMaxNoiseSlices
     int level = kPlain; ///< resolution; kPlain: the sprite is too small to show a texture
     std::uint32_t u = 0; ///< offset into the tile, in 1/256 of it
     std::uint32_t v = 0;
-    float erosion = 0.0F; ///< the noise below this is gone, in 1/32
-
-    static constexpr int kPlain = 15;
+    float erosion = 0.0F; ///< the noise below this is gone, in 1/kErosionSteps
 };
+static_assert(kMaxNoiseSlices <= 1 << TextureRef::kSliceBits);
+
 [[nodiscard]] constexpr std::uint32_t packTexture(std::uint32_t slice, std::uint32_t level, std::uint32_t u, std::uint32_t v, std::uint32_t erosion)
 {
-    return slice | level << 7U | (u & 255U) << 11U | (v & 255U) << 19U | erosion << 27U;
+    using T = TextureRef;
+    constexpr std::uint32_t kOffset = (1U << T::kOffsetBits) - 1U;
+    return slice | (level | ((u & kOffset) | ((v & kOffset) | erosion << T::kOffsetBits) << T::kOffsetBits) << T::kLevelBits) << T::kSliceBits;
 }
 [[nodiscard]] constexpr TextureRef unpackTexture(std::uint32_t bits)
 {
-    return {static_cast<int>(bits & 127U), static_cast<int>(bits >> 7U & 15U), bits >> 11U & 255U, bits >> 19U & 255U, static_cast<float>(bits >> 27U) / 31.0F};
+    const auto take = [&bits](unsigned count) {
+        const std::uint32_t field = bits & ((1U << count) - 1U);
+        bits >>= count;
+        return field;
+    };
+    TextureRef ref;
+    ref.slice = static_cast<int>(take(TextureRef::kSliceBits));
+    ref.level = static_cast<int>(take(TextureRef::kLevelBits));
+    ref.u = take(TextureRef::kOffsetBits);
+    ref.v = take(TextureRef::kOffsetBits);
+    ref.erosion = static_cast<float>(bits) / static_cast<float>(TextureRef::kErosionSteps);
+    return ref;
 }
 
 /// What all sprites of a frame share.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/effect/effect.h"
 #include "core/noise/curl_slices.h"
 #include "core/simulation/schedule.h"
 
@@ -17,8 +18,6 @@ struct OctaveAtStep {
     CurlSlices slices; ///< weights in m/s, with the normalisation of the noise
     bool turns = false; ///< whether its swirls turn particles
 };
-
-inline constexpr int kMaxTurbulenceOctaves = 8;
 
 /// Everything about a step that is the same for all particles.
 struct StepConstants {

@@ -65,6 +65,22 @@ class RenderingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aTextureReferenceSurvivesPacking()
+    {
+        for (const int slice : {0, 1, kMaxNoiseSlices - 1}) {
+            for (const int level : {0, 5, TextureRef::kPlain}) {
+                for (const std::uint32_t step : {0U, 1U, TextureRef::kErosionSteps}) {
+                    const TextureRef ref = unpackTexture(packTexture(static_cast<std::uint32_t>(slice), static_cast<std::uint32_t>(level), 200, 511, step));
+                    QCOMPARE(ref.slice, slice);
+                    QCOMPARE(ref.level, level);
+                    QCOMPARE(ref.u, 200U);
+                    QCOMPARE(ref.v, 255U); // of 511 the lower 8 bits: the tile repeats
+                    QCOMPARE(ref.erosion, static_cast<float>(step) / 31.0F);
+                }
+            }
+        }
+    }
+
     void emptyPictureIsTransparent()
     {
         const Image image = compose(batchOf(70, 40, {}), flatTexture(1.0F));
