@@ -11,8 +11,6 @@ namespace fumage {
 
 namespace {
 
-constexpr float kSensorMillimetres = 36.0F;
-
 /// Fills the axes from a viewing direction, level with the horizon; straight up or down takes -z as the top of the picture.
 void aim(View& view, const glm::vec3& direction)
 {

@@ -6,6 +6,9 @@
 
 namespace fumage {
 
+/// Edge of the square that a picture's shorter side sees: focal lengths are those of full-frame photography.
+inline constexpr float kSensorMillimetres = 36.0F;
+
 /// A camera at one moment, ready to project: a pinhole with square pixels, image origin top-left, y down.
 struct View {
     glm::vec3 eye{0.0F};
@@ -18,7 +21,7 @@ struct View {
 };
 
 /// @param seconds time since frame 0, for the turntable
-/// @param width,height picture in pixels; the shorter side sees the 36 mm of the sensor, so that a picture of any shape shows at least what a square one does
+/// @param width,height picture in pixels; the shorter side sees the whole sensor, so that a picture of any shape shows at least what a square one does
 [[nodiscard]] View makeView(const Camera& camera, float seconds, int width, int height);
 
 struct Projected {

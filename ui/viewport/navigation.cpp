@@ -101,14 +101,13 @@ Camera lookingFrom(const Camera& camera, float yaw, float pitch)
 Camera framing(const Camera& camera, const glm::vec3& low, const glm::vec3& high)
 {
     constexpr float kMargin = 1.15F;
-    constexpr float kHalfSensor = 18.0F;
     constexpr float kSmallestRadius = 0.05F;
     const float radius = std::max(kSmallestRadius, 0.5F * glm::length(high - low));
     Camera out = camera;
     out.mode = CameraMode::Orbit;
     out.target = 0.5F * (low + high);
     // A sphere fills the field of view where the distance is r / sin(half angle).
-    out.distance = kMargin * radius / std::sin(std::atan(kHalfSensor / camera.focalLength));
+    out.distance = kMargin * radius / std::sin(std::atan(0.5F * kSensorMillimetres / camera.focalLength));
     return out;
 }
 
