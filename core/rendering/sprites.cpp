@@ -9,6 +9,7 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/lighting/black_body.h"
+#include "core/rendering/sprite_mask.h"
 #include "core/rendering/sprites.h"
 #include "core/simulation/streams.h"
 
@@ -351,11 +352,10 @@ Float4 colour4(const glm::vec3& colour)
 
 SpriteStyle makeStyle(const Effect& effect, const View& view)
 {
-    constexpr float kSharpest = 0.02F;
     const Look& look = effect.look;
     SpriteStyle style;
     style.square = look.mask == MaskShape::Square;
-    style.hardness = 1.0F / std::max(kSharpest, look.softness);
+    style.hardness = maskHardness(look);
     style.texture = look.texture;
     style.erosionSoftness = look.erosionSoftness;
     style.textureScale = look.textureScale;

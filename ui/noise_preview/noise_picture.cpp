@@ -1,22 +1,13 @@
 #include "ui/noise_preview/noise_picture.h"
 
+#include "core/rendering/sprite_mask.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace fumage::ui {
 
 namespace {
-
-/// The soft disc of a particle at a place of the tile, as the compositor draws it.
-float maskAt(const Look& look, float x, float y)
-{
-    if (look.mask == MaskShape::Square) {
-        return 1.0F;
-    }
-    constexpr float kSharpest = 0.02F;
-    const float inside = std::clamp((1.0F - x * x - y * y) / std::max(kSharpest, look.softness), 0.0F, 1.0F);
-    return inside * inside;
-}
 
 void applyMask(const Look& look, NoiseTile& tile)
 {
