@@ -6,6 +6,7 @@
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
 
+#include <cmath>
 #include <cstring>
 
 #include <QtTest/QtTest>
@@ -49,6 +50,16 @@ inline bool sameBits(const Particles& a, const Particles& b)
     bool same = a.capacity == b.capacity;
     forEachColumn([&](const auto& column) { same = same && sameBits(column.of(a), column.of(b)); });
     return same;
+}
+
+/// Says what is wrong where a value is not what is expected.
+inline bool near(double value, double expected, double tolerance)
+{
+    if (std::abs(value - expected) <= tolerance) {
+        return true;
+    }
+    qWarning("%.9g is not %.9g within %.3g", value, expected, tolerance);
+    return false;
 }
 
 /// Puts the best instruction set back at the end of a test that forced another.

@@ -1,5 +1,7 @@
 #include "editor_helpers.h"
 
+#include "tests/parameter_rows.h"
+
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 
@@ -147,13 +149,7 @@ private slots:
         QVERIFY(file.readAll().contains("\"flavour\": \"vanilla\""));
     }
 
-    void everyParameterSurvivesEditUndoAndRedo_data()
-    {
-        QTest::addColumn<QString>("key");
-        for (const Parameter& parameter : parameterTable()) {
-            QTest::newRow(std::string(parameter.key).c_str()) << toQString(parameter.key);
-        }
-    }
+    void everyParameterSurvivesEditUndoAndRedo_data() { addParameterRows(); }
     void everyParameterSurvivesEditUndoAndRedo()
     {
         QFETCH(QString, key);

@@ -1,5 +1,7 @@
 #include "editor_helpers.h"
 
+#include "tests/parameter_rows.h"
+
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/gradient_editor.h"
@@ -47,7 +49,7 @@ private slots:
 
     // --- over the whole table ---------------------------------------------------------------------------------------
 
-    void everyParameterHasAnEditorWithTipAndUnit_data() { addParameters(); }
+    void everyParameterHasAnEditorWithTipAndUnit_data() { addParameterRows(); }
     void everyParameterHasAnEditorWithTipAndUnit()
     {
         QFETCH(QString, key);
@@ -85,7 +87,7 @@ private slots:
         }
     }
 
-    void everyEditorWritesWhatItShows_data() { addParameters(); }
+    void everyEditorWritesWhatItShows_data() { addParameterRows(); }
     void everyEditorWritesWhatItShows()
     {
         // Editor -> document -> JSON -> editor, with another value than the default.
@@ -156,7 +158,7 @@ private slots:
         QVERIFY(qAbs(*parseNumber(u"3.14159265358979 rad"_q, Unit::Degrees) - 180.0) < 1e-9);
     }
 
-    void aSliderGoesOverItsSoftRangeAndBack_data() { addParameters(); }
+    void aSliderGoesOverItsSoftRangeAndBack_data() { addParameterRows(); }
     void aSliderGoesOverItsSoftRangeAndBack()
     {
         QFETCH(QString, key);
@@ -342,14 +344,6 @@ private slots:
     }
 
 private:
-    static void addParameters()
-    {
-        QTest::addColumn<QString>("key");
-        for (const Parameter& parameter : parameterTable()) {
-            QTest::newRow(std::string(parameter.key).c_str()) << toQString(parameter.key);
-        }
-    }
-
     ParameterRow* row(const char* key) { return m_panel->findChild<ParameterRow*>(QString::fromLatin1(key) + u".row"_q); }
     NumberField* field(const char* name)
     {

@@ -1,9 +1,9 @@
 // Tests that loop over the parameter table: every parameter does something, and only what its stage says.
 
 #include "tests/helpers.h"
+#include "tests/parameter_rows.h"
 
 #include "core/effect/known_parameter.h"
-#include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/rendering/view_transform.h"
 
@@ -67,7 +67,7 @@ class ParametersTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void noParameterIsDead_data() { rows(); }
+    void noParameterIsDead_data() { addParameterRows(); }
     void noParameterIsDead()
     {
         QFETCH(QString, key);
@@ -84,7 +84,7 @@ private slots:
         QVERIFY2(first.bytes != second.bytes, "moving it changes no pixel");
     }
 
-    void stagesAreHonest_data() { rows(); }
+    void stagesAreHonest_data() { addParameterRows(); }
     void stagesAreHonest()
     {
         QFETCH(QString, key);
@@ -128,15 +128,6 @@ private:
             bytes.push_back(static_cast<std::uint8_t>(image.width));
         }
     };
-
-    static void rows()
-    {
-        QTest::addColumn<QString>("key");
-        for (const Parameter& p : parameterTable()) {
-            const QString key = QString::fromUtf8(p.key.data(), static_cast<qsizetype>(p.key.size()));
-            QTest::newRow(qPrintable(key)) << key;
-        }
-    }
 };
 
 QTEST_GUILESS_MAIN(ParametersTest)

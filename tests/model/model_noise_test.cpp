@@ -26,15 +26,6 @@ Noise latticeNoise(Interpolation kind)
     return noise;
 }
 
-bool near(float value, float expected, float tolerance)
-{
-    if (std::abs(value - expected) <= tolerance) {
-        return true;
-    }
-    qWarning("%.9g is not %.9g within %.3g", static_cast<double>(value), static_cast<double>(expected), static_cast<double>(tolerance));
-    return false;
-}
-
 } // namespace
 
 class ModelNoiseTest : public QObject {

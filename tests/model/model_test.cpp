@@ -74,15 +74,6 @@ Effect evenRings()
     return effect;
 }
 
-bool near(double value, double expected, double tolerance)
-{
-    if (std::abs(value - expected) <= tolerance) {
-        return true;
-    }
-    qWarning("%.9g is not %.9g within %.3g", value, expected, tolerance);
-    return false;
-}
-
 /// Uniform on [low, high]: mean, variance (high - low)^2 / 12 and range.
 bool isUniform(const std::vector<float>& values, double low, double high)
 {
