@@ -13,6 +13,24 @@
 using namespace fumage;
 using namespace fumage::tests;
 
+namespace {
+
+EffectChange changeOf(const QList<QVariant>& arguments)
+{
+    return arguments[0].value<EffectChange>();
+}
+
+QStringList keysOf(const EffectChange& change)
+{
+    QStringList keys;
+    for (const Parameter* parameter : change.parameters) {
+        keys += toQString(parameter->key);
+    }
+    return keys;
+}
+
+} // namespace
+
 class DocumentTest : public QObject {
     Q_OBJECT
 
@@ -80,7 +98,7 @@ private slots:
         QVERIFY(document.effect() == Effect());
     }
 
-    void theStageSaysWhatIsStale()
+    void aChangeSaysWhichParametersItTouchedAndFromWhereOnTheWorkIsStale()
     {
         Document document;
         QSignalSpy changes(&document, &Document::effectChanged);
@@ -88,9 +106,38 @@ private slots:
         document.edit(knownParameter("noise.sharpness"), 5.0F);
         document.edit(knownParameter("motion.wind"), 5.0F);
         QCOMPARE(changes.size(), 3);
-        QCOMPARE(changes[0][0].value<Stage>(), Stage::Shade);
-        QCOMPARE(changes[1][0].value<Stage>(), Stage::Noise);
-        QCOMPARE(changes[2][0].value<Stage>(), Stage::Simulate);
+        QCOMPARE(changeOf(changes[0]).stale, Stage::Shade);
+        QCOMPARE(changeOf(changes[1]).stale, Stage::Noise);
+        QCOMPARE(changeOf(changes[2]).stale, Stage::Simulate);
+        QCOMPARE(keysOf(changeOf(changes[2])), QStringList{u"motion.wind"_q});
+    }
+
+    void undoAndRedoSayTheSameAsTheEdit()
+    {
+        Document document;
+        document.edit({{findParameter("look.opacity"), 5.0F}, {findParameter("motion.wind"), 5.0F}}, u"Both"_q);
+        Effect other = document.effect();
+        other.motion.gravity = 4.0F;
+        document.replaceEffect(other, u"Replace"_q);
+        QSignalSpy changes(&document, &Document::effectChanged);
+        document.undoStack()->undo();
+        document.undoStack()->undo();
+        document.undoStack()->redo();
+        QCOMPARE(changes.size(), 3);
+        QCOMPARE(keysOf(changeOf(changes[0])), QStringList{u"motion.gravity"_q});
+        for (const int i : {1, 2}) {
+            QCOMPARE(keysOf(changeOf(changes[i])), QStringList({u"look.opacity"_q, u"motion.wind"_q}));
+            QCOMPARE(changeOf(changes[i]).stale, Stage::Simulate);
+        }
+    }
+
+    void loadingChangesEveryParameter()
+    {
+        Document document;
+        QSignalSpy changes(&document, &Document::effectChanged);
+        document.load(Preset(), {});
+        QCOMPARE(changes.size(), 1);
+        QCOMPARE(changeOf(changes[0]).parameters.size(), parameterTable().size());
     }
 
     void resetGoesBackToThePreset()

@@ -1,5 +1,7 @@
 #include "ui/document/commands.h"
 
+#include "core/effect/value.h"
+
 #include <algorithm>
 
 namespace fumage::ui {
@@ -23,20 +25,23 @@ EditCommand::EditCommand(Document& document, std::vector<Change> changes, const 
 
 void EditCommand::undo()
 {
-    Effect effect = m_document.effect();
-    for (const Change& change : m_changes) {
-        change.parameter->set(effect, change.before);
-    }
-    m_document.write(effect);
+    write(&Change::before);
 }
 
 void EditCommand::redo()
 {
+    write(&Change::after);
+}
+
+void EditCommand::write(Value Change::*value)
+{
     Effect effect = m_document.effect();
+    std::vector<const Parameter*> changed;
     for (const Change& change : m_changes) {
-        change.parameter->set(effect, change.after);
+        change.parameter->set(effect, change.*value);
+        changed.push_back(change.parameter);
     }
-    m_document.write(effect);
+    m_document.write(effect, std::move(changed));
 }
 
 int EditCommand::id() const
@@ -74,12 +79,12 @@ ReplaceCommand::ReplaceCommand(Document& document, const Effect& after, const QS
 
 void ReplaceCommand::undo()
 {
-    m_document.write(m_before);
+    m_document.write(m_before, differences(m_before, m_after));
 }
 
 void ReplaceCommand::redo()
 {
-    m_document.write(m_after);
+    m_document.write(m_after, differences(m_before, m_after));
 }
 
 int ReplaceCommand::id() const

@@ -23,6 +23,8 @@ public:
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
+    void write(Value Change::*value);
+
     Document& m_document;
     std::vector<Change> m_changes;
     Gesture m_gesture;

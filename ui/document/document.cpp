@@ -4,6 +4,7 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 
+#include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 
 #include <algorithm>
@@ -21,6 +22,15 @@ QString namesOf(const std::vector<EditCommand::Change>& changes)
         names += fullLabelOf(*change.parameter);
     }
     return names.join(QStringLiteral(", "));
+}
+
+std::vector<const Parameter*> allParameters()
+{
+    std::vector<const Parameter*> all;
+    for (const Parameter& parameter : parameterTable()) {
+        all.push_back(&parameter);
+    }
+    return all;
 }
 
 } // namespace
@@ -90,7 +100,7 @@ void Document::load(const Preset& preset, const QString& path, bool modified)
     m_unsavedFromStart = modified;
     rebase();
     emit loaded();
-    emit effectChanged(Stage::Simulate);
+    announce(allParameters());
 }
 
 Status Document::save(const QString& path)
@@ -116,15 +126,19 @@ void Document::rebase()
     emit titleChanged();
 }
 
-void Document::write(const Effect& effect)
+void Document::write(const Effect& effect, std::vector<const Parameter*> changed)
 {
-    const std::vector<const Parameter*> changed = differences(m_preset.effect, effect);
     m_preset.effect = effect;
-    Stage from = Stage::Shade;
-    for (const Parameter* parameter : changed) {
-        from = std::max(from, parameter->stage);
+    announce(std::move(changed));
+}
+
+void Document::announce(std::vector<const Parameter*> changed)
+{
+    EffectChange change{std::move(changed)};
+    for (const Parameter* parameter : change.parameters) {
+        change.stale = std::max(change.stale, parameter->stage);
     }
-    emit effectChanged(from);
+    emit effectChanged(change);
 }
 
 } // namespace fumage::ui

@@ -22,6 +22,12 @@ struct Assignment {
     Value value;
 };
 
+/// What an edit has changed of the effect.
+struct EffectChange {
+    std::vector<const Parameter*> parameters;
+    Stage stale = Stage::Shade; ///< the first stage of the work that has to be done again
+};
+
 /// The effect that is being edited, its file and its undo stack; the only one who writes the effect.
 ///
 /// Panels, gizmos and menus call edit() or replaceEffect(), and follow effectChanged(). Lives on the GUI thread.
@@ -62,8 +68,7 @@ public:
     [[nodiscard]] Status save(const QString& path);
 
 signals:
-    /// @param from the first stage of the work that is stale
-    void effectChanged(fumage::Stage from);
+    void effectChanged(const fumage::ui::EffectChange& change);
     /// The document shows another preset: views start anew.
     void loaded();
     /// Name, file or modified state.
@@ -72,7 +77,8 @@ signals:
 private:
     friend class EditCommand;
     friend class ReplaceCommand;
-    void write(const Effect& effect);
+    void write(const Effect& effect, std::vector<const Parameter*> changed);
+    void announce(std::vector<const Parameter*> changed);
     void rebase();
 
     Preset m_preset;

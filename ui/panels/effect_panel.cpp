@@ -82,6 +82,16 @@ void ParameterGroup::sync()
     showRows();
 }
 
+void ParameterGroup::sync(const std::vector<const Parameter*>& changed)
+{
+    for (ParameterRow* row : m_rows) {
+        if (std::find(changed.begin(), changed.end(), &row->parameter()) != changed.end()) {
+            row->sync();
+        }
+    }
+    showRows();
+}
+
 void ParameterGroup::showRows()
 {
     // While something is searched for, what is found is seen, folded or not.
@@ -133,7 +143,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     layout->addLayout(top);
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);
-    connect(&document, &Document::effectChanged, this, &EffectPanel::sync);
+    connect(&document, &Document::effectChanged, this, &EffectPanel::follow);
     connect(&document, &Document::titleChanged, this, &EffectPanel::sync);
     sync();
     setOpenGroups({QStringLiteral("emitter"), QStringLiteral("motion")});
@@ -143,6 +153,13 @@ void EffectPanel::sync()
 {
     for (ParameterGroup* group : m_groups) {
         group->sync();
+    }
+}
+
+void EffectPanel::follow(const EffectChange& change)
+{
+    for (ParameterGroup* group : m_groups) {
+        group->sync(change.parameters);
     }
 }
 

@@ -21,6 +21,8 @@ public:
     [[nodiscard]] bool isOpen() const;
     void setOpen(bool open);
     void sync();
+    /// The rows of some parameters.
+    void sync(const std::vector<const Parameter*>& changed);
     /// Shows the rows that match and are of use as the effect stands. @return whether there is one
     bool filter(const QStringList& words);
 
@@ -54,6 +56,7 @@ public:
 
 private:
     void sync();
+    void follow(const EffectChange& change);
     void filter(const QString& text);
 
     QLineEdit* m_search;

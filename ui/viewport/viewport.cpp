@@ -124,7 +124,7 @@ bool Viewport::isSeen() const
     return isVisible() && !window()->isMinimized();
 }
 
-void Viewport::effectChanged(Stage)
+void Viewport::effectChanged()
 {
     invalidate();
     beginMoving();

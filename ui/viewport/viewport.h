@@ -78,7 +78,7 @@ private:
         Gesture gesture;
     };
 
-    void effectChanged(Stage from);
+    void effectChanged();
     void frameChanged();
     void beginMoving();
     void invalidate();
