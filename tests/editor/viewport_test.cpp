@@ -1,39 +1,16 @@
-// Cameras, gizmos and the studio that makes pictures: what needs no window.
+// Cameras and gizmos: what needs no window.
 #include "editor_helpers.h"
 
-#include "ui/pictures/haste.h"
-#include "ui/pictures/picture_worker.h"
-#include "ui/pictures/tracks.h"
+#include "ui/pictures/picture.h"
 #include "ui/viewport/gizmos.h"
 #include "ui/viewport/navigation.h"
 
-#include "core/effect/sampling.h"
+#include <glm/geometric.hpp>
 
 using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-Effect smallEffect()
-{
-    Effect effect;
-    effect.emitter.count = 2000;
-    effect.turbulence.octaves = 2;
-    effect.light.resolution = 24;
-    effect.noise.resolution = 32;
-    effect.noise.slices = 8;
-    return effect;
-}
-
-PictureRequest requestFor(const Effect& effect, int frame = 20)
-{
-    PictureRequest request;
-    request.effect = std::make_shared<const Effect>(effect);
-    request.frame = frame;
-    request.width = 160;
-    request.height = 120;
-    return request;
-}
 
 QPointF onScreen(const View& view, const glm::vec3& point)
 {
@@ -216,112 +193,6 @@ private slots:
         const Effect turned = applied(effect, dragGizmo(GizmoId::EmitterNormal, effect, view, onScreen(view, gizmoOf(effect, view, GizmoId::EmitterNormal).to) + QPointF(31, 9), true));
         const float pitch = std::asin(turned.emitter.normal.y) * 57.29578F;
         QVERIFY(qAbs(std::remainder(pitch, 15.0F)) < 0.01F);
-    }
-
-    // --- pictures ---------------------------------------------------------------------------------------------------
-
-    void theSameFrameIsTheSamePictureWhateverCameBefore()
-    {
-        Studio studio;
-        const Effect effect = smallEffect();
-        const QImage first = studio.make(requestFor(effect, 30), {})->image;
-        QVERIFY(studio.make(requestFor(effect, 90), {}) != nullptr);
-        QVERIFY(studio.make(requestFor(effect, 3), {}) != nullptr);
-        QCOMPARE(studio.make(requestFor(effect, 30), {})->image, first);
-        QCOMPARE(Studio().make(requestFor(effect, 30), {})->image, first);
-    }
-
-    void hasteGivesUpPixelsAndParticlesButSaysSo()
-    {
-        Effect effect = smallEffect();
-        effect.emitter.count = 400000;
-        Studio studio;
-        PictureRequest request = requestFor(effect, 10);
-        request.haste = Haste::Dragging;
-        const PicturePtr hasty = studio.make(request, {});
-        QVERIFY(hasty->thinned && !hasty->complete && hasty->particles < 400000);
-        request.haste = Haste::None;
-        const PicturePtr whole = studio.make(request, {});
-        QVERIFY(whole->complete && !whole->thinned);
-        QCOMPARE(whole->particles, 400000);
-        QCOMPARE(whole->image.size(), QSize(160, 120));
-    }
-
-    void aStoppedPictureIsNone()
-    {
-        Effect effect = smallEffect();
-        effect.emitter.count = 1000000;
-        std::stop_source source;
-        source.request_stop();
-        QVERIFY(Studio().make(requestFor(effect), source.get_token()) == nullptr);
-    }
-
-    void theNewestRequestIsTheOneThatCounts()
-    {
-        PictureWorker worker;
-        QList<int> frames;
-        connect(&worker, &PictureWorker::pictureReady, this, [&](const PicturePtr& picture) { frames += picture->frame; });
-        for (int i = 0; i < 50; ++i) {
-            worker.request(requestFor(smallEffect(), i));
-        }
-        QTRY_VERIFY(frames.contains(49));
-        QVERIFY(frames.size() < 50);
-        QCOMPARE(frames.last(), 49);
-    }
-
-    void tracksBeginAtTheEmitter()
-    {
-        Effect effect = smallEffect();
-        effect.emitter.subframe = false;
-        const std::vector<Track> tracks = findTracks(effect, 60);
-        int whole = 0;
-        for (const Track& track : tracks) {
-            // Those that were born before the first frame that was looked at begin on their way.
-            whole += track.size() > 5 && track.size() < 55 && glm::length(track.front()) <= effect.emitter.radius + 0.05F ? 1 : 0;
-        }
-        QVERIFY(whole > 5);
-    }
-
-    void costsAreLearned()
-    {
-        CostEstimate costs;
-        for (int i = 0; i < 30; ++i) {
-            costs.noteSprites(1000, 1'000'000); // 1 us each
-            costs.noteSteps(1'000'000.0, 10'000'000); // 10 ns each
-            costs.notePixels(1e6, 10'000'000);
-        }
-        const int affordable = costs.particlesWithin(20'000'000, 1.0);
-        QVERIFY(qAbs(affordable - 20'000'000 / 1010) < 100);
-        QCOMPARE(costs.scaleWithin(30'000'000, 1000, 1.0, 1e6), 1.0);
-        QVERIFY(costs.scaleWithin(30'000'000, 28000, 1.0, 1e6) < 1.0);
-    }
-
-    // --- variations -------------------------------------------------------------------------------------------------
-
-    void finalQualityWaitsForAStillPicture()
-    {
-        Effect effect;
-        effect.emitter.count = 500;
-        effect.output.quality = Quality::Final;
-        Studio studio;
-        PictureRequest request = requestFor(effect, 10);
-        request.haste = Haste::Playing;
-        const PicturePtr moving = studio.make(request, {});
-        QVERIFY(!moving->complete);
-        request.haste = Haste::None;
-        const PicturePtr still = studio.make(request, {});
-        QVERIFY(still->complete);
-        QVERIFY(still->particles > 4 * moving->particles);
-    }
-
-    void thinnedSmokeCoversAsMuch()
-    {
-        const Effect effect;
-        const Effect few = thinned(effect, 1000);
-        QCOMPARE(few.emitter.count, 1000);
-        const auto cover = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size) * static_cast<double>(e.look.size); };
-        QVERIFY(qAbs(cover(few) / cover(effect) - 1.0) < 1e-4);
-        QVERIFY(thinned(effect, 10'000'000) == effect);
     }
 
 private:

@@ -81,6 +81,14 @@ private slots:
         }
     }
 
+    void thinnedSmokeCoversAsMuch()
+    {
+        const Effect effect;
+        const auto cover = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size * e.look.size); };
+        QVERIFY(std::abs(cover(thinned(effect, 1000)) / cover(effect) - 1.0) < 1e-4);
+        QVERIFY(thinned(effect, effect.emitter.count) == effect);
+    }
+
     void thinnedHasWhatIsAskedFor()
     {
         Effect effect;

@@ -21,7 +21,7 @@ forbid ui/work 'ui/(document|panels|pictures|viewport|noise_preview|timeline|pre
 forbid ui/panels 'ui/(pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'panels know the document alone'
 forbid ui/timeline 'ui/(pictures|viewport|noise_preview|presets|export|shell)/' 'the timeline knows the document alone'
 forbid ui/pictures 'ui/(?!pictures/|work/)' 'pictures know values and the core alone'
-forbid ui/pictures 'Q(?!(Object|Timer|ElapsedTimer|Cache|List|Image|RectF|MetaType)>)' 'pictures know no widgets'
+forbid ui/pictures 'Q(?!(Object|Timer|ElapsedTimer|List|Image|Size|RectF|MetaType)>)' 'pictures know no widgets'
 forbid ui/viewport 'ui/(panels|noise_preview|presets|export|shell)/' 'the viewport knows document, pictures and timeline'
 forbid ui/noise_preview 'ui/(panels|pictures|viewport|timeline|presets|export|shell)/' 'the noise pane knows the document alone'
 forbid ui/presets 'ui/(viewport|noise_preview|timeline|export|shell)/' 'presets know document and pictures'

@@ -49,7 +49,7 @@ double CostEstimate::scaleWithin(qint64 ns, int particles, double stepsEach, dou
 {
     const double left = static_cast<double>(ns) - particles * (m_step * stepsEach + m_sprite);
     // Few steps, so that the picture does not shimmer between sizes.
-    constexpr std::array<double, 4> kScales{1.0, 0.75, 0.5, 0.35};
+    constexpr std::array<double, 4> kScales{1.0, 0.75, 0.5, kSmallestScale};
     for (const double scale : kScales) {
         if (m_pixel * pixels * scale * scale <= left) {
             return scale;

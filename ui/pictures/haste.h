@@ -7,6 +7,8 @@ namespace fumage::ui {
 /// What the work has cost so far, to foretell what the next picture will cost. All in nanoseconds, smoothed over some pictures.
 class CostEstimate {
 public:
+    static constexpr double kSmallestScale = 0.35;
+
     void noteSteps(double particleSteps, qint64 ns);
     void noteSprites(int particles, qint64 ns);
     void notePixels(double pixels, qint64 ns);
@@ -15,7 +17,7 @@ public:
     /// @param stepsEach steps that each has to take, on average
     [[nodiscard]] int particlesWithin(qint64 ns, double stepsEach) const;
 
-    /// @return share of the picture's edge, from 1 down to a quarter, that can be painted within what particles leave of a budget
+    /// @return share of the picture's edge, from 1 down to kSmallestScale, that can be painted within what particles leave of a budget
     [[nodiscard]] double scaleWithin(qint64 ns, int particles, double stepsEach, double pixels) const;
 
 private:

@@ -32,7 +32,8 @@ enum class Haste {
 
 struct PictureRequest {
     std::shared_ptr<const Effect> effect;
-    quint64 revision = 0; ///< of the effect: pictures of one revision and frame are alike
+    quint64 revision = 0; ///< of all that is asked for: pictures of one revision and frame are alike
+    quint64 simulation = 0; ///< of what moves particles: effects of one simulation and count have the same ones, and a studio keeps them
     int frame = 0;
     int width = 1; ///< pixels of the screen
     int height = 1;

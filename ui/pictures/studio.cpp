@@ -2,13 +2,10 @@
 
 #include "ui/pictures/tracks.h"
 
-#include "core/effect/parameter_table.h"
 #include "core/effect/sampling.h"
-#include "core/effect/value.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <QElapsedTimer>
 
@@ -53,21 +50,15 @@ QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
 
 } // namespace
 
-bool simulateAlike(const Effect& a, const Effect& b)
+int Studio::particlesWhileDragging(const Plan& plan, double preRoll) const
 {
-    const std::vector<const Parameter*> changed = differences(a, b);
-    return std::none_of(changed.begin(), changed.end(), [](const Parameter* parameter) { return parameter->stage == Stage::Simulate; });
-}
-
-int Studio::particlesWhileDragging(const Effect& effect, double stepsEach, double preRoll) const
-{
-    const int all = effect.emitter.count;
-    if (all <= m_costs.particlesWithin(kParticleBudgetNs, stepsEach)) {
+    const int all = plan.effect.emitter.count;
+    if (all <= m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach)) {
         return all;
     }
     // A drag of the look keeps the particles that its first picture has chosen.
-    if (m_thinned && simulateAlike(thinned(effect, m_thinned->effect.emitter.count), m_thinned->effect)) {
-        return m_thinned->effect.emitter.count;
+    if (m_thinned && m_thinned->simulation == plan.simulation && m_thinned->particles < all) {
+        return m_thinned->particles;
     }
     const int affordable = m_costs.particlesWithin(kParticleBudgetNs, preRoll);
     int count = all;
@@ -80,6 +71,7 @@ int Studio::particlesWhileDragging(const Effect& effect, double stepsEach, doubl
 Studio::Plan Studio::planFor(const PictureRequest& request) const
 {
     Plan plan;
+    plan.simulation = request.simulation;
     Effect asked = *request.effect;
     if (request.haste != Haste::None) {
         // What the final quality adds would cost the motion more than it gives.
@@ -92,11 +84,11 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
     const Schedule schedule = makeSchedule(plan.effect);
     // Particles are of all ages: a pre-roll takes half a life each.
     const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
-    const bool warm = m_complete && simulateAlike(m_complete->effect, plan.effect);
+    const bool warm = m_complete && m_complete->isFor(plan);
     const int ahead = request.frame - m_lastFrame;
     plan.stepsEach = warm && ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
     if (request.haste == Haste::Dragging) {
-        const int count = particlesWhileDragging(plan.effect, plan.stepsEach, preRoll);
+        const int count = particlesWhileDragging(plan, preRoll);
         plan.keepsAll = count == plan.effect.emitter.count;
         plan.effect = thinned(plan.effect, count);
     }
@@ -106,21 +98,21 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
     return plan;
 }
 
-Simulator& Studio::simulatorFor(const Effect& effect, bool complete)
+Simulator& Studio::simulatorFor(const Plan& plan)
 {
-    std::optional<Running>& running = complete ? m_complete : m_thinned;
-    if (!running || !simulateAlike(running->effect, effect)) {
+    std::optional<Running>& running = plan.keepsAll ? m_complete : m_thinned;
+    if (!running || !running->isFor(plan)) {
         running.reset();
         // What cannot be seen needs no checkpoints to come back to.
-        running.emplace(Running{effect, Simulator(effect, complete ? Simulator::kDefaultCheckpointBytes : 0)});
+        const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
+        running.emplace(Running{plan.simulation, plan.effect.emitter.count, Simulator(plan.effect, checkpoints)});
     }
     return running->simulator;
 }
 
 std::shared_ptr<const Frame> Studio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
-    Simulator& simulator = simulatorFor(plan.effect, plan.keepsAll);
-    Result<std::shared_ptr<const Frame>> result = simulator.frame(frame, stop);
+    Result<std::shared_ptr<const Frame>> result = simulatorFor(plan).frame(frame, stop);
     if (!result) {
         return nullptr;
     }

@@ -18,34 +18,35 @@ public:
 
 private:
     struct Plan {
-        Effect effect;
+        quint64 simulation = 0;
+        Effect effect; ///< sampled, and thinned where need be
         double scale = 1.0;
         double stepsEach = 1.0;
         bool keepsAll = true; ///< particles
         bool complete = true; ///< and pixels
     };
     [[nodiscard]] Plan planFor(const PictureRequest& request) const;
-    [[nodiscard]] int particlesWhileDragging(const Effect& effect, double stepsEach, double preRoll) const;
+    [[nodiscard]] int particlesWhileDragging(const Plan& plan, double preRoll) const;
     [[nodiscard]] std::shared_ptr<const Frame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
     [[nodiscard]] bool paint(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
     [[nodiscard]] std::shared_ptr<const SpriteScene> collectSprites() const;
-    [[nodiscard]] Simulator& simulatorFor(const Effect& effect, bool complete);
+    [[nodiscard]] Simulator& simulatorFor(const Plan& plan);
 
-    /// A simulator with the effect that it was made for: one for all particles, one for fewer while the hand drags.
+    /// A simulator with what it was made for.
     struct Running {
-        Effect effect;
+        quint64 simulation = 0;
+        int particles = 0;
         Simulator simulator;
+
+        [[nodiscard]] bool isFor(const Plan& plan) const { return simulation == plan.simulation && particles == plan.effect.emitter.count; }
     };
     std::optional<Running> m_complete;
-    std::optional<Running> m_thinned;
+    std::optional<Running> m_thinned; ///< with fewer particles, while the hand drags
     int m_lastFrame = -1;
     Renderer m_renderer;
     Image m_image;
     EncodedImage<std::uint8_t> m_encoded;
     CostEstimate m_costs;
 };
-
-/// Whether two effects have the same particles at every frame.
-[[nodiscard]] bool simulateAlike(const Effect& a, const Effect& b);
 
 } // namespace fumage::ui

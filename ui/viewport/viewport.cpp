@@ -8,20 +8,13 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+#include <QWindow>
 
 namespace fumage::ui {
 
 namespace {
 
-constexpr int kRestMs = 160;
-constexpr int kCacheKiB = 256 * 1024;
 constexpr double kDividerReach = 8.0;
-
-int kibibytes(const Picture& picture)
-{
-    const qsizetype sprites = picture.scene ? static_cast<qsizetype>(picture.scene->sprites.size() * sizeof(Sprite)) : 0;
-    return static_cast<int>((picture.image.sizeInBytes() + sprites) / 1024) + 1;
-}
 
 } // namespace
 
@@ -30,7 +23,6 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     , m_document(document)
     , m_player(player)
     , m_surface(makeSurface(support, openGlIsWanted(), this, [this](QPainter& painter) { paintOverlay(painter); }))
-    , m_cache(kCacheKiB)
 {
     setObjectName(QStringLiteral("viewport"));
     QWidget* surface = m_surface->widget();
@@ -43,27 +35,19 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(surface);
 
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(kRestMs);
-    connect(&m_rest, &QTimer::timeout, this, [this] {
-        // What the hand asked for last is still on its way: sharpening it now would only get in its way.
-        if (m_waiting) {
-            m_rest.start();
-            return;
-        }
-        m_moving = false;
-        refresh(m_player.isPlaying() ? Haste::Playing : Haste::None);
-    });
+    m_feed.setSprites(m_surface->drawsSprites());
+    m_feed.setEffect(document.effect(), Stage::Simulate);
+    m_feed.setFrame(player.frame());
+    m_feed.setPlaying(player.isPlaying());
+    connect(&m_feed, &PictureFeed::ready, this, &Viewport::display);
+    connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
+    connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
+    connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
+    connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
+    connect(&m_player, &Player::frameChanged, &m_feed, &PictureFeed::setFrame);
+    connect(&m_player, &Player::playingChanged, &m_feed, &PictureFeed::setPlaying);
+    connect(&m_player, &Player::playingChanged, this, [this] { m_frameMs = 0.0; });
     connect(&m_wheelBurst, &Burst::timeout, this, [this] { m_wheelGesture = {}; });
-    connect(&m_worker, &PictureWorker::pictureReady, this, &Viewport::receive);
-    connect(&m_document, &Document::effectChanged, this, &Viewport::effectChanged);
-    connect(&m_player, &Player::frameChanged, this, &Viewport::frameChanged);
-    connect(&m_player, &Player::playingChanged, this, [this](bool playing) {
-        m_frameMs = 0.0;
-        if (!playing) {
-            m_rest.start();
-        }
-    });
 }
 
 Viewport::~Viewport()
@@ -78,167 +62,43 @@ View Viewport::view() const
     return windowView(m_document.effect(), m_player.frame(), std::max(1, width()), std::max(1, height()));
 }
 
-bool Viewport::isSettled() const
-{
-    return m_shown && m_shown->complete && m_shown->revision == m_revision && m_shown->frame == m_player.frame();
-}
-
 void Viewport::setOverlay(Overlay overlay, bool on)
 {
     m_overlays.setFlag(overlay, on);
     if (overlay == Overlay::Tracks) {
-        invalidate();
-        refresh(Haste::None);
+        m_feed.setTracks(on);
     }
     m_surface->widget()->update();
-}
-
-void Viewport::setBackdrop(const Backdrop& backdrop)
-{
-    m_backdrop = backdrop;
-    invalidate();
-    refresh(Haste::None);
 }
 
 void Viewport::setCompare(Compare compare, const Effect& other)
 {
     m_compare = compare;
-    m_other = other;
-    if (compare == Compare::Off) {
-        m_otherWorker.reset();
-        m_otherShown.reset();
-    } else {
-        if (!m_otherWorker) {
-            m_otherWorker = std::make_unique<PictureWorker>();
-            connect(m_otherWorker.get(), &PictureWorker::pictureReady, this, &Viewport::receiveOther);
-        }
-        requestOther(Haste::None);
-    }
+    m_feed.setOther(compare == Compare::Off ? std::nullopt : std::optional(other));
     m_surface->widget()->update();
 }
 
 // --- pictures ------------------------------------------------------------------------------------------------------------
 
-bool Viewport::isSeen() const
+void Viewport::followDocument(const EffectChange& change)
 {
-    return isVisible() && !window()->isMinimized();
+    m_feed.setEffect(m_document.effect(), change.stale);
 }
 
-void Viewport::effectChanged()
+void Viewport::followSize()
 {
-    invalidate();
-    beginMoving();
-    refresh(Haste::Dragging);
+    m_feed.setSize((QSizeF(size()) * devicePixelRatioF()).toSize());
 }
 
-void Viewport::frameChanged()
+void Viewport::followVisibility()
 {
-    if (!m_player.isPlaying()) {
-        m_rest.start();
-    }
-    refresh(m_moving ? Haste::Dragging : Haste::Playing);
-}
-
-void Viewport::beginMoving()
-{
-    m_moving = true;
-    m_rest.start();
-}
-
-void Viewport::invalidate()
-{
-    ++m_revision;
-    m_cache.clear();
-    emit cacheChanged();
-}
-
-/// Shows what is known of the present frame, or asks for it.
-void Viewport::refresh(Haste haste)
-{
-    if (!isSeen()) {
-        return;
-    }
-    if (m_compare != Compare::Off) {
-        requestOther(haste);
-    }
-    const PicturePtr* known = m_cache.object(m_player.frame());
-    if (known != nullptr) {
-        display(*known);
-        const bool good = (*known)->complete || haste == Haste::Dragging || (haste == Haste::Playing && !(*known)->thinned);
-        if (good) {
-            return;
-        }
-    }
-    request(haste);
-}
-
-PictureRequest Viewport::makeRequest(Haste haste) const
-{
-    const double ratio = devicePixelRatioF();
-    PictureRequest request;
-    request.effect = std::make_shared<const Effect>(m_document.effect());
-    request.revision = m_revision;
-    request.frame = m_player.frame();
-    request.width = std::max(1, static_cast<int>(std::lround(width() * ratio)));
-    request.height = std::max(1, static_cast<int>(std::lround(height() * ratio)));
-    request.backdrop = m_backdrop;
-    request.haste = haste;
-    request.tracks = m_overlays.testFlag(Overlay::Tracks);
-    request.sprites = m_surface->drawsSprites();
-    return request;
-}
-
-void Viewport::request(Haste haste)
-{
-    m_asked = m_player.frame();
-    m_waiting = haste != Haste::None;
-    m_player.setHeld(true);
-    m_worker.request(makeRequest(haste));
-}
-
-void Viewport::requestOther(Haste haste)
-{
-    PictureRequest other = makeRequest(haste);
-    // Both halves are seen through the camera of the document.
-    Effect effect = m_other;
-    effect.camera = m_document.effect().camera;
-    effect.output = m_document.effect().output;
-    other.effect = std::make_shared<const Effect>(effect);
-    other.sprites = false;
-    other.tracks = false;
-    m_otherWorker->request(other);
-}
-
-void Viewport::receive(const PicturePtr& picture)
-{
-    if (picture->frame == m_asked) {
-        m_player.setHeld(false);
-        m_waiting = false;
-    }
-    if (picture->revision == m_revision) {
-        // A loop that is longer than the cache would push out each frame just before it is shown again: what is there stays.
-        m_cache.remove(picture->frame);
-        if (m_cache.totalCost() + kibibytes(*picture) <= m_cache.maxCost()) {
-            m_cache.insert(picture->frame, new PicturePtr(picture), kibibytes(*picture));
-        }
-        emit cacheChanged();
-    }
-    display(picture);
-}
-
-void Viewport::receiveOther(const PicturePtr& picture)
-{
-    if (m_compare != Compare::Off) {
-        m_otherShown = picture;
-        m_surface->widget()->update();
-    }
+    const bool isSeen = isVisible() && !window()->isMinimized();
+    m_player.setSuspended(!isSeen);
+    m_feed.setSeen(isSeen);
 }
 
 void Viewport::display(const PicturePtr& picture)
 {
-    if (picture == m_shown) {
-        return;
-    }
     if (m_sinceShown.isValid()) {
         constexpr double kShareOfNewest = 0.15;
         constexpr double kNanosecondsAMillisecond = 1e6;
@@ -246,36 +106,23 @@ void Viewport::display(const PicturePtr& picture)
         m_frameMs = m_frameMs == 0.0 ? ms : m_frameMs + (ms - m_frameMs) * kShareOfNewest;
     }
     m_sinceShown.start();
-    m_shown = picture;
     m_surface->show(picture);
     emit pictureShown(picture);
-}
-
-void Viewport::followVisibility()
-{
-    m_player.setSuspended(!isSeen());
-    if (!isSeen()) {
-        return;
-    }
-    if (!m_shown) {
-        // Something to look at first; the whole of it a moment later.
-        beginMoving();
-    }
-    refresh(m_moving ? Haste::Dragging : (m_player.isPlaying() ? Haste::Playing : Haste::None));
 }
 
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    invalidate();
-    beginMoving();
-    refresh(Haste::Dragging);
+    followSize();
 }
 
 void Viewport::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     window()->installEventFilter(this);
+    // A screen of another scale has other pixels.
+    connect(window()->windowHandle(), &QWindow::screenChanged, this, &Viewport::followSize, Qt::UniqueConnection);
+    followSize();
     followVisibility();
 }
 
@@ -422,14 +269,14 @@ void Viewport::setHot(std::optional<GizmoId> gizmo)
 
 void Viewport::paintOther(QPainter& painter)
 {
-    if (m_compare == Compare::Off || !m_otherShown) {
+    if (m_compare == Compare::Off || !otherPicture()) {
         return;
     }
     const double left = m_compare == Compare::Split ? dividerX() : 0.0;
     painter.save();
     painter.setClipRect(QRectF(left, 0.0, width() - left, height()));
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(rect(), m_otherShown->image);
+    painter.drawImage(rect(), otherPicture()->image);
     painter.restore();
     if (m_compare == Compare::Split) {
         painter.setPen(QPen(QColor(255, 255, 255, 200), 2.0));
@@ -442,7 +289,7 @@ void Viewport::paintOther(QPainter& painter)
 
 void Viewport::paintReadout(QPainter& painter) const
 {
-    if (!m_shown) {
+    if (!picture()) {
         return;
     }
     const auto ms = [](std::chrono::nanoseconds time) { return QString::number(std::chrono::duration<double, std::milli>(time).count(), 'f', 1); };
@@ -450,10 +297,10 @@ void Viewport::paintReadout(QPainter& painter) const
     if (m_player.isPlaying() && m_frameMs > 0.0) {
         lines += tr("%1 frames/s").arg(1000.0 / m_frameMs, 0, 'f', 0);
     }
-    lines += tr("%L1 particles").arg(m_shown->particles);
-    lines += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(m_shown->stepNs)));
-    lines += tr("light %1 ms").arg(ms(m_shown->times.light + m_shown->times.sprites));
-    lines += tr("composite %1 ms").arg(ms(m_shown->times.composite));
+    lines += tr("%L1 particles").arg(picture()->particles);
+    lines += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(picture()->stepNs)));
+    lines += tr("light %1 ms").arg(ms(picture()->times.light + picture()->times.sprites));
+    lines += tr("composite %1 ms").arg(ms(picture()->times.composite));
     const QString text = lines.join(QStringLiteral("   "));
     painter.setPen(QColor(0, 0, 0, 170));
     painter.drawText(QPointF(13.0, height() - 11.0), text);
@@ -469,8 +316,8 @@ void Viewport::paintOverlay(QPainter& painter)
     if (m_overlays.testFlag(Overlay::Grid)) {
         paintGrid(painter, seen);
     }
-    if (m_overlays.testFlag(Overlay::Tracks) && m_shown) {
-        paintTracks(painter, m_shown->tracks, seen);
+    if (m_overlays.testFlag(Overlay::Tracks) && picture()) {
+        paintTracks(painter, picture()->tracks, seen);
     }
     if (m_overlays.testFlag(Overlay::Emitter)) {
         paintEmitter(painter, effect.emitter, seen);

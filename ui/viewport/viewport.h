@@ -2,22 +2,19 @@
 
 #include "ui/document/document.h"
 #include "ui/face/hand.h"
-#include "ui/pictures/picture_worker.h"
+#include "ui/pictures/picture_feed.h"
 #include "ui/timeline/player.h"
 #include "ui/viewport/gizmos.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/overlays.h"
 #include "ui/viewport/surface.h"
 
-#include <QCache>
 #include <QElapsedTimer>
-#include <QTimer>
 #include <QWidget>
 
 namespace fumage::ui {
 
-/// The smoke, live: asks the worker for pictures of the document at the player's frame, shows the newest, and turns the mouse into
-/// camera moves and gizmo drags.
+/// The smoke, live: shows the pictures of the document at the player's frame, and turns the mouse into camera moves and gizmo drags.
 class Viewport : public QWidget {
     Q_OBJECT
 
@@ -26,18 +23,18 @@ public:
     ~Viewport() override;
 
     /// What is on the screen; null before the first picture.
-    [[nodiscard]] const PicturePtr& picture() const { return m_shown; }
+    [[nodiscard]] const PicturePtr& picture() const { return m_feed.picture(); }
     /// Whether that is all there is to show of the document at this frame: nothing was given up, nothing is on its way.
-    [[nodiscard]] bool isSettled() const;
+    [[nodiscard]] bool isSettled() const { return m_feed.isSettled(); }
     /// Frames whose pictures are kept, for the timeline.
-    [[nodiscard]] QList<int> cachedFrames() const { return m_cache.keys(); }
+    [[nodiscard]] QList<int> cachedFrames() const { return m_feed.cachedFrames(); }
     [[nodiscard]] View view() const; ///< in logical pixels, as the mouse sees it
     [[nodiscard]] QWidget* surface() const { return m_surface->widget(); }
 
     [[nodiscard]] Overlays overlays() const { return m_overlays; }
     void setOverlay(Overlay overlay, bool on);
-    [[nodiscard]] const Backdrop& backdrop() const { return m_backdrop; }
-    void setBackdrop(const Backdrop& backdrop);
+    [[nodiscard]] const Backdrop& backdrop() const { return m_feed.backdrop(); }
+    void setBackdrop(const Backdrop& backdrop) { m_feed.setBackdrop(backdrop); }
     void setNavigationStyle(NavigationStyle style) { m_style = style; }
     [[nodiscard]] NavigationStyle navigationStyle() const { return m_style; }
 
@@ -49,7 +46,7 @@ public:
     };
     void setCompare(Compare compare, const Effect& other);
     [[nodiscard]] Compare compare() const { return m_compare; }
-    [[nodiscard]] const PicturePtr& otherPicture() const { return m_otherShown; }
+    [[nodiscard]] const PicturePtr& otherPicture() const { return m_feed.otherPicture(); }
 
     void frameAll();
     void lookFrom(float yaw, float pitch);
@@ -78,19 +75,10 @@ private:
         Gesture gesture;
     };
 
-    void effectChanged();
-    void frameChanged();
-    void beginMoving();
-    void invalidate();
-    void refresh(Haste haste);
-    void request(Haste haste);
-    void requestOther(Haste haste);
-    void receive(const PicturePtr& picture);
-    void receiveOther(const PicturePtr& picture);
-    void display(const PicturePtr& picture);
+    void followDocument(const EffectChange& change);
+    void followSize();
     void followVisibility();
-    [[nodiscard]] bool isSeen() const;
-    [[nodiscard]] PictureRequest makeRequest(Haste haste) const;
+    void display(const PicturePtr& picture);
 
     void press(QMouseEvent& event);
     void move(QMouseEvent& event);
@@ -107,27 +95,15 @@ private:
     Document& m_document;
     Player& m_player;
     std::unique_ptr<Surface> m_surface;
-    PictureWorker m_worker;
-    std::unique_ptr<PictureWorker> m_otherWorker; ///< only while two effects are compared
-    QTimer m_rest; ///< fires when the hand has been still for a moment
+    PictureFeed m_feed;
     Burst m_wheelBurst;
     Gesture m_wheelGesture;
 
-    PicturePtr m_shown;
-    PicturePtr m_otherShown;
-    QCache<int, PicturePtr> m_cache; ///< pictures of this revision, size and backdrop; cost in KiB
-    quint64 m_revision = 1;
-    bool m_moving = false; ///< a change came within the last moment
-    bool m_waiting = false; ///< a hasty picture is on its way
-    int m_asked = -1; ///< frame that the worker is busy with
-
     Overlays m_overlays = Overlay::Grid | Overlay::Emitter | Overlay::Gizmos | Overlay::Readout;
-    Backdrop m_backdrop;
     NavigationStyle m_style = NavigationStyle::Blender;
     std::optional<Drag> m_drag;
     std::optional<GizmoId> m_hot;
     Compare m_compare = Compare::Off;
-    Effect m_other;
     double m_divider = 0.5; ///< share of the width
 
     QElapsedTimer m_sinceShown;

@@ -1,0 +1,341 @@
+// Which pictures are asked for, shown and kept while an effect is changed and played: no window, no widget.
+#include "editor_helpers.h"
+#include "picture_helpers.h"
+
+#include "ui/pictures/picture_feed.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+constexpr qint64 kRoomy = 64LL * 1024 * 1024;
+constexpr QSize kSize(160, 120);
+constexpr qint64 kBytes = 160LL * 120 * 4; ///< of a picture of that size
+
+/// So many particles that a hasty picture can only show some of them.
+Effect largeEffect()
+{
+    Effect effect = smallEffect();
+    effect.emitter.count = 200000;
+    return effect;
+}
+
+PicturePtr pictureOf(int frame, bool complete, bool thinned = false, QSize size = kSize)
+{
+    auto picture = std::make_shared<Picture>();
+    picture->image = QImage(size, QImage::Format_RGB32);
+    picture->frame = frame;
+    picture->complete = complete;
+    picture->thinned = thinned;
+    return picture;
+}
+
+/// A feed that is seen, on an effect, with all that it has sent.
+struct Watched {
+    PictureFeed feed;
+    QList<PicturePtr> pictures;
+    QList<PicturePtr> others;
+    QList<bool> waiting;
+
+    explicit Watched(const Effect& effect, qint64 cacheBytes = kRoomy)
+        : feed(cacheBytes)
+    {
+        QObject::connect(&feed, &PictureFeed::ready, &feed, [this](const PicturePtr& picture) { pictures += picture; });
+        QObject::connect(&feed, &PictureFeed::otherReady, &feed, [this](const PicturePtr& picture) { others += picture; });
+        QObject::connect(&feed, &PictureFeed::waitingChanged, &feed, [this](bool now) { waiting += now; });
+        feed.setEffect(effect, Stage::Simulate);
+        feed.setSize(kSize);
+        feed.setSeen(true);
+    }
+    [[nodiscard]] bool settles()
+    {
+        constexpr int kPatienceMs = 20000;
+        return QTest::qWaitFor([&] { return feed.isSettled(); }, kPatienceMs);
+    }
+};
+
+QImage whole(const Effect& effect, int frame)
+{
+    return Studio().make(requestFor(effect, frame), {})->image;
+}
+
+} // namespace
+
+class PictureFeedTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // --- the cache --------------------------------------------------------------------------------------------------
+
+    void aCacheKeepsTheBestPictureOfAFrame()
+    {
+        PictureCache cache(10 * kBytes);
+        const PicturePtr thinned = pictureOf(3, false, true);
+        const PicturePtr coarse = pictureOf(3, false, false, kSize / 2);
+        const PicturePtr finer = pictureOf(3, false, false);
+        const PicturePtr complete = pictureOf(3, true);
+        for (const PicturePtr& better : {thinned, coarse, finer, complete}) {
+            cache.keep(better);
+            QCOMPARE(cache.find(3), better);
+        }
+        for (const PicturePtr& worse : {thinned, coarse, finer}) {
+            cache.keep(worse);
+            QCOMPARE(cache.find(3), complete);
+        }
+        QVERIFY(cache.find(4) == nullptr);
+    }
+
+    void aFullCacheKeepsWhatIsThere()
+    {
+        PictureCache cache(2 * kBytes);
+        for (const int frame : {7, 5, 6}) {
+            cache.keep(pictureOf(frame, true));
+        }
+        QCOMPARE(cache.frames(), QList<int>({5, 7}));
+        cache.clear();
+        QVERIFY(cache.frames().isEmpty());
+        cache.keep(pictureOf(6, true));
+        cache.keep(pictureOf(8, true));
+        QCOMPARE(cache.frames(), QList<int>({6, 8}));
+    }
+
+    void aBetterPictureTakesThePlaceOfAWorseOneInAFullCache()
+    {
+        PictureCache cache(kBytes);
+        cache.keep(pictureOf(1, false));
+        const PicturePtr complete = pictureOf(1, true);
+        cache.keep(complete);
+        QCOMPARE(cache.find(1), complete);
+    }
+
+    // --- settling ---------------------------------------------------------------------------------------------------
+
+    void aMovingHandGetsARoughPictureAndARestingOneTheWhole()
+    {
+        Watched watched(largeEffect());
+        QTRY_VERIFY(!watched.pictures.isEmpty());
+        QVERIFY(watched.pictures.first()->thinned && !watched.pictures.first()->complete);
+        QVERIFY(!watched.feed.isSettled());
+        QVERIFY(watched.settles());
+        QCOMPARE(watched.pictures.last()->image, whole(largeEffect(), 0));
+    }
+
+    void theNewestEffectIsTheOneThatIsShown()
+    {
+        Watched watched(smallEffect());
+        Effect effect = smallEffect();
+        constexpr int kChanges = 30;
+        for (int i = 1; i <= kChanges; ++i) {
+            effect.look.opacity = 0.1F * static_cast<float>(i);
+            watched.feed.setEffect(effect, Stage::Shade);
+        }
+        QVERIFY(watched.settles());
+        QVERIFY(watched.pictures.size() < kChanges);
+        QCOMPARE(watched.pictures.last()->image, whole(effect, 0));
+    }
+
+    void changesOfEveryStageAreSeen_data()
+    {
+        QTest::addColumn<QString>("key");
+        for (const QString& key : {u"look.opacity"_q, u"noise.sharpness"_q, u"motion.wind"_q}) {
+            QTest::newRow(qPrintable(key)) << key;
+        }
+    }
+    void changesOfEveryStageAreSeen()
+    {
+        QFETCH(QString, key);
+        Watched watched(smallEffect());
+        watched.feed.setFrame(20);
+        QVERIFY(watched.settles());
+        const QImage before = watched.feed.picture()->image;
+        Effect effect = smallEffect();
+        const Parameter& parameter = *findParameter(key.toStdString());
+        parameter.set(effect, 4.0F);
+        watched.feed.setEffect(effect, parameter.stage);
+        QVERIFY(watched.settles());
+        QVERIFY(watched.feed.picture()->image != before);
+        QCOMPARE(watched.feed.picture()->image, whole(effect, 20));
+    }
+
+    void changesThatNobodySawAreNotForgotten()
+    {
+        // A change of the motion, then one of the look alone, before anything was made of the first.
+        Watched watched(smallEffect());
+        watched.feed.setFrame(20);
+        QVERIFY(watched.settles());
+        Effect effect = smallEffect();
+        effect.motion.wind = 4.0F;
+        watched.feed.setEffect(effect, Stage::Simulate);
+        effect.look.opacity = 0.5F;
+        watched.feed.setEffect(effect, Stage::Shade);
+        QVERIFY(watched.settles());
+        QCOMPARE(watched.feed.picture()->image, whole(effect, 20));
+    }
+
+    void sizeAndBackdropMakeNewPictures()
+    {
+        Watched watched(smallEffect());
+        QVERIFY(watched.settles());
+        watched.feed.setSize({80, 60});
+        QVERIFY(!watched.feed.isSettled());
+        QVERIFY(watched.settles());
+        QCOMPARE(watched.feed.picture()->image.size(), QSize(80, 60));
+        watched.feed.setBackdrop({Backdrop::Kind::Colour, {1.0F, 0.0F, 0.0F}});
+        QVERIFY(watched.settles());
+        QCOMPARE(watched.feed.picture()->image.pixelColor(0, 0), QColor(Qt::red));
+    }
+
+    void tracksAndSpritesComeWhereTheyAreWanted()
+    {
+        Watched watched(smallEffect());
+        watched.feed.setFrame(20);
+        QVERIFY(watched.settles());
+        QVERIFY(watched.feed.picture()->tracks.empty() && !watched.feed.picture()->scene);
+        watched.feed.setTracks(true);
+        watched.feed.setSprites(true);
+        QVERIFY(watched.settles());
+        QVERIFY(!watched.feed.picture()->tracks.empty() && watched.feed.picture()->scene);
+    }
+
+    // --- playing ----------------------------------------------------------------------------------------------------
+
+    void theClockWaitsForEachFrameThatIsNotThereYet()
+    {
+        Watched watched(smallEffect());
+        QVERIFY(watched.settles());
+        watched.feed.setPlaying(true);
+        for (int frame = 1; frame <= 3; ++frame) {
+            watched.waiting.clear();
+            watched.feed.setFrame(frame);
+            QCOMPARE(watched.waiting, QList<bool>{true});
+            QTRY_COMPARE(watched.waiting, QList<bool>({true, false}));
+            QCOMPARE(watched.feed.picture()->frame, frame);
+        }
+        QCOMPARE(watched.feed.cachedFrames(), QList<int>({0, 1, 2, 3}));
+        // Again from the start: all of it is there at once.
+        watched.waiting.clear();
+        for (int frame = 0; frame <= 3; ++frame) {
+            watched.feed.setFrame(frame);
+            QCOMPARE(watched.feed.picture()->frame, frame);
+        }
+        QVERIFY(watched.waiting.isEmpty());
+    }
+
+    void aChangeEmptiesTheCache()
+    {
+        Watched watched(smallEffect());
+        QVERIFY(watched.settles());
+        QSignalSpy changes(&watched.feed, &PictureFeed::cacheChanged);
+        watched.feed.setEffect(largeEffect(), Stage::Simulate);
+        QVERIFY(watched.feed.cachedFrames().isEmpty());
+        QCOMPARE(changes.size(), 1);
+        QTRY_COMPARE(watched.feed.cachedFrames(), QList<int>{0});
+    }
+
+    void playingShowsAllParticlesOnceTheHandRests()
+    {
+        Watched watched(largeEffect());
+        watched.feed.setPlaying(true);
+        QTRY_VERIFY(watched.feed.picture() && watched.feed.picture()->thinned);
+        QTRY_VERIFY_WITH_TIMEOUT(!watched.feed.picture()->thinned, 20000);
+    }
+
+    void stoppingSharpensTheFrameThatIsSeen()
+    {
+        Effect effect = smallEffect();
+        effect.output.quality = Quality::Final; // which a moving picture gives up
+        Watched watched(effect);
+        watched.feed.setPlaying(true);
+        watched.feed.setFrame(5);
+        QTRY_VERIFY(watched.feed.picture() && watched.feed.picture()->frame == 5);
+        QVERIFY(!watched.feed.picture()->complete);
+        watched.feed.setPlaying(false);
+        QVERIFY(watched.settles());
+        QCOMPARE(watched.feed.picture()->image, whole(effect, 5));
+    }
+
+    void anEarlierFrameThatComesLateDoesNotReplaceTheOneThatIsWanted()
+    {
+        Watched watched(largeEffect());
+        QVERIFY(watched.settles());
+        watched.feed.setPlaying(true); // nothing sharpens behind our back
+        watched.feed.setFrame(60); // takes a while
+        watched.feed.setFrame(0); // is kept
+        QCOMPARE(watched.feed.picture()->frame, 0);
+        QTRY_VERIFY_WITH_TIMEOUT(watched.feed.cachedFrames().contains(60), 20000);
+        QCOMPARE(watched.feed.picture()->frame, 0);
+    }
+
+    // --- seen or not ------------------------------------------------------------------------------------------------
+
+    void whatNobodySeesIsNotMade()
+    {
+        PictureFeed feed;
+        QSignalSpy pictures(&feed, &PictureFeed::ready);
+        QSignalSpy others(&feed, &PictureFeed::otherReady);
+        QSignalSpy waiting(&feed, &PictureFeed::waitingChanged);
+        feed.setEffect(smallEffect(), Stage::Simulate);
+        feed.setSize(kSize);
+        feed.setOther(smallEffect());
+        feed.setPlaying(true);
+        feed.setFrame(3);
+        feed.setPlaying(false);
+        // Longer than a hand has to rest, and than a picture takes.
+        QTimer timer;
+        QSignalSpy turns(&timer, &QTimer::timeout);
+        timer.start(5);
+        QTRY_VERIFY(turns.size() > 100);
+        QVERIFY(pictures.isEmpty() && others.isEmpty() && waiting.isEmpty());
+        feed.setSeen(true);
+        QTRY_VERIFY(feed.isSettled() && feed.otherPicture());
+    }
+
+    // --- the other effect -------------------------------------------------------------------------------------------
+
+    void theOtherEffectIsSeenThroughTheSameCamera()
+    {
+        Watched watched(smallEffect());
+        watched.feed.setFrame(20);
+        Effect other = smallEffect();
+        other.look.colour = {1.0F, 0.1F, 0.1F};
+        watched.feed.setOther(other);
+        QTRY_VERIFY(watched.feed.otherPicture() && watched.feed.otherPicture()->complete);
+        Effect turned = smallEffect();
+        turned.camera.yaw = 70.0F;
+        watched.feed.setEffect(turned, Stage::Shade);
+        other.camera = turned.camera;
+        const QImage expected = whole(other, 20);
+        QTRY_COMPARE(watched.feed.otherPicture()->image, expected);
+        QVERIFY(!watched.others.isEmpty());
+    }
+
+    void theOtherEffectFollowsFramesAndItsOwnChanges()
+    {
+        Watched watched(smallEffect());
+        Effect other = smallEffect();
+        watched.feed.setOther(other);
+        watched.feed.setFrame(30);
+        QTRY_VERIFY(watched.feed.otherPicture() && watched.feed.otherPicture()->frame == 30);
+        other.motion.wind = 4.0F;
+        watched.feed.setOther(other);
+        const QImage expected = whole(other, 30);
+        QTRY_COMPARE(watched.feed.otherPicture()->image, expected);
+    }
+
+    void noOtherEffectMeansNoPictureOfIt()
+    {
+        Watched watched(smallEffect());
+        watched.feed.setOther(smallEffect());
+        QTRY_VERIFY(watched.feed.otherPicture());
+        watched.feed.setOther(std::nullopt);
+        QVERIFY(!watched.feed.otherPicture());
+        watched.others.clear();
+        watched.feed.setFrame(10);
+        QVERIFY(watched.settles());
+        QVERIFY(watched.others.isEmpty());
+    }
+};
+
+FUMAGE_TEST_MAIN(PictureFeedTest)
+#include "picture_feed_test.moc"

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/pictures/picture.h"
+
+namespace fumage::tests {
+
+/// An effect whose pictures are made in a moment.
+inline Effect smallEffect()
+{
+    Effect effect;
+    effect.emitter.count = 2000;
+    effect.turbulence.octaves = 2;
+    effect.light.resolution = 24;
+    effect.noise.resolution = 32;
+    effect.noise.slices = 8;
+    return effect;
+}
+
+inline ui::PictureRequest requestFor(const Effect& effect, int frame = 20)
+{
+    ui::PictureRequest request;
+    request.effect = std::make_shared<const Effect>(effect);
+    request.frame = frame;
+    request.width = 160;
+    request.height = 120;
+    return request;
+}
+
+} // namespace fumage::tests

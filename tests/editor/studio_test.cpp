@@ -1,0 +1,126 @@
+// The studio that makes pictures, and the thread that it works on.
+#include "editor_helpers.h"
+#include "picture_helpers.h"
+
+#include "ui/pictures/haste.h"
+#include "ui/pictures/picture_worker.h"
+#include "ui/pictures/tracks.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class StudioTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theSameFrameIsTheSamePictureWhateverCameBefore()
+    {
+        Studio studio;
+        const Effect effect = smallEffect();
+        const QImage first = studio.make(requestFor(effect, 30), {})->image;
+        QVERIFY(studio.make(requestFor(effect, 90), {}) != nullptr);
+        QVERIFY(studio.make(requestFor(effect, 3), {}) != nullptr);
+        QCOMPARE(studio.make(requestFor(effect, 30), {})->image, first);
+        QCOMPARE(Studio().make(requestFor(effect, 30), {})->image, first);
+    }
+
+    void effectsOfOneSimulationShareTheirParticles()
+    {
+        Studio studio;
+        PictureRequest request = requestFor(smallEffect());
+        request.simulation = 1;
+        const QImage still = studio.make(request, {})->image;
+        Effect windy = smallEffect();
+        windy.motion.wind = 4.0F;
+        request.effect = std::make_shared<const Effect>(windy);
+        QCOMPARE(studio.make(request, {})->image, still); // the number is what counts
+        request.simulation = 2;
+        const QImage blown = studio.make(request, {})->image;
+        QVERIFY(blown != still);
+        QCOMPARE(blown, Studio().make(requestFor(windy), {})->image);
+    }
+
+    void hasteGivesUpPixelsAndParticlesButSaysSo()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.count = 400000;
+        Studio studio;
+        PictureRequest request = requestFor(effect, 10);
+        request.haste = Haste::Dragging;
+        const PicturePtr hasty = studio.make(request, {});
+        QVERIFY(hasty->thinned && !hasty->complete && hasty->particles < 400000);
+        request.haste = Haste::None;
+        const PicturePtr whole = studio.make(request, {});
+        QVERIFY(whole->complete && !whole->thinned);
+        QCOMPARE(whole->particles, 400000);
+        QCOMPARE(whole->image.size(), QSize(160, 120));
+    }
+
+    void aStoppedPictureIsNone()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.count = 1000000;
+        std::stop_source source;
+        source.request_stop();
+        QVERIFY(Studio().make(requestFor(effect), source.get_token()) == nullptr);
+    }
+
+    void theNewestRequestIsTheOneThatCounts()
+    {
+        PictureWorker worker;
+        QList<int> frames;
+        connect(&worker, &PictureWorker::pictureReady, this, [&](const PicturePtr& picture) { frames += picture->frame; });
+        for (int i = 0; i < 50; ++i) {
+            worker.request(requestFor(smallEffect(), i));
+        }
+        QTRY_VERIFY(frames.contains(49));
+        QVERIFY(frames.size() < 50);
+        QCOMPARE(frames.last(), 49);
+    }
+
+    void tracksBeginAtTheEmitter()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.subframe = false;
+        const std::vector<Track> tracks = findTracks(effect, 60);
+        int whole = 0;
+        for (const Track& track : tracks) {
+            // Those that were born before the first frame that was looked at begin on their way.
+            whole += track.size() > 5 && track.size() < 55 && glm::length(track.front()) <= effect.emitter.radius + 0.05F ? 1 : 0;
+        }
+        QVERIFY(whole > 5);
+    }
+
+    void costsAreLearned()
+    {
+        CostEstimate costs;
+        for (int i = 0; i < 30; ++i) {
+            costs.noteSprites(1000, 1'000'000); // 1 us each
+            costs.noteSteps(1'000'000.0, 10'000'000); // 10 ns each
+            costs.notePixels(1e6, 10'000'000);
+        }
+        const int affordable = costs.particlesWithin(20'000'000, 1.0);
+        QVERIFY(qAbs(affordable - 20'000'000 / 1010) < 100);
+        QCOMPARE(costs.scaleWithin(30'000'000, 1000, 1.0, 1e6), 1.0);
+        QVERIFY(costs.scaleWithin(30'000'000, 28000, 1.0, 1e6) < 1.0);
+    }
+
+    void finalQualityWaitsForAStillPicture()
+    {
+        Effect effect;
+        effect.emitter.count = 500;
+        effect.output.quality = Quality::Final;
+        Studio studio;
+        PictureRequest request = requestFor(effect, 10);
+        request.haste = Haste::Playing;
+        const PicturePtr moving = studio.make(request, {});
+        QVERIFY(!moving->complete);
+        request.haste = Haste::None;
+        const PicturePtr still = studio.make(request, {});
+        QVERIFY(still->complete);
+        QVERIFY(still->particles > 4 * moving->particles);
+    }
+};
+
+FUMAGE_TEST_MAIN(StudioTest)
+#include "studio_test.moc"

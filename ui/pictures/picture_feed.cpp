@@ -1,0 +1,229 @@
+#include "ui/pictures/picture_feed.h"
+
+#include <algorithm>
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kRestMs = 160;
+
+} // namespace
+
+PictureFeed::PictureFeed(qint64 cacheBytes, QObject* parent)
+    : QObject(parent)
+    , m_cache(cacheBytes)
+{
+    m_wanted.effect = std::make_shared<const Effect>();
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, &PictureFeed::rest);
+    connect(&m_worker, &PictureWorker::pictureReady, this, &PictureFeed::receive);
+}
+
+void PictureFeed::setEffect(const Effect& effect, Stage stale)
+{
+    m_wanted.effect = std::make_shared<const Effect>(effect);
+    if (stale == Stage::Simulate) {
+        ++m_wanted.simulation;
+    }
+    invalidate();
+    beginMoving();
+    refresh(Haste::Dragging);
+}
+
+void PictureFeed::setFrame(int frame)
+{
+    if (frame == m_wanted.frame) {
+        return;
+    }
+    m_wanted.frame = frame;
+    if (!m_playing) {
+        m_rest.start();
+    }
+    refresh(m_moving ? Haste::Dragging : Haste::Playing);
+}
+
+void PictureFeed::setPlaying(bool playing)
+{
+    m_playing = playing;
+    if (!playing) {
+        m_rest.start();
+    }
+}
+
+void PictureFeed::setSeen(bool seen)
+{
+    m_seen = seen;
+    if (seen && !m_picture) {
+        // Something to look at first; the whole of it a moment later.
+        beginMoving();
+    }
+    refresh(usualHaste());
+}
+
+void PictureFeed::setSize(const QSize& pixels)
+{
+    const int width = std::max(1, pixels.width());
+    const int height = std::max(1, pixels.height());
+    if (width != m_wanted.width || height != m_wanted.height) {
+        m_wanted.width = width;
+        m_wanted.height = height;
+        invalidate();
+        beginMoving();
+        refresh(Haste::Dragging);
+    }
+}
+
+void PictureFeed::setBackdrop(const Backdrop& backdrop)
+{
+    m_wanted.backdrop = backdrop;
+    invalidate();
+    refresh(Haste::None);
+}
+
+void PictureFeed::setTracks(bool wanted)
+{
+    m_wanted.tracks = wanted;
+    invalidate();
+    refresh(Haste::None);
+}
+
+void PictureFeed::setSprites(bool wanted)
+{
+    m_wanted.sprites = wanted;
+    invalidate();
+    refresh(Haste::None);
+}
+
+void PictureFeed::setOther(const std::optional<Effect>& other)
+{
+    m_otherSimulation += other == m_other ? 0 : 1;
+    m_other = other;
+    if (!other) {
+        m_otherWorker.reset();
+        m_otherPicture.reset();
+        return;
+    }
+    if (!m_otherWorker) {
+        m_otherWorker = std::make_unique<PictureWorker>();
+        connect(m_otherWorker.get(), &PictureWorker::pictureReady, this, &PictureFeed::receiveOther);
+    }
+    requestOther(Haste::None);
+}
+
+bool PictureFeed::isSettled() const
+{
+    return m_picture && m_picture->complete && isWanted(*m_picture);
+}
+
+bool PictureFeed::isWanted(const Picture& picture) const
+{
+    return picture.revision == m_wanted.revision && picture.frame == m_wanted.frame;
+}
+
+Haste PictureFeed::usualHaste() const
+{
+    if (m_moving) {
+        return Haste::Dragging;
+    }
+    return m_playing ? Haste::Playing : Haste::None;
+}
+
+void PictureFeed::invalidate()
+{
+    ++m_wanted.revision;
+    m_cache.clear();
+    emit cacheChanged();
+}
+
+void PictureFeed::beginMoving()
+{
+    m_moving = true;
+    m_rest.start();
+}
+
+void PictureFeed::rest()
+{
+    // What the hand asked for last is still on its way: sharpening it now would only get in its way.
+    if (m_asked && m_asked->haste != Haste::None) {
+        m_rest.start();
+        return;
+    }
+    m_moving = false;
+    refresh(usualHaste());
+}
+
+/// Shows what is known of the present frame, or asks for it.
+void PictureFeed::refresh(Haste haste)
+{
+    if (!m_seen) {
+        return;
+    }
+    requestOther(haste);
+    const PicturePtr known = m_cache.find(m_wanted.frame);
+    if (known) {
+        show(known);
+    }
+    const bool isEnough = known && (known->complete || haste == Haste::Dragging || (haste == Haste::Playing && !known->thinned));
+    if (!isEnough) {
+        request(haste);
+    }
+}
+
+void PictureFeed::request(Haste haste)
+{
+    m_asked = m_wanted;
+    m_asked->haste = haste;
+    emit waitingChanged(true);
+    m_worker.request(*m_asked);
+}
+
+void PictureFeed::requestOther(Haste haste)
+{
+    if (!m_other || !m_seen) {
+        return;
+    }
+    Effect effect = *m_other;
+    effect.camera = m_wanted.effect->camera;
+    effect.output = m_wanted.effect->output;
+    PictureRequest other = m_wanted;
+    other.effect = std::make_shared<const Effect>(effect);
+    other.simulation = m_otherSimulation;
+    other.haste = haste;
+    other.sprites = false;
+    other.tracks = false;
+    m_otherWorker->request(other);
+}
+
+void PictureFeed::receive(const PicturePtr& picture)
+{
+    if (m_asked && picture->frame == m_asked->frame) {
+        m_asked.reset();
+        emit waitingChanged(false);
+    }
+    if (picture->revision == m_wanted.revision) {
+        m_cache.keep(picture);
+        emit cacheChanged();
+    }
+    show(picture);
+}
+
+void PictureFeed::receiveOther(const PicturePtr& picture)
+{
+    m_otherPicture = picture;
+    emit otherReady(picture);
+}
+
+/// What is shown of the wanted frame stays until there is something better of it: pictures that were asked for earlier come later.
+void PictureFeed::show(const PicturePtr& picture)
+{
+    const bool isHere = m_picture && isWanted(*m_picture);
+    if (picture == m_picture || (isHere && (!isWanted(*picture) || isBetter(*m_picture, *picture)))) {
+        return;
+    }
+    m_picture = picture;
+    emit ready(picture);
+}
+
+} // namespace fumage::ui

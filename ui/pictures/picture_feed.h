@@ -1,0 +1,91 @@
+#pragma once
+
+#include "ui/pictures/picture_cache.h"
+#include "ui/pictures/picture_worker.h"
+
+#include "core/effect/parameter.h"
+
+#include <QObject>
+#include <QSize>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace fumage::ui {
+
+/// The pictures of an effect that is being changed, played and looked at: rough ones at once while something moves, the whole one when it
+/// rests, and each frame's kept for the next time.
+///
+/// Takes values and asks by itself for the pictures that they need; for none while nobody sees them. Lives on one thread, and works on
+/// others.
+class PictureFeed : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr qint64 kUsualCacheBytes = 256LL * 1024 * 1024;
+
+    explicit PictureFeed(qint64 cacheBytes = kUsualCacheBytes, QObject* parent = nullptr);
+
+    /// @param stale the first stage of the work that has to be done again
+    void setEffect(const Effect& effect, Stage stale);
+    void setFrame(int frame);
+    void setPlaying(bool playing);
+    void setSeen(bool seen);
+    /// Pixels of the screen.
+    void setSize(const QSize& pixels);
+    void setBackdrop(const Backdrop& backdrop);
+    /// Whether pictures bring the ways of some particles with them.
+    void setTracks(bool wanted);
+    /// Whether pictures are handed over as sprites instead of painted ones.
+    void setSprites(bool wanted);
+    /// An effect to compare with, seen by the camera of the first; nothing: none, and no more work for one.
+    void setOther(const std::optional<Effect>& other);
+
+    [[nodiscard]] const Backdrop& backdrop() const { return m_wanted.backdrop; }
+    /// The newest picture; null before the first.
+    [[nodiscard]] const PicturePtr& picture() const { return m_picture; }
+    [[nodiscard]] const PicturePtr& otherPicture() const { return m_otherPicture; }
+    /// Whether the picture is all there is to show: of this effect and frame, nothing given up, nothing on its way.
+    [[nodiscard]] bool isSettled() const;
+    /// Frames whose pictures are kept, in order.
+    [[nodiscard]] QList<int> cachedFrames() const { return m_cache.frames(); }
+
+signals:
+    void ready(fumage::ui::PicturePtr picture);
+    void otherReady(fumage::ui::PicturePtr picture);
+    void cacheChanged();
+    /// The picture of the frame that was asked for last is on its way, or has come.
+    void waitingChanged(bool waiting);
+
+private:
+    void invalidate();
+    void beginMoving();
+    void rest();
+    void refresh(Haste haste);
+    void request(Haste haste);
+    void requestOther(Haste haste);
+    void receive(const PicturePtr& picture);
+    void receiveOther(const PicturePtr& picture);
+    void show(const PicturePtr& picture);
+    [[nodiscard]] bool isWanted(const Picture& picture) const;
+    [[nodiscard]] Haste usualHaste() const;
+
+    PictureRequest m_wanted; ///< as things stand, but for its haste
+    bool m_playing = false;
+    bool m_seen = false;
+    bool m_moving = false; ///< a change came within the last moment
+    QTimer m_rest; ///< fires when there has been none for a moment
+    std::optional<PictureRequest> m_asked; ///< what the worker is busy with
+
+    PictureCache m_cache; ///< of this revision
+    PicturePtr m_picture;
+    PictureWorker m_worker;
+
+    std::optional<Effect> m_other;
+    quint64 m_otherSimulation = 0;
+    PicturePtr m_otherPicture;
+    std::unique_ptr<PictureWorker> m_otherWorker; ///< only while there is another effect
+};
+
+} // namespace fumage::ui
