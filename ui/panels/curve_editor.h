@@ -1,11 +1,12 @@
 #pragma once
 
 #include "ui/panels/parameter_editor.h"
+#include "ui/panels/point_strip.h"
 
 namespace fumage::ui {
 
-/// The drawing area of a curve: points can be dragged, added with a click and taken away with Delete or the right button.
-class CurveArea : public QWidget {
+/// The drawing area of a curve, whose points go sideways and up and down.
+class CurveArea : public PointStrip {
     Q_OBJECT
 
 public:
@@ -16,27 +17,24 @@ public:
     [[nodiscard]] QPointF toScreen(const CurvePoint& point) const;
     QSize sizeHint() const override { return {200, 96}; }
 
-signals:
-    void edited(const fumage::Curve& curve, bool finished);
-
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    [[nodiscard]] int count() const override { return m_curve.count; }
+    [[nodiscard]] int pointAt(const QPointF& mouse) const override;
+    int insertAt(const QPointF& mouse) override { return insert(fromScreen(mouse)); }
+    int insertAfter(int index) override;
+    void moveTo(int index, const QPointF& mouse) override { place(index, fromScreen(mouse)); }
+    bool step(int index, int right, int up) override;
+    void erase(int index) override { removePoint(m_curve, index); }
 
 private:
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] CurvePoint fromScreen(const QPointF& at) const;
-    [[nodiscard]] int pointAt(const QPointF& at) const;
-    void insert(const CurvePoint& point);
-    void remove(int index);
-    void movePoint(int index, CurvePoint to);
+    int insert(const CurvePoint& point);
+    /// Between its neighbours, rounded as a person would write it.
+    void place(int index, CurvePoint to);
 
     Curve m_curve;
-    int m_selected = 0;
-    bool m_dragging = false;
 };
 
 class CurveEditor : public ParameterEditor {

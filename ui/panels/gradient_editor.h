@@ -1,11 +1,12 @@
 #pragma once
 
 #include "ui/panels/parameter_editor.h"
+#include "ui/panels/point_strip.h"
 
 namespace fumage::ui {
 
-/// The bar of a gradient with its stops below: drag them, click the bar to add one, double-click to colour it, Delete to take it away.
-class GradientBar : public QWidget {
+/// The bar of a gradient with its stops below, which go sideways; a double click or Return colours one.
+class GradientBar : public PointStrip {
     Q_OBJECT
 
 public:
@@ -16,29 +17,28 @@ public:
     [[nodiscard]] QPointF handle(int stop) const;
     QSize sizeHint() const override { return {200, 40}; }
 
-signals:
-    void edited(const fumage::Gradient& gradient, bool finished);
-
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    [[nodiscard]] int count() const override { return m_gradient.count; }
+    [[nodiscard]] int pointAt(const QPointF& mouse) const override;
+    int insertAt(const QPointF& mouse) override { return insert(positionOf(mouse)); }
+    int insertAfter(int index) override;
+    void moveTo(int index, const QPointF& mouse) override { place(index, positionOf(mouse)); }
+    bool step(int index, int right, int up) override;
+    void erase(int index) override { removePoint(m_gradient, index); }
 
 private:
     [[nodiscard]] QRectF bar() const;
-    [[nodiscard]] float positionOf(const QPointF& at) const;
-    [[nodiscard]] int stopAt(const QPointF& at) const;
-    void insert(float at);
-    void remove(int stop);
-    void moveStop(int stop, float at);
+    [[nodiscard]] float positionOf(const QPointF& mouse) const;
+    /// In the colour that the gradient has there.
+    int insert(float at) { return insertPoint(m_gradient, GradientStop{at, m_gradient.at(at)}); }
+    /// Between its neighbours.
+    void place(int index, float at);
     void colourStop(int stop);
 
     Gradient m_gradient;
-    int m_selected = 0;
-    bool m_dragging = false;
 };
 
 class GradientEditor : public ParameterEditor {
