@@ -5,18 +5,11 @@
 #include "core/noise/lattice_hash.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fumage {
 
 namespace {
-
-int wrap(int i, int period)
-{
-    const int rest = i % period;
-    return rest < 0 ? rest + period : rest;
-}
 
 /// Interpolates along one axis; value(i) gives the neighbour i cells on, and only cubic asks for those at -1 and 2.
 template <class ValueAt>
@@ -29,11 +22,23 @@ float interpolateAxis(Interpolation kind, float t, const ValueAt& value)
     return bottom + interpolationWeight(kind, t) * (value(1) - bottom);
 }
 
+/// Value noise at a lattice column, where only y and z need interpolation.
+float valueColumn(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, int x, float y, float z)
+{
+    const float row = std::floor(y);
+    const float layer = std::floor(z);
+    return interpolateAxis(noise.interpolation, z - layer, [&](int k) {
+        return interpolateAxis(noise.interpolation, y - row, [&](int j) {
+            return smoothedLatticeValue(seed, period, x, static_cast<int>(row) + j, static_cast<int>(layer) + k, noise.smooth);
+        });
+    });
+}
+
 } // namespace
 
 std::uint32_t latticeHash(std::uint32_t seed, const LatticePeriod& period, int x, int y, int z)
 {
-    return mixLattice(latticeColumn(wrap(x, period.x)) + latticeRow(wrap(y, period.y), wrap(z, period.z)), seed);
+    return mixLattice(latticeColumn(wrapped(x, period.x)) + latticeRow(wrapped(y, period.y), wrapped(z, period.z)), seed);
 }
 
 float latticeValue(std::uint32_t seed, const LatticePeriod& period, int x, int y, int z)
@@ -47,11 +52,10 @@ float smoothedLatticeValue(std::uint32_t seed, const LatticePeriod& period, int 
     if (amount == 0.0F) {
         return plain;
     }
-    constexpr std::array<float, 3> kKernel{0.25F, 0.5F, 0.25F}; // its square is 1/4, 1/8, 1/16
     float mean = 0.0F;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            const float weight = kKernel[static_cast<std::size_t>(row)] * kKernel[static_cast<std::size_t>(column)];
+            const float weight = kSmoothKernel[static_cast<std::size_t>(row)] * kSmoothKernel[static_cast<std::size_t>(column)];
             mean += weight * latticeValue(seed, period, x + column - 1, y + row - 1, z);
         }
     }
@@ -80,17 +84,6 @@ float interpolateCubic(float a, float b, float c, float d, float t)
 float sharpen(float grey, float sharpness, float coverage)
 {
     return std::clamp(0.5F + (grey - 0.5F) * sharpness + (coverage - 0.5F), 0.0F, 1.0F);
-}
-
-float valueColumn(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, int x, float y, float z)
-{
-    const float row = std::floor(y);
-    const float layer = std::floor(z);
-    return interpolateAxis(noise.interpolation, z - layer, [&](int k) {
-        return interpolateAxis(noise.interpolation, y - row, [&](int j) {
-            return smoothedLatticeValue(seed, period, x, static_cast<int>(row) + j, static_cast<int>(layer) + k, noise.smooth);
-        });
-    });
 }
 
 float valueNoise(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, float x, float y, float z)

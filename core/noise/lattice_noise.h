@@ -2,6 +2,7 @@
 
 #include "core/effect/effect.h"
 
+#include <array>
 #include <cstdint>
 
 namespace fumage {
@@ -12,6 +13,16 @@ struct LatticePeriod {
     int y = 1;
     int z = 1;
 };
+
+/// @return i modulo the period, in [0, period), also for negative i
+[[nodiscard]] constexpr int wrapped(int i, int period)
+{
+    const int rest = i % period;
+    return rest < 0 ? rest + period : rest;
+}
+
+/// The weights of smoothedLatticeValue() along x and along y; their products are 1/4, 1/8 and 1/16.
+inline constexpr std::array<float, 3> kSmoothKernel{0.25F, 0.5F, 0.25F};
 
 /// Random bits of a lattice point; one seed, one fixed value a point.
 [[nodiscard]] std::uint32_t latticeHash(std::uint32_t seed, const LatticePeriod& period, int x, int y, int z);
@@ -36,11 +47,8 @@ struct LatticePeriod {
 /// @return clamp(1/2 + (grey - 1/2) * sharpness + coverage - 1/2) in [0, 1]
 [[nodiscard]] float sharpen(float grey, float sharpness, float coverage);
 
-/// Value noise at a lattice column, where only y and z need interpolation.
-/// @param y,z lattice units, 0 or more
-[[nodiscard]] float valueColumn(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, int x, float y, float z);
-
-/// Value noise at a point of a repeating lattice: the 2012 model's noise, one octave, before sharpness.
+/// Value noise at a point of a repeating lattice: the 2012 model's noise, one octave, before sharpness. One point at a time, to hold
+/// bakeFractal() against, which goes row by row.
 /// @param x,y,z lattice units, 0 or more
 [[nodiscard]] float valueNoise(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, float x, float y, float z);
 

@@ -5,18 +5,14 @@
 #include <hwy/highway.h>
 
 #include "core/base/math-inl.h"
-#include "core/noise/lattice_hash.h"
+#include "core/noise/row_cells-inl.h"
 #include "core/noise/row_kernel.h"
-#include "core/noise/simplex-inl.h"
-
-#include <algorithm>
-#include <numeric>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
+using D = RowTag;
+using V = RowVec;
 
 /// Makes the standard deviation of one octave about 1/3, with the 2^-31 of the gradients; measured over 10^6 points.
 constexpr float kGradientScale = 1.8F * 0x1p-31F;
@@ -27,41 +23,35 @@ HWY_INLINE V mix(V a, V b, V t)
     return mulAdd(t, hn::Sub(b, a), a);
 }
 
-void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, LatticeRow& row)
+void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, const GradientRow& row)
 {
     const D d;
-    const hn::RebindToUnsigned<D> du;
     const hn::RebindToSigned<D> di;
-    const auto seed = hn::Set(du, octave.seed);
-    const auto row0 = hn::Set(du, latticeRow(y, layers[0]));
-    const auto row1 = hn::Set(du, latticeRow(y, layers[1]));
     const V t = hn::Set(d, weightZ);
-    const auto column = hn::Set(du, kColumnPrime);
     const auto points = static_cast<std::size_t>(octave.period.x);
     const bool flat = weightZ == 0.0F;
+    const auto component = [&](auto bits) HWY_ATTR { return hn::ConvertTo(d, hn::BitCast(di, bits)); };
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
-        const auto linear = hn::Mul(hn::Add(hn::Iota(du, 0U), hn::Set(du, static_cast<std::uint32_t>(i))), column);
-        const auto bits0 = latticeBits(du, hn::Add(linear, row0), seed);
-        const auto component = [&](auto bits) { return hn::ConvertTo(d, hn::BitCast(di, bits)); };
+        const auto bits0 = rowBits(octave, i, latticeRow(y, layers[0]));
         if (flat) {
             hn::StoreU(component(bits0), d, row.x + i);
             hn::StoreU(component(hn::ShiftLeft<11>(bits0)), d, row.y + i);
             hn::StoreU(hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz)), d, row.z + i);
             continue;
         }
-        const auto bits1 = latticeBits(du, hn::Add(linear, row1), seed);
+        const auto bits1 = rowBits(octave, i, latticeRow(y, layers[1]));
         hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x + i);
         hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y + i);
         const V z0 = hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz));
         const V z1 = hn::Mul(component(hn::ShiftLeft<22>(bits1)), hn::Set(d, fz - 1.0F));
         hn::StoreU(mix(z0, z1, t), d, row.z + i);
     }
-    for (float* component : {row.x, row.y, row.z}) {
-        component[points] = component[0]; // the lattice repeats
+    for (float* values : {row.x, row.y, row.z}) {
+        repeatEnds(values, points);
     }
 }
 
-void gradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
+void gradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY, float amplitude, int cells, const RowCoefficients& out)
 {
     const D d;
     const float* HWY_RESTRICT belowX = below.x;
@@ -94,67 +84,135 @@ void gradientCoefficients(const LatticeRow& below, const LatticeRow& above, floa
     }
 }
 
-/// Adds a block of kBlock pixels after the other. add(i, j, cell): a vector of pixels from i on, which lie at j in the repeat, in or after the cell.
-template <class Add>
-HWY_INLINE void forVectors(const RowPositions& positions, const Add& add)
+void valueRow(const Octave& octave, int y, int z, float* HWY_RESTRICT values)
 {
     const D d;
-    const std::size_t repeat = positions.fraction.size();
-    const std::size_t blocks = positions.cell.size();
-    const std::int32_t* HWY_RESTRICT cells = positions.cell.data();
-    std::size_t j = 0;
-    for (std::size_t block = 0; block < blocks; ++block) {
-        const std::int32_t cell = cells[block];
-        for (std::size_t i = 0; i < RowPositions::kBlock; i += hn::Lanes(d)) {
-            add(block * RowPositions::kBlock + i, j + i, cell);
+    const hn::RebindToSigned<D> di;
+    const auto points = static_cast<std::size_t>(octave.period.x);
+    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+        const auto bits = hn::ShiftRight<8>(rowBits(octave, i, latticeRow(y, z)));
+        hn::Store(hn::Mul(hn::ConvertTo(d, hn::BitCast(di, bits)), hn::Set(d, 0x1p-24F)), d, values + i);
+    }
+    repeatEnds(values, points);
+}
+
+void smoothRow(const std::array<const float*, 3>& rows, float amount, int cells, float* HWY_RESTRICT values)
+{
+    const D d;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells); i += hn::Lanes(d)) {
+        V mean = hn::Zero(d);
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t column = 0; column < 3; ++column) {
+                mean = mulAdd(hn::Set(d, kSmoothKernel[row] * kSmoothKernel[column]), hn::LoadU(d, rows[row] + i + column - 1), mean);
+            }
         }
-        j += RowPositions::kBlock;
-        j = j == repeat ? 0 : j;
+        const V plain = hn::Load(d, rows[1] + i);
+        hn::Store(mulAdd(hn::Set(d, amount), hn::Sub(mean, plain), plain), d, values + i);
+    }
+}
+
+/// interpolateCubic() at a place, or between two values by a weight.
+template <bool kCubic>
+HWY_INLINE V interpolate(const V* values, V t)
+{
+    if constexpr (kCubic) {
+        const V drop = hn::Sub(values[0], values[1]);
+        const V p = hn::Sub(hn::Sub(values[3], values[2]), drop);
+        const V q = hn::Sub(drop, p);
+        const V r = hn::Sub(values[2], values[0]);
+        return mulAdd(mulAdd(mulAdd(p, t, q), t, r), t, values[1]);
+    } else {
+        return mix(values[0], values[1], t);
+    }
+}
+
+/// Values at the lattice columns of a row of pixels, where only y and z need interpolation; signed, so that they are about 0.
+template <bool kCubic, bool kFlat>
+HWY_INLINE void valuesAtColumns(const ValueRows& in, float amplitude, std::size_t points, float* HWY_RESTRICT columns)
+{
+    constexpr std::size_t kRows = kCubic ? 4 : 2;
+    constexpr std::size_t kLayers = kFlat ? 1 : kRows;
+    const D d;
+    const std::array<std::array<const float*, 4>, 4> rows = in.rows;
+    const V alongY = hn::Set(d, in.alongY);
+    const V alongZ = hn::Set(d, in.alongZ);
+    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+        V layers[kRows];
+        for (std::size_t k = 0; k < kLayers; ++k) {
+            V values[kRows];
+            for (std::size_t j = 0; j < kRows; ++j) {
+                values[j] = hn::Load(d, rows[k][j] + i);
+            }
+            layers[k] = interpolate<kCubic>(values, alongY);
+        }
+        const V value = kFlat ? layers[0] : interpolate<kCubic>(layers, alongZ);
+        hn::Store(hn::Mul(hn::Sub(hn::Mul(hn::Set(d, 2.0F), value), hn::Set(d, 1.0F)), hn::Set(d, amplitude)), d, columns + i);
+    }
+    repeatEnds(columns, points);
+}
+
+/// The polynomial of each cell along x; see RowCoefficients.
+template <bool kCubic>
+HWY_INLINE void valuePolynomials(std::size_t cells, const RowCoefficients& out)
+{
+    const D d;
+    const float* HWY_RESTRICT values = out.c0;
+    float* HWY_RESTRICT c1 = out.c1;
+    float* HWY_RESTRICT d0 = out.d0;
+    float* HWY_RESTRICT d1 = out.d1;
+    for (std::size_t i = 0; i < cells; i += hn::Lanes(d)) {
+        const V below = hn::Load(d, values + i);
+        const V above = hn::LoadU(d, values + i + 1);
+        if constexpr (kCubic) {
+            const V before = hn::LoadU(d, values + i - 1);
+            const V drop = hn::Sub(before, below);
+            const V p = hn::Sub(hn::Sub(hn::LoadU(d, values + i + 2), above), drop);
+            hn::Store(hn::Sub(above, before), d, c1 + i);
+            hn::Store(hn::Sub(drop, p), d, d0 + i);
+            hn::Store(p, d, d1 + i);
+        } else {
+            hn::Store(hn::Sub(above, below), d, d0 + i);
+        }
+    }
+}
+
+void valueCoefficients(const ValueRows& rows, float amplitude, int cells, const RowCoefficients& out)
+{
+    const auto count = static_cast<std::size_t>(cells);
+    if (rows.cubic) {
+        rows.flat ? valuesAtColumns<true, true>(rows, amplitude, count, out.c0) : valuesAtColumns<true, false>(rows, amplitude, count, out.c0);
+        valuePolynomials<true>(count, out);
+    } else {
+        rows.flat ? valuesAtColumns<false, true>(rows, amplitude, count, out.c0) : valuesAtColumns<false, false>(rows, amplitude, count, out.c0);
+        valuePolynomials<false>(count, out);
     }
 }
 
 void addPixelRow(const RowPositions& positions, const RowCoefficients& coefficients, float* HWY_RESTRICT values)
 {
+    struct Place {
+        V fraction;
+        V weight;
+    };
     const D d;
-    const hn::RebindToSigned<D> di;
-    const std::int32_t* HWY_RESTRICT lanes = positions.lane.data();
+    const std::array<const float*, 4> columns{coefficients.c0, coefficients.c1, coefficients.d0, coefficients.d1};
     const float* HWY_RESTRICT fraction = positions.fraction.data();
     const float* HWY_RESTRICT weight = positions.weight.data();
-    const float* HWY_RESTRICT c0 = coefficients.c0;
-    const float* HWY_RESTRICT c1 = coefficients.c1;
-    const float* HWY_RESTRICT d0 = coefficients.d0;
-    const float* HWY_RESTRICT d1 = coefficients.d1;
-    const auto add = [&](std::size_t i, V f, V w, V k0, V k1, V e0, V e1) HWY_ATTR {
-        const V low = mulAdd(k1, f, k0);
-        const V rise = mulAdd(e1, f, e0);
-        hn::Store(hn::Add(hn::Load(d, values + i), mulAdd(w, rise, low)), d, values + i);
-    };
-    // Cells along a row never skip one, so that a vector of pixels needs at most a vector of cells.
-    const auto pickAndAdd = [&](std::size_t i, V f, V w, const float* HWY_RESTRICT* columns, auto order) HWY_ATTR {
-        const auto pick = [&](const float* column) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, column), order); };
-        add(i, f, w, pick(columns[0]), pick(columns[1]), pick(columns[2]), pick(columns[3]));
-    };
-    if (positions.uniform) {
-        forVectors(positions, [&](std::size_t i, std::size_t j, std::int32_t cell) HWY_ATTR {
-            add(i, hn::Load(d, fraction + j), hn::Load(d, weight + j), hn::Set(d, c0[cell]), hn::Set(d, c1[cell]), hn::Set(d, d0[cell]), hn::Set(d, d1[cell]));
-        });
-    } else if (positions.fraction.size() == hn::Lanes(d)) {
-        // Every vector of the row lies alike in its cells.
-        const V f = hn::Load(d, fraction);
-        const V w = hn::Load(d, weight);
-        const auto order = hn::IndicesFromVec(d, hn::Load(di, lanes));
-        forVectors(positions, [&](std::size_t i, std::size_t, std::int32_t cell) HWY_ATTR {
-            const float* HWY_RESTRICT columns[] = {c0 + cell, c1 + cell, d0 + cell, d1 + cell};
-            pickAndAdd(i, f, w, columns, order);
-        });
-    } else {
-        forVectors(positions, [&](std::size_t i, std::size_t j, std::int32_t cell) HWY_ATTR {
-            const std::int32_t first = cell + lanes[j];
-            const auto order = hn::IndicesFromVec(d, hn::Sub(hn::Load(di, lanes + j), hn::Set(di, lanes[j])));
-            const float* HWY_RESTRICT columns[] = {c0 + first, c1 + first, d0 + first, d1 + first};
-            pickAndAdd(i, hn::Load(d, fraction + j), hn::Load(d, weight + j), columns, order);
-        });
-    }
+    const auto place = [=](std::size_t j) HWY_ATTR { return Place{hn::Load(d, fraction + j), hn::Load(d, weight + j)}; };
+    addCells(positions, columns, values, place, [](const Place& at, const V* c) HWY_ATTR {
+        const V low = mulAdd(c[1], at.fraction, c[0]);
+        const V rise = mulAdd(c[3], at.fraction, c[2]);
+        return mulAdd(at.weight, rise, low);
+    });
+}
+
+void addFlatPixelRow(const RowPositions& positions, const RowCoefficients& coefficients, float* HWY_RESTRICT values)
+{
+    const D d;
+    const std::array<const float*, 2> columns{coefficients.c0, coefficients.d0};
+    const float* HWY_RESTRICT weight = positions.weight.data();
+    const auto place = [=](std::size_t j) HWY_ATTR { return hn::Load(d, weight + j); };
+    addCells(positions, columns, values, place, [](V w, const V* c) HWY_ATTR { return mulAdd(w, c[1], c[0]); });
 }
 
 /// Doubled coordinate of the corner d away from position p, which is whole, brought into [0, 2 period).
@@ -212,50 +270,52 @@ namespace fumage {
 
 HWY_EXPORT(gradientRow);
 HWY_EXPORT(gradientCoefficients);
+HWY_EXPORT(valueRow);
+HWY_EXPORT(smoothRow);
+HWY_EXPORT(valueCoefficients);
 HWY_EXPORT(addPixelRow);
+HWY_EXPORT(addFlatPixelRow);
 HWY_EXPORT(simplexRow);
 
-RowPositions rowPositions(int size, int cells, Interpolation kind, bool squareWeight)
-{
-    const std::size_t padded = roundUp(static_cast<std::size_t>(size), RowPositions::kBlock);
-    const bool wholePixels = size % cells == 0;
-    const std::size_t repeat = wholePixels ? std::min(padded, std::lcm(static_cast<std::size_t>(size / cells), RowPositions::kBlock)) : padded;
-    RowPositions out;
-    out.fraction.resize(repeat);
-    out.weight.resize(repeat);
-    out.lane.resize(repeat);
-    out.uniform = true;
-    const double scale = static_cast<double>(cells) / size;
-    const auto positionOf = [&](std::size_t i) { return (static_cast<double>(std::min(i, static_cast<std::size_t>(size) - 1)) + 0.5) * scale; };
-    for (std::size_t i = 0; i < padded; i += RowPositions::kBlock) {
-        out.cell.push_back(static_cast<std::int32_t>(positionOf(i)));
-    }
-    for (std::size_t i = 0; i < repeat; ++i) {
-        const double x = positionOf(i);
-        const auto cell = static_cast<std::int32_t>(x);
-        out.lane[i] = cell - out.cell[i / RowPositions::kBlock];
-        out.uniform = out.uniform && out.lane[i] == 0;
-        out.fraction[i] = static_cast<float>(x - cell);
-        out.weight[i] = squareWeight ? out.fraction[i] * out.fraction[i] : interpolationWeight(kind, out.fraction[i]);
-    }
-    return out;
-}
-
-void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, LatticeRow& row)
+void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, const GradientRow& row)
 {
     HWY_DYNAMIC_DISPATCH(gradientRow)
     (octave, y, layers, fz, weightZ, row);
 }
 
-void fillGradientCoefficients(const LatticeRow& below, const LatticeRow& above, float fy, float weightY, float amplitude, int cells, RowCoefficients& out)
+void fillGradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY, float amplitude, int cells, const RowCoefficients& out)
 {
     HWY_DYNAMIC_DISPATCH(gradientCoefficients)
     (below, above, fy, weightY, amplitude, cells, out);
 }
 
+void fillValueRow(const Octave& octave, int y, int z, float* values)
+{
+    HWY_DYNAMIC_DISPATCH(valueRow)
+    (octave, y, z, values);
+}
+
+void smoothValueRow(const std::array<const float*, 3>& rows, float amount, int cells, float* values)
+{
+    HWY_DYNAMIC_DISPATCH(smoothRow)
+    (rows, amount, cells, values);
+}
+
+void fillValueCoefficients(const ValueRows& rows, float amplitude, int cells, const RowCoefficients& out)
+{
+    HWY_DYNAMIC_DISPATCH(valueCoefficients)
+    (rows, amplitude, cells, out);
+}
+
 void addRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values)
 {
     HWY_DYNAMIC_DISPATCH(addPixelRow)
+    (positions, coefficients, values);
+}
+
+void addFlatRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values)
+{
+    HWY_DYNAMIC_DISPATCH(addFlatPixelRow)
     (positions, coefficients, values);
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
-#include "core/noise/row_kernel.h"
+#include "core/noise/octave_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,122 +14,6 @@ namespace {
 
 /// Rows that one task bakes: enough to reuse lattice rows, few enough to share the work.
 constexpr int kRowsATask = 128;
-
-constexpr std::size_t kVectorPadding = 2 * kAlignment / sizeof(float);
-
-/// One octave with everything that does not change from row to row.
-class OctaveBaker {
-public:
-    OctaveBaker(const Noise& noise, const Octave& octave, int size, float depth)
-        : m_noise(noise)
-        , m_octave(octave)
-        , m_size(size)
-        , m_cellsAPixel(static_cast<float>(octave.period.y) / static_cast<float>(size))
-        , m_z(depth * static_cast<float>(octave.period.z))
-    {
-        if (noise.basis != NoiseBasis::Simplex) {
-            const bool cubicValues = noise.basis == NoiseBasis::Lattice && noise.interpolation == Interpolation::Cubic;
-            m_positions = rowPositions(size, octave.period.x, noise.interpolation, cubicValues);
-        }
-        m_layer = static_cast<int>(m_z);
-        m_fractionZ = m_z - std::floor(m_z);
-    }
-
-    /// Buffers of one task.
-    struct Workspace {
-        AlignedArray<float> storage; ///< of all rows
-        LatticeRow below;
-        LatticeRow above;
-        RowCoefficients coefficients;
-        float* line; ///< values at lattice columns
-    };
-
-    [[nodiscard]] Workspace workspace() const
-    {
-        Workspace out;
-        const std::size_t padded = roundUp(static_cast<std::size_t>(m_octave.period.x) + kVectorPadding, RowPositions::kBlock);
-        float** rows[] = {&out.below.x, &out.below.y, &out.below.z, &out.above.x, &out.above.y, &out.above.z,
-            &out.coefficients.c0, &out.coefficients.c1, &out.coefficients.d0, &out.coefficients.d1, &out.line};
-        out.storage.assign(std::size(rows) * padded, 0.0F);
-        float* at = out.storage.data();
-        for (float** row : rows) {
-            *row = at;
-            at += padded;
-        }
-        return out;
-    }
-
-    void add(int row, Workspace& workspace, float* values) const
-    {
-        const float y = (static_cast<float>(row) + 0.5F) * m_cellsAPixel;
-        switch (m_noise.basis) {
-        case NoiseBasis::Simplex: addSimplexRow(m_octave, m_size, y, m_z, values); return;
-        case NoiseBasis::Gradient: prepareGradients(y, workspace); break;
-        case NoiseBasis::Lattice: prepareValues(y, workspace); break;
-        }
-        addRow(m_positions, workspace.coefficients, values);
-    }
-
-private:
-    void prepareGradients(float y, Workspace& workspace) const
-    {
-        const int row = static_cast<int>(y);
-        const int next = row + 1 < m_octave.period.y ? row + 1 : 0;
-        if (workspace.below.row != row || workspace.above.row != next) {
-            if (workspace.above.row == row) {
-                std::swap(workspace.below, workspace.above);
-            } else {
-                fillRow(row, workspace.below);
-            }
-            fillRow(next, workspace.above);
-        }
-        const float fy = y - static_cast<float>(row);
-        fillGradientCoefficients(workspace.below, workspace.above, fy, interpolationWeight(m_noise.interpolation, fy), m_octave.amplitude, m_octave.period.x, workspace.coefficients);
-    }
-
-    void fillRow(int row, LatticeRow& out) const
-    {
-        fillGradientRow(m_octave, row, {m_layer % m_octave.period.z, (m_layer + 1) % m_octave.period.z}, m_fractionZ, interpolationWeight(m_noise.interpolation, m_fractionZ), out);
-        out.row = row;
-    }
-
-    /// Value noise along one row: values at lattice columns first, then the polynomial of each cell.
-    void prepareValues(float y, Workspace& workspace) const
-    {
-        const int cells = m_octave.period.x;
-        float* v = workspace.line;
-        for (int i = 0; i < cells; ++i) {
-            // At a lattice column only y and z are interpolated; the signed value is about 0 as that of gradients.
-            v[i] = 2.0F * valueColumn(m_noise, m_octave.seed, m_octave.period, i, y, m_z) - 1.0F;
-        }
-        const auto at = [&](int i) { return v[(i + cells) % cells] * m_octave.amplitude; };
-        RowCoefficients& out = workspace.coefficients;
-        for (int i = 0; i < cells; ++i) {
-            const auto c = static_cast<std::size_t>(i);
-            out.c0[c] = at(i);
-            if (m_noise.interpolation == Interpolation::Cubic) {
-                const float a = at(i - 1);
-                const float p = (at(i + 2) - at(i + 1)) - (a - at(i));
-                out.c1[c] = at(i + 1) - a;
-                out.d0[c] = (a - at(i)) - p;
-                out.d1[c] = p;
-            } else {
-                out.c1[c] = 0.0F;
-                out.d0[c] = at(i + 1) - at(i);
-                out.d1[c] = 0.0F;
-            }
-        }
-    }
-
-    const Noise& m_noise;
-    const Octave& m_octave;
-    int m_size;
-    float m_cellsAPixel;
-    float m_z;
-    int m_layer = 0;
-    float m_fractionZ = 0.0F;
-    RowPositions m_positions;
-};
 
 Error cancelled()
 {
@@ -149,12 +33,6 @@ void forRows(int size, const std::stop_token& stop, const MakeState& makeState, 
             body(row, state);
         }
     });
-}
-
-int wrapped(int i, int size)
-{
-    const int rest = i % size;
-    return rest < 0 ? rest + size : rest;
 }
 
 /// Catmull-Rom weights of four neighbours at t between the middle two (Keys 1981, a = -1/2).
@@ -229,21 +107,20 @@ Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, const s
     NoiseTile tile;
     tile.size = size;
     tile.values.resize(edge * edge);
-    const std::vector<Octave> octaves = fractalOctaves(noise, size);
-    std::vector<OctaveBaker> bakers;
-    for (const Octave& octave : octaves) {
-        bakers.emplace_back(noise, octave, size, depth - std::floor(depth));
+    std::vector<OctaveSlice> slices;
+    for (const Octave& octave : fractalOctaves(noise, size)) {
+        slices.push_back(octaveSlice(noise, octave, size, depth - std::floor(depth)));
     }
     struct State {
-        std::vector<OctaveBaker::Workspace> octaves;
+        std::vector<std::unique_ptr<OctaveRows>> octaves;
         AlignedArray<float> line;
     };
     const auto makeState = [&] {
         State state;
-        for (const OctaveBaker& baker : bakers) {
-            state.octaves.push_back(baker.workspace());
+        for (const OctaveSlice& slice : slices) {
+            state.octaves.push_back(OctaveRows::of(slice));
         }
-        state.line.resize(edge + kVectorPadding);
+        state.line.resize(roundUp(edge, RowPositions::kBlock));
         return state;
     };
     // Rows that are whole vectors are summed in place, where resize() has left zeros.
@@ -254,8 +131,8 @@ Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, const s
         if (!inPlace) {
             std::fill(state.line.begin(), state.line.end(), 0.0F);
         }
-        for (std::size_t i = 0; i < bakers.size(); ++i) {
-            bakers[i].add(row, state.octaves[i], line);
+        for (const auto& octave : state.octaves) {
+            octave->add(row, line);
         }
         if (!inPlace) {
             std::copy_n(line, edge, to);

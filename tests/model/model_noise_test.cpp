@@ -169,16 +169,37 @@ private slots:
         }
     }
 
+    void everyInterpolationKindBakesWhatItDescribes_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<float>("smooth");
+        QTest::addColumn<float>("depth");
+        for (const auto& [name, kind] : {std::pair{"linear", Interpolation::Linear}, {"cosine", Interpolation::Cosine}, {"cubic", Interpolation::Cubic}, {"quintic", Interpolation::Quintic}}) {
+            for (const float smooth : {0.0F, 0.7F}) {
+                QTest::addRow("%s, smooth %g, on a layer", name, static_cast<double>(smooth)) << int(kind) << smooth << 0.5F;
+                QTest::addRow("%s, smooth %g, between layers", name, static_cast<double>(smooth)) << int(kind) << smooth << 0.3F;
+            }
+        }
+    }
     void everyInterpolationKindBakesWhatItDescribes()
     {
-        for (const Interpolation kind : {Interpolation::Linear, Interpolation::Cosine, Interpolation::Cubic, Interpolation::Quintic}) {
-            const Noise noise = latticeNoise(kind);
-            const NoiseTile tile = bakeFractal(noise, 40, 0.3F).value();
-            const Octave octave = fractalOctaves(noise, 40).front();
-            const float scale = static_cast<float>(octave.period.x) / 40.0F;
-            for (const auto& [x, y] : {std::pair{0, 39}, std::pair{13, 7}, std::pair{39, 20}}) {
-                const float value = valueNoise(noise, octave.seed, octave.period, (static_cast<float>(x) + 0.5F) * scale, (static_cast<float>(y) + 0.5F) * scale, 0.3F * static_cast<float>(octave.period.z));
-                QVERIFY(near(tile.at(x, y), 2.0F * value - 1.0F, 1e-5F));
+        QFETCH(int, kind);
+        QFETCH(float, smooth);
+        QFETCH(float, depth);
+        // Cells of whole and of broken numbers of pixels, narrower and wider than a vector; one cell, and one a pixel.
+        for (const auto& [size, cells] : {std::pair{40, 8}, {37, 5}, {96, 2}, {50, 49}, {33, 33}, {19, 1}}) {
+            Noise noise = latticeNoise(static_cast<Interpolation>(kind));
+            noise.smooth = smooth;
+            noise.wavelength = 1.0F / static_cast<float>(cells);
+            const NoiseTile tile = bakeFractal(noise, size, depth).value();
+            const Octave octave = fractalOctaves(noise, size).front();
+            QCOMPARE(octave.period.x, cells);
+            const float scale = static_cast<float>(cells) / static_cast<float>(size);
+            for (int y = 0; y < size; ++y) {
+                for (int x = 0; x < size; ++x) {
+                    const float value = valueNoise(noise, octave.seed, octave.period, (static_cast<float>(x) + 0.5F) * scale, (static_cast<float>(y) + 0.5F) * scale, depth * static_cast<float>(octave.period.z));
+                    QVERIFY(near(tile.at(x, y), 2.0F * value - 1.0F, 2e-5F));
+                }
             }
         }
     }
