@@ -1,6 +1,7 @@
 #include "core/noise/octave_rows.h"
 
 #include "core/noise/row_kernel.h"
+#include "core/noise/simplex_kernel.h"
 
 #include <cmath>
 #include <limits>
@@ -168,29 +169,89 @@ private:
     RowCoefficients m_coefficients{};
 };
 
+/// A sum over the lattice points around, line by line of them along x: all that a line has in common, its distance above all, is found once a row.
 class SimplexOctave : public OctaveRows {
 public:
     explicit SimplexOctave(const OctaveSlice& slice)
         : m_slice(slice)
+        , m_memory(slice.octave.period, 3 * kMostLayers * kRows + 1)
+        , m_height(m_memory.row(3 * kMostLayers * kRows))
     {
+        const auto nearest = static_cast<int>(2.0F * slice.z);
+        for (int z = nearest - 1; z <= nearest + 2; ++z) {
+            const float dz = slice.z - 0.5F * static_cast<float>(z);
+            if (dz * dz < kReach) {
+                Layer layer{wrapped(z, 2 * slice.octave.period.z), z % 2 != 0, dz, {}, {}};
+                for (std::size_t i = 0; i < kRows; ++i) {
+                    const std::size_t first = 3 * (m_layers.size() * kRows + i);
+                    layer.lines[i] = {m_memory.row(first), m_memory.row(first + 1), m_memory.row(first + 2)};
+                }
+                m_layers.push_back(layer);
+            }
+        }
     }
 
-    void add(int row, float* values) override { addSimplexRow(m_slice.octave, m_slice.size, (static_cast<float>(row) + 0.5F) * m_slice.cellsAPixel, m_slice.z, values); }
+    void add(int row, float* values) override
+    {
+        for (Layer& layer : m_layers) {
+            const CellPlace y = placeInCells(row, m_slice.size, m_slice.octave.period.y, layer.between ? CellBorders::BetweenPoints : CellBorders::OnPoints);
+            const int below = layer.between ? y.cell - 1 : y.cell;
+            addLine(layer, below, y.fraction, values);
+            addLine(layer, below + 1, y.fraction - 1.0F, values);
+        }
+    }
 
 private:
+    static constexpr float kReach = 0.5F; ///< square of the way to the furthest point that counts
+    static constexpr std::size_t kMostLayers = 3; ///< that are less than sqrt(1/2) away and half a unit apart
+    static constexpr std::size_t kRows = 2;
+
+    /// Lines of one z, a unit apart in y.
+    struct Layer {
+        int z = 0; ///< in halves, within the period
+        bool between = false; ///< lines and their points lie half a unit from whole places
+        float dz = 0.0F;
+        RowPlaces<kRows> places;
+        std::array<GradientRow, kRows> lines{};
+    };
+
+    void addLine(Layer& layer, int row, float dy, float* values)
+    {
+        const float reach = kReach - (dy * dy + layer.dz * layer.dz);
+        if (reach <= 0.0F) {
+            return;
+        }
+        const LatticePeriod& period = m_slice.octave.period;
+        const GradientRow& line = layer.lines[layer.places.find(row, [&](std::size_t place) {
+            const int y = 2 * wrapped(row, period.y) + (layer.between ? 1 : 0);
+            fillSimplexLine(m_slice.octave, {y, layer.z, layer.between}, layer.lines[place]);
+        })];
+        fillSimplexHeights(line, dy, layer.dz, period.x, m_height);
+        // A point more than half a cell away is out of reach where its line is that far away: only the nearest one counts.
+        if (reach <= 0.25F) {
+            addNearestPoints(layer.between ? m_slice.positions : m_slice.around, line.x, m_height, reach, values);
+        } else if (layer.between) {
+            addPairsOfPoints(m_slice.around, line.x - 1, m_height - 1, reach, values);
+        } else {
+            addPairsOfPoints(m_slice.positions, line.x, m_height, reach, values);
+        }
+    }
+
     const OctaveSlice& m_slice;
+    RowMemory m_memory;
+    float* m_height;
+    std::vector<Layer> m_layers;
 };
 
 } // namespace
 
 OctaveSlice octaveSlice(const Noise& noise, const Octave& octave, int size, float depth)
 {
-    OctaveSlice slice{noise, octave, size, static_cast<float>(octave.period.y) / static_cast<float>(size), depth * static_cast<float>(octave.period.z), {}};
-    if (noise.basis == NoiseBasis::Simplex) {
-        return slice;
-    }
+    OctaveSlice slice{noise, octave, size, static_cast<float>(octave.period.y) / static_cast<float>(size), depth * static_cast<float>(octave.period.z), {}, {}};
     slice.positions = rowPositions(size, octave.period.x, CellBorders::OnPoints);
-    if (noise.basis == NoiseBasis::Lattice && noise.interpolation == Interpolation::Cubic) {
+    if (noise.basis == NoiseBasis::Simplex) {
+        slice.around = rowPositions(size, octave.period.x, CellBorders::BetweenPoints);
+    } else if (noise.basis == NoiseBasis::Lattice && noise.interpolation == Interpolation::Cubic) {
         weighBySquare(slice.positions);
     } else {
         weighByInterpolation(slice.positions, noise.interpolation);

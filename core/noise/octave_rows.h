@@ -14,7 +14,8 @@ struct OctaveSlice {
     int size = 0; ///< pixels
     float cellsAPixel = 1.0F;
     float z = 0.0F; ///< in lattice units
-    RowPositions positions;
+    RowPositions positions; ///< in cells between lattice points
+    RowPositions around; ///< in cells around lattice points; for simplex noise only
 };
 
 /// @param noise outlives the slice

@@ -16,7 +16,6 @@ using V = RowVec;
 
 /// Makes the standard deviation of one octave about 1/3, with the 2^-31 of the gradients; measured over 10^6 points.
 constexpr float kGradientScale = 1.8F * 0x1p-31F;
-constexpr float kSimplexScale = 90.0F * 0x1p-31F;
 
 HWY_INLINE V mix(V a, V b, V t)
 {
@@ -215,53 +214,6 @@ void addFlatPixelRow(const RowPositions& positions, const RowCoefficients& coeff
     addCells(positions, columns, values, place, [](V w, const V* c) HWY_ATTR { return mulAdd(w, c[1], c[0]); });
 }
 
-/// Doubled coordinate of the corner d away from position p, which is whole, brought into [0, 2 period).
-template <class DI>
-HWY_INLINE hn::VFromD<DI> wrappedCorner(DI di, V p, V d, int period)
-{
-    const D df;
-    const auto doubled = hn::NearestInt(hn::Mul(hn::Set(df, 2.0F), hn::Sub(p, d)));
-    const auto full = hn::Set(di, 2 * period);
-    const auto zero = hn::Zero(di);
-    const auto up = hn::Add(doubled, hn::IfThenElseZero(hn::Lt(doubled, zero), full));
-    return hn::Sub(up, hn::IfThenElseZero(hn::Not(hn::Lt(up, full)), full));
-}
-
-void simplexRow(const Octave& octave, int size, float y, float z, float* values)
-{
-    const D d;
-    const hn::RebindToSigned<D> di;
-    const hn::RebindToUnsigned<D> du;
-    const float step = static_cast<float>(octave.period.x) / static_cast<float>(size);
-    const V scale = hn::Set(d, octave.amplitude * kSimplexScale);
-    const V vy = hn::Set(d, y);
-    const V vz = hn::Set(d, z);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += hn::Lanes(d)) {
-        const V x = hn::Mul(hn::Add(hn::Iota(d, 0.5F), hn::Set(d, static_cast<float>(i))), hn::Set(d, step));
-        const SimplexCorners<D> corners = simplexCorners(d, x, vy, vz);
-        V sum = hn::Zero(d);
-        for (int c = 0; c < 4; ++c) {
-            const V dx = corners.dx[c];
-            const V dy = corners.dy[c];
-            const V dz = corners.dz[c];
-            const auto px = hn::BitCast(du, wrappedCorner(di, x, dx, octave.period.x));
-            const auto py = hn::BitCast(du, wrappedCorner(di, vy, dy, octave.period.y));
-            const auto pz = hn::BitCast(du, wrappedCorner(di, vz, dz, octave.period.z));
-            const auto linear = hn::Add(hn::Add(hn::Mul(px, hn::Set(du, kColumnPrime)), hn::Mul(py, hn::Set(du, kRowPrime))), hn::Mul(pz, hn::Set(du, kLayerPrime)));
-            const auto bits = latticeBits(du, linear, hn::Set(du, octave.seed));
-            const V gx = hn::ConvertTo(d, hn::BitCast(di, bits));
-            const V gy = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<11>(bits)));
-            const V gz = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftLeft<22>(bits)));
-            const V r2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-            const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 0.5F), r2));
-            const V t2 = hn::Mul(t, t);
-            const V dot = hn::Add(hn::Add(hn::Mul(dx, gx), hn::Mul(dy, gy)), hn::Mul(dz, gz));
-            sum = hn::Add(sum, hn::Mul(hn::Mul(t2, t2), dot));
-        }
-        hn::StoreU(hn::Add(hn::LoadU(d, values + i), hn::Mul(sum, scale)), d, values + i);
-    }
-}
-
 } // namespace fumage::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -275,7 +227,6 @@ HWY_EXPORT(smoothRow);
 HWY_EXPORT(valueCoefficients);
 HWY_EXPORT(addPixelRow);
 HWY_EXPORT(addFlatPixelRow);
-HWY_EXPORT(simplexRow);
 
 void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, const GradientRow& row)
 {
@@ -317,12 +268,6 @@ void addFlatRow(const RowPositions& positions, const RowCoefficients& coefficien
 {
     HWY_DYNAMIC_DISPATCH(addFlatPixelRow)
     (positions, coefficients, values);
-}
-
-void addSimplexRow(const Octave& octave, int size, float y, float z, float* values)
-{
-    HWY_DYNAMIC_DISPATCH(simplexRow)
-    (octave, size, y, z, values);
 }
 
 } // namespace fumage

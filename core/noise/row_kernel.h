@@ -55,9 +55,4 @@ void addRow(const RowPositions& positions, const RowCoefficients& coefficients, 
 /// The same where c1 and d1 are 0.
 void addFlatRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values);
 
-/// values[i] += amplitude * simplex noise at ((i + 1/2) / size, y, z) of the tile.
-/// Source: Perlin 2001; on a lattice that repeats, see simplex-inl.h.
-/// @param y,z lattice units
-void addSimplexRow(const Octave& octave, int size, float y, float z, float* values);
-
 } // namespace fumage

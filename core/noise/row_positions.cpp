@@ -7,6 +7,14 @@
 
 namespace fumage {
 
+CellPlace placeInCells(int pixel, int size, int cells, CellBorders borders)
+{
+    // (pixel + 1/2) cells / size, counted in parts of 1 / (2 size).
+    const int parts = 2 * size;
+    const int place = (2 * pixel + 1) * cells + (borders == CellBorders::BetweenPoints ? size : 0);
+    return {place / parts, static_cast<float>(static_cast<double>(place % parts) / parts)};
+}
+
 RowPositions rowPositions(int size, int cells, CellBorders borders)
 {
     const std::size_t padded = roundUp(static_cast<std::size_t>(size), RowPositions::kBlock);
@@ -16,17 +24,15 @@ RowPositions rowPositions(int size, int cells, CellBorders borders)
     out.fraction.resize(repeat);
     out.lane.resize(repeat);
     out.uniform = true;
-    // Pixel i lies at (i + 1/2) cells / size: counted in parts of 1 / (2 size), so that every repeat rounds alike.
-    const int parts = 2 * size;
-    const int first = borders == CellBorders::BetweenPoints ? size : 0;
-    const auto place = [&](std::size_t i) { return (2 * std::min(static_cast<int>(i), size - 1) + 1) * cells + first; };
+    const auto placeOf = [&](std::size_t i) { return placeInCells(std::min(static_cast<int>(i), size - 1), size, cells, borders); };
     for (std::size_t i = 0; i < padded; i += RowPositions::kBlock) {
-        out.cell.push_back(place(i) / parts);
+        out.cell.push_back(placeOf(i).cell);
     }
     for (std::size_t i = 0; i < repeat; ++i) {
-        out.lane[i] = place(i) / parts - out.cell[i / RowPositions::kBlock];
+        const CellPlace place = placeOf(i);
+        out.lane[i] = place.cell - out.cell[i / RowPositions::kBlock];
         out.uniform = out.uniform && out.lane[i] == 0;
-        out.fraction[i] = static_cast<float>(static_cast<double>(place(i) % parts) / parts);
+        out.fraction[i] = place.fraction;
     }
     return out;
 }

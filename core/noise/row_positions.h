@@ -25,6 +25,13 @@ enum class CellBorders {
     BetweenPoints ///< a cell lies around a lattice point: cell c from c - 1/2 to c + 1/2
 };
 
+/// The cell of a pixel's centre, and its place in there.
+struct CellPlace {
+    int cell = 0;
+    float fraction = 0.0F; ///< in [0, 1), rounded once: pixels that lie alike in their cells get the same bits
+};
+[[nodiscard]] CellPlace placeInCells(int pixel, int size, int cells, CellBorders borders);
+
 /// Positions of size pixels over cells cells, without weights.
 /// @param size  1 or more; the last block is filled up with the last pixel
 /// @param cells 1 to size, so that no cell is without a pixel

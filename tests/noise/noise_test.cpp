@@ -1,4 +1,5 @@
 #include "tests/helpers.h"
+#include "tests/noise/obvious_simplex.h"
 
 #include "core/noise/texture.h"
 
@@ -123,6 +124,30 @@ private slots:
             const Moments m = Moments::of(all);
             QVERIFY2(std::abs(m.mean) < 0.02, qPrintable(QString::number(m.mean)));
             QVERIFY2(std::abs(std::sqrt(m.variance) - 1.0 / 3.0) < 0.04, qPrintable(QString::number(std::sqrt(m.variance))));
+        }
+    }
+
+    void simplexNoiseIsTheSumOverTheCornersOfItsSimplices()
+    {
+        constexpr double kScale = 90.0; // makes the standard deviation about 1/3
+        // Cells of whole (even and odd) and of broken numbers of pixels, wide and narrow; one cell, and one a pixel.
+        for (const auto& [size, cells] : {std::pair{64, 2}, {48, 16}, {45, 15}, {75, 20}, {50, 49}, {33, 33}, {200, 100}, {19, 1}}) {
+            for (const float depth : {0.0F, 0.11F, 0.3F, 0.5F, 0.97F}) {
+                Noise noise = plain(NoiseBasis::Simplex);
+                noise.octaves = 1;
+                noise.wavelength = 1.0F / static_cast<float>(cells);
+                const NoiseTile tile = bakeFractal(noise, size, depth).value();
+                const Octave octave = fractalOctaves(noise, size).front();
+                QCOMPARE(octave.period.x, cells);
+                const auto z = static_cast<double>(depth * static_cast<float>(octave.period.z));
+                for (int y = 0; y < size; ++y) {
+                    for (int x = 0; x < size; ++x) {
+                        const double expected = kScale * obviousSimplex(octave, (x + 0.5) * cells / size, (y + 0.5) * cells / size, z);
+                        const double seen = tile.at(x, y);
+                        QVERIFY2(std::abs(seen - expected) < 5e-6, qPrintable(QString("%1 pixels, %2 cells, depth %3: %4 is not %5").arg(size).arg(cells).arg(depth).arg(seen).arg(expected)));
+                    }
+                }
+            }
         }
     }
 
