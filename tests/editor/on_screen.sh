@@ -7,8 +7,10 @@ server=$!
 read -r -t 60 -u "$number" screen || { echo "The virtual X server did not start." >&2; exit 1; }
 export DISPLAY=:$screen
 unset XAUTHORITY WAYLAND_DISPLAY
-openbox 2>/dev/null &
+# A window that is there before its manager may never get the focus: wait until openbox is at work.
+exec {ready}< <(exec openbox --startup "echo ready" 2>/dev/null)
 manager=$!
+read -r -t 60 -u "$ready" _ || { echo "The window manager did not start." >&2; exit 1; }
 "$@"
 code=$?
 kill "$manager" "$server" 2>/dev/null
