@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/parameter.h"
+#include "core/effect/variation.h"
 
 #include <QObject>
 #include <QSet>
@@ -15,6 +15,8 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] bool contains(const Parameter& parameter) const { return m_keys.contains(toKey(parameter)); }
+    /// Whether a random change may touch a parameter: it makes the character of the smoke and is not locked.
+    [[nodiscard]] bool mayVary(const Parameter& parameter) const { return isCharacter(parameter) && !contains(parameter); }
     void set(const Parameter& parameter, bool locked)
     {
         locked ? static_cast<void>(m_keys.insert(toKey(parameter))) : static_cast<void>(m_keys.remove(toKey(parameter)));

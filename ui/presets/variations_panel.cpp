@@ -123,7 +123,7 @@ void VariationsPanel::fill()
         Effect& effect = m_effects[static_cast<std::size_t>(i)];
         effect = m_document.effect();
         if (i != kMiddle) {
-            effect = vary(effect, amount, m_seed + static_cast<quint32>(i), [this](const Parameter& p) { return isCharacter(p) && !m_locks.contains(p); });
+            effect = vary(effect, amount, m_seed + static_cast<quint32>(i), [this](const Parameter& parameter) { return m_locks.mayVary(parameter); });
         }
         m_thumbnailer.request(QStringLiteral("%1/%2").arg(m_generation).arg(i), effect, thumbnailEdge());
     }
