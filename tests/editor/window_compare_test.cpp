@@ -5,7 +5,9 @@
 
 #include "core/effect/known_parameter.h"
 
+#include <QDockWidget>
 #include <QElapsedTimer>
+#include <QWindow>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -35,20 +37,83 @@ private slots:
 
     void bIsSeenWhileItsKeyIsHeld()
     {
-        Viewport& viewport = m_window->viewport();
-        QWidget* surface = viewport.surface();
-        surface->setFocus();
-        QTest::keyClick(surface, Qt::Key_B); // a tap stays
-        QCOMPARE(viewport.compare(), Viewport::Compare::Other);
-        QTest::keyClick(surface, Qt::Key_B);
-        QCOMPARE(viewport.compare(), Viewport::Compare::Off);
-        QTest::keyPress(surface, Qt::Key_B);
-        QCOMPARE(viewport.compare(), Viewport::Compare::Other);
+        QWindow& window = *m_window->windowHandle();
+        m_window->viewport().surface()->setFocus();
+        QTest::keyClick(&window, Qt::Key_B); // a tap stays
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+        QTest::keyClick(&window, Qt::Key_B);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
+        holdB(window);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+        QTest::keyRelease(&window, Qt::Key_B);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
+    }
+
+    void aHeldKeyIsSeenReleasedWhereverTheFocusHasGone_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("a field, which keeps the release to itself") << u"frameField"_q;
+        QTest::newRow("a list") << u"historyView"_q;
+        QTest::newRow("a slider") << u"emitter.speed.slider"_q;
+    }
+    void aHeldKeyIsSeenReleasedWhereverTheFocusHasGone()
+    {
+        QFETCH(QString, name);
+        QWindow& window = *m_window->windowHandle();
+        m_window->viewport().surface()->setFocus();
+        holdB(window);
+        auto* widget = childOf<QWidget>(*m_window, name);
+        widget->setFocus();
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+        QTest::keyRelease(&window, Qt::Key_B);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
+    }
+
+    void aHeldKeyIsSeenReleasedInAPanelThatFloats()
+    {
+        auto* dock = childOf<QDockWidget>(*m_window, u"dock.noise"_q);
+        dock->setFloating(true);
+        dock->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(dock));
+        holdB(*dock->windowHandle());
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+        QTest::keyRelease(dock->windowHandle(), Qt::Key_B);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
+    }
+
+    void bGoesWithTheKeyboardWhileItsKeyIsHeld()
+    {
+        QTest::keyPress(m_window->windowHandle(), Qt::Key_B);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+        QWidget another;
+        another.show();
+        QVERIFY(QTest::qWaitForWindowActive(&another));
+        QTRY_COMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
+        // The key was let go over there; here the next tap is a tap again.
+        another.close();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+    }
+
+    void bFromTheMenuStaysWithoutTheKeyboard()
+    {
+        trigger("compare.hold");
+        QWidget another;
+        another.show();
+        QVERIFY(QTest::qWaitForWindowActive(&another));
+        QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
+    }
+
+private:
+    /// Presses the key of B and keeps it down for longer than a tap.
+    static void holdB(QWindow& window)
+    {
+        QTest::keyPress(&window, Qt::Key_B);
         QElapsedTimer held;
         held.start();
-        QTRY_VERIFY(held.elapsed() > 400);
-        QTest::keyRelease(surface, Qt::Key_B);
-        QCOMPARE(viewport.compare(), Viewport::Compare::Off);
+        QTRY_VERIFY(held.hasExpired(400));
     }
 };
 

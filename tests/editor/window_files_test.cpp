@@ -24,7 +24,7 @@ private slots:
         QVERIFY(m_window->document().effect() == saved);
         QVERIFY(m_window->windowTitle().contains(u"mine"_q));
         QVERIFY(!m_window->isWindowModified());
-        auto* recent = m_window->findChild<QMenu*>(u"recentMenu"_q);
+        auto* recent = m_window->findChild<QMenu*>(u"file.recent"_q);
         QVERIFY(!recent->actions().isEmpty());
         QCOMPARE(recent->actions().first()->data().toString(), path);
         m_window->document().load(Preset(), {});

@@ -5,17 +5,26 @@
 
 #include <span>
 
+class QMenu;
+
 namespace fumage::ui {
+
+/// What choosing a row does.
+enum class ActionKind {
+    Command,
+    Switch, ///< can be on or off
+    Submenu, ///< opens a menu of more, which is filled while the program runs
+};
 
 /// One row of the table of actions: menus, shortcuts, tool bar, command search and shortcut sheet are all made from it.
 struct ActionSpec {
-    const char* id; ///< objectName of the QAction
-    const char* menu; ///< key for tr(); the menu that it stands in
+    const char* id; ///< objectName of the QAction, and of the QMenu of a submenu
+    const char* menu; ///< key for tr(); the menu that it stands in, whose rows follow on one another
     const char* text; ///< key for tr()
     const char* keys = ""; ///< "Ctrl+S", or a list with "; "; empty where there is none
     const char* icon = ""; ///< empty: none
-    bool checkable = false;
-    bool beginsSection = false; ///< a line above it in the menu
+    ActionKind kind = ActionKind::Command;
+    bool lineAbove = false; ///< in the menu
 };
 
 [[nodiscard]] std::span<const ActionSpec> actionSpecs();
@@ -23,7 +32,10 @@ struct ActionSpec {
 /// A text of the table in the language of the user.
 [[nodiscard]] QString actionText(const char* key);
 
-/// The text of an action without its mnemonic, with the menu it stands in: "View: Frame all".
+/// The same without what only a menu needs: the mark of its letter, and the dots of a dialog that follows.
+[[nodiscard]] QString plainText(const char* key);
+
+/// The plain text of an action with the menu it stands in: "View: Frame all".
 [[nodiscard]] QString fullName(const ActionSpec& spec);
 
 /// The actions of one window, made from the table.
@@ -35,6 +47,8 @@ public:
 
     /// @param id of a row; anything else is a mistake in the program
     [[nodiscard]] QAction& get(const char* id) const;
+    /// @param id of a row that is a submenu
+    [[nodiscard]] QMenu& submenu(const char* id) const;
     template <class Receiver, class Slot>
     void on(const char* id, Receiver* receiver, Slot slot) const
     {

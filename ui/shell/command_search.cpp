@@ -52,7 +52,7 @@ void CommandSearch::fill()
 {
     for (const ActionSpec& spec : actionSpecs()) {
         const QAction& action = m_actions.get(spec.id);
-        if (!action.isEnabled()) {
+        if (!action.isEnabled() || spec.kind == ActionKind::Submenu) {
             continue;
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);

@@ -76,7 +76,7 @@ QString shortcutSheet()
     QString html;
     QString menu;
     for (const ActionSpec& spec : actionSpecs()) {
-        const QString heading = actionText(spec.menu).remove(QLatin1Char('&'));
+        const QString heading = plainText(spec.menu);
         if (heading != menu) {
             html += (menu.isEmpty() ? QString() : QStringLiteral("</table>")) + QStringLiteral("<h3>%1</h3><table width=\"100%\" cellpadding=\"3\">").arg(heading.toHtmlEscaped());
             menu = heading;
@@ -86,8 +86,7 @@ QString shortcutSheet()
             keys += sequence.toString(QKeySequence::NativeText);
         }
         if (!keys.isEmpty()) {
-            const QString name = actionText(spec.text).remove(QLatin1Char('&')).remove(QChar(0x2026));
-            html += QStringLiteral("<tr><td width=\"60%\">%1</td><td><b>%2</b></td></tr>").arg(name.toHtmlEscaped(), keys.join(QStringLiteral(", ")).toHtmlEscaped());
+            html += QStringLiteral("<tr><td width=\"60%\">%1</td><td><b>%2</b></td></tr>").arg(plainText(spec.text).toHtmlEscaped(), keys.join(QStringLiteral(", ")).toHtmlEscaped());
         }
     }
     return html + QStringLiteral("</table>");

@@ -4,24 +4,23 @@
 #include "ui/document/locks.h"
 #include "ui/document/recovery.h"
 #include "ui/shell/action_table.h"
+#include "ui/shell/comparison.h"
+#include "ui/shell/docks.h"
 #include "ui/shell/document_files.h"
+#include "ui/shell/drops.h"
+#include "ui/shell/edit_actions.h"
+#include "ui/shell/export_desk.h"
 #include "ui/shell/session.h"
+#include "ui/shell/view_actions.h"
 #include "ui/timeline/player.h"
 
-#include <QElapsedTimer>
 #include <QMainWindow>
 
-class QLabel;
+#include <memory>
 
 namespace fumage::ui {
 
-class EffectPanel;
-class ExportDialog;
-class ExportJob;
-class NoisePane;
-class PresetBrowser;
 class TimelineBar;
-class VariationsPanel;
 class Viewport;
 
 /// One window on one document: puts the parts together and connects them.
@@ -35,8 +34,8 @@ public:
     [[nodiscard]] Document& document() { return m_document; }
     [[nodiscard]] Player& player() { return m_player; }
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
-    [[nodiscard]] NoisePane& noisePane() { return *m_noisePane; }
-    [[nodiscard]] ExportJob& exportJob() { return *m_exportJob; }
+    [[nodiscard]] NoisePane& noisePane() { return m_docks.noisePane(); }
+    [[nodiscard]] ExportJob& exportJob() { return m_exports.job(); }
     [[nodiscard]] DocumentFiles& files() { return m_files; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
 
@@ -47,52 +46,39 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
 
 private:
-    void buildDocks();
-    QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void buildCentre();
     void buildMenus();
-    void buildToolBar();
-    void addChoices(QMenu& menu);
-    void rebuildRecentFiles();
     void connectFileActions();
-    void connectEditActions();
-    void connectViewActions();
-    void connectPlayActions();
-    void connectCompareActions();
-    void connectHelpActions();
+    void connectWindowActions();
     void connectPresets();
-    void connectExport();
-    void raiseDock(const QString& name);
+    void connectStatus();
+    void searchCommands();
     void showTitle();
-    void arrangeDocks();
     void restoreLayout();
     void saveLayout();
-    [[nodiscard]] QStringList shownOverlays() const; ///< their actions, but for those that are not remembered
-    void compare(bool split, bool other);
 
     Session& m_session;
+
+    // Each member comes after those that it looks at, and so is gone before them. Qt would delete widgets and dialogs as children of the
+    // window too, but only when its members are gone: hence whoever looks at document or player is owned here.
     Document m_document;
     Player m_player;
     Locks m_locks;
     ActionSet m_actions;
     DocumentFiles m_files;
     Recovery m_recovery;
-    Effect m_other; ///< B of the comparison
-    QElapsedTimer m_sinceB; ///< since its key went down
-    EffectPanel* m_effectPanel = nullptr;
-    NoisePane* m_noisePane = nullptr;
-    TimelineBar* m_timeline = nullptr;
-    Viewport* m_viewport = nullptr;
-    PresetBrowser* m_browser = nullptr;
-    VariationsPanel* m_variations = nullptr;
-    ExportJob* m_exportJob = nullptr;
-    ExportDialog* m_exportDialog = nullptr;
-    QMenu* m_recentMenu = nullptr;
-    QHash<QString, QDockWidget*> m_docks;
+    std::unique_ptr<Viewport> m_viewport;
+    std::unique_ptr<TimelineBar> m_timeline;
+    Docks m_docks;
+    EditActions m_editActions;
+    ViewActions m_viewActions;
+    Comparison m_comparison;
+    ExportDesk m_exports;
+    Drops m_drops;
+    /// Context of what this window hears from the members above: dying, they speak once more, to a window that is half gone by then.
+    QObject m_ear;
 };
 
 } // namespace fumage::ui

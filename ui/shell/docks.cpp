@@ -1,0 +1,117 @@
+#include "ui/shell/docks.h"
+
+#include "ui/noise_preview/noise_pane.h"
+#include "ui/panels/effect_panel.h"
+#include "ui/presets/preset_browser.h"
+#include "ui/presets/variations_panel.h"
+
+#include <algorithm>
+
+#include <QMainWindow>
+#include <QMenu>
+#include <QUndoView>
+
+namespace fumage::ui {
+
+namespace {
+
+QUndoView* makeHistory(Document& document)
+{
+    auto* history = new QUndoView(document.undoStack());
+    history->setObjectName(QStringLiteral("historyView"));
+    history->setEmptyLabel(Docks::tr("As opened"));
+    history->setAccessibleName(Docks::tr("Undo history"));
+    return history;
+}
+
+void bringToFront(QDockWidget& dock)
+{
+    dock.show();
+    dock.raise();
+}
+
+} // namespace
+
+Docks::Docks(QMainWindow& window, Document& document, Locks& locks)
+    : m_window(window)
+    , m_browser(new PresetBrowser)
+    , m_effectPanel(new EffectPanel(document, locks))
+    , m_noisePane(new NoisePane(document))
+    , m_presets(makeDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser))
+    , m_parameters(makeDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel))
+    , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), m_noisePane))
+    , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), makeHistory(document)))
+    , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new VariationsPanel(document, locks)))
+{
+    arrange();
+}
+
+std::array<QDockWidget*, 5> Docks::all() const
+{
+    return {m_presets.get(), m_noise.get(), m_history.get(), m_variations.get(), m_parameters.get()};
+}
+
+Docks::Dock Docks::makeDock(const QString& name, const QString& title, QWidget* content)
+{
+    auto dock = std::make_unique<QDockWidget>(title, &m_window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    // The tab of a tabbed panel says its name: a bar with the same name below it would say it twice.
+    const auto followTabs = [this, dock = dock.get()] {
+        const bool tabbed = !dock->isFloating() && !m_window.tabifiedDockWidgets(dock).isEmpty();
+        if (tabbed != (dock->titleBarWidget() != nullptr)) {
+            const std::unique_ptr<QWidget> old(dock->titleBarWidget());
+            dock->setTitleBarWidget(tabbed ? new QWidget(dock) : nullptr);
+        }
+    };
+    connect(dock.get(), &QDockWidget::visibilityChanged, dock.get(), followTabs, Qt::QueuedConnection);
+    connect(dock.get(), &QDockWidget::topLevelChanged, dock.get(), followTabs, Qt::QueuedConnection);
+    connect(dock.get(), &QDockWidget::dockLocationChanged, dock.get(), followTabs, Qt::QueuedConnection);
+    return dock;
+}
+
+void Docks::arrange()
+{
+    for (QDockWidget* dock : all()) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, m_presets.get());
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, m_noise.get());
+    m_window.splitDockWidget(m_presets.get(), m_noise.get(), Qt::Vertical);
+    m_window.addDockWidget(Qt::RightDockWidgetArea, m_parameters.get());
+    m_window.tabifyDockWidget(m_parameters.get(), m_variations.get());
+    m_window.tabifyDockWidget(m_variations.get(), m_history.get());
+    m_parameters->raise();
+    constexpr int kLeft = 316;
+    constexpr int kRight = 376;
+    m_window.resizeDocks({m_presets.get(), m_parameters.get()}, {kLeft, kRight}, Qt::Horizontal);
+    constexpr int kNoise = 470;
+    m_window.resizeDocks({m_presets.get(), m_noise.get()}, {std::max(kNoise / 2, m_window.height() - kNoise), kNoise}, Qt::Vertical);
+}
+
+void Docks::showVariations()
+{
+    bringToFront(*m_variations);
+}
+
+void Docks::searchParameters()
+{
+    bringToFront(*m_parameters);
+    m_effectPanel->search();
+}
+
+void Docks::showParameter(const QString& key)
+{
+    bringToFront(*m_parameters);
+    m_effectPanel->showParameter(key);
+}
+
+void Docks::fillMenu(QMenu& menu) const
+{
+    for (const QDockWidget* dock : all()) {
+        menu.addAction(dock->toggleViewAction());
+    }
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,55 @@
+#include "ui/shell/export_desk.h"
+
+#include "ui/export/export_dialog.h"
+#include "ui/shell/action_table.h"
+
+#include <cmath>
+
+namespace fumage::ui {
+
+ExportDesk::ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, QWidget* window)
+    : m_document(document)
+    , m_player(player)
+    , m_locks(locks)
+    , m_frame(actions.get("view.frame"))
+    , m_window(window)
+{
+    actions.on("file.export", this, [this] { openDialog(); });
+    actions.on("file.exportAgain", this, &ExportDesk::exportAgain);
+    connectNews();
+}
+
+ExportDesk::~ExportDesk() = default;
+
+ExportDialog& ExportDesk::openDialog()
+{
+    if (m_dialog == nullptr) {
+        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_job, m_window);
+        connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
+    }
+    m_dialog->show();
+    m_dialog->raise();
+    return *m_dialog;
+}
+
+void ExportDesk::exportAgain()
+{
+    if (m_job.lastPlan()) {
+        m_job.start(m_document.effect(), *m_job.lastPlan());
+    } else {
+        openDialog();
+    }
+}
+
+void ExportDesk::connectNews()
+{
+    constexpr int kShownMs = 8000;
+    connect(&m_job, &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
+        emit news(tr("Exporting: %1 of %2 files, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)), 0);
+    });
+    connect(&m_job, &ExportJob::finished, this, [this](const QString& file) { emit news(tr("Exported %1").arg(file), kShownMs); });
+    connect(&m_job, &ExportJob::cancelled, this, [this] { emit news(tr("Export cancelled"), kShownMs); });
+    connect(&m_job, &ExportJob::failed, this, [this](const QString& message) { emit news(tr("Export failed: %1").arg(message), 0); });
+}
+
+} // namespace fumage::ui

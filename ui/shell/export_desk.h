@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/locks.h"
+#include "ui/export/export_job.h"
+#include "ui/timeline/player.h"
+
+#include <memory>
+
+class QAction;
+class QWidget;
+
+namespace fumage::ui {
+
+class ActionSet;
+class ExportDialog;
+
+/// The exports of one window: the job, the dialog that begins it, and the news of it for those who have closed the dialog.
+class ExportDesk : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param window parent of the dialog
+    ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, QWidget* window);
+    ~ExportDesk() override;
+
+    [[nodiscard]] ExportJob& job() { return m_job; }
+    ExportDialog& openDialog();
+    /// The same again without a question; asks where nothing has been exported yet.
+    void exportAgain();
+
+signals:
+    /// @param forMs how long it is of interest; 0: until the next news
+    void news(const QString& message, int forMs);
+
+private:
+    void connectNews();
+
+    Document& m_document;
+    Player& m_player;
+    Locks& m_locks;
+    QAction& m_frame; ///< the exported frame in the picture, shown while the dialog is open
+    QWidget* m_window;
+    ExportJob m_job;
+    std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for
+};
+
+} // namespace fumage::ui

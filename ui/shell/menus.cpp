@@ -1,0 +1,128 @@
+#include "ui/shell/menus.h"
+
+#include "ui/face/language.h"
+#include "ui/shell/action_table.h"
+#include "ui/shell/document_files.h"
+#include "ui/shell/session.h"
+#include "ui/viewport/viewport.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+namespace fumage::ui {
+
+namespace {
+
+QString menuText(const char* text)
+{
+    return QCoreApplication::translate("Menus", text);
+}
+
+/// Offers a choice of which one is always made.
+/// @param chosen is given the index of a name
+void addChoices(QMenu& menu, const QStringList& names, int current, const std::function<void(int)>& chosen)
+{
+    auto* group = new QActionGroup(&menu);
+    for (int i = 0; i < names.size(); ++i) {
+        QAction* action = menu.addAction(names[i]);
+        action->setCheckable(true);
+        action->setChecked(i == current);
+        group->addAction(action);
+        QObject::connect(action, &QAction::triggered, &menu, [chosen, i] { chosen(i); });
+    }
+}
+
+} // namespace
+
+void buildMenuBar(QMenuBar& bar, const ActionSet& actions)
+{
+    QMenu* menu = nullptr;
+    const char* title = nullptr;
+    for (const ActionSpec& spec : actionSpecs()) {
+        if (spec.menu != title) {
+            title = spec.menu;
+            menu = bar.addMenu(actionText(title));
+            menu->setToolTipsVisible(true);
+        }
+        if (spec.lineAbove) {
+            menu->addSeparator();
+        }
+        menu->addAction(&actions.get(spec.id));
+    }
+}
+
+void buildToolBar(QMainWindow& window, const ActionSet& actions)
+{
+    QToolBar* bar = window.addToolBar(menuText(QT_TRANSLATE_NOOP("Menus", "Tools")));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setMovable(false);
+    constexpr QSize kIcons(20, 20);
+    bar->setIconSize(kIcons);
+    const auto add = [&](std::initializer_list<const char*> ids) {
+        for (const char* id : ids) {
+            bar->addAction(&actions.get(id));
+        }
+    };
+    add({"file.new", "file.open", "file.save"});
+    bar->addSeparator();
+    add({"edit.undo", "edit.redo"});
+    bar->addSeparator();
+    add({"edit.variations", "edit.randomise", "compare.split"});
+    bar->addSeparator();
+    add({"view.frameAll", "view.grid", "view.gizmos", "view.tracks", "view.frame", "view.checker"});
+    auto* space = new QWidget(bar);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
+    add({"file.export"});
+}
+
+void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)
+{
+    const auto fill = [&] {
+        menu.clear();
+        for (const QString& path : settings.recentFiles()) {
+            QAction* action = menu.addAction(QFileInfo(path).fileName(), &files, [&files, path] { files.openFile(path); });
+            action->setToolTip(path);
+            action->setData(path);
+        }
+        menu.setEnabled(!menu.isEmpty());
+    };
+    fill();
+    QObject::connect(&settings, &Settings::recentFilesChanged, &menu, fill);
+}
+
+void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport)
+{
+    const QStringList names{QStringLiteral("Blender"), QStringLiteral("Maya"), QStringLiteral("Unity")};
+    addChoices(menu, names, static_cast<int>(settings.navigationStyle()), [&](int index) {
+        settings.setNavigationStyle(static_cast<NavigationStyle>(index));
+        viewport.setNavigationStyle(static_cast<NavigationStyle>(index));
+    });
+}
+
+void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(const QString&)>& say)
+{
+    QStringList names{menuText(QT_TRANSLATE_NOOP("Menus", "As the system"))};
+    int spoken = 0;
+    for (const Language& language : languages()) {
+        spoken = language.code == settings.language() ? static_cast<int>(names.size()) : spoken;
+        names += language.name;
+    }
+    addChoices(menu, names, spoken, [&settings, say](int index) {
+        settings.setLanguage(index == 0 ? QString() : languages()[index - 1].code);
+        say(menuText(QT_TRANSLATE_NOOP("Menus", "The language changes when Fumage starts the next time.")));
+    });
+}
+
+void fillThemes(QMenu& menu, Session& session)
+{
+    const QStringList names{menuText(QT_TRANSLATE_NOOP("Menus", "As the desktop")), menuText(QT_TRANSLATE_NOOP("Menus", "Dark")), menuText(QT_TRANSLATE_NOOP("Menus", "Light"))};
+    addChoices(menu, names, static_cast<int>(session.settings().theme()), [&session](int index) { session.applyTheme(static_cast<Theme>(index)); });
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+
+class QMainWindow;
+class QMenu;
+class QMenuBar;
+class QString;
+
+namespace fumage::ui {
+
+class ActionSet;
+class DocumentFiles;
+class Session;
+class Settings;
+class Viewport;
+
+/// The menus of the table of actions, in its order. What its submenus offer is filled in by the functions below.
+void buildMenuBar(QMenuBar& bar, const ActionSet& actions);
+
+/// The few actions that are needed often.
+void buildToolBar(QMainWindow& window, const ActionSet& actions);
+
+/// The files of last time; follows the settings for as long as the menu lives.
+void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files);
+void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport);
+/// @param say tells that the choice comes true later
+void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(const QString&)>& say);
+void fillThemes(QMenu& menu, Session& session);
+
+} // namespace fumage::ui

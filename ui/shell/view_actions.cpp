@@ -1,0 +1,102 @@
+#include "ui/shell/view_actions.h"
+
+#include "ui/panels/colour_editor.h"
+#include "ui/shell/action_table.h"
+#include "ui/viewport/viewport.h"
+
+#include <QWidget>
+
+namespace fumage::ui {
+
+namespace {
+
+struct OverlayAction {
+    const char* action;
+    Overlay overlay;
+    bool remembered = true;
+};
+constexpr OverlayAction kOverlayActions[] = {
+    {"view.grid", Overlay::Grid},
+    {"view.emitter", Overlay::Emitter},
+    {"view.gizmos", Overlay::Gizmos},
+    {"view.tracks", Overlay::Tracks},
+    {.action = "view.frame", .overlay = Overlay::Frame, .remembered = false}, // comes and goes with the export dialog
+    {"view.readout", Overlay::Readout},
+};
+
+/// A view from a side; straight up and down would leave no horizon.
+struct Side {
+    const char* action;
+    float yaw;
+    float pitch;
+};
+constexpr Side kSides[] = {
+    {"view.front", 0.0F, 0.0F},
+    {"view.right", 90.0F, 0.0F},
+    {"view.back", 180.0F, 0.0F},
+    {"view.left", -90.0F, 0.0F},
+    {"view.top", 0.0F, 89.0F},
+    {"view.bottom", 0.0F, -89.0F},
+};
+
+} // namespace
+
+ViewActions::ViewActions(const ActionSet& actions, Viewport& viewport, QWidget& window)
+    : m_actions(actions)
+    , m_viewport(viewport)
+{
+    m_actions.on("view.frameAll", &m_viewport, &Viewport::frameAll);
+    for (const Side& side : kSides) {
+        m_actions.on(side.action, this, [this, side] { m_viewport.lookFrom(side.yaw, side.pitch); });
+    }
+    connectOverlays();
+    connectBackdrop(window);
+    connect(&m_actions.get("view.fullScreen"), &QAction::toggled, &window, [&window](bool on) { on ? window.showFullScreen() : window.showNormal(); });
+}
+
+void ViewActions::connectOverlays()
+{
+    for (const OverlayAction& entry : kOverlayActions) {
+        QAction& action = m_actions.get(entry.action);
+        action.setChecked(m_viewport.overlays().testFlag(entry.overlay));
+        connect(&action, &QAction::toggled, this, [this, overlay = entry.overlay](bool on) { m_viewport.setOverlay(overlay, on); });
+    }
+}
+
+void ViewActions::connectBackdrop(QWidget& window)
+{
+    QAction& checker = m_actions.get("view.checker");
+    connect(&checker, &QAction::toggled, this, [this](bool on) {
+        Backdrop backdrop = m_viewport.backdrop();
+        backdrop.kind = on ? Backdrop::Kind::Checker : Backdrop::Kind::Colour;
+        m_viewport.setBackdrop(backdrop);
+    });
+    m_actions.on("view.backdrop", this, [this, &checker, &window] {
+        chooseColour(&window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
+            m_viewport.setBackdrop({Backdrop::Kind::Colour, colour});
+            checker.setChecked(false);
+        });
+    });
+}
+
+QStringList ViewActions::shownOverlays() const
+{
+    QStringList shown;
+    for (const OverlayAction& entry : kOverlayActions) {
+        if (entry.remembered && m_viewport.overlays().testFlag(entry.overlay)) {
+            shown.append(QLatin1String(entry.action));
+        }
+    }
+    return shown;
+}
+
+void ViewActions::showOverlays(const QStringList& ids)
+{
+    for (const OverlayAction& entry : kOverlayActions) {
+        if (entry.remembered) {
+            m_actions.get(entry.action).setChecked(ids.contains(QLatin1String(entry.action)));
+        }
+    }
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QWidget;
+
+namespace fumage::ui {
+
+class ActionSet;
+class Viewport;
+
+/// The actions that change how the smoke is looked at.
+class ViewActions : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param window that becomes as large as the screen
+    ViewActions(const ActionSet& actions, Viewport& viewport, QWidget& window);
+
+    /// What is drawn over the smoke, as the ids of its switches; without what comes and goes by itself.
+    [[nodiscard]] QStringList shownOverlays() const;
+    void showOverlays(const QStringList& ids);
+
+private:
+    void connectOverlays();
+    void connectBackdrop(QWidget& window);
+
+    const ActionSet& m_actions;
+    Viewport& m_viewport;
+};
+
+} // namespace fumage::ui
