@@ -1,9 +1,15 @@
 // Files of a document: saving, opening, giving up, and what is asked and told on the way.
 #include "window_fixture.h"
 
+#include "ui/presets/preset_browser.h"
+
 #include "core/effect/known_parameter.h"
+#include "core/preset/library.h"
 #include "core/preset/preset.h"
 
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLineEdit>
 #include <QMenu>
 
 using namespace fumage;
@@ -99,6 +105,165 @@ private slots:
         QVERIFY(m_window->document().effect() == copied);
         trigger("edit.undo");
         QVERIFY(m_window->document().effect() == smallPreset().effect);
+    }
+
+    void savingTheFirstTimeAsksForAFile()
+    {
+        m_chosenFile = m_folder.filePath(u"first.json"_q);
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        trigger("file.save");
+        QCOMPARE(m_fileQuestions.size(), 1);
+        QCOMPARE(m_fileQuestions[0].purpose, FileQuestion::Purpose::Save);
+        QCOMPARE(QFileInfo(m_fileQuestions[0].start).fileName(), u"Small.json"_q);
+        QCOMPARE(gravityIn(m_chosenFile), 2.0F);
+        QCOMPARE(m_window->document().filePath(), m_chosenFile);
+        QVERIFY(!m_window->isWindowModified());
+        // It is the document's own now.
+        m_window->document().edit(*findParameter("motion.gravity"), 3.0F);
+        trigger("file.save");
+        QCOMPARE(m_fileQuestions.size(), 1);
+        QCOMPARE(gravityIn(m_chosenFile), 3.0F);
+    }
+
+    void saveAsLeavesTheOldFileAndGoesOnWithTheNew()
+    {
+        const QString old = m_folder.filePath(u"old.json"_q);
+        QVERIFY(m_window->document().save(old).ok());
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_chosenFile = m_folder.filePath(u"new.json"_q);
+        trigger("file.saveAs");
+        QCOMPARE(m_fileQuestions.size(), 1);
+        QCOMPARE(m_fileQuestions[0].start, old);
+        QCOMPARE(m_fileQuestions[0].ending, u"json"_q);
+        QCOMPARE(gravityIn(old), smallPreset().effect.motion.gravity);
+        QCOMPARE(gravityIn(m_chosenFile), 2.0F);
+        QVERIFY(m_window->windowTitle().contains(u"new"_q) && !m_window->isWindowModified());
+        QCOMPARE(m_session->settings().recentFiles().constFirst(), m_chosenFile);
+    }
+
+    void nothingIsSavedWhereNoFileIsChosen()
+    {
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        trigger("file.saveAs");
+        QCOMPARE(m_fileQuestions.size(), 1);
+        QVERIFY(m_window->isWindowModified() && m_window->document().filePath().isEmpty());
+        // Nor is the work given up that was to be saved first.
+        answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Save); });
+        trigger("file.new");
+        QCOMPARE(m_window->document().effect().motion.gravity, 2.0F);
+    }
+
+    void theFileThatIsChosenIsOpened()
+    {
+        m_chosenFile = m_folder.filePath(u"mine.json"_q);
+        QVERIFY(m_window->document().save(m_chosenFile).ok());
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Discard); });
+        trigger("file.open");
+        QCOMPARE(m_fileQuestions.size(), 1);
+        QCOMPARE(m_fileQuestions[0].purpose, FileQuestion::Purpose::Open);
+        QCOMPARE(m_fileQuestions[0].start, m_folder.path());
+        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        m_chosenFile.clear();
+        trigger("file.open");
+        QVERIFY(!m_window->document().filePath().isEmpty());
+    }
+
+    void aNameWithASlashIsOfferedAsOneFile()
+    {
+        Preset preset = smallPreset();
+        preset.name = "Smoke / thin";
+        m_window->document().load(preset, {});
+        trigger("file.saveAs");
+        QCOMPARE(m_fileQuestions[0].start, libraryFile(u"Smoke - thin"_q));
+    }
+
+    void savingToTheLibraryAddsAPresetToTheBrowser()
+    {
+        PresetList& list = m_window->findChild<PresetBrowser*>()->list();
+        QTRY_VERIFY(list.count() > 0);
+        const int before = list.count();
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        nameNext(u"Mine / thin"_q);
+        trigger("file.saveToLibrary");
+        QCOMPARE(gravityIn(libraryFile(u"Mine - thin"_q)), 2.0F);
+        QCOMPARE(m_window->document().filePath(), libraryFile(u"Mine - thin"_q));
+        QVERIFY(!m_window->isWindowModified());
+        QCOMPARE(list.count(), before + 1);
+    }
+
+    void aPresetOfTheLibraryIsNotReplacedUnasked()
+    {
+        nameNext(u"Mine"_q);
+        trigger("file.saveToLibrary");
+        m_window->document().load(smallPreset(), {});
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        nameNext(u"Mine"_q);
+        answerNext("replaceBox", [](QMessageBox& box) { pressButton(box, QMessageBox::No); });
+        trigger("file.saveToLibrary");
+        QCOMPARE(gravityIn(libraryFile(u"Mine"_q)), smallPreset().effect.motion.gravity);
+        QVERIFY(m_window->isWindowModified());
+        nameNext(u"Mine"_q);
+        answerNext("replaceBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Yes); });
+        trigger("file.saveToLibrary");
+        QCOMPARE(gravityIn(libraryFile(u"Mine"_q)), 2.0F);
+    }
+
+    void aPresetWithoutANameIsNotSavedToTheLibrary()
+    {
+        nameNext(u"  "_q);
+        trigger("file.saveToLibrary");
+        answerNext<QInputDialog>("libraryName", [](QInputDialog& dialog) { dialog.reject(); });
+        trigger("file.saveToLibrary");
+        QVERIFY(QDir(toQString(userPresetFolder().string())).entryList({u"*.json"_q}).isEmpty());
+        QVERIFY(m_window->document().filePath().isEmpty());
+    }
+
+    void revertGoesBackToWhatIsSavedAndIsUndone()
+    {
+        QVERIFY(m_window->document().save(m_folder.filePath(u"mine.json"_q)).ok());
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        m_window->document().edit(*findParameter("emitter.speed"), 3.0F);
+        trigger("file.revert");
+        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        trigger("edit.undo");
+        QCOMPARE(m_window->document().effect().motion.gravity, 2.0F);
+        QCOMPARE(m_window->document().effect().emitter.speed, 3.0F);
+    }
+
+    void theDialogOffersANameAndAddsItsEnding()
+    {
+        const FileQuestion question{
+            .purpose = FileQuestion::Purpose::Save,
+            .title = u"Save"_q,
+            .start = m_folder.filePath(u"offered.json"_q),
+            .filter = u"Presets (*.json)"_q,
+            .ending = u"json"_q,
+        };
+        QString offered;
+        answerNext<QFileDialog>("fileDialog", [&](QFileDialog& dialog) {
+            offered = dialog.selectedFiles().constFirst();
+            dialog.findChild<QLineEdit*>(u"fileNameEdit"_q)->setText(u"typed"_q);
+            static_cast<QDialog&>(dialog).accept();
+        });
+        QCOMPARE(askInDialog(m_window, question), m_folder.filePath(u"typed.json"_q));
+        QCOMPARE(offered, question.start);
+        answerNext<QFileDialog>("fileDialog", [](QFileDialog& dialog) { dialog.reject(); });
+        QCOMPARE(askInDialog(m_window, question), QString());
+    }
+
+private:
+    static float gravityIn(const QString& path) { return readPresetFile(path.toStdString()).value().preset.effect.motion.gravity; }
+
+    static QString libraryFile(const QString& name) { return QDir(toQString(userPresetFolder().string())).filePath(name + u".json"_q); }
+
+    /// Types a name into the next question for one.
+    static void nameNext(const QString& name)
+    {
+        answerNext<QInputDialog>("libraryName", [name](QInputDialog& dialog) {
+            dialog.setTextValue(name);
+            dialog.accept();
+        });
     }
 };
 

@@ -2,8 +2,9 @@
 
 #include "ui/viewport/viewport.h"
 
+#include "core/preset/library.h"
+
 #include <QAbstractButton>
-#include <QTimer>
 
 namespace fumage::tests {
 
@@ -22,21 +23,6 @@ Preset smallPreset()
     return preset;
 }
 
-void answerNext(const char* boxName, const std::function<void(QMessageBox&)>& answer)
-{
-    auto* timer = new QTimer(qApp);
-    timer->setInterval(10);
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, boxName, answer] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        if (box != nullptr && box->objectName() == QLatin1String(boxName)) {
-            timer->stop();
-            timer->deleteLater();
-            answer(*box);
-        }
-    });
-    timer->start();
-}
-
 void pressButton(QMessageBox& box, QMessageBox::StandardButton button)
 {
     QTest::mouseClick(box.button(button), Qt::LeftButton);
@@ -44,7 +30,10 @@ void pressButton(QMessageBox& box, QMessageBox::StandardButton button)
 
 void WindowFixture::init()
 {
-    m_session = std::make_unique<Session>();
+    m_session = std::make_unique<Session>([this](QWidget*, const FileQuestion& question) {
+        m_fileQuestions += question;
+        return m_chosenFile;
+    });
     m_window = m_session->openWindow();
     m_window->player().pause();
     m_window->document().load(smallPreset(), {});
@@ -56,6 +45,9 @@ void WindowFixture::init()
 void WindowFixture::cleanup()
 {
     m_session.reset();
+    m_chosenFile.clear();
+    m_fileQuestions.clear();
+    QDir(toQString(userPresetFolder().string())).removeRecursively();
     QDir(m_folder.path()).removeRecursively();
     QDir().mkpath(m_folder.path());
 }

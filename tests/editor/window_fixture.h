@@ -7,8 +7,8 @@
 
 #include <QImage>
 #include <QMessageBox>
+#include <QTimer>
 
-#include <functional>
 #include <memory>
 
 namespace fumage::tests {
@@ -16,8 +16,22 @@ namespace fumage::tests {
 /// Smoke that a slow machine shows in a moment.
 [[nodiscard]] Preset smallPreset();
 
-/// Answers the next message box of a name as soon as it is there.
-void answerNext(const char* boxName, const std::function<void(QMessageBox&)>& answer);
+/// Answers the next modal dialog of a name as soon as it is there.
+template <class Dialog = QMessageBox, class Answer>
+void answerNext(const char* name, const Answer& answer)
+{
+    auto* timer = new QTimer(qApp);
+    timer->setInterval(10);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, name, answer] {
+        auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+        if (dialog != nullptr && dialog->objectName() == QLatin1String(name)) {
+            timer->stop();
+            timer->deleteLater();
+            answer(*dialog);
+        }
+    });
+    timer->start();
+}
 
 void pressButton(QMessageBox& box, QMessageBox::StandardButton button);
 
@@ -33,7 +47,7 @@ Widget* childOf(const QWidget& parent, const QString& name)
 }
 
 /// Whole windows, driven as a person would: on a screen, with mouse and keyboard. Each test gets a window of its own on the small preset,
-/// paused at frame 30, with its picture on the screen, and a folder that is empty.
+/// paused at frame 30, with its picture on the screen, and a folder and a library that are empty.
 class WindowFixture : public QObject {
     Q_OBJECT
 
@@ -49,6 +63,8 @@ protected:
     [[nodiscard]] MainWindow* otherWindow() const;
 
     QTemporaryDir m_folder;
+    QString m_chosenFile; ///< what a question for a file is answered with; empty: none is chosen
+    QList<FileQuestion> m_fileQuestions; ///< that were asked
     std::unique_ptr<Session> m_session;
     MainWindow* m_window = nullptr;
 };

@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
@@ -17,7 +16,7 @@ namespace fumage::ui {
 
 namespace {
 
-const QString kEnding = QStringLiteral(".json");
+const QString kEnding = QStringLiteral("json");
 
 QString presetFilter()
 {
@@ -38,12 +37,20 @@ QString libraryFolder()
     return toQString(userPresetFolder().string());
 }
 
+/// Where a preset of a name lies; a slash would make it a folder.
+QString libraryFile(QString name)
+{
+    name.replace(QLatin1Char('/'), QLatin1Char('-'));
+    return QDir(libraryFolder()).filePath(QStringLiteral("%1.%2").arg(name, kEnding));
+}
+
 } // namespace
 
-DocumentFiles::DocumentFiles(Document& document, Settings& settings, QWidget* window)
+DocumentFiles::DocumentFiles(Document& document, Settings& settings, const AskForFile& ask, QWidget* window)
     : QObject(window)
     , m_document(document)
     , m_settings(settings)
+    , m_ask(ask)
     , m_window(window)
 {
 }
@@ -110,7 +117,7 @@ void DocumentFiles::newDocument()
 void DocumentFiles::open()
 {
     const QString folder = m_document.filePath().isEmpty() ? libraryFolder() : QFileInfo(m_document.filePath()).path();
-    const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), folder, presetFilter());
+    const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Open, .title = tr("Open"), .start = folder, .filter = presetFilter(), .ending = kEnding});
     if (!path.isEmpty()) {
         openFile(path);
     }
@@ -171,37 +178,46 @@ QString DocumentFiles::suggestedPath() const
         return m_document.filePath();
     }
     QDir().mkpath(libraryFolder());
-    return QDir(libraryFolder()).filePath(m_document.displayName() + kEnding);
+    return libraryFile(m_document.displayName());
 }
 
 bool DocumentFiles::saveAs()
 {
-    QFileDialog dialog(m_window, tr("Save as"), suggestedPath(), presetFilter());
-    dialog.setObjectName(QStringLiteral("saveDialog"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(kEnding.mid(1));
-    dialog.selectFile(QFileInfo(suggestedPath()).fileName());
-    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
+    const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Save, .title = tr("Save as"), .start = suggestedPath(), .filter = presetFilter(), .ending = kEnding});
+    return !path.isEmpty() && saveTo(path);
+}
+
+QString DocumentFiles::askForName() const
+{
+    QInputDialog dialog(m_window);
+    dialog.setObjectName(QStringLiteral("libraryName"));
+    dialog.setWindowTitle(tr("Save to the library"));
+    dialog.setLabelText(tr("Name of the preset"));
+    dialog.setTextValue(m_document.displayName());
+    return dialog.exec() == QDialog::Accepted ? dialog.textValue().trimmed() : QString();
+}
+
+bool DocumentFiles::mayReplace(const QString& name) const
+{
+    QMessageBox box(QMessageBox::Question, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name), QMessageBox::Yes | QMessageBox::No, m_window);
+    box.setObjectName(QStringLiteral("replaceBox"));
+    return box.exec() == QMessageBox::Yes;
 }
 
 void DocumentFiles::saveToLibrary()
 {
-    bool ok = false;
-    const QString name = QInputDialog::getText(m_window, tr("Save to the library"), tr("Name of the preset"), QLineEdit::Normal, m_document.displayName(), &ok).trimmed();
-    if (!ok || name.isEmpty()) {
+    const QString name = askForName();
+    if (name.isEmpty()) {
         return;
     }
-    QString file = name;
-    file.replace(QLatin1Char('/'), QLatin1Char('-'));
-    const QString path = QDir(libraryFolder()).filePath(file + kEnding);
+    const QString path = libraryFile(name);
     if (!QDir().mkpath(libraryFolder())) {
         report(tr("Cannot save “%1”").arg(name), {ErrorCode::PermissionDenied, "the folder of your presets cannot be made", libraryFolder().toStdString(), "Save the preset somewhere else"});
         return;
     }
-    if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name)) != QMessageBox::Yes) {
-        return;
+    if (!QFileInfo::exists(path) || mayReplace(name)) {
+        saveTo(path);
     }
-    saveTo(path);
 }
 
 void DocumentFiles::revert()

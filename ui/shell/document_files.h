@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 
 #include <QObject>
@@ -12,8 +13,9 @@ class DocumentFiles : public QObject {
     Q_OBJECT
 
 public:
+    /// @param ask for the names of files
     /// @param window parent of dialogs
-    DocumentFiles(Document& document, Settings& settings, QWidget* window);
+    DocumentFiles(Document& document, Settings& settings, const AskForFile& ask, QWidget* window);
 
     /// Asks what shall become of unsaved changes. @return whether to go on
     [[nodiscard]] bool mayLeave();
@@ -38,12 +40,15 @@ signals:
 
 private:
     bool saveTo(const QString& path);
+    [[nodiscard]] QString askForName() const; ///< of a preset of the library; empty: none
+    [[nodiscard]] bool mayReplace(const QString& name) const;
     [[nodiscard]] QString suggestedPath() const;
     void report(const QString& title, const Error& error) const;
     void showWarnings(const QString& name, const std::vector<std::string>& warnings) const;
 
     Document& m_document;
     Settings& m_settings;
+    const AskForFile& m_ask;
     QWidget* m_window;
 };
 

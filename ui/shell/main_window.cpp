@@ -36,7 +36,7 @@ constexpr int kLayoutVersion = 1;
 MainWindow::MainWindow(Session& session)
     : m_session(session)
     , m_actions(this)
-    , m_files(m_document, session.settings(), this)
+    , m_files(m_document, session.settings(), session.askForFile(), this)
     , m_recovery(m_document, QDir(Settings::recoveryFolder()))
     , m_viewport(std::make_unique<Viewport>(m_document, m_player, session.glSupport()))
     , m_timeline(std::make_unique<TimelineBar>(m_document, m_player))

@@ -10,8 +10,9 @@
 
 namespace fumage::ui {
 
-Session::Session(QObject* parent)
+Session::Session(AskForFile ask, QObject* parent)
     : QObject(parent)
+    , m_askForFile(std::move(ask))
     , m_desktopIsDark(isDark(QApplication::palette()))
     , m_glSupport(probeOpenGl())
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 #include "ui/viewport/gl_support.h"
 
@@ -16,11 +17,13 @@ class Session : public QObject {
     Q_OBJECT
 
 public:
-    explicit Session(QObject* parent = nullptr);
+    /// @param ask for the names of files; tests answer without a dialog
+    explicit Session(AskForFile ask = askInDialog, QObject* parent = nullptr);
     ~Session() override;
 
     [[nodiscard]] Settings& settings() { return m_settings; }
     [[nodiscard]] GlSupport glSupport() const { return m_glSupport; }
+    [[nodiscard]] const AskForFile& askForFile() const { return m_askForFile; }
 
     /// Opens a window; it deletes itself when it is closed.
     MainWindow* openWindow();
@@ -34,6 +37,7 @@ private:
     bool recover();
 
     Settings m_settings;
+    const AskForFile m_askForFile;
     const bool m_desktopIsDark; ///< as the program found it
     GlSupport m_glSupport;
     QList<QPointer<MainWindow>> m_windows;
