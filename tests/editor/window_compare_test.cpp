@@ -106,6 +106,21 @@ private slots:
         QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
     }
 
+    void bIsTheSmokeThatWasOpenedLast()
+    {
+        Viewport& viewport = m_window->viewport();
+        m_window->actions().get("compare.split").setChecked(true);
+        QTRY_VERIFY(viewport.otherPicture() && viewport.otherPicture()->complete);
+        const QImage before = viewport.otherPicture()->image;
+        Preset red = smallPreset();
+        red.effect.look.colour = {1.0F, 0.1F, 0.1F};
+        m_window->document().load(red, {});
+        QTRY_VERIFY(viewport.otherPicture()->complete && viewport.otherPicture()->image != before);
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        trigger("compare.adopt");
+        QVERIFY(m_window->document().effect() == red.effect);
+    }
+
 private:
     /// Presses the key of B and keeps it down for longer than a tap.
     static void holdB(QWindow& window)

@@ -25,7 +25,7 @@ Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& 
 {
     actions.on("compare.remember", this, &Comparison::putAside);
     actions.on("compare.adopt", this, [this] { m_document.replaceEffect(m_other, tr("Adopt B")); });
-    connect(&m_document, &Document::loaded, this, [this] { m_other = m_document.effect(); });
+    connect(&m_document, &Document::loaded, this, &Comparison::putAside);
     connect(&m_split, &QAction::toggled, this, &Comparison::show);
     connect(&m_hold, &QAction::toggled, this, &Comparison::show);
     m_hold.setAutoRepeat(false);
