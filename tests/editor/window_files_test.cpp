@@ -7,10 +7,12 @@
 #include "core/preset/library.h"
 #include "core/preset/preset.h"
 
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -252,7 +254,43 @@ private slots:
         QCOMPARE(askInDialog(m_window, question), QString());
     }
 
+    void aFileOrAPresetIsDroppedOnTheWindow()
+    {
+        const QString path = m_folder.filePath(u"mine.json"_q);
+        m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
+        QVERIFY(m_window->document().save(path).ok());
+        m_window->document().load(smallPreset(), {});
+        QMimeData file;
+        file.setUrls({QUrl::fromLocalFile(path)});
+        drop(file);
+        QTRY_COMPARE(m_window->document().effect().motion.gravity, 2.0F);
+        QTRY_VERIFY(m_window->findChild<PresetBrowser*>()->list().count() > 0);
+        QMimeData preset;
+        preset.setData(PresetList::mimeType(), "campfire");
+        drop(preset);
+        QTRY_VERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.effect);
+    }
+
+    void aPresetThatOnlyAnotherProgramKnowsIsDroppedInVain()
+    {
+        QMimeData preset;
+        preset.setData(PresetList::mimeType(), "of another program");
+        drop(preset);
+        QCoreApplication::processEvents();
+        QVERIFY(m_window->document().effect() == smallPreset().effect);
+    }
+
 private:
+    void drop(const QMimeData& data)
+    {
+        const QPoint at = m_window->rect().center();
+        QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window, &event);
+    }
+
     static float gravityIn(const QString& path) { return readPresetFile(path.toStdString()).value().preset.effect.motion.gravity; }
 
     static QString libraryFile(const QString& name) { return QDir(toQString(userPresetFolder().string())).filePath(name + u".json"_q); }

@@ -49,11 +49,12 @@ bool Drops::eventFilter(QObject* watched, QEvent* event)
 void Drops::drop(QDropEvent& event)
 {
     event.acceptProposedAction();
+    const QString file = fileOf(*event.mimeData());
+    // Another program's list may know presets that this one does not.
     if (const Preset* preset = m_presets.presetOfId(QString::fromUtf8(event.mimeData()->data(PresetList::mimeType())))) {
         QMetaObject::invokeMethod(
             this, [this, copy = *preset] { m_files.openPreset(copy); }, Qt::QueuedConnection);
-    } else {
-        const QString file = event.mimeData()->urls().constFirst().toLocalFile();
+    } else if (!file.isEmpty()) {
         QMetaObject::invokeMethod(
             this, [this, file] { m_files.openFile(file); }, Qt::QueuedConnection);
     }
