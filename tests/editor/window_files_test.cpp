@@ -35,6 +35,7 @@ private slots:
         auto* recent = m_window->findChild<QMenu*>(u"file.recent"_q);
         QVERIFY(!recent->actions().isEmpty());
         QCOMPARE(recent->actions().first()->data().toString(), path);
+        QVERIFY(recent->toolTipsVisible() && recent->actions().first()->toolTip() == path);
         m_window->document().load(Preset(), {});
         recent->actions().first()->trigger();
         QVERIFY(m_window->document().effect() == saved);

@@ -83,6 +83,7 @@ void buildToolBar(QMainWindow& window, const ActionSet& actions)
 
 void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)
 {
+    menu.setToolTipsVisible(true); // where each lies
     const auto fill = [&] {
         menu.clear();
         for (const QString& path : settings.recentFiles()) {
