@@ -51,6 +51,32 @@ private slots:
         QVERIFY(m_window->document().effect() == smallPreset().effect);
         QVERIFY(!m_window->isWindowModified());
     }
+    void aMaximisedWindowIsSoAgainAfterFullScreen()
+    {
+        m_window->showMaximized();
+        QTRY_VERIFY(m_window->isMaximized());
+        trigger("view.fullScreen");
+        QTRY_VERIFY(m_window->isFullScreen());
+        trigger("view.fullScreen");
+        QTRY_VERIFY(!m_window->isFullScreen());
+        QVERIFY(m_window->isMaximized());
+    }
+
+    void aWindowThatWasClosedFullScreenComesBackSoAndCanBeLeft()
+    {
+        trigger("view.fullScreen");
+        QTRY_VERIFY(m_window->isFullScreen());
+        m_window->close();
+        m_window = m_session->openWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window));
+        QVERIFY(m_window->isFullScreen());
+        trigger("view.fullScreen");
+        QTRY_VERIFY(!m_window->isFullScreen());
+        m_window->close();
+        m_window = m_session->openWindow();
+        QVERIFY(!m_window->isFullScreen());
+    }
+
     void theDesktopsThemeIsFoundAgainAfterAnother()
     {
         const bool desktopIsDark = isDark(QApplication::palette());

@@ -4,6 +4,7 @@
 #include "ui/shell/action_table.h"
 #include "ui/viewport/viewport.h"
 
+#include <QEvent>
 #include <QWidget>
 
 namespace fumage::ui {
@@ -44,14 +45,15 @@ constexpr Side kSides[] = {
 ViewActions::ViewActions(const ActionSet& actions, Viewport& viewport, QWidget& window)
     : m_actions(actions)
     , m_viewport(viewport)
+    , m_window(window)
 {
     m_actions.on("view.frameAll", &m_viewport, &Viewport::frameAll);
     for (const Side& side : kSides) {
         m_actions.on(side.action, this, [this, side] { m_viewport.lookFrom(side.yaw, side.pitch); });
     }
     connectOverlays();
-    connectBackdrop(window);
-    connect(&m_actions.get("view.fullScreen"), &QAction::toggled, &window, [&window](bool on) { on ? window.showFullScreen() : window.showNormal(); });
+    connectBackdrop();
+    connectFullScreen();
 }
 
 void ViewActions::connectOverlays()
@@ -63,7 +65,7 @@ void ViewActions::connectOverlays()
     }
 }
 
-void ViewActions::connectBackdrop(QWidget& window)
+void ViewActions::connectBackdrop()
 {
     QAction& checker = m_actions.get("view.checker");
     connect(&checker, &QAction::toggled, this, [this](bool on) {
@@ -71,12 +73,31 @@ void ViewActions::connectBackdrop(QWidget& window)
         backdrop.kind = on ? Backdrop::Kind::Checker : Backdrop::Kind::Colour;
         m_viewport.setBackdrop(backdrop);
     });
-    m_actions.on("view.backdrop", this, [this, &checker, &window] {
-        chooseColour(&window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
+    m_actions.on("view.backdrop", this, [this, &checker] {
+        chooseColour(&m_window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
             m_viewport.setBackdrop({Backdrop::Kind::Colour, colour});
             checker.setChecked(false);
         });
     });
+}
+
+void ViewActions::connectFullScreen()
+{
+    // Only this one state: a window that was maximised is so again.
+    m_actions.on("view.fullScreen", this, [this](bool on) {
+        const Qt::WindowStates others = m_window.windowState() & ~Qt::WindowFullScreen;
+        m_window.setWindowState(on ? others | Qt::WindowFullScreen : others);
+    });
+    m_window.installEventFilter(this);
+}
+
+/// Keeps the switch true to a window that was opened or left full screen by others.
+bool ViewActions::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::WindowStateChange) {
+        m_actions.get("view.fullScreen").setChecked(m_window.isFullScreen());
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 QStringList ViewActions::shownOverlays() const

@@ -22,12 +22,17 @@ public:
     [[nodiscard]] QStringList shownOverlays() const;
     void showOverlays(const QStringList& ids);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void connectOverlays();
-    void connectBackdrop(QWidget& window);
+    void connectBackdrop();
+    void connectFullScreen();
 
     const ActionSet& m_actions;
     Viewport& m_viewport;
+    QWidget& m_window;
 };
 
 } // namespace fumage::ui
