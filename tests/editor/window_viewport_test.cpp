@@ -8,6 +8,8 @@
 
 #include "core/effect/known_parameter.h"
 
+#include <QColorDialog>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -57,6 +59,27 @@ private slots:
         QCOMPARE(m_window->document().undoStack()->count(), 3);
         trigger("view.front");
         QCOMPARE(m_window->document().effect().camera.yaw, 0.0F);
+    }
+
+    void aBackdropThatIsNotTakenLeavesTheCheckers()
+    {
+        Viewport& viewport = m_window->viewport();
+        const Backdrop before = viewport.backdrop();
+        trigger("view.checker");
+        trigger("view.backdrop");
+        auto* dialog = childOf<QColorDialog>(*m_window, u"colourDialog"_q);
+        dialog->setCurrentColor(Qt::red);
+        QCOMPARE(viewport.backdrop().kind, Backdrop::Kind::Colour);
+        dialog->reject();
+        QCOMPARE(viewport.backdrop().kind, Backdrop::Kind::Checker);
+        QCOMPARE(viewport.backdrop().colour, before.colour);
+        QTRY_VERIFY(m_window->findChild<QColorDialog*>() == nullptr);
+        trigger("view.backdrop");
+        dialog = childOf<QColorDialog>(*m_window, u"colourDialog"_q);
+        dialog->setCurrentColor(Qt::red);
+        dialog->accept();
+        QCOMPARE(viewport.backdrop().kind, Backdrop::Kind::Colour);
+        QCOMPARE(viewport.backdrop().colour, glm::vec3(1.0F, 0.0F, 0.0F));
     }
 
     void scrubbingBackAndForthGivesTheSamePictures()

@@ -29,7 +29,7 @@ glm::vec3 linearColour(const QColor& screen)
     return {channel(screen.redF()), channel(screen.greenF()), channel(screen.blueF())};
 }
 
-void chooseColour(QWidget* parent, const QString& title, const glm::vec3& before, const std::function<void(const glm::vec3&, bool)>& changed)
+QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec3& before, const std::function<void(const glm::vec3&, bool)>& changed)
 {
     auto* dialog = new QColorDialog(screenColour(before), parent);
     dialog->setObjectName(QStringLiteral("colourDialog"));
@@ -40,6 +40,7 @@ void chooseColour(QWidget* parent, const QString& title, const glm::vec3& before
     QObject::connect(dialog, &QColorDialog::colorSelected, parent, [changed](const QColor& colour) { changed(linearColour(colour), true); });
     QObject::connect(dialog, &QColorDialog::rejected, parent, [changed, before] { changed(before, true); });
     dialog->open();
+    return *dialog;
 }
 
 ColourEditor::ColourEditor(const Parameter& parameter, QWidget* parent)

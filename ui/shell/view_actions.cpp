@@ -4,6 +4,7 @@
 #include "ui/shell/action_table.h"
 #include "ui/viewport/viewport.h"
 
+#include <QColorDialog>
 #include <QEvent>
 #include <QWidget>
 
@@ -74,10 +75,12 @@ void ViewActions::connectBackdrop()
         m_viewport.setBackdrop(backdrop);
     });
     m_actions.on("view.backdrop", this, [this, &checker] {
-        chooseColour(&m_window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
+        const bool wasChecked = checker.isChecked();
+        const QColorDialog& dialog = chooseColour(&m_window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
             m_viewport.setBackdrop({Backdrop::Kind::Colour, colour});
             checker.setChecked(false);
         });
+        connect(&dialog, &QDialog::rejected, &checker, [&checker, wasChecked] { checker.setChecked(wasChecked); });
     });
 }
 
