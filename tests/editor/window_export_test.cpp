@@ -39,6 +39,24 @@ private slots:
         QVERIFY(image.hasAlphaChannel());
     }
 
+    void theFileIsChosenInADialog()
+    {
+        QDialog* dialog = openExport();
+        auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
+        const QString offered = field->text();
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.choose"_q), Qt::LeftButton);
+        QCOMPARE(field->text(), offered); // none was chosen
+        m_chosenFile = m_folder.filePath(u"chosen_##.png"_q);
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.choose"_q), Qt::LeftButton);
+        QCOMPARE(m_fileQuestions.size(), 2);
+        QCOMPARE(m_fileQuestions[1].purpose, FileQuestion::Purpose::Save);
+        QCOMPARE(m_fileQuestions[1].start, offered);
+        QCOMPARE(field->text(), m_chosenFile);
+        // It is no suggestion, which would follow the format.
+        childOf<QComboBox>(*dialog, u"export.format"_q)->setCurrentIndex(2);
+        QCOMPARE(field->text(), m_chosenFile);
+    }
+
     void aFlipbookIsExported()
     {
         QDialog* dialog = openExport();

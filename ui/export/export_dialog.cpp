@@ -13,7 +13,6 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -48,12 +47,13 @@ bool isPicture(ExportKind kind)
 
 } // namespace
 
-ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, QWidget* parent)
+ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile ask, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_player(player)
     , m_locks(locks)
     , m_job(job)
+    , m_ask(std::move(ask))
     , m_kind(new QComboBox(this))
     , m_format(new QComboBox(this))
     , m_path(new QLineEdit(this))
@@ -348,7 +348,7 @@ void ExportDialog::begin()
 
 void ExportDialog::browse()
 {
-    const QString chosen = QFileDialog::getSaveFileName(this, tr("Export to"), m_path->text());
+    const QString chosen = m_ask(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Export to"), .start = m_path->text()});
     if (!chosen.isEmpty()) {
         m_pathIsSuggested = false;
         m_path->setText(chosen);

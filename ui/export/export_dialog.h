@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 #include "ui/export/export_job.h"
+#include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
 
 #include <QDialog>
@@ -25,7 +26,8 @@ class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, QWidget* parent);
+    /// @param ask for the name of the file
+    ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile ask, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
     void setKind(ExportKind kind);
@@ -59,6 +61,7 @@ private:
     Player& m_player;
     Locks& m_locks;
     ExportJob& m_job;
+    const AskForFile m_ask;
     QComboBox* m_kind;
     QComboBox* m_format;
     QLineEdit* m_path;

@@ -7,11 +7,12 @@
 
 namespace fumage::ui {
 
-ExportDesk::ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, QWidget* window)
+ExportDesk::ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& ask, QWidget* window)
     : m_document(document)
     , m_player(player)
     , m_locks(locks)
     , m_frame(actions.get("view.frame"))
+    , m_ask(ask)
     , m_window(window)
 {
     actions.on("file.export", this, [this] { openDialog(); });
@@ -24,7 +25,7 @@ ExportDesk::~ExportDesk() = default;
 ExportDialog& ExportDesk::openDialog()
 {
     if (m_dialog == nullptr) {
-        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_job, m_window);
+        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_job, m_ask, m_window);
         connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
     }
     m_dialog->show();

@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 #include "ui/export/export_job.h"
+#include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
 
 #include <memory>
@@ -20,8 +21,9 @@ class ExportDesk : public QObject {
     Q_OBJECT
 
 public:
+    /// @param ask for the names of files
     /// @param window parent of the dialog
-    ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, QWidget* window);
+    ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& ask, QWidget* window);
     ~ExportDesk() override;
 
     [[nodiscard]] ExportJob& job() { return m_job; }
@@ -40,6 +42,7 @@ private:
     Player& m_player;
     Locks& m_locks;
     QAction& m_frame; ///< the exported frame in the picture, shown while the dialog is open
+    const AskForFile& m_ask;
     QWidget* m_window;
     ExportJob m_job;
     std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for

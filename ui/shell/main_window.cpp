@@ -44,7 +44,7 @@ MainWindow::MainWindow(Session& session)
     , m_editActions(m_actions, m_document, m_locks)
     , m_viewActions(m_actions, *m_viewport, *this)
     , m_comparison(m_document, *m_viewport, m_actions)
-    , m_exports(m_document, m_player, m_locks, m_actions, this)
+    , m_exports(m_document, m_player, m_locks, m_actions, session.askForFile(), this)
     , m_drops(*this, m_files, m_docks.browser().list())
 {
     setObjectName(QStringLiteral("mainWindow"));
