@@ -235,6 +235,26 @@
         <source>Show &amp;B (hold the key to look for a moment)</source>
         <translation>Visa &amp;B (håll tangenten för att titta en stund)</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Öppna &amp;senaste</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Paneler</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse habits</source>
+        <translation>&amp;Musvanor</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Sp&amp;råk</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Tema</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ColourEditor</name>
@@ -259,6 +279,13 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::Comparison</name>
+    <message>
+        <source>Adopt B</source>
+        <translation>Ta över B</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::DirectionEditor</name>
     <message>
         <source>Yaw</source>
@@ -267,6 +294,37 @@
     <message>
         <source>Pitch</source>
         <translation>Lutning</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Docks</name>
+    <message>
+        <source>As opened</source>
+        <translation>Som det öppnades</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>Ångra-historik</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Förinställningar</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametrar</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Brus</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historik</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variationer</translation>
     </message>
 </context>
 <context>
@@ -356,10 +414,56 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::EditActions</name>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Återställ alla parametrar</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Ångra %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Gör om %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Randomise a little</source>
+        <translation>Slumpa lite</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::EffectPanel</name>
     <message>
         <source>Search parameters</source>
         <translation>Sök parametrar</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportDesk</name>
+    <message>
+        <source>Exporting: %1 of %2 files, %3 s left</source>
+        <translation>Exporterar: %1 av %2 filer, %3 s kvar</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Exporterade %1</translation>
+    </message>
+    <message>
+        <source>Export cancelled</source>
+        <translation>Exporten avbröts</translation>
+    </message>
+    <message>
+        <source>Export failed: %1</source>
+        <translation>Exporten misslyckades: %1</translation>
     </message>
 </context>
 <context>
@@ -595,48 +699,23 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Osparat arbete kan inte hållas i säkerhet: %1</translation>
     </message>
     <message>
-        <source>As opened</source>
-        <translation>Som det öppnades</translation>
+        <source>Put in “%1”</source>
+        <translation>Lägg in ”%1”</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>Tools</source>
+        <translation>Verktyg</translation>
     </message>
     <message>
-        <source>Undo history</source>
-        <translation>Ångra-historik</translation>
+        <source>As the system</source>
+        <translation>Som systemet</translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation>Förinställningar</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parametrar</translation>
-    </message>
-    <message>
-        <source>Noise</source>
-        <translation>Brus</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Historik</translation>
-    </message>
-    <message>
-        <source>Variations</source>
-        <translation>Variationer</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Öppna &amp;senaste</translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation>&amp;Paneler</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse habits</source>
-        <translation>&amp;Musvanor</translation>
-    </message>
-    <message>
-        <source>T&amp;heme</source>
-        <translation>&amp;Tema</translation>
+        <source>The language changes when Fumage starts the next time.</source>
+        <translation>Språket ändras nästa gång Fumage startar.</translation>
     </message>
     <message>
         <source>As the desktop</source>
@@ -649,74 +728,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Light</source>
         <translation>Ljus</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>Verktyg</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Ångra %1</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Ångra</translation>
-    </message>
-    <message>
-        <source>&amp;Redo %1</source>
-        <translation>&amp;Gör om %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Gör om</translation>
-    </message>
-    <message>
-        <source>Randomise a little</source>
-        <translation>Slumpa lite</translation>
-    </message>
-    <message>
-        <source>Reset all parameters</source>
-        <translation>Återställ alla parametrar</translation>
-    </message>
-    <message>
-        <source>Backdrop</source>
-        <translation>Bakgrund</translation>
-    </message>
-    <message>
-        <source>Adopt B</source>
-        <translation>Ta över B</translation>
-    </message>
-    <message>
-        <source>Put in “%1”</source>
-        <translation>Lägg in ”%1”</translation>
-    </message>
-    <message>
-        <source>Exporting: %1 of %2 files, %3 s left</source>
-        <translation>Exporterar: %1 av %2 filer, %3 s kvar</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>Exporterade %1</translation>
-    </message>
-    <message>
-        <source>Export cancelled</source>
-        <translation>Exporten avbröts</translation>
-    </message>
-    <message>
-        <source>Export failed: %1</source>
-        <translation>Exporten misslyckades: %1</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Som systemet</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>Sp&amp;råk</translation>
-    </message>
-    <message>
-        <source>The language changes when Fumage starts the next time.</source>
-        <translation>Språket ändras nästa gång Fumage startar.</translation>
     </message>
 </context>
 <context>
@@ -2283,6 +2294,13 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Back from a variation</source>
         <translation>Tillbaka från en variation</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ViewActions</name>
+    <message>
+        <source>Backdrop</source>
+        <translation>Bakgrund</translation>
     </message>
 </context>
 <context>

@@ -235,6 +235,26 @@
         <source>Show &amp;B (hold the key to look for a moment)</source>
         <translation>显示 B（按住可暂时查看）(&amp;B)</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse habits</source>
+        <translation>鼠标习惯(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>主题(&amp;H)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ColourEditor</name>
@@ -259,6 +279,13 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::Comparison</name>
+    <message>
+        <source>Adopt B</source>
+        <translation>采用 B</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::DirectionEditor</name>
     <message>
         <source>Yaw</source>
@@ -267,6 +294,37 @@
     <message>
         <source>Pitch</source>
         <translation>俯仰</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::Docks</name>
+    <message>
+        <source>As opened</source>
+        <translation>刚打开时</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>撤销历史</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>变体</translation>
     </message>
 </context>
 <context>
@@ -356,10 +414,56 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::EditActions</name>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>重置所有参数</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销 %1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做 %1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Randomise a little</source>
+        <translation>稍作随机</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::EffectPanel</name>
     <message>
         <source>Search parameters</source>
         <translation>搜索参数</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportDesk</name>
+    <message>
+        <source>Exporting: %1 of %2 files, %3 s left</source>
+        <translation>正在导出：%2 个文件中的第 %1 个，剩余 %3 秒</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>已导出 %1</translation>
+    </message>
+    <message>
+        <source>Export cancelled</source>
+        <translation>导出已取消</translation>
+    </message>
+    <message>
+        <source>Export failed: %1</source>
+        <translation>导出失败：%1</translation>
     </message>
 </context>
 <context>
@@ -595,48 +699,23 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>无法妥善保存未保存的工作：%1</translation>
     </message>
     <message>
-        <source>As opened</source>
-        <translation>刚打开时</translation>
+        <source>Put in “%1”</source>
+        <translation>放入“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
     </message>
     <message>
-        <source>Undo history</source>
-        <translation>撤销历史</translation>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
     </message>
     <message>
-        <source>Presets</source>
-        <translation>预设</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>参数</translation>
-    </message>
-    <message>
-        <source>Noise</source>
-        <translation>噪声</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>历史</translation>
-    </message>
-    <message>
-        <source>Variations</source>
-        <translation>变体</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>打开最近的文件(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation>面板(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse habits</source>
-        <translation>鼠标习惯(&amp;M)</translation>
-    </message>
-    <message>
-        <source>T&amp;heme</source>
-        <translation>主题(&amp;H)</translation>
+        <source>The language changes when Fumage starts the next time.</source>
+        <translation>语言将在下次启动 Fumage 时更改。</translation>
     </message>
     <message>
         <source>As the desktop</source>
@@ -649,74 +728,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Light</source>
         <translation>光</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>撤销 %1(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo %1</source>
-        <translation>重做 %1(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Randomise a little</source>
-        <translation>稍作随机</translation>
-    </message>
-    <message>
-        <source>Reset all parameters</source>
-        <translation>重置所有参数</translation>
-    </message>
-    <message>
-        <source>Backdrop</source>
-        <translation>背景</translation>
-    </message>
-    <message>
-        <source>Adopt B</source>
-        <translation>采用 B</translation>
-    </message>
-    <message>
-        <source>Put in “%1”</source>
-        <translation>放入“%1”</translation>
-    </message>
-    <message>
-        <source>Exporting: %1 of %2 files, %3 s left</source>
-        <translation>正在导出：%2 个文件中的第 %1 个，剩余 %3 秒</translation>
-    </message>
-    <message>
-        <source>Exported %1</source>
-        <translation>已导出 %1</translation>
-    </message>
-    <message>
-        <source>Export cancelled</source>
-        <translation>导出已取消</translation>
-    </message>
-    <message>
-        <source>Export failed: %1</source>
-        <translation>导出失败：%1</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>跟随系统</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>语言(&amp;G)</translation>
-    </message>
-    <message>
-        <source>The language changes when Fumage starts the next time.</source>
-        <translation>语言将在下次启动 Fumage 时更改。</translation>
     </message>
 </context>
 <context>
@@ -2283,6 +2294,13 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Back from a variation</source>
         <translation>从变体返回</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ViewActions</name>
+    <message>
+        <source>Backdrop</source>
+        <translation>背景</translation>
     </message>
 </context>
 <context>
