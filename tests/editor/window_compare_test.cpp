@@ -7,6 +7,7 @@
 
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QToolButton>
 #include <QWindow>
 
 using namespace fumage;
@@ -39,7 +40,7 @@ private slots:
     {
         QWindow& window = *m_window->windowHandle();
         m_window->viewport().surface()->setFocus();
-        QTest::keyClick(&window, Qt::Key_B); // a tap stays
+        tapB(); // stays
         QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
         QTest::keyClick(&window, Qt::Key_B);
         QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
@@ -74,7 +75,8 @@ private slots:
         auto* dock = childOf<QDockWidget>(*m_window, u"dock.noise"_q);
         dock->setFloating(true);
         dock->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(dock));
+        QTRY_COMPARE(QGuiApplication::focusWindow(), dock->windowHandle());
+        childOf<QToolButton>(*dock, u"noiseTiled"_q)->setFocus(); // lists have a use for letters
         holdB(*dock->windowHandle());
         QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
         QTest::keyRelease(dock->windowHandle(), Qt::Key_B);
@@ -83,6 +85,7 @@ private slots:
 
     void bGoesWithTheKeyboardWhileItsKeyIsHeld()
     {
+        m_window->viewport().surface()->setFocus();
         QTest::keyPress(m_window->windowHandle(), Qt::Key_B);
         QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
         QWidget another;
@@ -91,9 +94,9 @@ private slots:
         QTRY_COMPARE(m_window->viewport().compare(), Viewport::Compare::Off);
         // The key was let go over there; here the next tap is a tap again.
         another.close();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window));
-        QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+        QTRY_COMPARE(QGuiApplication::focusWindow(), m_window->windowHandle());
+        m_window->viewport().surface()->setFocus();
+        tapB();
         QCOMPARE(m_window->viewport().compare(), Viewport::Compare::Other);
     }
 
@@ -128,7 +131,17 @@ private:
         QTest::keyPress(&window, Qt::Key_B);
         QElapsedTimer held;
         held.start();
-        QTRY_VERIFY(held.hasExpired(400));
+        QTRY_VERIFY(held.hasExpired(Comparison::kTapMs + 100));
+    }
+
+    /// Taps the key of B; again where the machine was so busy meanwhile that it was held.
+    void tapB() const
+    {
+        QElapsedTimer down;
+        do {
+            down.start();
+            QTest::keyClick(m_window->windowHandle(), Qt::Key_B);
+        } while (m_window->viewport().compare() == Viewport::Compare::Off && down.hasExpired(Comparison::kTapMs));
     }
 };
 

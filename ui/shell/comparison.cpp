@@ -9,13 +9,6 @@
 
 namespace fumage::ui {
 
-namespace {
-
-/// A key that is down for longer than this was held, not tapped.
-constexpr qint64 kTapMs = 300;
-
-} // namespace
-
 Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& actions)
     : m_document(document)
     , m_viewport(viewport)
@@ -31,8 +24,8 @@ Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& 
     m_hold.setAutoRepeat(false);
     m_hold.installEventFilter(this);
     // The release of a key that is down when another window gets the keyboard is told to nobody here.
-    connect(qApp, &QGuiApplication::focusWindowChanged, this, [this] {
-        if (m_heldIn) {
+    connect(qApp, &QGuiApplication::focusWindowChanged, this, [this](const QWindow* window) {
+        if (m_heldIn && m_heldIn != window) {
             m_hold.setChecked(false);
             endHold();
         }

@@ -19,6 +19,9 @@ class Comparison : public QObject {
     Q_OBJECT
 
 public:
+    /// A key that is down for longer than this was held, not tapped.
+    static constexpr qint64 kTapMs = 300;
+
     Comparison(Document& document, Viewport& viewport, const ActionSet& actions);
 
     [[nodiscard]] const Effect& other() const { return m_other; }
