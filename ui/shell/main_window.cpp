@@ -3,35 +3,24 @@
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/noise_preview/noise_pane.h"
-#include "ui/panels/effect_panel.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/start_dialog.h"
 #include "ui/shell/command_search.h"
 #include "ui/shell/help.h"
 #include "ui/shell/menus.h"
 #include "ui/shell/play_actions.h"
+#include "ui/shell/window_layout.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/viewport/viewport.h"
 
+#include <QApplication>
 #include <QCloseEvent>
-#include <QGuiApplication>
 #include <QMenu>
 #include <QMenuBar>
-#include <QScreen>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
-
-namespace {
-
-const QString kGeometry = QStringLiteral("window/geometry");
-const QString kLayout = QStringLiteral("window/layout");
-const QString kOpenGroups = QStringLiteral("panels/open");
-const QString kOverlays = QStringLiteral("window/overlays");
-constexpr int kLayoutVersion = 1;
-
-} // namespace
 
 MainWindow::MainWindow(Session& session)
     : m_session(session)
@@ -61,7 +50,7 @@ MainWindow::MainWindow(Session& session)
     connect(&m_document, &Document::titleChanged, &m_ear, [this] { showTitle(); });
     connect(&m_document, &Document::loaded, &m_ear, [this] { showTitle(); });
     showTitle();
-    restoreLayout();
+    restoreLayout(*this, m_docks, m_viewActions, session.settings());
     m_player.play();
 }
 
@@ -181,37 +170,13 @@ void MainWindow::showTitle()
     setWindowModified(m_document.isModified());
 }
 
-void MainWindow::restoreLayout()
-{
-    const Settings& settings = m_session.settings();
-    constexpr QSize kUsual(1440, 900);
-    resize(kUsual.boundedTo(QGuiApplication::primaryScreen()->availableSize()));
-    // Qt moves a window whose screen is gone onto one that is there.
-    restoreGeometry(settings.bytes(kGeometry));
-    if (!restoreState(settings.bytes(kLayout), kLayoutVersion)) {
-        // Panels can be given their sizes once the window has its own.
-        QMetaObject::invokeMethod(&m_docks, &Docks::arrange, Qt::QueuedConnection);
-    }
-    m_docks.effectPanel().setOpenGroups(settings.list(kOpenGroups, {QStringLiteral("emitter"), QStringLiteral("motion")}));
-    m_viewActions.showOverlays(settings.list(kOverlays, m_viewActions.shownOverlays()));
-}
-
-void MainWindow::saveLayout()
-{
-    Settings& settings = m_session.settings();
-    settings.setBytes(kGeometry, saveGeometry());
-    settings.setBytes(kLayout, saveState(kLayoutVersion));
-    settings.setList(kOpenGroups, m_docks.effectPanel().openGroups());
-    settings.setList(kOverlays, m_viewActions.shownOverlays());
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (!m_files.mayLeave()) {
         event->ignore();
         return;
     }
-    saveLayout();
+    saveLayout(*this, m_docks, m_viewActions, m_session.settings());
     m_recovery.discard();
     event->accept();
 }

@@ -56,8 +56,6 @@ private:
     void connectStatus();
     void searchCommands();
     void showTitle();
-    void restoreLayout();
-    void saveLayout();
 
     Session& m_session;
 
