@@ -11,8 +11,10 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QDialog>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QOpenGLWidget>
+#include <QSignalSpy>
 #include <QTabBar>
 
 using namespace fumage;
@@ -75,6 +77,29 @@ private slots:
         m_window->close();
         m_window = m_session->openWindow();
         QVERIFY(!m_window->isFullScreen());
+    }
+
+    void aWindowGoesWhileOneTypes_data()
+    {
+        QTest::addColumn<bool>("floats");
+        QTest::newRow("in a dock") << false;
+        QTest::newRow("in a panel that floats") << true;
+    }
+    void aWindowGoesWhileOneTypes()
+    {
+        QFETCH(bool, floats);
+        auto* dock = childOf<QDockWidget>(*m_window, u"dock.parameters"_q);
+        dock->setFloating(floats);
+        dock->activateWindow();
+        QTRY_COMPARE(QGuiApplication::focusWindow(), dock->window()->windowHandle());
+        childOf<EffectPanel>(*dock, {})->showParameter(u"emitter.speed"_q);
+        auto* field = childOf<NumberField>(*dock, u"emitter.speed.field"_q);
+        field->setFocus();
+        QTRY_VERIFY(field->hasFocus());
+        QTest::keyClicks(field, u"3"_q);
+        QSignalSpy edits(&m_window->document(), &Document::effectChanged);
+        m_session.reset();
+        QCOMPARE(edits.size(), 1);
     }
 
     void theDesktopsThemeIsFoundAgainAfterAnother()

@@ -22,6 +22,21 @@
 
 namespace fumage::ui {
 
+namespace {
+
+/// The widget that has the keyboard, if it belongs to a window: in a panel that floats it has another window() than that.
+QWidget* focusOf(const QWidget& window)
+{
+    QWidget* focus = QApplication::focusWidget();
+    const QWidget* ancestor = focus;
+    while (ancestor != nullptr && ancestor != &window) {
+        ancestor = ancestor->parentWidget();
+    }
+    return ancestor != nullptr ? focus : nullptr;
+}
+
+} // namespace
+
 MainWindow::MainWindow(Session& session)
     : m_session(session)
     , m_actions(this)
@@ -54,7 +69,13 @@ MainWindow::MainWindow(Session& session)
     m_player.play();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // A field hands over what was typed when it loses the focus, at the latest while it is torn down: all who hear of it must be there still.
+    if (QWidget* field = focusOf(*this)) {
+        field->clearFocus();
+    }
+}
 
 // --- parts ---------------------------------------------------------------------------------------------------------------
 
