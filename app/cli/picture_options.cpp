@@ -35,7 +35,7 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
     command.add_option("--size", size, sizeHelp)->type_name("SIZE");
     command.add_option_function<std::string>(
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
-    command.add_option("--supersample", supersample, "Render this many times larger and average")->check(CLI::Range(1, 4));
+    command.add_option("--supersample", supersample, "Render this many times larger and average")->check(CLI::Range(1, kMaxSupersample));
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
 }
 
@@ -47,9 +47,8 @@ Result<PictureJob> PictureOptions::load() const
     }
     PictureJob job;
     job.effect = loaded.value();
-    constexpr int kLargest = 8192;
-    if (!size.empty() && !parseTwo(size, kLargest, job.effect.output.width, job.effect.output.height)) {
-        return Error{ErrorCode::OutOfRange, "the size " + inQuotes(size) + " is not understood", "--size", "Write 512 or 640x360, with edges from 1 to " + std::to_string(kLargest)};
+    if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
+        return Error{ErrorCode::OutOfRange, "the size " + inQuotes(size) + " is not understood", "--size", "Write 512 or 640x360, with edges from 1 to " + std::to_string(kMaxOutputEdge)};
     }
     if (supersample > 0) {
         job.effect.output.supersample = supersample;

@@ -262,10 +262,16 @@ inline constexpr int kMaxTurbulenceOctaves = 8;
 /// Most slices of the noise: a sprite has 7 bits for the one that it shows.
 inline constexpr int kMaxNoiseSlices = 128;
 
+/// Most pixels along an edge of the noise tile that particles show; each halving of it is a level that a sprite has 4 bits for.
+inline constexpr int kMaxNoiseResolution = 512;
+
 /// Most cells along an edge of the density grid: what lights it has room for a line of as many.
 inline constexpr int kMaxLightResolution = 256;
 
 /// Longest edge of a picture that an effect may ask for, pixels.
 inline constexpr int kMaxOutputEdge = 8192;
+
+/// Most times that a picture is rendered larger before it is averaged.
+inline constexpr int kMaxSupersample = 4;
 
 } // namespace fumage

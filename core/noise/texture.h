@@ -9,6 +9,7 @@
 namespace fumage {
 
 inline constexpr int kMaxTextureSize = 4096;
+static_assert(kMaxNoiseResolution <= kMaxTextureSize);
 
 /// One baked slice of noise.
 struct NoiseTile {

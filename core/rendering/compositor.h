@@ -6,6 +6,7 @@
 #include "core/rendering/sprites.h"
 
 #include <cstdint>
+#include <limits>
 #include <stop_token>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace fumage {
 
 inline constexpr int kMaxImageEdge = 32768;
 inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 28U;
+static_assert(kMaxOutputEdge * kMaxSupersample <= kMaxImageEdge);
+static_assert(kMaxImageEdge <= std::numeric_limits<decltype(SpriteBox::right)>::max());
 
 /// Blends sprites into a picture, near to far, in linear premultiplied floats.
 ///

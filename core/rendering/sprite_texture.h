@@ -5,6 +5,7 @@
 #include "core/effect/effect.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <stop_token>
 #include <vector>
@@ -19,6 +20,7 @@ class SpriteTexture {
 public:
     /// Coarsest level: 4 x 4 texels.
     static constexpr int kSmallest = 4;
+    static constexpr int kMaxLevels = std::bit_width(static_cast<unsigned>(kMaxNoiseResolution / kSmallest));
 
     /// @error Cancelled
     [[nodiscard]] static Result<SpriteTexture> bake(const Noise& noise, const std::stop_token& stop = {});

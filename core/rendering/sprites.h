@@ -41,6 +41,7 @@ struct TextureRef {
     float erosion = 0.0F; ///< the noise below this is gone, in 1/kErosionSteps
 };
 static_assert(kMaxNoiseSlices <= 1 << TextureRef::kSliceBits);
+static_assert(SpriteTexture::kMaxLevels <= TextureRef::kPlain);
 
 [[nodiscard]] constexpr std::uint32_t packTexture(std::uint32_t slice, std::uint32_t level, std::uint32_t u, std::uint32_t v, std::uint32_t erosion)
 {

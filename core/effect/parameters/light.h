@@ -167,7 +167,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::resolution>({
         .key = "light.resolution",
         .label = "Resolution",
-        .hard = {8, 256},
+        .hard = {8, kMaxLightResolution},
         .soft = {32, 128},
         .step = 8,
         .tip = "Cells of the density grid along the longest side of the cloud.",

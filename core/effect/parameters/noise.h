@@ -120,7 +120,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::slices>({
         .key = "noise.slices",
         .label = "Slices",
-        .hard = {1, 128},
+        .hard = {1, kMaxNoiseSlices},
         .soft = {1, 64},
         .step = 1,
         .tip = "How many slices of the 3D noise are baked.",
@@ -129,7 +129,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::resolution>({
         .key = "noise.resolution",
         .label = "Resolution",
-        .hard = {8, 512},
+        .hard = {8, kMaxNoiseResolution},
         .soft = {32, 256},
         .step = 32,
         .unit = Unit::Pixels,

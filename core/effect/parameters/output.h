@@ -16,7 +16,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::width>({
         .key = "output.width",
         .label = "Width",
-        .hard = kEdges,
+        .hard = {1, kMaxOutputEdge},
         .soft = {64, 2048},
         .step = 1,
         .unit = Unit::Pixels,
@@ -26,7 +26,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::height>({
         .key = "output.height",
         .label = "Height",
-        .hard = kEdges,
+        .hard = {1, kMaxOutputEdge},
         .soft = {64, 2048},
         .step = 1,
         .unit = Unit::Pixels,
@@ -43,7 +43,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::supersample>({
         .key = "output.supersample",
         .label = "Supersampling",
-        .hard = {1, 4},
+        .hard = {1, kMaxSupersample},
         .step = 1,
         .tip = "Renders this many times larger and averages.",
         .stage = Stage::Shade,

@@ -121,6 +121,5 @@ inline constexpr Range kFarAway{-10000.0, 10000.0};
 inline constexpr Range kComponents{-1.0, 1.0};
 inline constexpr Range kColours{0.0, 100.0};
 inline constexpr Range kSeeds{0.0, 4294967295.0};
-inline constexpr Range kEdges{1.0, 8192.0};
 
 } // namespace fumage

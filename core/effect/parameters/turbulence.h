@@ -32,7 +32,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::octaves>({
         .key = "turbulence.octaves",
         .label = "Octaves",
-        .hard = {1, 8},
+        .hard = {1, kMaxTurbulenceOctaves},
         .soft = {1, 6},
         .step = 1,
         .tip = "Layers of ever smaller swirls; each costs the same time.",
