@@ -15,7 +15,7 @@ namespace fumage::tests {
 
 inline std::shared_ptr<const Frame> frameOf(const Effect& effect, int number)
 {
-    Simulator simulator(effect);
+    Simulator simulator(sampled(effect));
     return simulator.frame(number).value();
 }
 
@@ -32,7 +32,7 @@ inline Image render(const Effect& effect, int number)
 {
     Renderer renderer;
     Image image;
-    const Status status = renderer.render(*frameOf(effect, number), effect, effect.output.width, effect.output.height, image);
+    const Status status = renderer.render(*frameOf(effect, number), sampled(effect), effect.output.width, effect.output.height, image);
     if (!status) {
         qFatal("%s", status.error().text().c_str());
     }

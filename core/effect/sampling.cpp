@@ -8,12 +8,12 @@
 
 namespace fumage {
 
-Effect sampled(const Effect& effect)
+SampledEffect sampled(const Effect& effect)
 {
     Effect out = effect;
     out.output.quality = Quality::Good;
     if (effect.output.quality == Quality::Good) {
-        return out;
+        return SampledEffect(std::move(out));
     }
     const bool fine = effect.output.quality == Quality::Final;
     constexpr int kFiner = 8;
@@ -28,19 +28,19 @@ Effect sampled(const Effect& effect)
     setClamped(out, knownParameter("look.opacity"), effect.look.opacity * root);
     const auto cells = static_cast<float>(effect.light.resolution);
     setClamped(out, knownParameter("light.resolution"), static_cast<int>(fine ? cells * kTimesShadow : cells / kTimesShadow));
-    return out;
+    return SampledEffect(std::move(out));
 }
 
-Effect thinned(const Effect& effect, int most)
+SampledEffect thinned(const SampledEffect& effect, int most)
 {
-    Effect out = sampled(effect);
+    Effect out = effect;
     if (out.emitter.count > most) {
         // What covers the picture is count * size^2.
         const float ratio = static_cast<float>(out.emitter.count) / static_cast<float>(most);
         out.emitter.count = most;
         setClamped(out, knownParameter("look.size"), out.look.size * std::sqrt(ratio));
     }
-    return out;
+    return SampledEffect(std::move(out));
 }
 
 } // namespace fumage

@@ -2,16 +2,41 @@
 
 #include "core/effect/effect.h"
 
+#include <utility>
+
 namespace fumage {
 
-/// The effect with its output.quality worked into its numbers, and quality good: draft has a quarter of the particles, final eight times as
-/// many (kMaxParticles at most), larger or smaller and denser or thinner so that the smoke covers as much and is as dense; shadows are coarser or finer.
+/// An effect with its output.quality worked into its numbers. Only sampled() and thinned() make one, and what simulates and draws takes nothing
+/// else: no numbers of the document reach a picture without their quality, and none with it twice.
+class SampledEffect {
+public:
+    /// The defaults, whose quality is good.
+    SampledEffect() = default;
+
+    [[nodiscard]] const Effect* operator->() const { return &m_effect; }
+    [[nodiscard]] operator const Effect&() const { return m_effect; } // NOLINT(google-explicit-constructor): whatever reads an effect reads this one
+
+    friend bool operator==(const SampledEffect&, const SampledEffect&) = default;
+
+private:
+    explicit SampledEffect(Effect effect)
+        : m_effect(std::move(effect))
+    {
+    }
+    friend SampledEffect sampled(const Effect& effect);
+    friend SampledEffect thinned(const SampledEffect& effect, int most);
+
+    Effect m_effect;
+};
+
+/// Works output.quality into the numbers and leaves it good: draft has a quarter of the particles, final eight times as many (kMaxParticles at most),
+/// larger or smaller and denser or thinner so that the smoke covers as much and is as dense; shadows are coarser or finer.
 /// Half of what the number changes goes into the size and half into the opacity: finer detail with less noise.
-/// Applied to its own result it changes nothing.
-[[nodiscard]] Effect sampled(const Effect& effect);
+[[nodiscard]] SampledEffect sampled(const Effect& effect);
+SampledEffect sampled(const SampledEffect& effect) = delete;
 
 /// The same look with fewer particles, for previews: sizes grow so that the smoke covers as much.
-/// @param most particles, 1 or more; the result is sampled()
-[[nodiscard]] Effect thinned(const Effect& effect, int most);
+/// @param most particles, 1 or more
+[[nodiscard]] SampledEffect thinned(const SampledEffect& effect, int most);
 
 } // namespace fumage

@@ -93,7 +93,8 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
         return status.error();
     }
 
-    Simulator simulator(effect);
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke);
     Renderer renderer;
     Image cell;
     Image sheet;
@@ -103,7 +104,7 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
         if (!frame) {
             return frame.error();
         }
-        if (Status status = renderer.render(*frame.value(), effect, effect.output.width, effect.output.height, cell, stop); !status) {
+        if (Status status = renderer.render(*frame.value(), smoke, effect.output.width, effect.output.height, cell, stop); !status) {
             return status.error();
         }
         if (effect.output.background == Background::Transparent) {

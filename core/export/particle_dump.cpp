@@ -22,10 +22,10 @@ struct Row {
     std::array<float, kColumns.size()> values{};
 };
 
-std::vector<Row> livingRows(const Frame& frame, const Effect& effect)
+std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect)
 {
     Appearance appearance;
-    findAppearance(frame, sampled(effect), Axes{}, appearance);
+    findAppearance(frame, effect, Axes{}, appearance);
     const Particles& p = frame.particles;
     std::vector<Row> rows;
     for (std::size_t i = 0; i < p.capacity; ++i) {
@@ -51,7 +51,7 @@ std::string_view fileEnding(ParticleFormat format)
     return format == ParticleFormat::Csv ? ".csv" : ".ply";
 }
 
-std::string dumpCsv(const Frame& frame, const Effect& effect)
+std::string dumpCsv(const Frame& frame, const SampledEffect& effect)
 {
     std::string out = "id";
     for (const std::string_view column : kColumns) {
@@ -70,7 +70,7 @@ std::string dumpCsv(const Frame& frame, const Effect& effect)
     return out;
 }
 
-std::string dumpPly(const Frame& frame, const Effect& effect)
+std::string dumpPly(const Frame& frame, const SampledEffect& effect)
 {
     const std::vector<Row> rows = livingRows(frame, effect);
     std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame " + std::to_string(frame.number) + "\nelement vertex " + std::to_string(rows.size()) + "\nproperty uint id\n";
@@ -89,11 +89,12 @@ std::string dumpPly(const Frame& frame, const Effect& effect)
 
 Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop)
 {
-    const Result<std::shared_ptr<const Frame>> simulated = Simulator(effect).frame(frame, stop);
+    const SampledEffect smoke = sampled(effect);
+    const Result<std::shared_ptr<const Frame>> simulated = Simulator(smoke).frame(frame, stop);
     if (!simulated) {
         return simulated.error();
     }
-    return format == ParticleFormat::Csv ? dumpCsv(*simulated.value(), effect) : dumpPly(*simulated.value(), effect);
+    return format == ParticleFormat::Csv ? dumpCsv(*simulated.value(), smoke) : dumpPly(*simulated.value(), smoke);
 }
 
 } // namespace fumage

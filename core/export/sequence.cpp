@@ -68,7 +68,8 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
     }
-    Simulator simulator(effect);
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke);
     Renderer renderer;
     std::array<Image, 2> images;
     std::future<Status> writing;
@@ -81,7 +82,7 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
             return frame.error();
         }
         Image& image = images[static_cast<std::size_t>(done % 2)];
-        if (Status status = renderer.render(*frame.value(), effect, effect.output.width, effect.output.height, image, stop); !status) {
+        if (Status status = renderer.render(*frame.value(), smoke, effect.output.width, effect.output.height, image, stop); !status) {
             return status;
         }
         if (Status status = finishWriting(); !status) {

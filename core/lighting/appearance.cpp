@@ -138,7 +138,7 @@ AppearanceJob makeJob(const Frame& frame, const Effect& effect, const Axes& axes
 
 } // namespace
 
-void findAppearance(const Frame& frame, const Effect& effect, const Axes& axes, Appearance& out)
+void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out)
 {
     const Particles& particles = frame.particles;
     const std::size_t padded = particles.x.size();

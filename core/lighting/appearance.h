@@ -28,6 +28,6 @@ struct Axes {
 /// @param effect the look to apply; its simulation part is that of the frame
 /// @param axes   in which the bounds are taken
 /// O(particles). Follows lifecycle() to the bit; size and alpha over life come from tables of 1024 entries.
-void findAppearance(const Frame& frame, const Effect& effect, const Axes& axes, Appearance& out);
+void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out);
 
 } // namespace fumage

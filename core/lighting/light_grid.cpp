@@ -93,15 +93,15 @@ Axes lightAxes(const glm::vec3& direction)
     return {plane.across, plane.along, direction};
 }
 
-void lightSmoke(const Frame& frame, const Effect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out)
+void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out)
 {
-    const Axes axes = lightAxes(effect.light.direction);
+    const Axes axes = lightAxes(effect->light.direction);
     if (appearance.empty) {
         out.shape = {};
         out.light.assign(4, 0.0F);
         return;
     }
-    out.shape = gridShape(appearance, axes, effect.light.resolution);
+    out.shape = gridShape(appearance, axes, effect->light.resolution);
     splatAll(frame, appearance, out);
     out.light.resize(out.shape.cells() * 4);
     out.sky.assign(out.shape.cells(), 0.0F);
@@ -110,14 +110,14 @@ void lightSmoke(const Frame& frame, const Effect& effect, const Appearance& appe
 
     SunJob job;
     job.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
-    job.intensity = effect.light.intensity;
-    job.shadow = effect.light.shadow;
-    job.scattering = effect.light.scattering;
-    job.anisotropy = effect.light.anisotropy;
+    job.intensity = effect->light.intensity;
+    job.shadow = effect->light.shadow;
+    job.scattering = effect->light.scattering;
+    job.anisotropy = effect->light.anisotropy;
     // Directions follow one another for every cell, so that sums have one order; lines of one direction are independent.
     for (const AmbientDirection& direction : ambientDirections(axes)) {
         const int lines = direction.axis == 2 ? out.shape.nv : out.shape.nw;
-        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect.light.occlusion, static_cast<int>(line)); });
+        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect->light.occlusion, static_cast<int>(line)); });
     }
     parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(out, job, static_cast<int>(row)); });
 }

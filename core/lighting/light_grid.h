@@ -42,6 +42,6 @@ struct LightGrid {
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
 /// O(particles + resolution^3).
-void lightSmoke(const Frame& frame, const Effect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out);
+void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out);
 
 } // namespace fumage

@@ -1,7 +1,5 @@
 #include "core/rendering/renderer.h"
 
-#include "core/effect/sampling.h"
-
 namespace fumage {
 
 namespace {
@@ -38,18 +36,17 @@ Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
     return Done{};
 }
 
-Status Renderer::prepare(const Frame& frame, const Effect& asked, const View& view, const std::stop_token& stop)
+Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop)
 {
-    const Effect effect = sampled(asked);
     {
         const Stopwatch stopwatch(m_times.texture);
-        if (Status status = updateTexture(effect.noise, stop); !status) {
+        if (Status status = updateTexture(effect->noise, stop); !status) {
             return status;
         }
     }
     {
         const Stopwatch stopwatch(m_times.light);
-        findAppearance(frame, effect, lightAxes(effect.light.direction), m_appearance);
+        findAppearance(frame, effect, lightAxes(effect->light.direction), m_appearance);
         lightSmoke(frame, effect, m_appearance, view.eye, m_light);
     }
     const Stopwatch stopwatch(m_times.sprites);
@@ -63,11 +60,11 @@ Status Renderer::composite(Image& image, const std::stop_token& stop)
     return m_compositor.compose(m_batch, *m_texture, image, stop);
 }
 
-Status Renderer::render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop)
+Status Renderer::render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop)
 {
-    const int factor = effect.output.supersample;
-    const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect.timeline.frameRate);
-    if (Status status = prepare(frame, effect, makeView(effect.camera, seconds, width * factor, height * factor), stop); !status) {
+    const int factor = effect->output.supersample;
+    const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect->timeline.frameRate);
+    if (Status status = prepare(frame, effect, makeView(effect->camera, seconds, width * factor, height * factor), stop); !status) {
         return status;
     }
     if (Status status = composite(factor == 1 ? image : m_large, stop); !status) {
@@ -76,8 +73,8 @@ Status Renderer::render(const Frame& frame, const Effect& effect, int width, int
     if (factor > 1) {
         image = downsample(m_large, factor);
     }
-    if (effect.output.background == Background::Colour) {
-        fillBackground(image, effect.output.backgroundColour);
+    if (effect->output.background == Background::Colour) {
+        fillBackground(image, effect->output.backgroundColour);
     }
     return Done{};
 }

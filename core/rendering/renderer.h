@@ -29,12 +29,12 @@ public:
     /// @param image  resized; linear premultiplied light, before exposure and view transform
     /// @error TooLarge before allocating, Cancelled
     /// A pure function of its arguments, to the bit.
-    [[nodiscard]] Status render(const Frame& frame, const Effect& effect, int width, int height, Image& image, const std::stop_token& stop = {});
+    [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop = {});
 
     /// The first part of render(), for those who draw the sprites themselves or look through a view of their own: afterwards batch()
     /// and texture() hold what there is to draw.
     /// @error Cancelled
-    [[nodiscard]] Status prepare(const Frame& frame, const Effect& effect, const View& view, const std::stop_token& stop = {});
+    [[nodiscard]] Status prepare(const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop = {});
 
     /// Paints what prepare() has left, at the size of its view, with transparency.
     /// @error TooLarge before allocating, Cancelled

@@ -390,7 +390,7 @@ void fillTables(const Effect& effect, SpriteJob& job)
 
 } // namespace
 
-void makeSprites(const Frame& frame, const Effect& effect, const Appearance& appearance, const LightGrid& light, const SpriteTexture& texture,
+void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light, const SpriteTexture& texture,
     const View& view, SpriteBatch& out)
 {
     SpriteJob job;
@@ -402,16 +402,16 @@ void makeSprites(const Frame& frame, const Effect& effect, const Appearance& app
     job.view = view;
     job.step = static_cast<std::int32_t>(frame.step);
     job.dt = frame.model->schedule().dt;
-    job.rotationVariance = kPi * effect.look.rotationVariance;
-    job.spin = radians(effect.look.spin);
-    job.roll = effect.look.roll;
-    job.spinVariance = radians(effect.look.spinVariance);
-    job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(texture.slices()) / effect.noise.depth;
-    job.emissionCooling = effect.light.emissionCooling;
-    job.hotCore = effect.light.hotCore;
-    job.heatVariance = effect.motion.heatVariance;
-    job.erosion = effect.look.erosion;
-    job.stretch = effect.look.stretch;
+    job.rotationVariance = kPi * effect->look.rotationVariance;
+    job.spin = radians(effect->look.spin);
+    job.roll = effect->look.roll;
+    job.spinVariance = radians(effect->look.spinVariance);
+    job.textureSlicesPerSecond = effect->look.textureRate * static_cast<float>(texture.slices()) / effect->noise.depth;
+    job.emissionCooling = effect->light.emissionCooling;
+    job.hotCore = effect->light.hotCore;
+    job.heatVariance = effect->motion.heatVariance;
+    job.erosion = effect->look.erosion;
+    job.stretch = effect->look.stretch;
     job.style = makeStyle(effect, view);
     job.contrast = std::min(1.0F, std::max({job.style.texture, job.style.relief, job.style.roundness}));
     fillTables(effect, job);

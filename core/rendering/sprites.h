@@ -122,7 +122,7 @@ struct SpriteBatch {
 /// Projects and lights every particle.
 /// @param effect the look to apply
 /// O(particles). The same bits for any thread count and instruction set.
-void makeSprites(const Frame& frame, const Effect& effect, const Appearance& appearance, const LightGrid& light, const SpriteTexture& texture,
+void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light, const SpriteTexture& texture,
     const View& view, SpriteBatch& out);
 
 } // namespace fumage

@@ -24,7 +24,7 @@ class ChunkRunner {
 public:
     ChunkRunner(const Model& model, Particles& particles)
         : m_schedule(model.schedule())
-        , m_birthPlace(model.effect().emitter, m_schedule.dt)
+        , m_birthPlace(model.effect()->emitter, m_schedule.dt)
         , m_particles(particles)
         , m_capacity(static_cast<std::int64_t>(particles.capacity))
     {
@@ -164,7 +164,7 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
 
 Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop)
 {
-    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect().look.roll > 0.0F);
+    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect()->look.roll > 0.0F);
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
     return run(model, particles, from, to, stop, [](std::size_t) {});
 }

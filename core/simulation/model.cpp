@@ -3,7 +3,6 @@
 #include "core/base/hash.h"
 #include "core/base/math.h"
 #include "core/base/vector.h"
-#include "core/effect/sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +64,8 @@ RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cell
 
 } // namespace
 
-Model::Model(const Effect& effect)
-    : m_effect(sampled(effect))
+Model::Model(const SampledEffect& effect)
+    : m_effect(effect)
     , m_schedule(makeSchedule(m_effect))
 {
 }
@@ -74,7 +73,7 @@ Model::Model(const Effect& effect)
 float Model::wander(std::int64_t step, float rate, std::uint32_t stream) const
 {
     const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
-    const std::uint32_t seed = streamBits(m_effect.emitter.seed, stream);
+    const std::uint32_t seed = streamBits(m_effect->emitter.seed, stream);
     const float a = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.before)));
     const float b = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.after)));
     return a + (b - a) * smoothStep(row.fraction);
@@ -82,7 +81,7 @@ float Model::wander(std::int64_t step, float rate, std::uint32_t stream) const
 
 glm::vec3 Model::windAt(std::int64_t step) const
 {
-    const Motion& motion = m_effect.motion;
+    const Motion& motion = m_effect->motion;
     const float strength = motion.wind * (1.0F + motion.gust * wander(step, motion.gustRate, kGustStrength));
     const float angle = radians(motion.windAngle + motion.gust * kGustAngleRange * wander(step, motion.gustRate, kGustAngle));
     return {strength * portableCos(angle), 0.0F, strength * portableSin(angle)};
@@ -90,18 +89,18 @@ glm::vec3 Model::windAt(std::int64_t step) const
 
 float Model::rotationAt(std::int64_t step) const
 {
-    const std::uint32_t bits = streamBits(stepKey(m_effect.emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step))), kRotation);
-    return radians(m_effect.motion.rotation + m_effect.motion.rotationJitter * signedFloat(bits)) * m_schedule.dt;
+    const std::uint32_t bits = streamBits(stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step))), kRotation);
+    return radians(m_effect->motion.rotation + m_effect->motion.rotationJitter * signedFloat(bits)) * m_schedule.dt;
 }
 
 OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
 {
-    const Turbulence& turbulence = m_effect.turbulence;
+    const Turbulence& turbulence = m_effect->turbulence;
     const auto order = static_cast<float>(octave);
     OctaveAtStep out;
     out.frequency = portablePow(turbulence.lacunarity, order);
     const float amplitude = turbulence.strength * portablePow(turbulence.roughness, order) * kCurlNormalisation;
-    const std::uint32_t seed = streamBits(m_effect.emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
+    const std::uint32_t seed = streamBits(m_effect->emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
     const float latticePerMetre = out.frequency / turbulence.scale;
     constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it
     out.turns = octave < kLarge;
@@ -141,7 +140,7 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
 
 void Model::placeRings(std::int64_t step, StepConstants& out) const
 {
-    const Rings& rings = m_effect.rings;
+    const Rings& rings = m_effect->rings;
     const auto spacing = static_cast<double>(rings.spacing);
     double passed = static_cast<double>(rings.speed) * static_cast<double>(m_schedule.dt) / spacing; // rings a step
     if (m_schedule.loopSteps != 0) {
@@ -161,21 +160,21 @@ void Model::placeRings(std::int64_t step, StepConstants& out) const
     out.ringsLead = m_schedule.firstStep == 0;
     out.ringFollowers = rings.followers;
     out.ringVariance = rings.variance;
-    out.ringKey = streamBits(m_effect.emitter.seed, kRings);
-    out.ringAxis = glm::normalize(m_effect.emitter.normal);
+    out.ringKey = streamBits(m_effect->emitter.seed, kRings);
+    out.ringAxis = glm::normalize(m_effect->emitter.normal);
     const PlaneBasis plane = planeBasis(out.ringAxis);
     out.ringSides = {-plane.along, -plane.across};
 }
 
 StepConstants Model::constants(std::int64_t step) const
 {
-    const Motion& motion = m_effect.motion;
-    const Turbulence& turbulence = m_effect.turbulence;
+    const Motion& motion = m_effect->motion;
+    const Turbulence& turbulence = m_effect->turbulence;
     const float dt = m_schedule.dt;
     const float r = motion.randomness;
 
     StepConstants out;
-    out.key = stepKey(m_effect.emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
+    out.key = stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
     out.dt = dt;
     out.step = static_cast<std::int32_t>(step);
     const glm::vec3 acceleration = windAt(step) - glm::vec3(0.0F, motion.gravity / motion.mass, 0.0F);
@@ -187,16 +186,16 @@ StepConstants Model::constants(std::int64_t step) const
     out.heatVariance = motion.heatVariance;
     out.pull = motion.pull * dt;
     out.dragFactor = portableExp(-motion.drag * dt);
-    out.pivot = m_effect.emitter.position;
+    out.pivot = m_effect->emitter.position;
     if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
         const float angle = rotationAt(step);
         out.rotationSin = portableSin(angle);
         out.rotationCos = portableCos(angle);
     }
-    out.vortexStrength = m_effect.vortex.strength;
-    out.vortexRadius = m_effect.vortex.radius;
-    out.vortexAxis = m_effect.vortex.axis;
-    if (m_effect.rings.strength > 0.0F) {
+    out.vortexStrength = m_effect->vortex.strength;
+    out.vortexRadius = m_effect->vortex.radius;
+    out.vortexAxis = m_effect->vortex.axis;
+    if (m_effect->rings.strength > 0.0F) {
         placeRings(step, out);
     }
     out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;

@@ -67,10 +67,9 @@ struct StepConstants {
 /// An effect as the simulation sees it: schedule and constants in base units.
 class Model {
 public:
-    explicit Model(const Effect& effect);
+    explicit Model(const SampledEffect& effect);
 
-    /// The effect with its quality worked in, see sampled().
-    [[nodiscard]] const Effect& effect() const { return m_effect; }
+    [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
     [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
 
     /// What moves particles from step - 1 to step.
@@ -88,7 +87,7 @@ private:
     [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
     void placeRings(std::int64_t step, StepConstants& out) const;
 
-    Effect m_effect;
+    SampledEffect m_effect;
     Schedule m_schedule;
 };
 

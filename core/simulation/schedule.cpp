@@ -41,19 +41,19 @@ std::int64_t Schedule::capacity() const
     return std::max<std::int64_t>(1, lifetimeSteps / periodSteps * birthsPerPeriod + inRest);
 }
 
-Schedule makeSchedule(const Effect& effect)
+Schedule makeSchedule(const SampledEffect& effect)
 {
-    const Timeline& timeline = effect.timeline;
-    const std::int64_t count = effect.emitter.count;
+    const Timeline& timeline = effect->timeline;
+    const std::int64_t count = effect->emitter.count;
     const double dt = 1.0 / (static_cast<double>(timeline.frameRate) * timeline.stepsPerFrame);
 
     Schedule schedule;
     schedule.dt = static_cast<float>(dt);
     schedule.stepsPerFrame = timeline.stepsPerFrame;
-    schedule.lifetimeSteps = wholeSteps(static_cast<double>(effect.life.initialAlpha) / static_cast<double>(effect.life.fadeRate), dt);
+    schedule.lifetimeSteps = wholeSteps(static_cast<double>(effect->life.initialAlpha) / static_cast<double>(effect->life.fadeRate), dt);
     schedule.loopSteps = timeline.loop ? static_cast<std::int64_t>(timeline.length) * timeline.stepsPerFrame : 0;
 
-    const bool burst = effect.emitter.mode == EmissionMode::Burst;
+    const bool burst = effect->emitter.mode == EmissionMode::Burst;
     const std::int64_t lifetime = schedule.lifetimeSteps;
     if (timeline.loop) {
         schedule.periodSteps = schedule.loopSteps;
@@ -65,7 +65,7 @@ Schedule makeSchedule(const Effect& effect)
         schedule.firstStep = timeline.prewarm && !burst ? lifetime : 0;
     }
     schedule.birthsPerPeriod = std::max<std::int64_t>(1, schedule.birthsPerPeriod);
-    schedule.windowSteps = burst ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect.emitter.burstDuration), dt)) : schedule.periodSteps;
+    schedule.windowSteps = burst ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect->emitter.burstDuration), dt)) : schedule.periodSteps;
     return schedule;
 }
 

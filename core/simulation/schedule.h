@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "core/effect/sampling.h"
 
 #include <cstdint>
 
@@ -36,6 +36,6 @@ struct Schedule {
 };
 
 /// @param effect in range
-[[nodiscard]] Schedule makeSchedule(const Effect& effect);
+[[nodiscard]] Schedule makeSchedule(const SampledEffect& effect);
 
 } // namespace fumage

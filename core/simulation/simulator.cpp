@@ -11,7 +11,7 @@ constexpr std::int64_t kCheckpointsALifetime = 8;
 
 } // namespace
 
-Simulator::Simulator(const Effect& effect, std::size_t checkpointBytes)
+Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes)
     : m_model(std::make_shared<const Model>(effect))
     , m_checkpoints(checkpointBytes)
 {
@@ -43,7 +43,7 @@ Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const std::sto
 {
     const Schedule& schedule = m_model->schedule();
     if (schedule.loopSteps != 0) {
-        number %= m_model->effect().timeline.length;
+        number %= m_model->effect()->timeline.length;
     }
     const std::shared_ptr<const Frame> start = nearestBefore(number);
     if (start && start->number == number) {

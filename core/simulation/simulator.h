@@ -16,7 +16,7 @@ namespace fumage {
 class Simulator {
 public:
     /// @param checkpointBytes memory that checkpoints may take
-    explicit Simulator(const Effect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes);
+    explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes);
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
     /// @error Cancelled

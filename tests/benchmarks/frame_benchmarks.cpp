@@ -19,7 +19,8 @@ constexpr int kHeight = 720;
 void play(benchmark::State& state, const Effect& effect, int width, int height, int threads)
 {
     const ThreadLimit limit(threads);
-    Simulator simulator(effect, 0);
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke, 0);
     Renderer renderer;
     Image image;
     int number = 0;
@@ -28,13 +29,13 @@ void play(benchmark::State& state, const Effect& effect, int width, int height, 
     // The first frames make room for themselves; playing goes on in buffers that are there.
     constexpr int kWarmUp = 6;
     for (; number < kWarmUp; ++number) {
-        (void)renderer.render(*simulator.frame(number).value(), effect, width, height, image);
+        (void)renderer.render(*simulator.frame(number).value(), smoke, width, height, image);
     }
     for (auto _ : state) {
         const auto start = std::chrono::steady_clock::now();
         const std::shared_ptr<const Frame> frame = simulator.frame(number++).value();
         stepping += std::chrono::steady_clock::now() - start;
-        (void)renderer.render(*frame, effect, width, height, image);
+        (void)renderer.render(*frame, smoke, width, height, image);
         sums.light += renderer.times().light;
         sums.sprites += renderer.times().sprites;
         sums.composite += renderer.times().composite;

@@ -53,7 +53,7 @@ void step(benchmark::State& state, const Effect& effect, int threads, const std:
         state.SkipWithError("not on this machine");
         return;
     }
-    const Model model(effect);
+    const Model model(sampled(effect));
     Particles particles;
     std::int64_t at = model.schedule().lifetimeSteps;
     (void)advanceFromNothing(model, particles, at);

@@ -11,7 +11,7 @@
 
 int main()
 {
-    fumage::Effect effect = fumage::loadPreset(std::string("thesis-2012")).value().preset.effect;
+    const fumage::SampledEffect effect = fumage::sampled(fumage::loadPreset(std::string("thesis-2012")).value().preset.effect);
     fumage::Simulator simulator(effect);
     fumage::Renderer renderer;
     fumage::Image image;

@@ -3,6 +3,7 @@
 #include "core/effect/sampling.h"
 
 #include <cmath>
+#include <type_traits>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -14,7 +15,7 @@ double coverage(const Effect& effect)
 {
     Renderer renderer;
     Image image;
-    [&] { QVERIFY(renderer.render(*frameOf(effect, 20), effect, 96, 96, image)); }();
+    [&] { QVERIFY(renderer.render(*frameOf(effect, 20), sampled(effect), 96, 96, image)); }();
     double sum = 0.0;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
@@ -23,6 +24,12 @@ double coverage(const Effect& effect)
     }
     return sum / (96.0 * 96.0);
 }
+
+template <class T>
+concept CanBeSampled = requires(const T& effect)
+{
+    sampled(effect);
+};
 
 } // namespace
 
@@ -34,16 +41,18 @@ private slots:
     {
         const Effect effect;
         QVERIFY(sampled(effect) == effect);
+        QVERIFY(SampledEffect() == effect);
     }
 
-    void itsOwnResultStays()
+    void qualityIsWorkedInOnce()
     {
+        static_assert(CanBeSampled<Effect> && !CanBeSampled<SampledEffect>);
+        static_assert(!std::is_constructible_v<SampledEffect, Effect>);
+        static_assert(!std::is_constructible_v<Model, Effect> && !std::is_constructible_v<Simulator, Effect>);
         for (const Quality quality : {Quality::Draft, Quality::Final}) {
             Effect effect;
             effect.output.quality = quality;
-            const Effect once = sampled(effect);
-            QVERIFY(once.output.quality == Quality::Good);
-            QVERIFY(sampled(once) == once);
+            QVERIFY(sampled(effect)->output.quality == Quality::Good);
         }
     }
 
@@ -53,8 +62,8 @@ private slots:
         const auto density = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size * e.look.size * e.look.opacity); };
         for (const Quality quality : {Quality::Draft, Quality::Final}) {
             effect.output.quality = quality;
-            const Effect other = sampled(effect);
-            QCOMPARE(other.emitter.count, quality == Quality::Final ? 800000 : 25000);
+            const SampledEffect other = sampled(effect);
+            QCOMPARE(other->emitter.count, quality == Quality::Final ? 800000 : 25000);
             QVERIFY(std::abs(density(other) / density(effect) - 1.0) < 1e-4);
         }
     }
@@ -64,10 +73,10 @@ private slots:
         Effect effect;
         effect.output.quality = Quality::Final;
         effect.emitter.count = kMaxParticles - 1;
-        QCOMPARE(sampled(effect).emitter.count, kMaxParticles);
+        QCOMPARE(sampled(effect)->emitter.count, kMaxParticles);
         effect.output.quality = Quality::Draft;
         effect.emitter.count = 1;
-        QCOMPARE(sampled(effect).emitter.count, 1);
+        QCOMPARE(sampled(effect)->emitter.count, 1);
     }
 
     void pictureKeepsItsDensity()
@@ -85,17 +94,17 @@ private slots:
     {
         const Effect effect;
         const auto cover = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size * e.look.size); };
-        QVERIFY(std::abs(cover(thinned(effect, 1000)) / cover(effect) - 1.0) < 1e-4);
-        QVERIFY(thinned(effect, effect.emitter.count) == effect);
+        QVERIFY(std::abs(cover(thinned(sampled(effect), 1000)) / cover(effect) - 1.0) < 1e-4);
+        QVERIFY(thinned(sampled(effect), effect.emitter.count) == effect);
     }
 
     void thinnedHasWhatIsAskedFor()
     {
         Effect effect;
         effect.output.quality = Quality::Final;
-        const Effect few = thinned(effect, 1000);
-        QCOMPARE(few.emitter.count, 1000);
-        QVERIFY(few.output.quality == Quality::Good);
+        const SampledEffect few = thinned(sampled(effect), 1000);
+        QCOMPARE(few->emitter.count, 1000);
+        QVERIFY(few->output.quality == Quality::Good);
     }
 };
 

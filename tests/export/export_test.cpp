@@ -322,10 +322,10 @@ private slots:
         const Effect effect = everythingOn();
         const auto frame = frameOf(effect, 4);
         const int alive = livingCount(*frame);
-        const QByteArray csv = QByteArray::fromStdString(dumpCsv(*frame, effect));
+        const QByteArray csv = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect)));
         QCOMPARE(csv.count('\n'), alive + 1);
         QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius\n"));
-        const std::string ply = dumpPly(*frame, effect);
+        const std::string ply = dumpPly(*frame, sampled(effect));
         const std::size_t body = ply.find("end_header\n") + 11;
         QVERIFY(ply.find("element vertex " + std::to_string(alive) + "\n") != std::string::npos);
         QCOMPARE(ply.size() - body, static_cast<std::size_t>(alive) * 44);

@@ -112,7 +112,7 @@ private slots:
             }
             Effect effect = stageFor(p);
             p.set(effect, moved(p, effect));
-            QVERIFY(kept.render(*frameOf(effect, kFrame), effect, effect.output.width, effect.output.height, image).ok());
+            QVERIFY(kept.render(*frameOf(effect, kFrame), sampled(effect), effect.output.width, effect.output.height, image).ok());
             QVERIFY2(sameBits(image.pixels, render(effect, kFrame).pixels), p.key.data());
         }
     }

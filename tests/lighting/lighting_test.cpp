@@ -1,5 +1,6 @@
 #include "tests/helpers.h"
 
+#include "core/effect/sampling.h"
 #include "core/lighting/black_body.h"
 #include "core/lighting/light_grid.h"
 
@@ -14,7 +15,7 @@ namespace {
 Frame cloud(const Effect& effect, const std::vector<glm::vec3>& places)
 {
     Frame frame;
-    frame.model = std::make_shared<const Model>(effect);
+    frame.model = std::make_shared<const Model>(sampled(effect));
     frame.step = 0;
     frame.particles.reset(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -65,8 +66,8 @@ struct Lit {
 
     Lit(const Frame& frame, const Effect& effect, const glm::vec3& eye = {0.0F, 0.5F, 100.0F})
     {
-        findAppearance(frame, effect, lightAxes(effect.light.direction), appearance);
-        lightSmoke(frame, effect, appearance, eye, grid);
+        findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
+        lightSmoke(frame, sampled(effect), appearance, eye, grid);
     }
 };
 
@@ -85,7 +86,7 @@ private slots:
         effect.look.opacity = 1.0F;
         const auto frame = frameOf(effect, 13);
         Appearance appearance;
-        findAppearance(*frame, effect, Axes{}, appearance);
+        findAppearance(*frame, sampled(effect), Axes{}, appearance);
         for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
             const Lifecycle cycle = lifecycle(*frame, i);
             QCOMPARE(appearance.life[i], cycle.life);
@@ -105,7 +106,7 @@ private slots:
         effect.look.dilution = 1.0F;
         const auto frame = frameOf(effect, 0);
         Appearance appearance;
-        findAppearance(*frame, effect, Axes{}, appearance);
+        findAppearance(*frame, sampled(effect), Axes{}, appearance);
         for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
             const Lifecycle cycle = lifecycle(*frame, i);
             const float smoke = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] / (2.0F * cycle.alpha);

@@ -43,7 +43,7 @@ struct Newborns {
 /// What one step of an effect does to particles that stand still at some places.
 std::vector<glm::dvec3> carriedBy(const Effect& effect, std::int64_t step, const std::vector<glm::vec3>& places)
 {
-    const Model model(effect);
+    const Model model(sampled(effect));
     Particles p;
     p.reset(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -356,7 +356,7 @@ private slots:
     {
         for (const int count : {1, 7, 1000, 1001, 4999}) {
             const Effect effect = thesisEffect(count);
-            Simulator simulator(effect);
+            Simulator simulator(sampled(effect));
             for (const int number : {149, 150, 151, 299, 300, 777}) {
                 const auto frame = simulator.frame(number).value();
                 const int alive = livingCount(*frame);
@@ -390,7 +390,7 @@ private slots:
     {
         Effect effect = thesisEffect(1);
         effect.motion.rotationJitter = 90.0F;
-        const Model model(effect);
+        const Model model(sampled(effect));
         std::vector<float> angles;
         for (int step = 0; step < kMany; ++step) {
             angles.push_back(model.rotationAt(step) * 180.0F / 3.14159265F * 30.0F);
@@ -466,7 +466,7 @@ private slots:
         effect.turbulence.strength = 1.0F;
         effect.turbulence.octaves = 2;
         effect.turbulence.onset = 0.0F;
-        const Model model(effect);
+        const Model model(sampled(effect));
         const StepConstants constants = model.constants(3);
         for (const glm::vec3& at : {glm::vec3(0.3F, 0.7F, -0.2F), glm::vec3(-0.8F, 1.4F, 0.5F), glm::vec3(0.05F, 0.2F, 0.9F)}) {
             Particles p;

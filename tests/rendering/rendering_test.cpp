@@ -358,7 +358,7 @@ private slots:
         Renderer renderer;
         Image image;
         const auto frame = frameOf(effect, 0);
-        QCOMPARE(renderer.render(*frame, effect, 32768, 32768, image).error().code, ErrorCode::TooLarge);
+        QCOMPARE(renderer.render(*frame, sampled(effect), 32768, 32768, image).error().code, ErrorCode::TooLarge);
     }
 
     void cameraInsideTheSmokeIsNoTrouble()
@@ -391,7 +391,7 @@ private slots:
             effect.light.hotCore = hotCore;
             Renderer renderer;
             Image image;
-            [&] { QVERIFY(renderer.render(*frameOf(effect, 0), effect, 64, 64, image)); }();
+            [&] { QVERIFY(renderer.render(*frameOf(effect, 0), sampled(effect), 64, 64, image)); }();
             float sum = 0.0F;
             for (int y = 0; y < 64; ++y) {
                 for (int x = 0; x < 64; ++x) {

@@ -64,7 +64,7 @@ private slots:
                     effect.timeline.length = 40;
                     effect.emitter.mode = mode;
                     effect.emitter.burstDuration = 0.33F;
-                    const Schedule s = makeSchedule(effect);
+                    const Schedule s = makeSchedule(sampled(effect));
                     std::int64_t most = 0;
                     for (std::int64_t step = 0; step < 700; ++step) {
                         const std::int64_t births = s.birthsBefore(step + 1) - s.birthsBefore(step);
@@ -87,7 +87,7 @@ private slots:
         Effect effect = thesisEffect(600);
         effect.emitter.mode = EmissionMode::Burst;
         effect.emitter.burstDuration = 0.2F; // 6 steps
-        const Schedule s = makeSchedule(effect);
+        const Schedule s = makeSchedule(sampled(effect));
         QCOMPARE(s.birthsBefore(3), std::int64_t(300));
         QCOMPARE(s.birthsBefore(6), std::int64_t(600));
         QCOMPARE(s.birthsBefore(1000), std::int64_t(600));
@@ -96,7 +96,7 @@ private slots:
     void anyFrameFromNothingEqualsPlayingToIt()
     {
         const Effect effect = everythingOn();
-        const Model model(effect);
+        const Model model(sampled(effect));
         const std::int64_t start = model.schedule().firstStep;
         Particles played;
         QVERIFY(advanceFromNothing(model, played, start).ok());
@@ -111,7 +111,7 @@ private slots:
 
     void stepsMayBeTakenInAnyPortions()
     {
-        const Model model(everythingOn());
+        const Model model(sampled(everythingOn()));
         Particles a;
         QVERIFY(advanceFromNothing(model, a, 200).ok());
         Particles b = a;
@@ -125,12 +125,12 @@ private slots:
     void framesDoNotDependOnTheirOrder()
     {
         const Effect effect = everythingOn();
-        Simulator forwards(effect);
+        Simulator forwards(sampled(effect));
         std::map<int, std::shared_ptr<const Frame>> frames;
         for (int n = 0; n <= 60; ++n) {
             frames[n] = forwards.frame(n).value();
         }
-        Simulator jumping(effect, 1000000);
+        Simulator jumping(sampled(effect), 1000000);
         for (const int n : {60, 3, 41, 40, 59, 0, 12, 60, 11}) {
             QVERIFY(sameBits(jumping.frame(n).value()->particles, frames[n]->particles));
         }
@@ -145,7 +145,7 @@ private slots:
             effect.timeline.loop = true;
             effect.timeline.length = 48;
             effect.turbulence.drift = 0.7F;
-            const Model model(effect);
+            const Model model(sampled(effect));
             const std::int64_t step = model.schedule().firstStep + 20;
             Particles here;
             QVERIFY(advanceFromNothing(model, here, step).ok());
@@ -163,7 +163,7 @@ private slots:
         Effect effect = everythingOn();
         effect.timeline.loop = true;
         effect.timeline.length = 30;
-        Simulator simulator(effect);
+        Simulator simulator(sampled(effect));
         const auto first = simulator.frame(7).value();
         const auto again = simulator.frame(37).value();
         QVERIFY(sameBits(first->particles, again->particles));
@@ -171,7 +171,7 @@ private slots:
 
     void curlNoiseHasNoDivergence()
     {
-        const StepConstants constants = Model(turbulent()).constants(7);
+        const StepConstants constants = Model(sampled(turbulent())).constants(7);
         constexpr float h = 1e-2F;
         double divergence = 0.0;
         double gradient = 0.0;
@@ -193,7 +193,7 @@ private slots:
 
     void curlNoiseHasTheStrengthThatIsAsked()
     {
-        const StepConstants constants = Model(turbulent()).constants(11);
+        const StepConstants constants = Model(sampled(turbulent())).constants(11);
         std::vector<float> x(60000);
         std::vector<float> y(x.size());
         std::vector<float> z(x.size());
@@ -221,7 +221,7 @@ private slots:
             effect.turbulence.drift = 0.5F;
             effect.timeline.loop = loop;
             effect.timeline.length = 110;
-            const Model model(effect);
+            const Model model(sampled(effect));
             const std::vector<float> x{0.3F, 1.7F, -2.2F};
             // A jump shows in the change of the change from step to step.
             double largest = 0.0;
@@ -248,7 +248,7 @@ private slots:
         effect.turbulence.scale = 0.3F;
         effect.turbulence.drift = 2.3F;
         effect.turbulence.evolution = 0.05F;
-        const Model model(effect);
+        const Model model(sampled(effect));
         std::vector<float> x(4000);
         std::vector<float> y(x.size());
         std::vector<float> moved(x.size());
@@ -272,7 +272,7 @@ private slots:
     {
         Effect effect = turbulent();
         effect.turbulence.growth = 1.0F;
-        const StepConstants constants = Model(effect).constants(3);
+        const StepConstants constants = Model(sampled(effect)).constants(3);
         const auto roughness = [&](float height) {
             double sum = 0.0;
             for (std::uint32_t i = 0; i < 3000; ++i) {
@@ -340,7 +340,7 @@ private slots:
     {
         std::stop_source stop;
         stop.request_stop();
-        Simulator simulator(everythingOn());
+        Simulator simulator(sampled(everythingOn()));
         QCOMPARE(simulator.frame(3, stop.get_token()).error().code, ErrorCode::Cancelled);
         QVERIFY(simulator.frame(3).ok());
     }

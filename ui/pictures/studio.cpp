@@ -2,8 +2,6 @@
 
 #include "ui/pictures/tracks.h"
 
-#include "core/effect/sampling.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +50,7 @@ QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
 
 int Studio::particlesWhileDragging(const Plan& plan, double preRoll) const
 {
-    const int all = plan.effect.emitter.count;
+    const int all = plan.effect->emitter.count;
     if (all <= m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach)) {
         return all;
     }
@@ -89,11 +87,11 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
     plan.stepsEach = warm && ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
     if (request.haste == Haste::Dragging) {
         const int count = particlesWhileDragging(plan, preRoll);
-        plan.keepsAll = count == plan.effect.emitter.count;
+        plan.keepsAll = count == plan.effect->emitter.count;
         plan.effect = thinned(plan.effect, count);
     }
     const double pixels = static_cast<double>(request.width) * request.height;
-    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect.emitter.count, plan.stepsEach, pixels);
+    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
     plan.complete = plan.keepsAll && plan.scale == 1.0 && asked.output.quality == request.effect->output.quality;
     return plan;
 }
@@ -105,7 +103,7 @@ Simulator& Studio::simulatorFor(const Plan& plan)
         running.reset();
         // What cannot be seen needs no checkpoints to come back to.
         const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
-        running.emplace(Running{plan.simulation, plan.effect.emitter.count, Simulator(plan.effect, checkpoints)});
+        running.emplace(Running{plan.simulation, plan.effect->emitter.count, Simulator(plan.effect, checkpoints)});
     }
     return running->simulator;
 }
@@ -155,12 +153,12 @@ bool Studio::paint(const PictureRequest& request, const Plan& plan, Picture& pic
     if (!m_renderer.composite(m_image, stop)) {
         return false;
     }
-    if (plan.effect.output.background == Background::Colour) {
-        fillBackground(m_image, plan.effect.output.backgroundColour);
+    if (plan.effect->output.background == Background::Colour) {
+        fillBackground(m_image, plan.effect->output.backgroundColour);
     } else {
-        fillBackdrop(m_image, request.backdrop, plan.effect.output);
+        fillBackdrop(m_image, request.backdrop, plan.effect->output);
     }
-    encode(m_image, plan.effect.output, m_encoded);
+    encode(m_image, plan.effect->output, m_encoded);
     picture.image = toScreen(m_encoded);
     return true;
 }
@@ -176,7 +174,7 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
         return nullptr;
     }
     picture->stepNs = timer.nsecsElapsed();
-    const int particles = plan.effect.emitter.count;
+    const int particles = plan.effect->emitter.count;
     m_costs.noteSteps(particles * plan.stepsEach, picture->stepNs);
 
     const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
@@ -196,7 +194,7 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
     if (request.tracks) {
         picture->tracks = findTracks(*request.effect, request.frame);
     }
-    picture->output = plan.effect.output;
+    picture->output = plan.effect->output;
     picture->backdrop = request.backdrop;
     picture->revision = request.revision;
     picture->frame = request.frame;

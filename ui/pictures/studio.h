@@ -3,6 +3,7 @@
 #include "ui/pictures/haste.h"
 #include "ui/pictures/picture.h"
 
+#include "core/effect/sampling.h"
 #include "core/rendering/view_transform.h"
 #include "core/simulation/simulator.h"
 
@@ -19,7 +20,7 @@ public:
 private:
     struct Plan {
         quint64 simulation = 0;
-        Effect effect; ///< sampled, and thinned where need be
+        SampledEffect effect; ///< thinned where need be
         double scale = 1.0;
         double stepsEach = 1.0;
         bool keepsAll = true; ///< particles
@@ -38,7 +39,7 @@ private:
         int particles = 0;
         Simulator simulator;
 
-        [[nodiscard]] bool isFor(const Plan& plan) const { return simulation == plan.simulation && particles == plan.effect.emitter.count; }
+        [[nodiscard]] bool isFor(const Plan& plan) const { return simulation == plan.simulation && particles == plan.effect->emitter.count; }
     };
     std::optional<Running> m_complete;
     std::optional<Running> m_thinned; ///< with fewer particles, while the hand drags

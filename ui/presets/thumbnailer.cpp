@@ -25,7 +25,7 @@ int tellingFrame(const Effect& effect)
 
 QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop)
 {
-    Effect small = thinned(effect, kParticles);
+    Effect small = thinned(sampled(effect), kParticles);
     small.output.width = edge;
     small.output.height = edge;
     small.timeline.prewarm = true;
