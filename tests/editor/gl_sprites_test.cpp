@@ -96,10 +96,12 @@ private slots:
         const QImage drawn = target.toImage().convertToFormat(QImage::Format_RGB32);
         const double decibels = psnr(reference, drawn);
         if (decibels < kLeastPsnr) {
-            reference.save(u"/tmp/fumage_reference.png"_q);
-            drawn.save(u"/tmp/fumage_drawn.png"_q);
+            const QString stem = QStringLiteral(FUMAGE_GOLDEN_SEEN "/sprites_") + preset;
+            QVERIFY(QDir().mkpath(QStringLiteral(FUMAGE_GOLDEN_SEEN)));
+            reference.save(stem + u".expected.png"_q);
+            drawn.save(stem + u".png"_q);
         }
-        QVERIFY2(decibels >= kLeastPsnr, qPrintable(QStringLiteral("%1 dB").arg(decibels)));
+        QVERIFY2(decibels >= kLeastPsnr, qPrintable(QStringLiteral("%1 dB; see %2").arg(decibels).arg(QStringLiteral(FUMAGE_GOLDEN_SEEN))));
         qInfo("%s: %.1f dB", qPrintable(preset), decibels);
     }
 

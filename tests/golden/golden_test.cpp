@@ -1,12 +1,15 @@
 // Small pictures of every built-in preset, held against their stored checksums bit for bit: any machine and compiler gives these.
-// They change only on purpose: FUMAGE_WRITE_GOLDEN=1 writes the file anew.
+// They change only on purpose: FUMAGE_WRITE_GOLDEN=1 writes checksums and reference pictures anew. The references (8 bits) decide nothing:
+// a test that fails shows its picture and the difference from them.
 
+#include "tests/golden/golden_pictures.h"
 #include "tests/helpers.h"
 
 #include "core/preset/library.h"
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <QTemporaryDir>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -22,13 +25,35 @@ QByteArray checksum(const Image& image)
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().left(24);
 }
 
-QByteArray lineOf(const LibraryEntry& entry)
+Effect smallEffect(const LibraryEntry& entry)
 {
     Effect effect = loadPreset(entry).value().preset.effect;
     effect.emitter.count = std::min(effect.emitter.count, 20000);
     effect.output.width = kEdge;
     effect.output.height = kEdge;
-    return QByteArray::fromStdString(entry.id) + " " + checksum(render(effect, kFrame));
+    return effect;
+}
+
+QByteArray lineOf(const LibraryEntry& entry, const Image& image)
+{
+    return QByteArray::fromStdString(entry.id) + " " + checksum(image);
+}
+
+QString referenceOf(const LibraryEntry& entry)
+{
+    return QStringLiteral(FUMAGE_GOLDEN_SOURCE "/pictures/") + QString::fromStdString(entry.id) + ".png";
+}
+
+void writeAnew(QFile& file)
+{
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    for (const LibraryEntry& entry : builtinPresets()) {
+        const Effect effect = smallEffect(entry);
+        const Image image = render(effect, kFrame);
+        file.write(lineOf(entry, image) + "\n");
+        QVERIFY(writeReference(image, effect.output, referenceOf(entry)));
+    }
+    file.close();
 }
 
 } // namespace
@@ -40,13 +65,9 @@ private slots:
     void picturesOfThePresets_data()
     {
         QTest::addColumn<QByteArray>("expected");
-        QFile file(FUMAGE_GOLDEN_FILE);
+        QFile file(FUMAGE_GOLDEN_SOURCE "/golden.txt");
         if (qEnvironmentVariableIsSet("FUMAGE_WRITE_GOLDEN")) {
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            for (const LibraryEntry& entry : builtinPresets()) {
-                file.write(lineOf(entry) + "\n");
-            }
-            file.close();
+            writeAnew(file);
         }
         QVERIFY(file.open(QIODevice::ReadOnly));
         QHash<QByteArray, QByteArray> lines;
@@ -61,10 +82,48 @@ private slots:
     {
         QFETCH(QByteArray, expected);
         for (const LibraryEntry& entry : builtinPresets()) {
-            if (entry.id == QTest::currentDataTag()) {
-                QCOMPARE(lineOf(entry), expected);
+            if (entry.id != QTest::currentDataTag()) {
+                continue;
+            }
+            const Effect effect = smallEffect(entry);
+            const Image image = render(effect, kFrame);
+            const QByteArray line = lineOf(entry, image);
+            if (line != expected) {
+                const QString shown = showDifference(image, effect.output, referenceOf(entry), QStringLiteral(FUMAGE_GOLDEN_SEEN), QString::fromStdString(entry.id));
+                QFAIL(qPrintable(QString("%1 was expected, %2 seen: %3").arg(QString(expected), QString(line), shown)));
             }
         }
+    }
+
+    void everyPresetHasAReferencePicture()
+    {
+        for (const LibraryEntry& entry : builtinPresets()) {
+            QVERIFY2(QFile::exists(referenceOf(entry)), qPrintable(referenceOf(entry)));
+        }
+    }
+
+    void aPictureThatDiffersIsShownBesideTheExpectedOne()
+    {
+        const QTemporaryDir folder;
+        Image image;
+        image.resize(4, 2);
+        std::fill(image.pixels.begin(), image.pixels.end(), 1.0F);
+        const QString reference = folder.filePath("reference.png");
+        QVERIFY(writeReference(image, Output(), reference));
+        image.row(1)[3 * 4 + 2] = 0.0F; // one of 32 channels is black instead of white
+        const QString text = showDifference(image, Output(), reference, folder.filePath("seen"), "smoke");
+        QVERIFY2(text.startsWith("largest difference 255 of 255, mean 7.97;"), qPrintable(text));
+        QCOMPARE(QDir(folder.filePath("seen")).entryList(QDir::Files, QDir::Name), (QStringList{"smoke.difference.png", "smoke.expected.png", "smoke.png"}));
+    }
+
+    void aPictureWithoutAReferenceIsShownAlone()
+    {
+        const QTemporaryDir folder;
+        Image image;
+        image.resize(4, 2);
+        std::fill(image.pixels.begin(), image.pixels.end(), 1.0F);
+        QVERIFY(showDifference(image, Output(), folder.filePath("none.png"), folder.path(), "smoke").contains("there is no reference"));
+        QVERIFY(QFile::exists(folder.filePath("smoke.png")));
     }
 };
 
