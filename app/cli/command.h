@@ -55,5 +55,6 @@ void addInfo(CLI::App& program, Action& action);
 void addPresets(CLI::App& program, Action& action);
 void addParameters(CLI::App& program, Action& action);
 void addSchema(CLI::App& program, Action& action);
+void addCompletions(CLI::App& program, Action& action);
 
 } // namespace fumage::cli

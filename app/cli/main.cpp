@@ -62,6 +62,7 @@ int run(int argc, char** argv)
     addPresets(program, action);
     addParameters(program, action);
     addSchema(program, action);
+    addCompletions(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,0 +1,73 @@
+# What is installed beside the programs.
+#
+# Manual pages and completions of the programs: made by running them, so that they never go stale. Not where a program cannot run here
+# (cross-building without an emulator) or help2man is missing.
+option(FUMAGE_BUILD_MANUAL "Make manual pages (needs help2man) and completions" ${PROJECT_IS_TOP_LEVEL})
+set(FUMAGE_ZSH_FOLDER ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh's completions are installed")
+find_program(HELP2MAN help2man)
+
+if(FUMAGE_BUILD_MANUAL AND CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+    message(NOTICE "The programs do not run here: no manual pages and no completions.")
+    set(FUMAGE_BUILD_MANUAL OFF)
+elseif(FUMAGE_BUILD_MANUAL AND NOT HELP2MAN)
+    message(NOTICE "Without help2man there will be no manual pages.")
+endif()
+
+# fumage_manual(<target> <component> <what it is>)
+function(fumage_manual target component what)
+    if(NOT FUMAGE_BUILD_MANUAL OR NOT HELP2MAN)
+        return()
+    endif()
+    set(script ${PROJECT_SOURCE_DIR}/resources/manual/make_manual.sh)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/manual)
+    add_custom_command(OUTPUT ${folder}.stamp
+        COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
+        COMMAND bash ${script} $<TARGET_FILE:${target}> ${what} ${folder}
+        COMMAND ${CMAKE_COMMAND} -E touch ${folder}.stamp
+        DEPENDS ${target} ${script} COMMENT "Writing the manual of ${target}" VERBATIM)
+    add_custom_target(${target}-manual ALL DEPENDS ${folder}.stamp)
+    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+endfunction()
+
+# fumage_completions(<target> <component>): of a program that prints them.
+function(fumage_completions target component)
+    if(NOT FUMAGE_BUILD_MANUAL)
+        return()
+    endif()
+    set(bash ${CMAKE_CURRENT_BINARY_DIR}/completions/${target})
+    set(zsh ${CMAKE_CURRENT_BINARY_DIR}/completions/_${target})
+    add_custom_command(OUTPUT ${bash} ${zsh}
+        COMMAND ${target} completions bash > ${bash}
+        COMMAND ${target} completions zsh > ${zsh}
+        DEPENDS ${target} COMMENT "Writing the completions of ${target}" VERBATIM)
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/completions)
+    add_custom_target(${target}-completions ALL DEPENDS ${bash} ${zsh})
+    install(FILES ${bash} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT ${component})
+    install(FILES ${zsh} DESTINATION ${FUMAGE_ZSH_FOLDER} COMPONENT ${component})
+endfunction()
+
+# fumage_icons(<SVG> <component>): as it is, and as PNG for desktops that draw none (needs rsvg-convert).
+function(fumage_icons svg component)
+    set(folder ${CMAKE_INSTALL_DATADIR}/icons/hicolor)
+    install(FILES ${svg} DESTINATION ${folder}/scalable/apps COMPONENT ${component})
+    find_program(RSVG_CONVERT rsvg-convert)
+    if(NOT FUMAGE_BUILD_MANUAL OR NOT RSVG_CONVERT)
+        return()
+    endif()
+    get_filename_component(name ${svg} NAME_WE)
+    set(icons "")
+    foreach(size 16 22 24 32 48 64 128 256 512)
+        set(icon ${CMAKE_CURRENT_BINARY_DIR}/icons/${size}/${name}.png)
+        file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/icons/${size})
+        add_custom_command(OUTPUT ${icon} COMMAND ${RSVG_CONVERT} --width ${size} --height ${size} --output ${icon} ${svg}
+            DEPENDS ${svg} COMMENT "Drawing the icon of ${size} pixels" VERBATIM)
+        install(FILES ${icon} DESTINATION ${folder}/${size}x${size}/apps COMPONENT ${component})
+        list(APPEND icons ${icon})
+    endforeach()
+    add_custom_target(${name}-icons ALL DEPENDS ${icons})
+endfunction()
+
+# fumage_licence(<package> <component>)
+function(fumage_licence package component)
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright COMPONENT ${component})
+endfunction()

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Unpacks the Debian packages into a clean folder and uses what is in there: the command line, its manual and completions, the desktop's files,
+# the library's headers, and the editor, which is opened once.
+#   check_package.sh <folder of packages>
+set -euo pipefail
+packages=$(realpath "$1")
+here=$(realpath "$(dirname "$0")")
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+fail() {
+    echo "FAILED: $*" >&2
+    exit 1
+}
+package() {
+    local found=("$packages/$1"_*.deb)
+    [ -f "${found[0]}" ] && [ ${#found[@]} -eq 1 ] || fail "there is not one package $1 in $packages"
+    echo "${found[0]}"
+}
+
+for name in fumage fumage-cli libfumage-dev; do
+    file=$(package $name)
+    dpkg-deb --extract "$file" "$root"
+    echo "-- $name depends on: $(dpkg-deb --field "$file" Depends)"
+    [ -f "$root/usr/share/doc/$name/copyright" ] || fail "$name has no licence"
+done
+# The programs know every library that they load, and one that no display needs loads no Qt.
+dpkg-deb --field "$(package fumage)" Depends | grep -q libqt6widgets6 || fail "the editor does not depend on Qt"
+dpkg-deb --field "$(package fumage-cli)" Depends | grep -q 'libpng16-16.*libtbb12\|libtbb12.*libpng16-16' || fail "the command line's dependencies are not found"
+if dpkg-deb --field "$(package fumage-cli)" Depends | grep -q qt; then
+    fail "the command line depends on Qt"
+fi
+for program in fumage fumage-cli; do
+    if readelf -d "$root/usr/bin/$program" | grep -E 'RPATH|RUNPATH'; then
+        fail "$program looks for libraries where it was built"
+    fi
+done
+if apt-get --version > /dev/null 2>&1; then
+    apt-get --simulate -qq install "$(package fumage)" "$(package fumage-cli)" "$(package libfumage-dev)" > "$root/apt" 2>&1 || { cat "$root/apt"; fail "the packages cannot be installed"; }
+fi
+
+echo "-- command line"
+mkdir "$root/home" "$root/work"
+clean=(env -i HOME="$root/home" XDG_RUNTIME_DIR="$root/home" LANG=C.UTF-8 PATH="$root/usr/bin:/usr/bin:/bin")
+cd "$root/work"
+"${clean[@]}" fumage-cli render campfire --frames 20 --size 64 --output fire.png > /dev/null
+file fire.png | grep -q 'PNG image data, 64 x 64' || fail "no picture was rendered"
+[ "$(readelf -h "$root/usr/bin/fumage-cli" | grep -c 'Advanced Micro Devices X86-64\|AArch64')" -eq 1 ] || fail "what machine is this for?"
+
+echo "-- manual"
+pages=("$root"/usr/share/man/man1/*.gz)
+[ ${#pages[@]} -ge 10 ] || fail "there are only ${#pages[@]} pages"
+for page in "${pages[@]}"; do
+    complaints=$(LC_ALL=C.UTF-8 MANROFFSEQ='' man --warnings --local-file "$page" 2>&1 > "$root/page")
+    [ -z "$complaints" ] || fail "$page: $complaints"
+    grep -q SYNOPSIS "$root/page" || fail "$page has no synopsis"
+done
+for subcommand in $("${clean[@]}" fumage-cli --help | sed -n '/^Subcommands:/,/^$/{s/^  \([a-z-]*\) .*/\1/p}'); do
+    [ -f "$root/usr/share/man/man1/fumage-cli-$subcommand.1.gz" ] || fail "$subcommand has no manual page"
+done
+
+echo "-- completions"
+bash "$here/check_bash_completion.sh" "$root/usr/share/bash-completion/completions/fumage-cli"
+zsh "$here/check_zsh_completion.zsh" "$root/usr/share/zsh/vendor-completions/_fumage-cli"
+
+echo "-- desktop"
+share=$root/usr/share
+desktop-file-validate "$share/applications/fumage.desktop"
+appstreamcli validate --no-net "$share"/metainfo/*.metainfo.xml > "$root/appstream" || { cat "$root/appstream"; fail "metainfo"; }
+XDG_DATA_HOME=$root/home XDG_DATA_DIRS=$share update-mime-database "$share/mime"
+grep -q ':application/x-fumage-preset+json:\*.fumage.json$' "$share/mime/globs2" || fail "the MIME type has no glob"
+for size in 16 24 32 48 64 128 256 512; do
+    file "$share/icons/hicolor/${size}x$size/apps/fumage.png" | grep -q "PNG image data, $size x $size" || fail "no icon of $size pixels"
+done
+[ -f "$share/icons/hicolor/scalable/apps/fumage.svg" ] || fail "no scalable icon"
+
+echo "-- headers"
+[ -f "$root/usr/include/fumage/effect/effect.h" ] || fail "no headers"
+[ "$(ls "$root/usr/include")" = fumage ] || fail "there are headers outside of fumage: $(ls "$root/usr/include")"
+
+echo "-- editor"
+"${clean[@]}" fumage-cli presets --show campfire > campfire.json
+"${clean[@]}" bash "$here/../editor/on_screen.sh" bash "$here/open_editor.sh" "$root/usr/bin/fumage" campfire.json
+echo "The packages work."
