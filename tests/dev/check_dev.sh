@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# ./dev on machines that are not as it would like them: no root, no sudo, no apt, no compiler.  check_dev.sh <source tree>
+set -euo pipefail
+source=$1
+machine=$(mktemp -d)
+trap 'rm -rf "$machine"' EXIT
+
+tool() { # <name> <what it does>
+    printf '#!/bin/bash\n%s\n' "$2" > "$machine/$1"
+    chmod +x "$machine/$1"
+}
+expect() { # <exit code> <text>...
+    local code=0 output
+    output=$(PATH=$machine "$machine/bash" "$source/dev" setup 2>&1) || code=$?
+    [ "$code" -eq "$1" ] || { echo "exit code $code instead of $1: $output"; exit 1; }
+    shift
+    for text in "$@"; do
+        [[ $output == *"$text"* ]] || { echo "it does not say '$text': $output"; exit 1; }
+    done
+}
+
+for each in bash dirname grep; do
+    ln -s "$(command -v $each)" "$machine/$each"
+done
+tool id 'echo 1000'
+tool cmake ''
+tool ninja ''
+
+echo "-- no apt, but the tools are there"
+expect 0 'This system has no apt' 'libpng-dev'
+echo "-- nothing is installed, and there is no sudo"
+tool dpkg-query 'exit 1'
+tool apt-get 'echo apt-get was called; exit 1'
+expect 0 'As root:  apt-get install --no-install-recommends cmake ninja-build' 'Going on'
+echo "-- sudo does not let one in"
+tool sudo 'echo no >&2; exit 1'
+expect 0 'That did not work. As root:  apt-get install' 'Going on'
+echo "-- everything is installed"
+tool dpkg-query 'echo install ok installed'
+expect 0
+echo "-- no cmake"
+rm "$machine/cmake"
+expect 1 'needs cmake, which is not here'
