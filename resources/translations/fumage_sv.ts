@@ -2115,6 +2115,29 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>Readout</name>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 bilder/s</translation>
+    </message>
+    <message>
+        <source>%L1 particles</source>
+        <translation>%L1 partiklar</translation>
+    </message>
+    <message>
+        <source>step %1 ms</source>
+        <translation>steg %1 ms</translation>
+    </message>
+    <message>
+        <source>light %1 ms</source>
+        <translation>ljus %1 ms</translation>
+    </message>
+    <message>
+        <source>composite %1 ms</source>
+        <translation>bild %1 ms</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::SeedEditor</name>
     <message>
         <source>dice</source>
@@ -2317,6 +2340,9 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Change view</source>
         <translation>Byt vy</translation>
     </message>
+</context>
+<context>
+    <name>fumage::ui::ViewportHand</name>
     <message>
         <source>Orbit</source>
         <translation>Kretsa</translation>
@@ -2328,26 +2354,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Zoom</source>
         <translation>Zooma</translation>
-    </message>
-    <message>
-        <source>%1 frames/s</source>
-        <translation>%1 bilder/s</translation>
-    </message>
-    <message>
-        <source>%L1 particles</source>
-        <translation>%L1 partiklar</translation>
-    </message>
-    <message>
-        <source>step %1 ms</source>
-        <translation>steg %1 ms</translation>
-    </message>
-    <message>
-        <source>light %1 ms</source>
-        <translation>ljus %1 ms</translation>
-    </message>
-    <message>
-        <source>composite %1 ms</source>
-        <translation>bild %1 ms</translation>
     </message>
 </context>
 <context>

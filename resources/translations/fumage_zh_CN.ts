@@ -2115,6 +2115,29 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>Readout</name>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 帧/秒</translation>
+    </message>
+    <message>
+        <source>%L1 particles</source>
+        <translation>%L1 个粒子</translation>
+    </message>
+    <message>
+        <source>step %1 ms</source>
+        <translation>步进 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>light %1 ms</source>
+        <translation>光照 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>composite %1 ms</source>
+        <translation>合成 %1 毫秒</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::SeedEditor</name>
     <message>
         <source>dice</source>
@@ -2317,6 +2340,9 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Change view</source>
         <translation>更换视图</translation>
     </message>
+</context>
+<context>
+    <name>fumage::ui::ViewportHand</name>
     <message>
         <source>Orbit</source>
         <translation>环绕</translation>
@@ -2328,26 +2354,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Zoom</source>
         <translation>缩放</translation>
-    </message>
-    <message>
-        <source>%1 frames/s</source>
-        <translation>%1 帧/秒</translation>
-    </message>
-    <message>
-        <source>%L1 particles</source>
-        <translation>%L1 个粒子</translation>
-    </message>
-    <message>
-        <source>step %1 ms</source>
-        <translation>步进 %1 毫秒</translation>
-    </message>
-    <message>
-        <source>light %1 ms</source>
-        <translation>光照 %1 毫秒</translation>
-    </message>
-    <message>
-        <source>composite %1 ms</source>
-        <translation>合成 %1 毫秒</translation>
     </message>
 </context>
 <context>

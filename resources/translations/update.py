@@ -12,7 +12,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Parameters", "Help", "Menus", "Gizmos", "GlSprites", "main"]
+PLAIN_CONTEXTS = ["Actions", "Parameters", "Help", "Menus", "Gizmos", "GlSprites", "Readout", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 

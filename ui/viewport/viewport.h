@@ -1,26 +1,24 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/face/hand.h"
 #include "ui/pictures/picture_feed.h"
 #include "ui/timeline/player.h"
-#include "ui/viewport/gizmos.h"
-#include "ui/viewport/navigation.h"
+#include "ui/viewport/split_view.h"
 #include "ui/viewport/overlays.h"
+#include "ui/viewport/readout.h"
 #include "ui/viewport/surface.h"
+#include "ui/viewport/viewport_hand.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 namespace fumage::ui {
 
-/// The smoke, live: shows the pictures of the document at the player's frame, and turns the mouse into camera moves and gizmo drags.
+/// The smoke, live: shows the pictures of the document at the player's frame, with what lies over them, and lends the hand its surface.
 class Viewport : public QWidget {
     Q_OBJECT
 
 public:
     Viewport(Document& document, Player& player, GlSupport support, QWidget* parent = nullptr);
-    ~Viewport() override;
 
     /// What is on the screen; null before the first picture.
     [[nodiscard]] const PicturePtr& picture() const { return m_feed.picture(); }
@@ -35,17 +33,13 @@ public:
     void setOverlay(Overlay overlay, bool on);
     [[nodiscard]] const Backdrop& backdrop() const { return m_feed.backdrop(); }
     void setBackdrop(const Backdrop& backdrop) { m_feed.setBackdrop(backdrop); }
-    void setNavigationStyle(NavigationStyle style) { m_style = style; }
-    [[nodiscard]] NavigationStyle navigationStyle() const { return m_style; }
+    void setNavigationStyle(NavigationStyle style) { m_hand.setStyle(style); }
+    [[nodiscard]] NavigationStyle navigationStyle() const { return m_hand.style(); }
 
+    using Compare = fumage::ui::Compare;
     /// Shows another effect beside or instead of the document's.
-    enum class Compare {
-        Off,
-        Split, ///< B to the right of a line that can be dragged
-        Other, ///< B alone
-    };
     void setCompare(Compare compare, const Effect& other);
-    [[nodiscard]] Compare compare() const { return m_compare; }
+    [[nodiscard]] Compare compare() const { return m_split.mode(); }
     [[nodiscard]] const PicturePtr& otherPicture() const { return m_feed.otherPicture(); }
 
     void frameAll();
@@ -65,49 +59,21 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    struct Drag {
-        std::optional<GizmoId> gizmo;
-        std::optional<CameraMove> move;
-        bool divider = false;
-        QPointF start;
-        Effect before;
-        View view;
-        Gesture gesture;
-    };
-
     void followDocument(const EffectChange& change);
     void followSize();
     void followVisibility();
     void display(const PicturePtr& picture);
-
-    void press(QMouseEvent& event);
-    void move(QMouseEvent& event);
-    void release();
-    void wheel(QWheelEvent& event);
-    void setHot(std::optional<GizmoId> gizmo);
-    void applyCamera(const Camera& camera, const QString& text, Gesture gesture);
-    [[nodiscard]] double dividerX() const;
-
-    void paintOverlay(QPainter& painter);
-    void paintOther(QPainter& painter);
-    void paintReadout(QPainter& painter) const;
+    void applyCamera(const Camera& camera, const QString& text);
+    void paintOverlays(QPainter& painter);
 
     Document& m_document;
     Player& m_player;
-    std::unique_ptr<Surface> m_surface;
     PictureFeed m_feed;
-    Burst m_wheelBurst;
-    Gesture m_wheelGesture;
-
     Overlays m_overlays = Overlay::Grid | Overlay::Emitter | Overlay::Gizmos | Overlay::Readout;
-    NavigationStyle m_style = NavigationStyle::Blender;
-    std::optional<Drag> m_drag;
-    std::optional<GizmoId> m_hot;
-    Compare m_compare = Compare::Off;
-    double m_divider = 0.5; ///< share of the width
-
-    QElapsedTimer m_sinceShown;
-    double m_frameMs = 0.0; ///< between pictures, smoothed
+    SplitView m_split;
+    Readout m_readout;
+    std::unique_ptr<Surface> m_surface;
+    ViewportHand m_hand; ///< after the surface, which it holds
 };
 
 } // namespace fumage::ui

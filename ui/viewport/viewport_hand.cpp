@@ -1,0 +1,145 @@
+#include "ui/viewport/viewport_hand.h"
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QWidget>
+
+namespace fumage::ui {
+
+ViewportHand::ViewportHand(Document& document, SplitView& split, QWidget& surface, std::function<View()> view, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_split(split)
+    , m_surface(surface)
+    , m_view(std::move(view))
+{
+    surface.setFocusPolicy(Qt::StrongFocus);
+    surface.setMouseTracking(true);
+    surface.installEventFilter(this);
+    connect(&m_wheelBurst, &Burst::timeout, this, [this] { m_wheelGesture = {}; });
+}
+
+std::optional<GizmoId> ViewportHand::gizmo() const
+{
+    if (!m_drag) {
+        return m_hot;
+    }
+    const GizmoId* dragged = std::get_if<GizmoId>(&m_drag->grip);
+    return dragged != nullptr ? std::optional(*dragged) : std::nullopt;
+}
+
+bool ViewportHand::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != &m_surface) {
+        return false;
+    }
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+        press(static_cast<const QMouseEvent&>(*event));
+        return true;
+    case QEvent::MouseMove:
+        move(static_cast<const QMouseEvent&>(*event));
+        return true;
+    case QEvent::MouseButtonRelease:
+        m_drag.reset();
+        return true;
+    case QEvent::Wheel:
+        wheel(static_cast<const QWheelEvent&>(*event));
+        return true;
+    case QEvent::Leave:
+        setHot(std::nullopt);
+        return false;
+    default:
+        return false;
+    }
+}
+
+std::optional<ViewportHand::Grip> ViewportHand::gripFor(const QMouseEvent& event) const
+{
+    if (event.button() == Qt::LeftButton) {
+        if (m_split.isAtLine(event.position().x(), m_surface.width())) {
+            return DividingLine();
+        }
+        // With Alt the left button moves the camera wherever it is.
+        if (m_gizmos && !event.modifiers().testFlag(Qt::AltModifier)) {
+            if (const std::optional<GizmoId> gizmo = gizmoAt(m_document.effect(), m_view(), event.position())) {
+                return *gizmo;
+            }
+        }
+    }
+    if (const std::optional<CameraMove> move = cameraMoveFor(m_style, event.button(), event.modifiers())) {
+        return *move;
+    }
+    return std::nullopt;
+}
+
+void ViewportHand::press(const QMouseEvent& event)
+{
+    m_surface.setFocus(Qt::MouseFocusReason);
+    if (const std::optional<Grip> grip = gripFor(event)) {
+        m_drag = Drag{*grip, event.position(), m_document.effect(), m_view(), m_document.beginGesture()};
+    }
+}
+
+void ViewportHand::move(const QMouseEvent& event)
+{
+    if (m_drag) {
+        std::visit([&](auto grip) { drag(grip, event); }, m_drag->grip);
+    } else {
+        setHot(m_gizmos ? gizmoAt(m_document.effect(), m_view(), event.position()) : std::nullopt);
+    }
+}
+
+void ViewportHand::drag(DividingLine, const QMouseEvent& event)
+{
+    m_split.moveLine(event.position().x(), m_surface.width());
+    m_surface.update();
+}
+
+void ViewportHand::drag(GizmoId gizmo, const QMouseEvent& event)
+{
+    const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
+    m_document.edit(dragGizmo(gizmo, m_drag->before, m_drag->view, event.position(), snap), {}, m_drag->gesture);
+}
+
+void ViewportHand::drag(CameraMove move, const QMouseEvent& event)
+{
+    const QPointF way = event.position() - m_drag->start;
+    const Camera& before = m_drag->before.camera;
+    const auto apply = [this](const Camera& camera, const QString& text) { m_document.edit(assignmentsOf(camera), text, m_drag->gesture); };
+    switch (move) {
+    case CameraMove::Orbit:
+        apply(orbited(before, way, m_drag->view), tr("Orbit"));
+        break;
+    case CameraMove::Pan:
+        apply(panned(before, way, m_drag->view), tr("Pan"));
+        break;
+    case CameraMove::Zoom:
+        constexpr double kNotchesAPixel = 0.03;
+        apply(zoomed(before, -way.y() * kNotchesAPixel, m_drag->view), tr("Zoom"));
+        break;
+    }
+}
+
+void ViewportHand::wheel(const QWheelEvent& event)
+{
+    if (m_drag || event.angleDelta().y() == 0) {
+        return;
+    }
+    if (m_wheelGesture.id == 0) {
+        m_wheelGesture = m_document.beginGesture();
+    }
+    m_wheelBurst.start();
+    m_document.edit(assignmentsOf(zoomed(m_document.effect().camera, notchesOf(event), m_view())), tr("Zoom"), m_wheelGesture);
+}
+
+void ViewportHand::setHot(std::optional<GizmoId> gizmo)
+{
+    if (gizmo != m_hot) {
+        m_hot = gizmo;
+        m_surface.setCursor(gizmo ? Qt::OpenHandCursor : Qt::ArrowCursor);
+        m_surface.update();
+    }
+}
+
+} // namespace fumage::ui
