@@ -1,0 +1,98 @@
+// What an empty session shows first.
+#include "editor_helpers.h"
+
+#include "ui/presets/start_dialog.h"
+
+#include <QCheckBox>
+#include <QPushButton>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+const QStringList kRecent{QStringLiteral("/somewhere/old fire.json"), QStringLiteral("/elsewhere/steam.json")};
+
+/// A dialog that is shown, with all that it has said.
+struct Shown {
+    StartDialog dialog{kRecent, nullptr};
+    QSignalSpy presets{&dialog, &StartDialog::presetChosen};
+    QSignalSpy files{&dialog, &StartDialog::fileChosen};
+    QSignalSpy openings{&dialog, &StartDialog::openRequested};
+    QSignalSpy finished{&dialog, &QDialog::finished};
+
+    Shown() { dialog.show(); }
+    template <class Widget>
+    [[nodiscard]] Widget& part(const char* name) const
+    {
+        return *dialog.findChild<Widget*>(QLatin1String(name));
+    }
+};
+
+void click(QListWidget& list, QListWidgetItem* item)
+{
+    list.scrollToItem(item);
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(item).center());
+}
+
+} // namespace
+
+class StartDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void oneClickChoosesAPreset()
+    {
+        const Shown shown;
+        auto& list = shown.part<PresetList>("presetList");
+        QTRY_VERIFY(list.count() >= 14);
+        click(list, list.item(2));
+        QCOMPARE(shown.presets.size(), 1);
+        QVERIFY(shown.presets[0][0].value<Preset>().effect == list.presetOf(list.item(2))->effect);
+        QCOMPARE(shown.dialog.result(), static_cast<int>(QDialog::Accepted));
+        QVERIFY(!shown.dialog.isVisible());
+    }
+
+    void oneClickChoosesAFileOfLastTime()
+    {
+        const Shown shown;
+        auto& list = shown.part<QListWidget>("startRecent");
+        QCOMPARE(list.count(), 2);
+        QCOMPARE(list.item(0)->text(), u"old fire"_q);
+        QCOMPARE(list.item(0)->toolTip(), kRecent[0]);
+        click(list, list.item(1));
+        QCOMPARE(shown.files.size(), 1);
+        QCOMPARE(shown.files[0][0].toString(), kRecent[1]);
+        QVERIFY(!shown.dialog.isVisible());
+    }
+
+    void aFileIsAskedForOnceTheDialogIsGone()
+    {
+        const Shown shown;
+        bool wasVisible = true;
+        connect(&shown.dialog, &StartDialog::openRequested, &shown.dialog, [&] { wasVisible = shown.dialog.isVisible(); });
+        QTest::mouseClick(&shown.part<QPushButton>("startOpen"), Qt::LeftButton);
+        QCOMPARE(shown.openings.size(), 1);
+        QVERIFY(!wasVisible);
+    }
+
+    void returnTakesTheDefaultSmoke()
+    {
+        Shown shown;
+        QVERIFY(shown.part<QPushButton>("startDefault").isDefault());
+        QTest::keyClick(&shown.dialog, Qt::Key_Return);
+        QCOMPARE(shown.finished.size(), 1);
+        QVERIFY(shown.presets.isEmpty() && shown.files.isEmpty() && shown.openings.isEmpty());
+    }
+
+    void itComesAgainUnlessItIsToldNotTo()
+    {
+        const Shown shown;
+        QVERIFY(shown.dialog.showAgain());
+        QTest::mouseClick(&shown.part<QCheckBox>("startAgain"), Qt::LeftButton, {}, {8, shown.part<QCheckBox>("startAgain").height() / 2});
+        QVERIFY(!shown.dialog.showAgain());
+    }
+};
+
+FUMAGE_TEST_MAIN(StartDialogTest)
+#include "start_dialog_test.moc"
