@@ -284,7 +284,7 @@ private slots:
         camera.position = {0.0F, 0.0F, 9.0F};
         camera.view = {0.0F, 0.0F, -1.0F};
         camera.focalLength = 50.0F;
-        // A 50 mm lens sees 36/50 of the distance across the longer side.
+        // A 50 mm lens sees 36/50 of the distance across the shorter side.
         const View view = makeView(camera, 0.0F, 512, 512);
         const Projected right = project(view, {9.0F * 36.0F / 50.0F / 2.0F, 0.0F, 0.0F});
         QVERIFY(std::abs(right.x - 512.0F) < 1e-2F);

@@ -17,7 +17,7 @@ class PresetList : public QListWidget {
 public:
     explicit PresetList(int edge, QWidget* parent = nullptr);
 
-    /// Reads both folders anew and renders what is new.
+    /// Reads both folders anew and renders every thumbnail.
     void reload();
     /// @param words empty: all; favourites are the ids that come first and have a star
     void filter(const QString& words, bool onlyFavourites);

@@ -1,7 +1,5 @@
 #include "ui/presets/start_dialog.h"
 
-#include "ui/face/icons.h"
-
 #include <QCheckBox>
 #include <QFileInfo>
 #include <QHBoxLayout>

@@ -2,7 +2,6 @@
 
 #include "core/effect/effect.h"
 
-#include <QHash>
 #include <QImage>
 #include <QObject>
 

@@ -12,7 +12,6 @@
 #include <QCoreApplication>
 #include <QLineF>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
