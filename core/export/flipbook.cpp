@@ -70,6 +70,35 @@ std::string describe(const Effect& effect, const FlipbookOptions& options, const
     return json.dump(2) + "\n";
 }
 
+/// Renders the cells into the sheet.
+/// @return most alpha on a cell's border, where the background is transparent
+Result<float> renderCells(const Effect& effect, const FlipbookOptions& options, Image& sheet, const SequenceProgress& progress, const std::stop_token& stop)
+{
+    const Output& output = effect.output;
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke);
+    Renderer renderer;
+    Image cell;
+    float edgeAlpha = 0.0F;
+    const int cells = options.columns * options.rows;
+    sheet.resize(output.width * options.columns, output.height * options.rows);
+    for (int number = 0; number < cells; ++number) {
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(frameOfCell(options, number), stop);
+        if (!frame) {
+            return frame.error();
+        }
+        if (Status status = renderer.render(*frame.value(), smoke, output.width, output.height, cell, stop); !status) {
+            return status.error();
+        }
+        if (output.background == Background::Transparent) {
+            edgeAlpha = std::max(edgeAlpha, mostAlphaOnTheBorder(cell));
+        }
+        place(cell, sheet, number % options.columns * cell.width, number / options.columns * cell.height);
+        progress(number + 1, cells);
+    }
+    return edgeAlpha;
+}
+
 } // namespace
 
 int frameOfCell(const FlipbookOptions& options, int cell)
@@ -86,33 +115,18 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     Flipbook flipbook;
     flipbook.picture = withEnding(options.output, fileEnding(options.format));
     flipbook.description = std::filesystem::path(flipbook.picture).replace_extension(".flipbook.json");
-    const int cells = options.columns * options.rows;
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
-    flipbook.cellsPerSecond = cells * static_cast<double>(effect.timeline.frameRate) / frames;
+    flipbook.cellsPerSecond = options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
     if (Status status = makeFolderOf(flipbook.picture); !status) {
         return status.error();
     }
 
-    const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke);
-    Renderer renderer;
-    Image cell;
     Image sheet;
-    sheet.resize(effect.output.width * options.columns, effect.output.height * options.rows);
-    for (int number = 0; number < cells; ++number) {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(frameOfCell(options, number), stop);
-        if (!frame) {
-            return frame.error();
-        }
-        if (Status status = renderer.render(*frame.value(), smoke, effect.output.width, effect.output.height, cell, stop); !status) {
-            return status.error();
-        }
-        if (effect.output.background == Background::Transparent) {
-            flipbook.edgeAlpha = std::max(flipbook.edgeAlpha, mostAlphaOnTheBorder(cell));
-        }
-        place(cell, sheet, number % options.columns * cell.width, number / options.columns * cell.height);
-        progress(number + 1, cells);
+    const Result<float> edgeAlpha = renderCells(effect, options, sheet, progress, stop);
+    if (!edgeAlpha) {
+        return edgeAlpha.error();
     }
+    flipbook.edgeAlpha = edgeAlpha.value();
     const Result<std::vector<std::byte>> bytes = encodeSheet(sheet, effect.output, options.format, effect.output.width, effect.output.height);
     if (!bytes) {
         Error error = bytes.error();

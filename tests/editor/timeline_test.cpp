@@ -3,7 +3,9 @@
 #include "ui/timeline/player.h"
 #include "ui/timeline/timeline_bar.h"
 
+#include <QComboBox>
 #include <QSpinBox>
+#include <QToolButton>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -95,6 +97,34 @@ private slots:
         QCOMPARE(player.last(), 100);
         dragMouse(ruler, at(0, 5), at(30, 5));
         QCOMPARE(player.first(), 30);
+    }
+
+    void theButtonsAndFieldsDriveThePlayer()
+    {
+        Document document;
+        Player player;
+        TimelineBar bar(document, player);
+        const auto click = [&](const QString& name) { bar.findChild<QToolButton*>(name)->click(); };
+        auto* frame = bar.findChild<QSpinBox*>(u"frameField"_q);
+        click(u"toEnd"_q);
+        QCOMPARE(player.frame(), player.last());
+        click(u"stepBack"_q);
+        QCOMPARE(frame->value(), player.last() - 1);
+        click(u"toStart"_q);
+        click(u"stepForward"_q);
+        QCOMPARE(frame->value(), 1);
+        frame->setValue(7);
+        QCOMPARE(player.frame(), 7);
+        const bool repeated = player.repeats();
+        click(u"repeat"_q);
+        QCOMPARE(player.repeats(), !repeated);
+        auto* speed = bar.findChild<QComboBox*>(u"playSpeed"_q);
+        speed->setCurrentIndex(speed->findData(0.5));
+        QCOMPARE(player.speed(), 0.5);
+        click(u"playButton"_q);
+        QVERIFY(player.isPlaying());
+        click(u"playButton"_q);
+        QVERIFY(!player.isPlaying());
     }
 
     void theFrameRateIsAParameterOfTheDocument()

@@ -119,6 +119,30 @@ QSpinBox* ExportDialog::addNumber(const QString& name, const QString& spoken, in
     return field;
 }
 
+QHBoxLayout* ExportDialog::makeRange()
+{
+    auto* range = new QHBoxLayout;
+    range->setSpacing(8);
+    range->addWidget(m_first);
+    range->addWidget(new QLabel(tr("to"), this));
+    range->addWidget(m_last);
+    range->addWidget(new QLabel(tr("every"), this));
+    range->addWidget(m_step);
+    range->addStretch();
+    return range;
+}
+
+void ExportDialog::fillGrid()
+{
+    auto* grid = new QHBoxLayout(m_grid);
+    grid->setContentsMargins({});
+    grid->setSpacing(8);
+    grid->addWidget(m_columns);
+    grid->addWidget(new QLabel(QStringLiteral("×"), m_grid));
+    grid->addWidget(m_rowsOfCells);
+    grid->addStretch();
+}
+
 void ExportDialog::buildForm()
 {
     auto* form = new QFormLayout;
@@ -138,22 +162,8 @@ void ExportDialog::buildForm()
     place->addWidget(m_path, 1);
     place->addWidget(choose);
     addRow(tr("File"), place);
-    auto* range = new QHBoxLayout;
-    range->setSpacing(8);
-    range->addWidget(m_first);
-    range->addWidget(new QLabel(tr("to"), this));
-    range->addWidget(m_last);
-    range->addWidget(new QLabel(tr("every"), this));
-    range->addWidget(m_step);
-    range->addStretch();
-    addRow(tr("Frames"), range);
-    auto* grid = new QHBoxLayout(m_grid);
-    grid->setContentsMargins({});
-    grid->setSpacing(8);
-    grid->addWidget(m_columns);
-    grid->addWidget(new QLabel(QStringLiteral("×"), m_grid));
-    grid->addWidget(m_rowsOfCells);
-    grid->addStretch();
+    addRow(tr("Frames"), makeRange());
+    fillGrid();
     m_gridLabel = addRow(tr("Columns × rows"), m_grid);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addLayout(form);

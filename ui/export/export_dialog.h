@@ -11,6 +11,7 @@
 #include <vector>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -42,6 +43,8 @@ protected:
 
 private:
     QSpinBox* addNumber(const QString& name, const QString& spoken, int least, int most);
+    [[nodiscard]] QHBoxLayout* makeRange();
+    void fillGrid();
     void buildForm();
     void buildProgress();
     void connectPlan();

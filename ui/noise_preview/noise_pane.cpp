@@ -28,6 +28,12 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     , m_facts(new QLabel(this))
 {
     setObjectName(QStringLiteral("noisePane"));
+    build();
+    connectParts();
+}
+
+void NoisePane::build()
+{
     m_channel->setObjectName(QStringLiteral("noiseChannel"));
     m_channel->setAccessibleName(tr("Channel"));
     m_channel->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -42,6 +48,18 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     m_facts->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_facts->setProperty("role", QStringLiteral("secondary"));
 
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(6);
+    layout->addLayout(makeBar());
+    layout->addWidget(m_canvas, 1);
+    layout->addWidget(m_slice);
+    layout->addWidget(m_plots);
+    layout->addWidget(m_facts);
+}
+
+QHBoxLayout* NoisePane::makeBar()
+{
     auto* bar = new QHBoxLayout;
     bar->setSpacing(2);
     bar->addWidget(m_channel, 1);
@@ -55,19 +73,16 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     for (QToolButton* button : {m_plain, m_tiled, m_profile, m_animate, save}) {
         bar->addWidget(button);
     }
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->setSpacing(6);
-    layout->addLayout(bar);
-    layout->addWidget(m_canvas, 1);
-    layout->addWidget(m_slice);
-    layout->addWidget(m_plots);
-    layout->addWidget(m_facts);
+    connect(save, &QToolButton::clicked, this, &NoisePane::exportRequested);
+    return bar;
+}
 
+void NoisePane::connectParts()
+{
     m_clock.setInterval(kAnimationMs);
     connect(&m_clock, &QTimer::timeout, this, &NoisePane::advance);
     connect(&m_worker, &NoiseWorker::ready, this, &NoisePane::receive);
-    connect(&document, &Document::effectChanged, this, &NoisePane::refresh);
+    connect(&m_document, &Document::effectChanged, this, &NoisePane::refresh);
     connect(m_channel, &QComboBox::currentIndexChanged, this, &NoisePane::refresh);
     connect(m_plain, &QToolButton::toggled, this, &NoisePane::refresh);
     connect(m_slice, &QSlider::valueChanged, this, &NoisePane::refresh);
@@ -75,8 +90,12 @@ NoisePane::NoisePane(Document& document, QWidget* parent)
     connect(m_profile, &QToolButton::toggled, m_canvas, &NoiseCanvas::setLineShown);
     connect(m_profile, &QToolButton::toggled, m_plots, &NoisePlots::setProfileShown);
     connect(m_animate, &QToolButton::toggled, this, [this](bool on) { on ? m_clock.start() : m_clock.stop(); });
-    connect(m_canvas, &NoiseCanvas::lineMoved, this, [this] { m_plots->show(m_picture, m_canvas->line(), static_cast<double>(m_document.effect().noise.wavelength)); });
-    connect(save, &QToolButton::clicked, this, &NoisePane::exportRequested);
+    connect(m_canvas, &NoiseCanvas::lineMoved, this, &NoisePane::plot);
+}
+
+void NoisePane::plot()
+{
+    m_plots->show(m_picture, m_canvas->line(), static_cast<double>(m_document.effect().noise.wavelength));
 }
 
 QToolButton* NoisePane::addToggle(const QString& name, const QString& icon, const QString& tip)
@@ -137,7 +156,7 @@ void NoisePane::receive(const NoisePicturePtr& picture)
 {
     m_picture = picture;
     m_canvas->show(picture);
-    m_plots->show(picture, m_canvas->line(), static_cast<double>(m_document.effect().noise.wavelength));
+    plot();
     m_facts->setText(tr("%1 × %1 px   mean %2   deviation %3").arg(picture->tile.size).arg(picture->mean, 0, 'f', 2).arg(picture->deviation, 0, 'f', 2));
     emit pictureShown();
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -35,10 +36,14 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
+    void build();
+    QHBoxLayout* makeBar();
+    void connectParts();
     QToolButton* addToggle(const QString& name, const QString& icon, const QString& tip);
     void refresh();
     void receive(const NoisePicturePtr& picture);
     void advance();
+    void plot();
 
     Document& m_document;
     NoiseWorker m_worker;

@@ -33,6 +33,20 @@ VariationsPanel::VariationsPanel(Document& document, Locks& locks, QWidget* pare
     , m_locked(new QLabel(this))
 {
     setObjectName(QStringLiteral("variations"));
+    m_locked->setProperty("role", QStringLiteral("secondary"));
+    m_locked->setWordWrap(true);
+    QGridLayout* grid = makeGrid();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addLayout(makeBar());
+    layout->addLayout(grid);
+    layout->addWidget(m_locked);
+    layout->addStretch();
+    connectParts();
+}
+
+QGridLayout* VariationsPanel::makeGrid()
+{
     auto* grid = new QGridLayout;
     grid->setSpacing(4);
     for (int i = 0; i < kCells; ++i) {
@@ -47,6 +61,11 @@ VariationsPanel::VariationsPanel(Document& document, Locks& locks, QWidget* pare
         grid->addWidget(cell, i / kColumns, i % kColumns, Qt::AlignCenter);
         connect(cell, &QToolButton::clicked, this, [this, i] { adopt(i); });
     }
+    return grid;
+}
+
+QHBoxLayout* VariationsPanel::makeBar()
+{
     m_back->setObjectName(QStringLiteral("variations.back"));
     m_back->setIcon(themedIcon(QStringLiteral("back")));
     m_back->setToolTip(tr("Back to the smoke before this one"));
@@ -56,36 +75,33 @@ VariationsPanel::VariationsPanel(Document& document, Locks& locks, QWidget* pare
     dice->setIcon(themedIcon(QStringLiteral("dice")));
     dice->setToolTip(tr("Other variations"));
     dice->setAccessibleName(dice->toolTip());
+    connect(dice, &QToolButton::clicked, this, &VariationsPanel::throwDice);
     m_amount->setObjectName(QStringLiteral("variations.amount"));
     m_amount->setAccessibleName(tr("How far they differ"));
     m_amount->setToolTip(tr("How far they differ"));
     m_amount->setRange(1, kLargestAmount);
     m_amount->setValue(kUsualAmount);
-    m_locked->setProperty("role", QStringLiteral("secondary"));
-    m_locked->setWordWrap(true);
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_back);
     bar->addWidget(dice);
     bar->addWidget(new QLabel(tr("Subtle"), this));
     bar->addWidget(m_amount, 1);
     bar->addWidget(new QLabel(tr("Wild"), this));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 8);
-    layout->addLayout(bar);
-    layout->addLayout(grid);
-    layout->addWidget(m_locked);
-    layout->addStretch();
+    return bar;
+}
+
+void VariationsPanel::connectParts()
+{
     constexpr int kSettleMs = 200;
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettleMs);
     connect(&m_settle, &QTimer::timeout, this, &VariationsPanel::fill);
-    connect(dice, &QToolButton::clicked, this, &VariationsPanel::throwDice);
     connect(m_back, &QToolButton::clicked, this, &VariationsPanel::goBack);
     connect(m_amount, &QSlider::valueChanged, this, &VariationsPanel::fill);
     connect(&m_locks, &Locks::changed, this, &VariationsPanel::fill);
     connect(&m_thumbnailer, &Thumbnailer::ready, this, &VariationsPanel::receive);
-    connect(&document, &Document::effectChanged, this, &VariationsPanel::follow);
-    connect(&document, &Document::loaded, this, [this] { m_lineage.clear(); });
+    connect(&m_document, &Document::effectChanged, this, &VariationsPanel::follow);
+    connect(&m_document, &Document::loaded, this, [this] { m_lineage.clear(); });
 }
 
 void VariationsPanel::showEvent(QShowEvent* event)

@@ -10,6 +10,8 @@
 #include <array>
 #include <vector>
 
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -36,6 +38,9 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    [[nodiscard]] QGridLayout* makeGrid();
+    [[nodiscard]] QHBoxLayout* makeBar();
+    void connectParts();
     void throwDice();
     void fill();
     void adopt(int cell);

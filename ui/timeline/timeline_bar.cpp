@@ -27,6 +27,10 @@ constexpr double kGripReach = 7.0;
 constexpr double kRangeTop = 2.0; ///< of the strip that holds the range
 constexpr double kRangeHeight = 8.0;
 constexpr double kLeastTickGap = 52.0;
+// On a small screen these give way before the smoke does.
+constexpr int kLeastField = 62;
+constexpr int kLeastSpeed = 46;
+constexpr const Parameter& kFrameRate = knownParameter("timeline.frame_rate");
 
 /// 1, 2, 5, 10, 20, 50 ... frames between numbers.
 int tickStep(double pixelsAFrame)
@@ -156,6 +160,21 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     setObjectName(QStringLiteral("timeline"));
     auto* controls = new QHBoxLayout;
     controls->setSpacing(2);
+    addButtons(*controls);
+    addFrameAndTime(*controls);
+    addSpeedAndRate(*controls);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 8, 6);
+    layout->setSpacing(4);
+    layout->addLayout(controls);
+    layout->addWidget(m_ruler);
+    connectPlayer();
+    connect(&document, &Document::effectChanged, this, &TimelineBar::followDocument);
+    followDocument();
+}
+
+void TimelineBar::addButtons(QHBoxLayout& controls)
+{
     QToolButton* start = makeIconButton(this, QStringLiteral("toStart"), QStringLiteral("to-start"), tr("To the first frame (Home)"));
     QToolButton* back = makeIconButton(this, QStringLiteral("stepBack"), QStringLiteral("step-back"), tr("One frame back (Left)"));
     m_play = makeIconButton(this, QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
@@ -164,69 +183,70 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     m_loop = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"), tr("Start again after the last frame"));
     m_loop->setCheckable(true);
     for (QToolButton* button : {start, back, m_play, forward, end, m_loop}) {
-        controls->addWidget(button);
+        controls.addWidget(button);
     }
+    connect(start, &QToolButton::clicked, &m_player, &Player::toStart);
+    connect(back, &QToolButton::clicked, this, [this] { m_player.stepBy(-1); });
+    connect(forward, &QToolButton::clicked, this, [this] { m_player.stepBy(1); });
+    connect(end, &QToolButton::clicked, &m_player, &Player::toEnd);
+}
+
+void TimelineBar::addFrameAndTime(QHBoxLayout& controls)
+{
     m_frame->setObjectName(QStringLiteral("frameField"));
     m_frame->setAccessibleName(tr("Frame"));
     m_frame->setToolTip(tr("The frame that is shown"));
     m_frame->setKeyboardTracking(false);
-    controls->addSpacing(8);
-    controls->addWidget(m_frame);
-    m_time->setProperty("role", QStringLiteral("secondary"));
-    controls->addWidget(m_time, 1);
-    // On a small screen these give way before the smoke does.
-    constexpr int kLeastField = 62;
-    constexpr int kLeastSpeed = 46;
     m_frame->setMinimumWidth(kLeastField);
+    m_time->setProperty("role", QStringLiteral("secondary"));
     m_time->setMinimumWidth(0);
     m_time->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    controls.addSpacing(8);
+    controls.addWidget(m_frame);
+    controls.addWidget(m_time, 1);
+}
 
-    auto* speed = new QComboBox(this);
-    speed->setObjectName(QStringLiteral("playSpeed"));
-    speed->setAccessibleName(tr("Speed"));
-    speed->setToolTip(tr("Speed of playing"));
+void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
+{
+    m_speed = new QComboBox(this);
+    m_speed->setObjectName(QStringLiteral("playSpeed"));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("Speed of playing"));
     for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
-        speed->addItem(QStringLiteral("%1×").arg(factor), factor);
+        m_speed->addItem(QStringLiteral("%1×").arg(factor), factor);
     }
-    speed->setCurrentIndex(speed->findData(1.0));
-    auto* rate = new QSpinBox(this);
-    rate->setObjectName(QStringLiteral("frameRateField"));
-    rate->setAccessibleName(tr("Frames per second"));
-    rate->setToolTip(tr("Frames per second of the effect"));
-    rate->setKeyboardTracking(false);
-    const Parameter& rateParameter = knownParameter("timeline.frame_rate");
-    rate->setRange(static_cast<int>(rateParameter.hard.low), static_cast<int>(rateParameter.hard.high));
-    rate->setSuffix(tr(" frames/s"));
-    speed->setMinimumWidth(kLeastSpeed);
-    rate->setMinimumWidth(kLeastField);
-    controls->addWidget(speed);
-    controls->addWidget(rate);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 4, 8, 6);
-    layout->setSpacing(4);
-    layout->addLayout(controls);
-    layout->addWidget(m_ruler);
+    m_speed->setCurrentIndex(m_speed->findData(1.0));
+    m_speed->setMinimumWidth(kLeastSpeed);
+    m_rate = new QSpinBox(this);
+    m_rate->setObjectName(QStringLiteral("frameRateField"));
+    m_rate->setAccessibleName(tr("Frames per second"));
+    m_rate->setToolTip(tr("Frames per second of the effect"));
+    m_rate->setKeyboardTracking(false);
+    m_rate->setRange(static_cast<int>(kFrameRate.hard.low), static_cast<int>(kFrameRate.hard.high));
+    m_rate->setSuffix(tr(" frames/s"));
+    m_rate->setMinimumWidth(kLeastField);
+    controls.addWidget(m_speed);
+    controls.addWidget(m_rate);
+}
 
-    connect(start, &QToolButton::clicked, &player, &Player::toStart);
-    connect(end, &QToolButton::clicked, &player, &Player::toEnd);
-    connect(back, &QToolButton::clicked, this, [&player] { player.stepBy(-1); });
-    connect(forward, &QToolButton::clicked, this, [&player] { player.stepBy(1); });
-    connect(m_play, &QToolButton::clicked, &player, &Player::toggle);
-    connect(m_loop, &QToolButton::toggled, &player, &Player::setRepeats);
-    connect(speed, &QComboBox::currentIndexChanged, this, [speed, &player] { player.setSpeed(speed->currentData().toDouble()); });
-    connect(m_frame, &QSpinBox::valueChanged, &player, &Player::setFrame);
-    connect(rate, &QSpinBox::valueChanged, this, [this, &rateParameter](int value) { m_document.edit(rateParameter, value); });
-    connect(&player, &Player::frameChanged, this, &TimelineBar::showTime);
-    connect(&player, &Player::settingsChanged, this, &TimelineBar::sync);
-    connect(&player, &Player::playingChanged, this, &TimelineBar::sync);
-    connect(&document, &Document::effectChanged, this, [this, rate] {
-        const QSignalBlocker blocker(rate);
-        rate->setValue(m_document.effect().timeline.frameRate);
-        m_player.setTimeline(m_document.effect().timeline.length, m_document.effect().timeline.frameRate);
-        sync();
-    });
-    rate->setValue(document.effect().timeline.frameRate);
-    player.setTimeline(document.effect().timeline.length, document.effect().timeline.frameRate);
+void TimelineBar::connectPlayer()
+{
+    connect(m_play, &QToolButton::clicked, &m_player, &Player::toggle);
+    connect(m_loop, &QToolButton::toggled, &m_player, &Player::setRepeats);
+    connect(m_speed, &QComboBox::currentIndexChanged, this, [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
+    connect(m_frame, &QSpinBox::valueChanged, &m_player, &Player::setFrame);
+    connect(m_rate, &QSpinBox::valueChanged, this, [this](int value) { m_document.edit(kFrameRate, value); });
+    connect(&m_player, &Player::frameChanged, this, &TimelineBar::showTime);
+    connect(&m_player, &Player::settingsChanged, this, &TimelineBar::sync);
+    connect(&m_player, &Player::playingChanged, this, &TimelineBar::sync);
+}
+
+void TimelineBar::followDocument()
+{
+    const Timeline& timeline = m_document.effect().timeline;
+    const QSignalBlocker blocker(m_rate);
+    m_rate->setValue(timeline.frameRate);
+    m_player.setTimeline(timeline.length, timeline.frameRate);
     sync();
 }
 

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QSpinBox;
 class QToolButton;
@@ -55,6 +57,11 @@ public:
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
 
 private:
+    void addButtons(QHBoxLayout& controls);
+    void addFrameAndTime(QHBoxLayout& controls);
+    void addSpeedAndRate(QHBoxLayout& controls);
+    void connectPlayer();
+    void followDocument();
     void sync();
     void showTime();
 
@@ -65,6 +72,8 @@ private:
     QToolButton* m_loop;
     QSpinBox* m_frame;
     QLabel* m_time;
+    QComboBox* m_speed;
+    QSpinBox* m_rate;
 };
 
 } // namespace fumage::ui
