@@ -80,19 +80,22 @@ void ParameterRow::sync()
 
 void ParameterRow::showState()
 {
-    const bool changed = !(m_shown == parameter().get(m_document.reference()));
-    const bool locked = m_locks.contains(parameter());
-    const QString text = (changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()) + (locked ? QStringLiteral(" 🔒") : QString());
-    if (m_label->text() != text) {
-        m_label->setText(text);
-        m_label->setProperty("changed", changed);
-        m_label->style()->unpolish(m_label);
-        m_label->style()->polish(m_label);
+    const State state{!(m_shown == parameter().get(m_document.reference())), m_locks.contains(parameter())};
+    if (state == m_state) {
+        return;
     }
+    m_state = state;
+    m_label->setText((state.changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()) + (state.locked ? QStringLiteral(" 🔒") : QString()));
+    m_label->setProperty("changed", state.changed);
+    m_label->style()->unpolish(m_label);
+    m_label->style()->polish(m_label);
 }
 
 bool ParameterRow::matches(const QStringList& words) const
 {
+    if (words.isEmpty()) {
+        return true;
+    }
     const QString all = fullLabelOf(parameter()) + QLatin1Char(' ') + toQString(parameter().key) + QLatin1Char(' ') + toQString(parameter().tip);
     return std::all_of(words.begin(), words.end(), [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }

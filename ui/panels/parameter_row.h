@@ -30,6 +30,12 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    /// What the label tells beside the name.
+    struct State {
+        bool changed = false;
+        bool locked = false;
+        friend bool operator==(const State&, const State&) = default;
+    };
     void edit(const Value& value, bool finished);
     void showState();
     void copy(bool asAssignment) const;
@@ -41,6 +47,7 @@ private:
     ParameterEditor* m_editor;
     Gesture m_gesture; ///< of the edits since the last finished one
     Value m_shown;
+    State m_state;
     bool m_hasShown = false;
 };
 
