@@ -2,6 +2,7 @@
 
 #include "tests/parameter_rows.h"
 
+#include "ui/panels/angle_dial.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/gradient_editor.h"
@@ -17,6 +18,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QTranslator>
+#include <QtMath>
 
 #include <glm/geometric.hpp>
 
@@ -278,6 +281,67 @@ private slots:
         QCOMPARE(up.y, 0.0F);
     }
 
+    // --- dials ------------------------------------------------------------------------------------------------------
+
+    void aDialIsTurnedByTheMouseInOneStep()
+    {
+        AngleDial* dial = windDial();
+        dragMouse(*dial, placeOn(*dial, 20.0), placeOn(*dial, 90.0));
+        QCOMPARE(m_document->effect().motion.windAngle, 90.0F); // down is towards the viewer
+        QCOMPARE(field("motion.wind_angle.field")->text(), u"90\u00b0"_q);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QTest::mouseClick(dial, Qt::LeftButton, {}, placeOn(*dial, 180.0));
+        QCOMPARE(m_document->effect().motion.windAngle, 180.0F);
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QCOMPARE(m_document->effect().motion.windAngle, 0.0F);
+    }
+
+    void theControlKeySnapsADial()
+    {
+        AngleDial* dial = windDial();
+        for (const double angle : {20.0, 50.0, -70.0}) {
+            QTest::mouseClick(dial, Qt::LeftButton, Qt::ControlModifier, placeOn(*dial, angle));
+            QCOMPARE(m_document->effect().motion.windAngle, static_cast<float>(qRound(angle / 15.0) * 15));
+        }
+    }
+
+    void aBurstOfKeysOnADialIsOneStep()
+    {
+        AngleDial* dial = windDial();
+        dial->setFocus();
+        for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Right, Qt::Key_Up, Qt::Key_Left}) {
+            QTest::keyClick(dial, key);
+        }
+        QCOMPARE(m_document->effect().motion.windAngle, 2.0F);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        m_document->undoStack()->undo();
+        QCOMPARE(m_document->effect().motion.windAngle, 0.0F);
+    }
+
+    void aDialLeavesTheWheelToThePanel()
+    {
+        AngleDial* dial = windDial();
+        dial->setFocus();
+        turnWheel(*dial, 3);
+        QVERIFY(m_document->effect() == Effect());
+    }
+
+    void aPressEndsTheBurstOfKeysBeforeIt()
+    {
+        AngleDial* dial = windDial();
+        dial->setFocus();
+        QTest::keyClick(dial, Qt::Key_Up);
+        QTest::mouseClick(dial, Qt::LeftButton, {}, placeOn(*dial, 90.0));
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        auto* slider = m_panel->findChild<NumberSlider*>(u"motion.gravity.slider"_q);
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 20, slider->height() / 2));
+        QCOMPARE(m_document->undoStack()->count(), 4);
+    }
+
     // --- curves and gradients ---------------------------------------------------------------------------------------
 
     void aPointOfACurveIsDraggedAddedAndTakenAway()
@@ -323,6 +387,23 @@ private slots:
         QVERIFY(row("motion.wind")->isVisible());
     }
 
+    void whereNothingIsSearchedForNoTextIsLookedUp()
+    {
+        CountingTranslator translator;
+        QCoreApplication::installTranslator(&translator);
+        const auto textsOf = [&](Document& document, float gravity) {
+            translator.count = 0;
+            document.edit(*findParameter("motion.gravity"), gravity);
+            return translator.count;
+        };
+        Document unseen;
+        const int forTheUndoStep = textsOf(unseen, 1.0F);
+        QVERIFY(forTheUndoStep > 0);
+        QCOMPARE(textsOf(*m_document, 1.0F), forTheUndoStep + 1); // the label is marked as changed
+        QCOMPARE(textsOf(*m_document, 2.0F), forTheUndoStep);
+        QCoreApplication::removeTranslator(&translator);
+    }
+
     void rowsThatHaveNoInfluenceAreHidden()
     {
         QVERIFY(row("emitter.radius")->isVisible());
@@ -344,6 +425,26 @@ private slots:
     }
 
 private:
+    /// Counts the texts that are looked up; knows none.
+    class CountingTranslator : public QTranslator {
+    public:
+        QString translate(const char*, const char*, const char*, int) const override
+        {
+            ++count;
+            return {};
+        }
+        bool isEmpty() const override { return false; }
+        mutable int count = 0;
+    };
+
+    AngleDial* windDial() { return m_panel->findChild<AngleDial*>(u"motion.wind_angle.dial"_q); }
+    /// A place on the rim of a dial.
+    static QPoint placeOn(const AngleDial& dial, double degrees)
+    {
+        const double angle = qDegreesToRadians(degrees);
+        return (QRectF(dial.rect()).center() + 12.0 * QPointF(std::cos(angle), std::sin(angle))).toPoint();
+    }
+
     ParameterRow* row(const char* key) { return m_panel->findChild<ParameterRow*>(QString::fromLatin1(key) + u".row"_q); }
     NumberField* field(const char* name)
     {

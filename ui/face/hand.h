@@ -12,7 +12,7 @@ namespace fumage::ui {
 }
 
 /// Steps of the wheel or of a key that follow closely on one another are one gesture, and so one step of undo. start() at each step; the
-/// gesture has ended when timeout() comes.
+/// gesture has ended when ended() comes.
 class Burst : public QTimer {
     Q_OBJECT
 
@@ -24,7 +24,20 @@ public:
     {
         setSingleShot(true);
         setInterval(kRestMs);
+        connect(this, &QTimer::timeout, this, &Burst::ended);
     }
+
+    /// The hand does something else: the gesture ends now.
+    void end()
+    {
+        if (isActive()) {
+            stop();
+            emit ended();
+        }
+    }
+
+signals:
+    void ended();
 };
 
 } // namespace fumage::ui

@@ -22,7 +22,7 @@ AngleDial::AngleDial(QWidget* parent)
 {
     setFixedSize(sizeHint());
     setFocusPolicy(Qt::StrongFocus);
-    connect(&m_burst, &Burst::timeout, this, [this] { emit edited(m_angle, true); });
+    connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_angle, true); });
 }
 
 void AngleDial::setAngle(double degrees)
@@ -46,6 +46,7 @@ void AngleDial::turnTo(const QPointF& mouse, bool snap)
 
 void AngleDial::mousePressEvent(QMouseEvent* event)
 {
+    m_burst.end();
     turnTo(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
 }
 

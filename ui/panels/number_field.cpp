@@ -29,7 +29,7 @@ NumberField::NumberField(const NumberScale& scale, QWidget* parent)
     // A press may become a drag: the release of a click gives the focus.
     setFocusPolicy(Qt::TabFocus);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
-    connect(&m_burst, &Burst::timeout, this, [this] { emit edited(m_value, true); });
+    connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_value, true); });
     connect(this, &QLineEdit::returnPressed, this, [this] {
         commitText();
         selectAll();
@@ -92,14 +92,6 @@ void NumberField::stepBy(double steps)
     showValue();
     m_burst.start();
     emit edited(m_value, false);
-}
-
-void NumberField::endBurst()
-{
-    if (m_burst.isActive()) {
-        m_burst.stop();
-        emit edited(m_value, true);
-    }
 }
 
 void NumberField::mousePressEvent(QMouseEvent* event)
@@ -192,7 +184,7 @@ void NumberField::focusInEvent(QFocusEvent* event)
 void NumberField::focusOutEvent(QFocusEvent* event)
 {
     commitText();
-    endBurst();
+    m_burst.end();
     setCursor(Qt::SizeHorCursor);
     QLineEdit::focusOutEvent(event);
     deselect();

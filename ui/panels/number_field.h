@@ -38,7 +38,6 @@ private:
     void showValue();
     void commitText();
     void stepBy(double steps);
-    void endBurst();
 
     NumberScale m_scale;
     double m_value = 0.0;

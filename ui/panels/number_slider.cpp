@@ -32,7 +32,7 @@ NumberSlider::NumberSlider(const NumberScale& scale, QWidget* parent)
     setSingleStep(positionsAStep(scale));
     setPageStep(singleStep() * 10);
     setFocusPolicy(Qt::StrongFocus);
-    connect(&m_burst, &Burst::timeout, this, [this] { emit edited(m_number, true); });
+    connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_number, true); });
     connect(this, &QSlider::valueChanged, this, &NumberSlider::follow);
     connect(this, &QSlider::sliderReleased, this, [this] { emit edited(m_number, true); });
 }
@@ -59,6 +59,7 @@ void NumberSlider::follow(int position)
 
 void NumberSlider::mousePressEvent(QMouseEvent* event)
 {
+    m_burst.end();
     if (event->button() == Qt::LeftButton) {
         QStyleOptionSlider option;
         initStyleOption(&option);

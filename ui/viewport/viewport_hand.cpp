@@ -16,7 +16,7 @@ ViewportHand::ViewportHand(Document& document, SplitView& split, QWidget& surfac
     surface.setFocusPolicy(Qt::StrongFocus);
     surface.setMouseTracking(true);
     surface.installEventFilter(this);
-    connect(&m_wheelBurst, &Burst::timeout, this, [this] { m_wheelGesture = {}; });
+    connect(&m_wheelBurst, &Burst::ended, this, [this] { m_wheelGesture = {}; });
 }
 
 std::optional<GizmoId> ViewportHand::gizmo() const
