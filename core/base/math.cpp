@@ -2,6 +2,8 @@
 
 #include "core/base/math-inl.h"
 
+// What the instruction set of the kernels needs, NEON's for instance, is asked for here too.
+HWY_BEFORE_NAMESPACE();
 namespace fumage {
 
 namespace {
@@ -50,3 +52,4 @@ float portablePow(float x, float y)
 }
 
 } // namespace fumage
+HWY_AFTER_NAMESPACE();

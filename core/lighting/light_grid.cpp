@@ -9,8 +9,6 @@
 #include <array>
 #include <cmath>
 
-#include <tbb/task_arena.h>
-
 namespace fumage {
 
 namespace {
@@ -43,7 +41,7 @@ void splatAll(const Frame& frame, const Appearance& appearance, LightGrid& out)
     // The sum over all particles must fit into 32 bits, whatever cell they meet in.
     constexpr float kMostUnits = 0x1p31F;
     const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, 1e-20F) / kPi * static_cast<float>(chunks * Particles::kChunk));
-    const auto workers = std::min(chunks, static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency())));
+    const auto workers = std::min(chunks, parallelThreads());
     out.partial.resize(workers);
     parallelFor(workers, [&](std::size_t worker) {
         out.partial[worker].assign(cells, 0U);

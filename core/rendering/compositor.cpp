@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <memory>
 
-#include <tbb/enumerable_thread_specific.h>
-
 namespace fumage {
 
 namespace {
@@ -106,7 +104,7 @@ Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& textur
     m_blocks = (batch.sprites.size() + kBlock - 1) / kBlock;
     countTiles(batch, tiles, columns);
 
-    tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces([] { return std::make_unique<Workspace>(); });
+    PerThread<Workspace> workspaces;
     for (std::size_t first = 0; first < tiles;) {
         std::size_t last = first;
         std::uint64_t entries = 0;
@@ -118,7 +116,7 @@ Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& textur
             if (stop.stop_requested()) {
                 return;
             }
-            Workspace& workspace = *workspaces.local();
+            Workspace& workspace = workspaces.local();
             const auto tile = static_cast<int>(first + index);
             workspace.tile.left = tile % columns * kTileWidth;
             workspace.tile.top = tile / columns * kTileHeight;
