@@ -5,6 +5,7 @@ namespace fumage {
 inline constexpr float kPi = 3.14159265358979324F;
 inline constexpr float kTau = 6.28318530717958648F;
 
+/// An angle in radians.
 [[nodiscard]] constexpr float radians(float degrees)
 {
     return degrees * (kPi / 180.0F);
@@ -13,8 +14,11 @@ inline constexpr float kTau = 6.28318530717958648F;
 /// Scalar functions with the same bits on every machine and the same bits as one lane of the SIMD kernels.
 /// Errors and ranges: see math-inl.h, of which these are the one-lane form.
 [[nodiscard]] float portableSin(float angle);
+/// As portableSin().
 [[nodiscard]] float portableCos(float angle);
+/// e^x, see portableSin().
 [[nodiscard]] float portableExp(float x);
+/// The natural logarithm of x > 0, see portableSin().
 [[nodiscard]] float portableLog(float x);
 
 /// x^y for x >= 0 as e^(y ln x); 0^y is 0 for y > 0 and 1 for y = 0.

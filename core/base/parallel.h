@@ -13,6 +13,7 @@ struct ParallelBody {
     const void* object;
     void (*call)(const void* object, std::size_t index);
 };
+/// What parallelFor() is made of: use that.
 void runParallel(std::size_t count, const ParallelBody& body);
 
 /// Calls body(index) for every index in [0, count), on as many threads as the process allows.

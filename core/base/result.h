@@ -56,6 +56,7 @@ public:
     {
     }
 
+    /// Whether there is a value.
     [[nodiscard]] bool ok() const { return m_state.index() == 0; }
     explicit operator bool() const { return ok(); }
 
@@ -74,6 +75,7 @@ public:
         assert(ok());
         return std::get<0>(std::move(m_state));
     }
+    /// What went wrong; only where ok() is false.
     [[nodiscard]] const Error& error() const
     {
         assert(!ok());

@@ -12,6 +12,7 @@ namespace fumage {
 /// Parses a whole text as a number: no locale, no leading or trailing characters.
 /// @return nothing for an empty text, rubbish, or a value that does not fit; infinities and NaN are returned as such
 [[nodiscard]] std::optional<float> parseFloat(std::string_view text);
+/// As parseFloat(), for a decimal whole number with an optional minus.
 [[nodiscard]] std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// The shortest decimal text that reads back as the same bits.
@@ -19,8 +20,11 @@ namespace fumage {
 
 /// Splits at every separator; "a,,b" has three parts, "" has one.
 [[nodiscard]] std::size_t splitCount(std::string_view text, char separator);
+/// @param index 0 to splitCount() - 1
+/// @return that part of the text, without separators; a look into the text, which must outlive it
 [[nodiscard]] std::string_view splitPart(std::string_view text, char separator, std::size_t index);
 
+/// @return the text without spaces, tabs and line ends at its ends; a look into it
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// The candidate with the smallest edit distance (Levenshtein), for "did you mean".

@@ -24,6 +24,7 @@ struct Curve {
     /// @param points 1 to kMaxControlPoints of them, x ascending
     Curve(std::initializer_list<CurvePoint> points);
 
+    /// The control points in use, x ascending.
     [[nodiscard]] std::span<const CurvePoint> points() const { return {storage.data(), static_cast<std::size_t>(count)}; }
 
     /// @return the value at x; outside of the points, that of the nearest

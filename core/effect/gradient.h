@@ -21,6 +21,7 @@ struct Gradient {
     /// @param stops 1 to kMaxControlPoints of them, ascending
     Gradient(std::initializer_list<GradientStop> stops);
 
+    /// The stops in use, ascending.
     [[nodiscard]] std::span<const GradientStop> stops() const { return {storage.data(), static_cast<std::size_t>(count)}; }
 
     /// @return the colour at a position; outside of the stops, that of the nearest; white without stops

@@ -88,7 +88,9 @@ struct Parameter {
     Value (*get)(const Effect&) = nullptr;
     void (*set)(Effect&, const Value&) = nullptr; ///< the Value must hold the alternative of the kind
 
+    /// "emitter" of "emitter.radius".
     [[nodiscard]] constexpr std::string_view group() const { return key.substr(0, key.find('.')); }
+    /// "radius" of "emitter.radius".
     [[nodiscard]] constexpr std::string_view name() const { return key.substr(key.find('.') + 1); }
 };
 

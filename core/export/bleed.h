@@ -10,6 +10,7 @@ namespace fumage {
 /// @param cellWidth,cellHeight the picture is divided into these, and no colour leaves its cell
 /// O(pixels).
 void bleedColours(EncodedImage<std::uint8_t>& image, int cellWidth, int cellHeight);
+/// The same in 16 bits.
 void bleedColours(EncodedImage<std::uint16_t>& image, int cellWidth, int cellHeight);
 
 } // namespace fumage

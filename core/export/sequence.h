@@ -17,6 +17,7 @@ struct FrameRange {
     int last = 0;
     int step = 1;
 
+    /// How many frames there are, 1 or more.
     [[nodiscard]] int count() const { return (last - first) / step + 1; }
     /// The frame that stands at a place, 0 to count() - 1.
     [[nodiscard]] int at(int index) const { return first + index * step; }

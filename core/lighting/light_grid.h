@@ -15,6 +15,7 @@ struct GridShape {
     float cell = 1.0F; ///< edge of a cell, m
     int nu = 1, nv = 1, nw = 1;
 
+    /// How many cells there are in all.
     [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv) * static_cast<std::size_t>(nw); }
 };
 

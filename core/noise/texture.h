@@ -16,6 +16,7 @@ struct NoiseTile {
     int size = 0;
     AlignedArray<float> values; ///< size * size, row-major, origin bottom-left, in [0, 1]
 
+    /// One texel; x and y in [0, size).
     [[nodiscard]] float at(int x, int y) const { return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x)]; }
 };
 

@@ -30,6 +30,7 @@ struct JsonNode {
     std::vector<JsonNode> items; ///< of an array, or the values of an object, in the order of the file
     std::vector<std::string> keys; ///< of an object: keys[i] belongs to items[i]; they differ
 
+    /// @return the member of an object with this key; null where there is none
     [[nodiscard]] const JsonNode* find(std::string_view key) const;
 };
 

@@ -19,6 +19,7 @@ struct LibraryEntry {
 /// $XDG_DATA_HOME/fumage/presets, or ~/.local/share/fumage/presets.
 [[nodiscard]] std::filesystem::path userPresetFolder();
 
+/// @error those of readPresetFile()
 [[nodiscard]] Result<PresetReading> loadPreset(const LibraryEntry& entry);
 
 /// Loads what a person names: a built-in preset, else one of the user's folder, else a file.

@@ -44,7 +44,10 @@ struct PresetReading {
 /// parsePreset() of it gives the same preset; writing that again gives the same text.
 [[nodiscard]] std::string formatPreset(const Preset& preset);
 
+/// @error those of readFile() with kMaxPresetBytes, and of parsePreset()
 [[nodiscard]] Result<PresetReading> readPresetFile(const std::filesystem::path& path);
+/// Writes formatPreset(), whole or not at all.
+/// @error those of writeFileAtomically()
 [[nodiscard]] Status writePresetFile(const std::filesystem::path& path, const Preset& preset);
 
 } // namespace fumage

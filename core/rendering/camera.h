@@ -30,6 +30,8 @@ struct Projected {
     float depth = 0.0F; ///< m along the view; not in front of the camera where 0 or less
 };
 
+/// @param point in metres
+/// @return where it is seen; x and y mean nothing where the depth is 0 or less
 [[nodiscard]] Projected project(const View& view, const glm::vec3& point);
 
 } // namespace fumage

@@ -10,11 +10,13 @@ namespace fumage {
 /// A sprite in a list to sort: depth key in the upper half, index in the lower.
 using DepthEntry = std::uint64_t;
 
+/// @param key of depth, greater is farther
 [[nodiscard]] constexpr DepthEntry depthEntry(std::uint32_t key, std::uint32_t index)
 {
     return static_cast<DepthEntry>(key) << 32U | index;
 }
 
+/// The index that depthEntry() was given.
 [[nodiscard]] constexpr std::uint32_t entryIndex(DepthEntry entry)
 {
     return static_cast<std::uint32_t>(entry);

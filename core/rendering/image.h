@@ -12,6 +12,7 @@ struct Image {
     int height = 0;
     AlignedArray<float> pixels; ///< width * height * 4
 
+    /// Makes room; what the pixels hold then is undefined.
     void resize(int newWidth, int newHeight)
     {
         width = newWidth;
@@ -19,8 +20,11 @@ struct Image {
         pixels.resize(static_cast<std::size_t>(newWidth) * static_cast<std::size_t>(newHeight) * 4);
     }
 
+    /// The first pixel of a row; y in [0, height), 0 on top.
     [[nodiscard]] float* row(int y) { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4; }
+    /// As above.
     [[nodiscard]] const float* row(int y) const { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4; }
+    /// One pixel, premultiplied.
     [[nodiscard]] glm::vec4 at(int x, int y) const
     {
         const float* p = row(y) + static_cast<std::size_t>(x) * 4;

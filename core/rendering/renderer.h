@@ -42,7 +42,9 @@ public:
 
     /// Valid after prepare() or render() and until the next of them.
     [[nodiscard]] const SpriteBatch& batch() const { return m_batch; }
+    /// The noise that the sprites of batch() show; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const SpriteTexture>& texture() const { return m_texture; }
+    /// How long the parts of the last picture took.
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 
 private:

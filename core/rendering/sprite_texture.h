@@ -29,9 +29,13 @@ public:
     /// @param slices each size * size values in [0, 1]; size a power of two, kSmallest or more
     [[nodiscard]] static SpriteTexture pack(int size, const std::vector<AlignedArray<float>>& slices);
 
+    /// Texels along an edge of the finest level.
     [[nodiscard]] int size() const { return m_size; }
+    /// Slices in depth; 1 for 2D noise.
     [[nodiscard]] int slices() const { return m_slices; }
+    /// Resolutions, each half of the one before.
     [[nodiscard]] int levels() const { return static_cast<int>(m_levels.size()); }
+    /// Texels along an edge of a level, 0 the finest.
     [[nodiscard]] int levelSize(int level) const { return m_size >> level; }
 
     /// @return levelSize^2 texels, row-major

@@ -43,12 +43,17 @@ struct TextureRef {
 static_assert(kMaxNoiseSlices <= 1 << TextureRef::kSliceBits);
 static_assert(SpriteTexture::kMaxLevels <= TextureRef::kPlain);
 
+/// @param slice 0 to 127
+/// @param level 0 to 15, see TextureRef::kPlain
+/// @param u,v in 1/256 of a tile, taken modulo 256
+/// @param erosion 0 to 31
 [[nodiscard]] constexpr std::uint32_t packTexture(std::uint32_t slice, std::uint32_t level, std::uint32_t u, std::uint32_t v, std::uint32_t erosion)
 {
     using T = TextureRef;
     constexpr std::uint32_t kOffset = (1U << T::kOffsetBits) - 1U;
     return slice | (level | ((u & kOffset) | ((v & kOffset) | erosion << T::kOffsetBits) << T::kOffsetBits) << T::kLevelBits) << T::kSliceBits;
 }
+/// What packTexture() was given.
 [[nodiscard]] constexpr TextureRef unpackTexture(std::uint32_t bits)
 {
     const auto take = [&bits](unsigned count) {

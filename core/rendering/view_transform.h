@@ -20,6 +20,7 @@ struct EncodedImage {
 /// Filmic is the fit of Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
 /// O(pixels). The same bits for any thread count and instruction set.
 void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out);
+/// The same in 16 bits.
 void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out);
 
 /// What light is multiplied by: 2^stops.

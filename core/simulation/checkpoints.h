@@ -10,6 +10,7 @@ namespace fumage {
 /// Frames that are kept so that a jump need not start a lifetime earlier. They change only the time that a frame takes.
 class Checkpoints {
 public:
+    /// @param bytes that the kept frames may take together; 0 keeps none
     explicit Checkpoints(std::size_t bytes)
         : m_bytes(bytes)
     {

@@ -70,6 +70,7 @@ public:
     explicit Model(const SampledEffect& effect);
 
     [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
+    /// When particles are born and for how long they live.
     [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
 
     /// What moves particles from step - 1 to step.

@@ -37,7 +37,9 @@ struct Particles {
     /// Takes slots [first, last) over from particles with the same columns and at least as many slots.
     void copySlots(const Particles& from, std::size_t first, std::size_t last);
 
+    /// Blocks of kChunk slots, which may be stepped in parallel.
     [[nodiscard]] std::size_t chunks() const { return x.size() / kChunk; }
+    /// Whether the columns of the roll are there.
     [[nodiscard]] bool rolls() const { return !rollX.empty(); }
 
     /// Memory of all columns.

@@ -32,6 +32,7 @@ struct Schedule {
     /// The step that randomness and moving fields see: the same in every turn of a loop.
     [[nodiscard]] std::int64_t randomStep(std::int64_t step) const { return loopSteps == 0 ? step : step % loopSteps; }
 
+    /// The step whose state is this frame.
     [[nodiscard]] std::int64_t stepOfFrame(std::int64_t frame) const { return firstStep + frame * stepsPerFrame; }
 };
 

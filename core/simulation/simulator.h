@@ -22,6 +22,7 @@ public:
     /// @error Cancelled
     [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const std::stop_token& stop = {});
 
+    /// The constants and the schedule that the effect came to.
     [[nodiscard]] const Model& model() const { return *m_model; }
 
     static constexpr std::size_t kDefaultCheckpointBytes = std::size_t{256} << 20U;
