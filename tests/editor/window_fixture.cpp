@@ -8,6 +8,9 @@
 
 namespace fumage::tests {
 
+/// How long a busy machine may take for a picture.
+static constexpr int kPictureMs = 20000;
+
 Preset smallPreset()
 {
     Preset preset;
@@ -39,7 +42,7 @@ void WindowFixture::init()
     m_window->document().load(smallPreset(), {});
     m_window->player().setFrame(30);
     QVERIFY(QTest::qWaitForWindowActive(m_window));
-    QTRY_VERIFY(m_window->viewport().isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().isSettled(), kPictureMs);
 }
 
 void WindowFixture::cleanup()
@@ -55,7 +58,7 @@ void WindowFixture::cleanup()
 QImage WindowFixture::settled()
 {
     const Viewport& viewport = m_window->viewport();
-    if (!QTest::qWaitFor([&] { return viewport.isSettled(); }, 20000)) {
+    if (!QTest::qWaitFor([&] { return viewport.isSettled(); }, kPictureMs)) {
         qWarning("the picture did not settle");
         return {};
     }
