@@ -19,10 +19,6 @@ FLAT_TABLES = {"core/effect/parameter_table.cpp", "ui/shell/action_table.cpp"}
 # Longer than they may be, until they are divided.
 KNOWN = {
     "core/rendering/sprites.cpp",
-    "ui/shell/main_window.cpp",
-    "ui/viewport/viewport.cpp",
-    "ui/timeline/timeline_bar.cpp:TimelineBar",
-    "ui/presets/variations_panel.cpp:VariationsPanel",
 }
 
 
