@@ -16,19 +16,13 @@ using OneLane = hn::CappedTag<float, 1>;
 float portableSin(float angle)
 {
     const OneLane d;
-    auto sine = hn::Zero(d);
-    auto cosine = hn::Zero(d);
-    HWY_NAMESPACE::sinCos(d, hn::Set(d, angle), sine, cosine);
-    return hn::GetLane(sine);
+    return hn::GetLane(HWY_NAMESPACE::sinCos(d, hn::Set(d, angle)).sine);
 }
 
 float portableCos(float angle)
 {
     const OneLane d;
-    auto sine = hn::Zero(d);
-    auto cosine = hn::Zero(d);
-    HWY_NAMESPACE::sinCos(d, hn::Set(d, angle), sine, cosine);
-    return hn::GetLane(cosine);
+    return hn::GetLane(HWY_NAMESPACE::sinCos(d, hn::Set(d, angle)).cosine);
 }
 
 float portableExp(float x)

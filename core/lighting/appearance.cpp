@@ -4,7 +4,7 @@
 //
 #include <hwy/highway.h>
 
-#include "core/base/math-inl.h"
+#include "core/base/hash-inl.h"
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/lighting/appearance.h"

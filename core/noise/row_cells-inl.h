@@ -23,7 +23,7 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<RowTag>> rowBits(const Octave& octave, s
 {
     const hn::RebindToUnsigned<RowTag> du;
     const auto columns = hn::Add(hn::Iota(du, 0U), hn::Set(du, static_cast<std::uint32_t>(i)));
-    return latticeBits(du, hn::Add(hn::Mul(columns, hn::Set(du, kColumnPrime)), hn::Set(du, row)), hn::Set(du, octave.seed));
+    return latticeBits(hn::Add(hn::Mul(columns, hn::Set(du, kColumnPrime)), hn::Set(du, row)), hn::Set(du, octave.seed));
 }
 
 /// The lattice repeats.

@@ -29,7 +29,7 @@ void simplexLine(const Octave& octave, const SimplexLine& line, const GradientRo
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
         const auto columns = hn::Add(hn::Iota(du, 0U), hn::Set(du, static_cast<std::uint32_t>(i)));
         const auto linear = hn::Add(hn::Mul(columns, hn::Set(du, 2 * kColumnPrime)), hn::Set(du, start));
-        const auto bits = latticeBits(du, linear, hn::Set(du, octave.seed));
+        const auto bits = latticeBits(linear, hn::Set(du, octave.seed));
         hn::Store(component(bits), d, out.x + i);
         hn::Store(component(hn::ShiftLeft<11>(bits)), d, out.y + i);
         hn::Store(component(hn::ShiftLeft<22>(bits)), d, out.z + i);

@@ -4,7 +4,7 @@
 //
 #include <hwy/highway.h>
 
-#include "core/base/hash.h"
+#include "core/base/hash-inl.h"
 #include "core/base/math-inl.h"
 #include "core/base/math.h"
 #include "core/base/parallel.h"
@@ -145,11 +145,9 @@ void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& block)
             angle = mulAdd(about, hn::Set(d, job.roll), angle);
         }
         const V turns = hn::Round(hn::Mul(angle, hn::Set(d, 1.0F / kTau)));
-        V sine = hn::Zero(d);
-        V cosine = hn::Zero(d);
-        sinCos(d, hn::Sub(angle, hn::Mul(turns, hn::Set(d, kTau))), sine, cosine);
-        hn::Store(sine, d, block.sine + i);
-        hn::Store(cosine, d, block.cosine + i);
+        const SineCosine<V> turn = sinCos(d, angle - turns * kTau);
+        hn::Store(turn.sine, d, block.sine + i);
+        hn::Store(turn.cosine, d, block.cosine + i);
 
         const V slices = hn::Set(d, static_cast<float>(job.texture->slices()));
         const V moved = mulAdd(age, hn::Set(d, job.textureSlicesPerSecond / static_cast<float>(job.texture->slices())), unitStream(d, key, kSliceStream));
