@@ -34,7 +34,7 @@ GridShape gridShape(const Appearance& appearance, const Axes& axes, int resoluti
     return shape;
 }
 
-void splatAll(const Frame& frame, const Appearance& appearance, LightGrid& out)
+void splatAll(const Frame& frame, const Appearance& appearance, LightWorkspace& room, LightGrid& out)
 {
     const std::size_t cells = out.shape.cells();
     const std::size_t chunks = frame.particles.chunks();
@@ -42,11 +42,11 @@ void splatAll(const Frame& frame, const Appearance& appearance, LightGrid& out)
     constexpr float kMostUnits = 0x1p31F;
     const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, 1e-20F) / kPi * static_cast<float>(chunks * Particles::kChunk));
     const auto workers = std::min(chunks, parallelThreads());
-    out.partial.resize(workers);
+    room.partial.resize(workers);
     parallelFor(workers, [&](std::size_t worker) {
-        out.partial[worker].assign(cells, 0U);
+        room.partial[worker].assign(cells, 0U);
         for (std::size_t chunk = worker; chunk < chunks; chunk += workers) {
-            splatChunk(frame.particles, appearance, out.shape, unitsPerMass, chunk, out.partial[worker].data());
+            splatChunk(frame.particles, appearance, out.shape, unitsPerMass, chunk, room.partial[worker].data());
         }
     });
     const float volume = out.shape.cell * out.shape.cell * out.shape.cell;
@@ -57,7 +57,7 @@ void splatAll(const Frame& frame, const Appearance& appearance, LightGrid& out)
     parallelFor(planes, [&](std::size_t w) {
         for (std::size_t i = w * plane; i < (w + 1) * plane; ++i) {
             std::uint32_t sum = 0;
-            for (const AlignedArray<std::uint32_t>& part : out.partial) {
+            for (const AlignedArray<std::uint32_t>& part : room.partial) {
                 sum += part[i];
             }
             out.density[i] = static_cast<float>(sum) * perUnit;
@@ -91,7 +91,7 @@ Axes lightAxes(const glm::vec3& direction)
     return {plane.across, plane.along, direction};
 }
 
-void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out)
+void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out)
 {
     const Axes axes = lightAxes(effect->light.direction);
     if (appearance.empty) {
@@ -100,11 +100,11 @@ void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearanc
         return;
     }
     out.shape = gridShape(appearance, axes, effect->light.resolution);
-    splatAll(frame, appearance, out);
+    splatAll(frame, appearance, room, out);
     out.light.resize(out.shape.cells() * 4);
-    out.sky.assign(out.shape.cells(), 0.0F);
-    out.ground.assign(out.shape.cells(), 0.0F);
-    out.scratch.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
+    room.sky.assign(out.shape.cells(), 0.0F);
+    room.ground.assign(out.shape.cells(), 0.0F);
+    room.air.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
 
     SunJob job;
     job.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
@@ -115,9 +115,9 @@ void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearanc
     // Directions follow one another for every cell, so that sums have one order; lines of one direction are independent.
     for (const AmbientDirection& direction : ambientDirections(axes)) {
         const int lines = direction.axis == 2 ? out.shape.nv : out.shape.nw;
-        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect->light.occlusion, static_cast<int>(line)); });
+        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect->light.occlusion, static_cast<int>(line), room); });
     }
-    parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(out, job, static_cast<int>(row)); });
+    parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
 }
 
 } // namespace fumage

@@ -24,9 +24,13 @@ struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
     AlignedArray<float> light; ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+};
+
+/// What lightSmoke() needs while it works; kept, so that its memory is allocated once.
+struct LightWorkspace {
     AlignedArray<float> sky; ///< one float a cell, before they go into light
     AlignedArray<float> ground;
-    AlignedArray<float> scratch;
+    AlignedArray<float> air; ///< a line of cells without density: what lies before the first
     std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
 };
 
@@ -43,6 +47,6 @@ struct LightGrid {
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
 /// O(particles + resolution^3).
-void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightGrid& out);
+void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out);
 
 } // namespace fumage

@@ -5,11 +5,11 @@
 #include <hwy/highway.h>
 
 #include "core/base/math-inl.h"
+#include "core/lighting/grid_cell-inl.h"
 #include "core/lighting/light_kernel.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -17,67 +17,60 @@ namespace fumage::HWY_NAMESPACE {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
+/// Some particles in the grid, between the vector and the scalar half of the work.
+struct SplatBlock {
+    static constexpr std::size_t kSize = 128;
+    HWY_ALIGN std::int32_t corner[kSize];
+    HWY_ALIGN float u[kSize];
+    HWY_ALIGN float v[kSize];
+    HWY_ALIGN float w[kSize];
+    HWY_ALIGN float mass[kSize];
+};
+
+HWY_INLINE void placeBlock(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t begin, SplatBlock& block)
+{
+    const D d;
+    for (std::size_t i = 0; i < SplatBlock::kSize; i += hn::Lanes(d)) {
+        const std::size_t at = begin + i;
+        const V radius = hn::Load(d, appearance.radius.data() + at);
+        const V alpha = hn::Load(d, appearance.alpha.data() + at);
+        const GridCell<D> cell = gridCellAt(d, shape, load(d, particles.x, particles.y, particles.z, at));
+        hn::Store(cell.corner, hn::RebindToSigned<D>(), block.corner + i);
+        store(cell.fraction, block.u, block.v, block.w, i);
+        hn::Store(alpha * (radius * radius) * unitsPerMass, d, block.mass + i);
+    }
+}
+
+/// Shares an amount between a cell and the next along u.
+HWY_INLINE void addToPair(std::uint32_t* pair, float amount, float fraction)
+{
+    const float right = amount * fraction;
+    pair[0] += static_cast<std::uint32_t>(static_cast<std::int32_t>(amount - right));
+    pair[1] += static_cast<std::uint32_t>(static_cast<std::int32_t>(right));
+}
+
 /// Grid coordinates and masses of a chunk first, with vectors, then the scattered additions one by one.
 void splat(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density)
 {
-    const D d;
-    const hn::RebindToSigned<D> di;
-    constexpr std::size_t kBlock = 128;
-    HWY_ALIGN std::int32_t corner[kBlock];
-    HWY_ALIGN float fu[kBlock];
-    HWY_ALIGN float fv[kBlock];
-    HWY_ALIGN float fw[kBlock];
-    HWY_ALIGN float mass[kBlock];
-    const V perCell = hn::Set(d, 1.0F / shape.cell);
     const auto nu = static_cast<std::size_t>(shape.nu);
     const std::size_t plane = nu * static_cast<std::size_t>(shape.nv);
-    const std::size_t begin = chunk * Particles::kChunk;
-    for (std::size_t block = begin; block < begin + Particles::kChunk; block += kBlock) {
-        for (std::size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
-            const V x = hn::Load(d, particles.x.data() + block + i);
-            const V y = hn::Load(d, particles.y.data() + block + i);
-            const V z = hn::Load(d, particles.z.data() + block + i);
-            const V radius = hn::Load(d, appearance.radius.data() + block + i);
-            const V alpha = hn::Load(d, appearance.alpha.data() + block + i);
-            const auto coordinate = [&](const glm::vec3& axis, float origin, int count, V& fraction) {
-                const V along = hn::Add(hn::Add(hn::Mul(x, hn::Set(d, axis.x)), hn::Mul(y, hn::Set(d, axis.y))), hn::Mul(z, hn::Set(d, axis.z)));
-                // Dead particles lie anywhere: they are kept inside, and their mass is 0.
-                const V cells = hn::Min(hn::Max(hn::Mul(hn::Sub(along, hn::Set(d, origin)), perCell), hn::Zero(d)), hn::Set(d, static_cast<float>(count) - 1.001F));
-                const V whole = hn::Floor(cells);
-                fraction = hn::Sub(cells, whole);
-                return hn::ConvertTo(di, whole);
-            };
-            V u = hn::Zero(d);
-            V v = hn::Zero(d);
-            V w = hn::Zero(d);
-            const auto iu = coordinate(shape.axes.u, shape.origin.x, shape.nu, u);
-            const auto iv = coordinate(shape.axes.v, shape.origin.y, shape.nv, v);
-            const auto iw = coordinate(shape.axes.w, shape.origin.z, shape.nw, w);
-            const auto row = hn::Add(hn::Mul(iw, hn::Set(di, shape.nv)), iv);
-            hn::Store(hn::Add(hn::Mul(row, hn::Set(di, shape.nu)), iu), di, corner + i);
-            hn::Store(u, d, fu + i);
-            hn::Store(v, d, fv + i);
-            hn::Store(w, d, fw + i);
-            hn::Store(hn::Mul(hn::Mul(alpha, hn::Mul(radius, radius)), hn::Set(d, unitsPerMass)), d, mass + i);
-        }
-        for (std::size_t i = 0; i < kBlock; ++i) {
-            if (mass[i] <= 0.0F) {
+    const std::size_t end = (chunk + 1) * Particles::kChunk;
+    SplatBlock block;
+    for (std::size_t begin = chunk * Particles::kChunk; begin < end; begin += SplatBlock::kSize) {
+        placeBlock(particles, appearance, shape, unitsPerMass, begin, block);
+        for (std::size_t i = 0; i < SplatBlock::kSize; ++i) {
+            if (block.mass[i] <= 0.0F) {
                 continue;
             }
-            const auto add = [](std::uint32_t* pair, float amount, float fraction) {
-                const float right = amount * fraction;
-                pair[0] += static_cast<std::uint32_t>(static_cast<std::int32_t>(amount - right));
-                pair[1] += static_cast<std::uint32_t>(static_cast<std::int32_t>(right));
-            };
-            std::uint32_t* at = density + corner[i];
-            const float back = mass[i] * fw[i];
-            const float front = mass[i] - back;
-            const float frontTop = front * fv[i];
-            const float backTop = back * fv[i];
-            add(at, front - frontTop, fu[i]);
-            add(at + nu, frontTop, fu[i]);
-            add(at + plane, back - backTop, fu[i]);
-            add(at + plane + nu, backTop, fu[i]);
+            std::uint32_t* at = density + block.corner[i];
+            const float back = block.mass[i] * block.w[i];
+            const float front = block.mass[i] - back;
+            const float frontTop = front * block.v[i];
+            const float backTop = back * block.v[i];
+            addToPair(at, front - frontTop, block.u[i]);
+            addToPair(at + nu, frontTop, block.u[i]);
+            addToPair(at + plane, back - backTop, block.u[i]);
+            addToPair(at + plane + nu, backTop, block.u[i]);
         }
     }
 }
@@ -91,12 +84,12 @@ HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t co
     const D d;
     const V skyWeight = hn::Set(d, direction.sky);
     const V groundWeight = hn::Set(d, direction.ground);
-    const auto through = [&](std::size_t i) HWY_ATTR { return exponential(d, hn::Mul(hn::LoadU(d, depth + i), hn::Set(d, -scale))); };
+    const auto through = [&](std::size_t i) HWY_ATTR { return exponential(d, hn::LoadU(d, depth + i) * -scale); };
     std::size_t i = 0;
     for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
         const V light = through(i);
-        hn::StoreU(mulAdd(light, skyWeight, hn::LoadU(d, sky + i)), d, sky + i);
-        hn::StoreU(mulAdd(light, groundWeight, hn::LoadU(d, ground + i)), d, ground + i);
+        hn::StoreU(light * skyWeight + hn::LoadU(d, sky + i), d, sky + i);
+        hn::StoreU(light * groundWeight + hn::LoadU(d, ground + i), d, ground + i);
     }
     if (i < count) {
         // The next line belongs to another task: the last vector is added cell by cell.
@@ -113,97 +106,109 @@ HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t co
 HWY_INLINE void addHalf(const float* HWY_RESTRICT a, const float* HWY_RESTRICT b, std::size_t count, float* HWY_RESTRICT depth)
 {
     const D d;
-    const V half = hn::Set(d, 0.5F);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const V sum = hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i));
-        hn::StoreU(mulAdd(half, sum, hn::LoadU(d, depth + i)), d, depth + i);
+        const V sum = hn::LoadU(d, a + i) + hn::LoadU(d, b + i);
+        hn::StoreU(0.5F * sum + hn::LoadU(d, depth + i), d, depth + i);
     }
 }
 
-void ambient(LightGrid& grid, const AmbientDirection& direction, float occlusion, int line)
+/// Depth along a line of u itself: to the middle of each cell.
+HWY_INLINE void sumAlong(const float* density, std::size_t count, bool reversed, float* depth)
+{
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t u = reversed ? count - 1 - i : i;
+        sum += 0.5F * density[u];
+        depth[u] = sum;
+        sum += 0.5F * density[u];
+    }
+}
+
+void ambient(const LightGrid& grid, const AmbientDirection& direction, float occlusion, int line, LightWorkspace& to)
 {
     const auto nu = static_cast<std::size_t>(grid.shape.nu);
     const auto nv = static_cast<std::size_t>(grid.shape.nv);
     const auto nw = static_cast<std::size_t>(grid.shape.nw);
     const float scale = occlusion * grid.shape.cell;
+    const auto index = static_cast<std::size_t>(line);
     // Densities are padded by a vector, so that the last line may be read past its end.
     LineOfCells depth{};
     const auto lineOf = [&](std::size_t v, std::size_t w) { return (w * nv + v) * nu; };
-    const auto index = static_cast<std::size_t>(line);
+    const auto addLight = [&](std::size_t at) HWY_ATTR { addTransmittance(depth.data(), nu, direction, scale, to.sky.data() + at, to.ground.data() + at); };
     if (direction.axis == 0) {
         for (std::size_t v = 0; v < nv; ++v) {
-            const float* density = grid.density.data() + lineOf(v, index);
-            float sum = 0.0F;
-            for (std::size_t i = 0; i < nu; ++i) {
-                const std::size_t u = direction.reversed ? nu - 1 - i : i;
-                sum += 0.5F * density[u];
-                depth[u] = sum;
-                sum += 0.5F * density[u];
-            }
-            addTransmittance(depth.data(), nu, direction, scale, grid.sky.data() + lineOf(v, index), grid.ground.data() + lineOf(v, index));
+            sumAlong(grid.density.data() + lineOf(v, index), nu, direction.reversed, depth.data());
+            addLight(lineOf(v, index));
         }
         return;
     }
     const std::size_t count = direction.axis == 1 ? nv : nw;
-    const auto start = [&](std::size_t i) {
-        const std::size_t at = direction.reversed ? count - 1 - i : i;
-        return direction.axis == 1 ? lineOf(at, index) : lineOf(index, at);
-    };
+    const float* before = to.air.data();
     for (std::size_t i = 0; i < count; ++i) {
-        const float* here = grid.density.data() + start(i);
-        addHalf(here, i == 0 ? grid.scratch.data() : grid.density.data() + start(i - 1), nu, depth.data());
-        addTransmittance(depth.data(), nu, direction, scale, grid.sky.data() + start(i), grid.ground.data() + start(i));
+        const std::size_t step = direction.reversed ? count - 1 - i : i;
+        const std::size_t at = direction.axis == 1 ? lineOf(step, index) : lineOf(index, step);
+        const float* here = grid.density.data() + at;
+        addHalf(here, before, nu, depth.data());
+        addLight(at);
+        before = here;
     }
 }
 
 /// Henyey-Greenstein relative to isotropic scattering: (1 - g^2) / (1 + g^2 - 2 g cosine)^(3/2).
-HWY_INLINE V phase(D d, float g, V cosine)
+HWY_INLINE V phase(float g, V cosine)
 {
-    const V base = hn::Sub(hn::Set(d, 1.0F + g * g), hn::Mul(hn::Set(d, 2.0F * g), cosine));
-    return hn::Div(hn::Set(d, 1.0F - g * g), hn::Mul(base, hn::Sqrt(base)));
+    const V base = (1.0F + g * g) - 2.0F * g * cosine;
+    return (1.0F - g * g) / (base * hn::Sqrt(base));
 }
 
-void sun(LightGrid& grid, const SunJob& job, int row)
+/// Light of three orders of scattering that has come through an optical depth.
+HWY_INLINE V scattered(D d, const SunJob& job, V tau, V cosine)
+{
+    constexpr float kDeeper = 0.35F; // extinction that each order of scattering still sees, relative to the one before
+    V sum = hn::Zero(d);
+    float weight = job.intensity / (1.0F + job.scattering + job.scattering * job.scattering);
+    float reach = 1.0F;
+    float g = job.anisotropy;
+    for (int order = 0; order < 3; ++order) {
+        sum = weight * phase(g, cosine) * exponential(d, tau * -reach) + sum;
+        weight *= job.scattering;
+        reach *= kDeeper;
+        g *= 0.5F;
+    }
+    return sum;
+}
+
+void sun(const LightWorkspace& from, const SunJob& job, int row, LightGrid& grid)
 {
     const D d;
     const GridShape& shape = grid.shape;
     const auto nu = static_cast<std::size_t>(shape.nu);
     const auto v = static_cast<std::size_t>(row);
     LineOfCells depth{};
-    const float scatterSum = 1.0F + job.scattering + job.scattering * job.scattering;
-    constexpr float kDeeper = 0.35F; // extinction that each order of scattering still sees, relative to the one before
+    const float* before = from.air.data();
     for (std::size_t w = 0; w < static_cast<std::size_t>(shape.nw); ++w) {
         const std::size_t at = (w * static_cast<std::size_t>(shape.nv) + v) * nu;
-        const float* before = w == 0 ? grid.scratch.data() : grid.density.data() + at - static_cast<std::size_t>(shape.nv) * nu;
-        addHalf(grid.density.data() + at, before, nu, depth.data());
+        const float* here = grid.density.data() + at;
+        addHalf(here, before, nu, depth.data());
+        before = here;
+        // The way to the eye; light travels along +w.
         const float dv = job.eye.y - (shape.origin.y + static_cast<float>(v) * shape.cell);
         const float dw = job.eye.z - (shape.origin.z + static_cast<float>(w) * shape.cell);
         for (std::size_t i = 0; i < nu; i += hn::Lanes(d)) {
-            const V du = hn::Sub(hn::Set(d, job.eye.x - shape.origin.x), hn::Mul(hn::Add(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(i))), hn::Set(d, shape.cell)));
-            const V distance = hn::Sqrt(hn::Add(hn::Mul(du, du), hn::Set(d, dv * dv + dw * dw + 1e-12F)));
-            const V cosine = hn::Div(hn::Set(d, dw), distance); // light travels along +w; the eye is at (du, dv, dw)
-            const V tau = hn::Mul(hn::LoadU(d, depth.data() + i), hn::Set(d, shape.cell * job.shadow));
-            V sum = hn::Zero(d);
-            float weight = job.intensity / scatterSum;
-            float reach = 1.0F;
-            float g = job.anisotropy;
-            for (int order = 0; order < 3; ++order) {
-                const V through = exponential(d, hn::Mul(tau, hn::Set(d, -reach)));
-                sum = mulAdd(hn::Mul(hn::Set(d, weight), phase(d, g, cosine)), through, sum);
-                weight *= job.scattering;
-                reach *= kDeeper;
-                g *= 0.5F;
-            }
+            constexpr float kNeverZero = 1e-12F;
+            const V du = (job.eye.x - shape.origin.x) - (hn::Iota(d, 0.0F) + static_cast<float>(i)) * shape.cell;
+            const V distance = hn::Sqrt(du * du + (dv * dv + dw * dw + kNeverZero));
+            const V tau = hn::LoadU(d, depth.data() + i) * (shape.cell * job.shadow);
             HWY_ALIGN float bright[HWY_MAX_BYTES / sizeof(float)];
             HWY_ALIGN float taus[HWY_MAX_BYTES / sizeof(float)];
-            hn::Store(sum, d, bright);
+            hn::Store(scattered(d, job, tau, dw / distance), d, bright);
             hn::Store(tau, d, taus);
             const std::size_t n = std::min(hn::Lanes(d), nu - i);
             for (std::size_t lane = 0; lane < n; ++lane) {
                 float* cell = grid.light.data() + (at + i + lane) * 4;
                 cell[0] = bright[lane];
-                cell[1] = grid.sky[at + i + lane];
-                cell[2] = grid.ground[at + i + lane];
+                cell[1] = from.sky[at + i + lane];
+                cell[2] = from.ground[at + i + lane];
                 cell[3] = taus[lane];
             }
         }
@@ -222,20 +227,20 @@ HWY_EXPORT(sun);
 
 void splatChunk(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density)
 {
-    HWY_DYNAMIC_DISPATCH(splat)
-    (particles, appearance, shape, unitsPerMass, chunk, density);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(splat);
+    kernel(particles, appearance, shape, unitsPerMass, chunk, density);
 }
 
-void addAmbient(LightGrid& grid, const AmbientDirection& direction, float occlusion, int line)
+void addAmbient(const LightGrid& grid, const AmbientDirection& direction, float occlusion, int line, LightWorkspace& to)
 {
-    HWY_DYNAMIC_DISPATCH(ambient)
-    (grid, direction, occlusion, line);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(ambient);
+    kernel(grid, direction, occlusion, line, to);
 }
 
-void addSun(LightGrid& grid, const SunJob& job, int row)
+void addSun(const LightWorkspace& from, const SunJob& job, int row, LightGrid& grid)
 {
-    HWY_DYNAMIC_DISPATCH(sun)
-    (grid, job, row);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(sun);
+    kernel(from, job, row, grid);
 }
 
 } // namespace fumage

@@ -18,7 +18,7 @@ struct AmbientDirection {
 
 /// Adds weight * exp(-tau) along one direction to the sky and ground channels of the lines of one index.
 /// @param line for axes u and v, the plane along w; for axis w, the row along v
-void addAmbient(LightGrid& grid, const AmbientDirection& direction, float occlusion, int line);
+void addAmbient(const LightGrid& grid, const AmbientDirection& direction, float occlusion, int line, LightWorkspace& to);
 
 /// What the sun needs at every cell.
 struct SunJob {
@@ -29,7 +29,8 @@ struct SunJob {
     float anisotropy = 0.0F;
 };
 
-/// Sums optical depth along w for one row along v, and fills all four channels; sky and ground must be there.
-void addSun(LightGrid& grid, const SunJob& job, int row);
+/// Sums optical depth along w for one row along v, and fills all four channels of its cells.
+/// @param from with sky and ground done
+void addSun(const LightWorkspace& from, const SunJob& job, int row, LightGrid& grid);
 
 } // namespace fumage

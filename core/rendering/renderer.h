@@ -54,6 +54,7 @@ private:
     std::shared_ptr<const SpriteTexture> m_texture;
     Appearance m_appearance;
     LightGrid m_light;
+    LightWorkspace m_lightWorkspace;
     SpriteBatch m_batch;
     Compositor m_compositor;
     Image m_large;

@@ -63,11 +63,12 @@ std::vector<glm::vec3> box(int n)
 struct Lit {
     Appearance appearance;
     LightGrid grid;
+    LightWorkspace room;
 
     Lit(const Frame& frame, const Effect& effect, const glm::vec3& eye = {0.0F, 0.5F, 100.0F})
     {
         findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
-        lightSmoke(frame, sampled(effect), appearance, eye, grid);
+        lightSmoke(frame, sampled(effect), appearance, eye, room, grid);
     }
 };
 

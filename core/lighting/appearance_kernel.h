@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/lighting/appearance.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace fumage {
+
+inline constexpr int kLifeTableSize = 1024;
+
+/// Constants of one pass over the particles.
+struct AppearanceJob {
+    std::array<float, kLifeTableSize> size{}; ///< by life: share of the radius
+    std::array<float, kLifeTableSize> alpha{}; ///< by life: factor of the fading alpha, opacity and dilution included
+    std::int32_t step = 0;
+    float dt = 0.0F;
+    float lifetimeSteps = 1.0F;
+    float lifetimeVariance = 0.0F;
+    float initialAlpha = 0.0F;
+    float fadeRate = 0.0F;
+    float radius = 0.0F;
+    float sizeVariance = 0.0F;
+    Axes axes;
+};
+
+/// Bounds of nothing, until something is in them.
+struct Bounds {
+    glm::vec3 low{std::numeric_limits<float>::max()};
+    glm::vec3 high{std::numeric_limits<float>::lowest()};
+};
+
+/// Fills the appearance of one chunk.
+/// @param out with room for all particles
+/// @return bounds of the visible centres in the job's axes
+[[nodiscard]] Bounds findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out);
+
+} // namespace fumage
