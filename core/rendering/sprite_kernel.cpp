@@ -1,0 +1,205 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/rendering/sprite_kernel.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "core/rendering/sprite_kernel.h"
+#include "core/rendering/sprite_projection-inl.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
+
+/// A particle smaller than this is drawn this large and thinner, so that it does not flicker between pixels.
+constexpr float kSmallestRadius = 1.0F;
+/// Larger sprites are not drawn: the camera is inside of them.
+constexpr float kLargestRadius = 16384.0F;
+/// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture; where texture and shading are
+/// weaker, larger ones too: half the contrast needs twice the size to be seen.
+constexpr float kPlainRadius = 5.0F;
+
+HWY_INLINE Float4 load4(const float* from)
+{
+    Float4 out;
+    std::memcpy(&out, from, sizeof(out));
+    return out;
+}
+
+HWY_INLINE Float4 mix4(Float4 a, Float4 b, float t)
+{
+    return (b - a) * t + a;
+}
+
+/// Trilinear interpolation of the four light channels.
+HWY_INLINE Float4 lightAt(const LightGrid& grid, const SpriteBlock& block, std::size_t i)
+{
+    const std::size_t du = grid.shape.nu > 1 ? 4 : 0;
+    const std::size_t dv = grid.shape.nv > 1 ? static_cast<std::size_t>(grid.shape.nu) * 4 : 0;
+    const std::size_t dw = grid.shape.nw > 1 ? static_cast<std::size_t>(grid.shape.nu) * static_cast<std::size_t>(grid.shape.nv) * 4 : 0;
+    const float* at = grid.light.data() + static_cast<std::size_t>(block.corner[i]) * 4;
+    const float u = block.fu[i];
+    const auto line = [&](const float* from) { return mix4(load4(from), load4(from + du), u); };
+    const Float4 front = mix4(line(at), line(at + dv), block.fv[i]);
+    const Float4 back = mix4(line(at + dw), line(at + dw + dv), block.fv[i]);
+    return mix4(front, back, block.fw[i]);
+}
+
+/// Stretches a sprite along its motion, with its area kept: M becomes M (longer^-1 along the motion, longer across it).
+HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float radius, Sprite& sprite)
+{
+    const float vx = block.stretchX[i];
+    const float vy = block.stretchY[i];
+    const float speed = std::sqrt(vx * vx + vy * vy);
+    constexpr float kStill = 1e-6F; // pixels/s
+    if (!(speed > kStill)) {
+        return;
+    }
+    constexpr float kMostStretch = 8.0F;
+    const float longer = std::min(kMostStretch, std::sqrt(1.0F + speed * job.stretch / radius));
+    const float along = 1.0F / longer;
+    const float ex = vx / speed;
+    const float ey = vy / speed;
+    const float xx = ex * ex * along + ey * ey * longer;
+    const float yy = ey * ey * along + ex * ex * longer;
+    const float xy = ex * ey * (along - longer);
+    const float c = sprite.m00;
+    const float s = sprite.m01;
+    sprite.m00 = c * xx + s * xy;
+    sprite.m01 = c * xy + s * yy;
+    sprite.m10 = c * xy - s * xx;
+    sprite.m11 = c * yy - s * xy;
+}
+
+/// Box of the unit circle under M^-1: half extents are the lengths of its rows; of the square, the sums of magnitudes.
+HWY_INLINE void boundSprite(bool square, Sprite& sprite)
+{
+    const float inverse = 1.0F / (sprite.m00 * sprite.m11 - sprite.m01 * sprite.m10);
+    const float i00 = sprite.m11 * inverse;
+    const float i01 = -sprite.m01 * inverse;
+    const float i10 = -sprite.m10 * inverse;
+    const float i11 = sprite.m00 * inverse;
+    if (square) {
+        sprite.halfWidth = std::abs(i00) + std::abs(i01);
+        sprite.halfHeight = std::abs(i10) + std::abs(i11);
+    } else {
+        sprite.halfWidth = std::sqrt(i00 * i00 + i01 * i01);
+        sprite.halfHeight = std::sqrt(i10 * i10 + i11 * i11);
+    }
+}
+
+/// Matrix and box of a sprite: rotated, and where asked for stretched.
+HWY_INLINE void shapeSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float radius, Sprite& sprite)
+{
+    const float s = block.sine[i] / radius;
+    const float c = block.cosine[i] / radius;
+    sprite.m00 = c;
+    sprite.m01 = s;
+    sprite.m10 = -s;
+    sprite.m11 = c;
+    if (job.stretch <= 0.0F && !job.style.square) {
+        sprite.halfWidth = radius;
+        sprite.halfHeight = radius;
+        return;
+    }
+    if (job.stretch > 0.0F) {
+        stretchSprite(job, block, i, radius, sprite);
+    }
+    boundSprite(job.style.square, sprite);
+}
+
+/// The level whose texels are about a pixel large.
+HWY_INLINE int textureLevel(const SpriteJob& job, float radius)
+{
+    const float texelsAPixel = job.style.textureScale * static_cast<float>(job.texture->size()) / (2.0F * radius);
+    int level = 0;
+    constexpr float kTexelsAPixel = 1.5F;
+    for (float rest = texelsAPixel; rest > kTexelsAPixel && level + 1 < job.texture->levels(); rest *= 0.5F) {
+        ++level;
+    }
+    return level;
+}
+
+/// Chooses slice, offset and resolution; a sprite too small for a texture takes one grey of the coarsest level into its opacity.
+HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, std::uint32_t key, float life, float radius, Sprite& sprite)
+{
+    const std::uint32_t offset = mixBits(key ^ 0x51ed270bU);
+    const auto slice = static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));
+    const float threshold = job.erosion * life;
+    if (radius * job.contrast >= kPlainRadius || job.style.square) {
+        sprite.texture = packTexture(slice, static_cast<std::uint32_t>(textureLevel(job, radius)), offset & 255U, offset >> 8U & 255U, static_cast<std::uint32_t>(threshold * static_cast<float>(TextureRef::kErosionSteps) + 0.5F));
+        return;
+    }
+    const int coarsest = job.texture->levels() - 1;
+    const std::uint32_t texel = job.texture->texels(coarsest, static_cast<int>(slice))[offset >> 16U & (SpriteTexture::kSmallest * SpriteTexture::kSmallest - 1U)];
+    const float grey = static_cast<float>(texel & 255U) / 255.0F;
+    const float kept = std::clamp((grey - threshold) / job.style.erosionSoftness, 0.0F, 1.0F);
+    sprite.opacity *= 1.0F - job.style.texture + job.style.texture * kept;
+    sprite.texture = packTexture(0, TextureRef::kPlain, 0, 0, 0);
+}
+
+HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float life, Sprite& sprite)
+{
+    const Float4 light = lightAt(*job.light, block, i);
+    const Float4 albedo = job.albedo[static_cast<std::size_t>(life * static_cast<float>(kColourTableSize - 1))];
+    const Float4 direct = albedo * job.sun * light[0];
+    Float4 ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
+    if (job.glows) {
+        // Sky and ground together tell how open a place is.
+        const float open = std::min(1.0F, light[1] + light[2]);
+        const float heat = std::clamp(block.heat[i] * (1.0F - job.hotCore * open), 0.0F, 1.0F);
+        ambient += job.emission[static_cast<std::size_t>(heat * static_cast<float>(kColourTableSize - 1))];
+    }
+    std::memcpy(sprite.direct, &direct, sizeof(sprite.direct));
+    std::memcpy(sprite.ambient, &ambient, sizeof(sprite.ambient));
+}
+
+void spriteBlock(const SpriteJob& job, std::size_t begin)
+{
+    SpriteBlock block;
+    projectBlock(job, begin, block);
+    for (std::size_t i = 0; i < kSpriteBlock; ++i) {
+        const std::size_t at = begin + i;
+        const float exact = block.radius[i];
+        const bool visible = exact > 0.0F && exact < kLargestRadius && block.depth[i] > kNear && std::abs(block.x[i]) < 1e6F && std::abs(block.y[i]) < 1e6F;
+        job.out->depth[at] = SpriteBatch::kHidden;
+        job.out->boxes[at] = {};
+        if (!visible) {
+            continue;
+        }
+        Sprite& sprite = job.out->sprites[at];
+        const float life = job.appearance->life[at];
+        const float radius = std::max(exact, kSmallestRadius);
+        const float thinner = exact / radius;
+        lightSprite(job, block, i, life, sprite);
+        sprite.x = block.x[i];
+        sprite.y = block.y[i];
+        sprite.opacity = job.appearance->alpha[at] * (thinner * thinner);
+        shapeSprite(job, block, i, radius, sprite);
+        textureSprite(job, block, i, job.particles->key[at], life, radius, sprite);
+        job.out->boxes[at] = boxOf(sprite, job.view.width, job.view.height);
+        // Positive floats sort as their bits do.
+        job.out->depth[at] = std::bit_cast<std::uint32_t>(block.depth[i]) >> (31U - SpriteBatch::kDepthBits);
+    }
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumage {
+
+HWY_EXPORT(spriteBlock);
+
+void makeSpriteBlock(const SpriteJob& job, std::size_t begin)
+{
+    const auto kernel = HWY_DYNAMIC_DISPATCH(spriteBlock);
+    kernel(job, begin);
+}
+
+} // namespace fumage
+#endif

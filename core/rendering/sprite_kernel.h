@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/rendering/sprites.h"
+
+#include <array>
+#include <cstdint>
+
+namespace fumage {
+
+inline constexpr int kColourTableSize = 256;
+
+/// Four floats in one register, on every instruction set: light channels or a colour.
+using Float4 = float __attribute__((vector_size(16)));
+
+/// Constants of one pass over the particles.
+struct SpriteJob {
+    const Particles* particles = nullptr;
+    const Appearance* appearance = nullptr;
+    const LightGrid* light = nullptr;
+    const SpriteTexture* texture = nullptr;
+    SpriteBatch* out = nullptr;
+
+    View view;
+    std::array<Float4, kColourTableSize> albedo{}; ///< by life
+    std::array<Float4, kColourTableSize> emission{}; ///< by heat
+    Float4 sun{};
+    Float4 sky{};
+    Float4 ground{};
+    bool glows = false;
+
+    std::int32_t step = 0;
+    float dt = 0.0F;
+    float rotationVariance = 0.0F; ///< radians
+    float spin = 0.0F; ///< radians/s
+    float spinVariance = 0.0F;
+    float roll = 0.0F; ///< share of the particle's own turn
+    float textureSlicesPerSecond = 0.0F;
+    float emissionCooling = 0.0F;
+    float heatVariance = 0.0F;
+    float hotCore = 0.0F;
+    float erosion = 0.0F;
+    float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
+    float stretch = 0.0F; ///< s
+    SpriteStyle style;
+};
+
+/// Sprites that are made at a time.
+inline constexpr std::size_t kSpriteBlock = 128;
+
+/// Makes the sprites, boxes and depths of particles [begin, begin + kSpriteBlock).
+/// @param begin a multiple of kSpriteBlock
+void makeSpriteBlock(const SpriteJob& job, std::size_t begin);
+
+} // namespace fumage

@@ -1,0 +1,116 @@
+// Included once per SIMD target: the half of making sprites that works on vectors of particles.
+
+#if defined(FUMAGE_SPRITE_PROJECTION_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FUMAGE_SPRITE_PROJECTION_INL_H
+#undef FUMAGE_SPRITE_PROJECTION_INL_H
+#else
+#define FUMAGE_SPRITE_PROJECTION_INL_H
+#endif
+
+#include "core/base/hash-inl.h"
+#include "core/base/math-inl.h"
+#include "core/base/math.h"
+#include "core/lighting/grid_cell-inl.h"
+#include "core/rendering/sprite_kernel.h"
+#include "core/simulation/streams.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
+
+/// Nearer than this particles are not drawn, m.
+constexpr float kNear = 0.02F;
+
+/// Screen data of a block of particles, between the vector and the scalar half of the work.
+struct SpriteBlock {
+    alignas(64) float x[kSpriteBlock];
+    alignas(64) float y[kSpriteBlock];
+    alignas(64) float depth[kSpriteBlock];
+    alignas(64) float radius[kSpriteBlock];
+    alignas(64) float sine[kSpriteBlock];
+    alignas(64) float cosine[kSpriteBlock];
+    alignas(64) float heat[kSpriteBlock];
+    alignas(64) float slice[kSpriteBlock];
+    alignas(64) float stretchX[kSpriteBlock]; ///< velocity on the screen, pixels/s
+    alignas(64) float stretchY[kSpriteBlock];
+    alignas(64) std::int32_t corner[kSpriteBlock]; ///< cell of the light grid
+    alignas(64) float fu[kSpriteBlock];
+    alignas(64) float fv[kSpriteBlock];
+    alignas(64) float fw[kSpriteBlock];
+};
+
+/// Turns of hours leave the range of the sine; the rest of a division by a full turn brings them back.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE SineCosine<V> sinCosOfTurns(D d, V angle)
+{
+    const V turns = hn::Round(angle * (1.0F / kTau));
+    return sinCos(d, angle - turns * kTau);
+}
+
+/// Angle of particles about the line of sight; y runs down on the screen.
+template <class D, class VU, class V = hn::VFromD<D>>
+HWY_INLINE V angleOf(D d, const SpriteJob& job, std::size_t at, VU key, V age)
+{
+    const Particles& particles = *job.particles;
+    const V turned = signedStream(d, key, kRotationStream) * job.rotationVariance;
+    const V spun = signedStream(d, key, kSpinStream) * job.spinVariance + job.spin;
+    const V angle = spun * age + turned;
+    if (!particles.rolls()) {
+        return angle;
+    }
+    return dot(load(d, particles.rollX, particles.rollY, particles.rollZ, at), job.view.forward) * job.roll + angle;
+}
+
+/// The slice of the noise that particles show now, between 0 and the number of slices.
+template <class D, class VU, class V = hn::VFromD<D>>
+HWY_INLINE V sliceOf(D d, const SpriteJob& job, VU key, V age)
+{
+    const auto slices = static_cast<float>(job.texture->slices());
+    const V moved = age * (job.textureSlicesPerSecond / slices) + unitStream(d, key, kSliceStream);
+    return (moved - hn::Floor(moved)) * slices;
+}
+
+inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& block)
+{
+    using D = hn::ScalableTag<float>;
+    using V = hn::Vec<D>;
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const hn::RebindToUnsigned<D> du;
+    const Particles& particles = *job.particles;
+    const View& view = job.view;
+    for (std::size_t i = 0; i < kSpriteBlock; i += hn::Lanes(d)) {
+        const std::size_t at = begin + i;
+        const Vec3<V> position = load(d, particles.x, particles.y, particles.z, at);
+        const Vec3<V> way = position - view.eye;
+        const V depth = dot(way, view.forward);
+        const V perMetre = view.focal / hn::Max(depth, hn::Set(d, kNear));
+        hn::Store(dot(way, view.right) * perMetre + 0.5F * static_cast<float>(view.width), d, block.x + i);
+        hn::Store(0.5F * static_cast<float>(view.height) - dot(way, view.up) * perMetre, d, block.y + i);
+        hn::Store(depth, d, block.depth + i);
+        hn::Store(hn::Load(d, job.appearance->radius.data() + at) * perMetre, d, block.radius + i);
+
+        const auto key = hn::Load(du, particles.key.data() + at);
+        const V age = hn::ConvertTo(d, job.step - hn::Load(di, particles.birthStep.data() + at)) * job.dt;
+        const SineCosine<V> turn = sinCosOfTurns(d, angleOf(d, job, at, key, age));
+        hn::Store(turn.sine, d, block.sine + i);
+        hn::Store(turn.cosine, d, block.cosine + i);
+        hn::Store(sliceOf(d, job, key, age), d, block.slice + i);
+        if (job.glows) {
+            const V heat = 1.0F - job.heatVariance * unitStream(d, key, kHeatStream);
+            hn::Store(heat * exponential(d, -job.emissionCooling * age), d, block.heat + i);
+        }
+        if (job.stretch > 0.0F) {
+            const Vec3<V> velocity = load(d, particles.vx, particles.vy, particles.vz, at);
+            hn::Store(dot(velocity, view.right) * perMetre, d, block.stretchX + i);
+            hn::Store(hn::Neg(dot(velocity, view.up) * perMetre), d, block.stretchY + i);
+        }
+        const GridCell<D> cell = gridCellAt(d, job.light->shape, position);
+        hn::Store(cell.corner, di, block.corner + i);
+        store(cell.fraction, block.fu, block.fv, block.fw, i);
+    }
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
