@@ -230,44 +230,44 @@ HWY_EXPORT(addFlatPixelRow);
 
 void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, const GradientRow& row)
 {
-    HWY_DYNAMIC_DISPATCH(gradientRow)
-    (octave, y, layers, fz, weightZ, row);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(gradientRow);
+    kernel(octave, y, layers, fz, weightZ, row);
 }
 
 void fillGradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY, float amplitude, int cells, const RowCoefficients& out)
 {
-    HWY_DYNAMIC_DISPATCH(gradientCoefficients)
-    (below, above, fy, weightY, amplitude, cells, out);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(gradientCoefficients);
+    kernel(below, above, fy, weightY, amplitude, cells, out);
 }
 
 void fillValueRow(const Octave& octave, int y, int z, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(valueRow)
-    (octave, y, z, values);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(valueRow);
+    kernel(octave, y, z, values);
 }
 
 void smoothValueRow(const std::array<const float*, 3>& rows, float amount, int cells, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(smoothRow)
-    (rows, amount, cells, values);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(smoothRow);
+    kernel(rows, amount, cells, values);
 }
 
 void fillValueCoefficients(const ValueRows& rows, float amplitude, int cells, const RowCoefficients& out)
 {
-    HWY_DYNAMIC_DISPATCH(valueCoefficients)
-    (rows, amplitude, cells, out);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(valueCoefficients);
+    kernel(rows, amplitude, cells, out);
 }
 
 void addRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(addPixelRow)
-    (positions, coefficients, values);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(addPixelRow);
+    kernel(positions, coefficients, values);
 }
 
 void addFlatRow(const RowPositions& positions, const RowCoefficients& coefficients, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(addFlatPixelRow)
-    (positions, coefficients, values);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(addFlatPixelRow);
+    kernel(positions, coefficients, values);
 }
 
 } // namespace fumage

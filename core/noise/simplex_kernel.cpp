@@ -106,26 +106,26 @@ HWY_EXPORT(addNearestRow);
 
 void fillSimplexLine(const Octave& octave, const SimplexLine& line, const GradientRow& out)
 {
-    HWY_DYNAMIC_DISPATCH(simplexLine)
-    (octave, line, out);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(simplexLine);
+    kernel(octave, line, out);
 }
 
 void fillSimplexHeights(const GradientRow& line, float dy, float dz, int points, float* heights)
 {
-    HWY_DYNAMIC_DISPATCH(simplexHeights)
-    (line, dy, dz, points, heights);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(simplexHeights);
+    kernel(line, dy, dz, points, heights);
 }
 
 void addPairsOfPoints(const RowPositions& positions, const float* slopes, const float* heights, float reach, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(addPairRow)
-    (positions, slopes, heights, reach, values);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(addPairRow);
+    kernel(positions, slopes, heights, reach, values);
 }
 
 void addNearestPoints(const RowPositions& positions, const float* slopes, const float* heights, float reach, float* values)
 {
-    HWY_DYNAMIC_DISPATCH(addNearestRow)
-    (positions, slopes, heights, reach, values);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(addNearestRow);
+    kernel(positions, slopes, heights, reach, values);
 }
 
 } // namespace fumage

@@ -116,8 +116,8 @@ HWY_EXPORT(paint);
 
 void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image)
 {
-    HWY_DYNAMIC_DISPATCH(paint)
-    (batch, texture, entries, tile, image);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(paint);
+    kernel(batch, texture, entries, tile, image);
 }
 
 } // namespace fumage

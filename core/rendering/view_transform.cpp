@@ -73,8 +73,8 @@ void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& 
     out.pixels.resize(width * static_cast<std::size_t>(image.height) * 4);
     parallelFor(static_cast<std::size_t>(image.height), [&](std::size_t y) {
         AlignedArray<float> line(width * 4 + kPadding);
-        HWY_DYNAMIC_DISPATCH(encodeRow)
-        (image.row(static_cast<int>(y)), width, gain, output.viewTransform == ViewTransform::Filmic, line.data());
+        const auto kernel = HWY_DYNAMIC_DISPATCH(encodeRow);
+        kernel(image.row(static_cast<int>(y)), width, gain, output.viewTransform == ViewTransform::Filmic, line.data());
         Channel* to = out.pixels.data() + y * width * 4;
         for (std::size_t i = 0; i < width * 4; ++i) {
             to[i] = static_cast<Channel>(static_cast<int>(line[i] * kFull + 0.5F));
