@@ -3,7 +3,10 @@
 
 #include "core/base/text.h"
 
+#include <iomanip>
 #include <memory>
+#include <sstream>
+#include <utility>
 
 namespace fumage::cli {
 
@@ -13,6 +16,22 @@ struct FlipbookArguments {
     PictureOptions picture;
     std::string grid = "8x8";
 };
+
+/// Which edges, which frames, and what would help.
+std::string complaint(const Flipbook& flipbook)
+{
+    const CutOff& cut = *flipbook.cutOff;
+    std::string edges;
+    for (const auto& [reached, name] : {std::pair{cut.left, "left"}, std::pair{cut.right, "right"}, std::pair{cut.top, "top"}, std::pair{cut.bottom, "bottom"}}) {
+        if (reached) {
+            edges += (edges.empty() ? "" : ", ") + std::string(name);
+        }
+    }
+    std::ostringstream text;
+    text << "the smoke is cut off at the edge of cells (" << edges << "; frames " << cut.firstFrame << " to " << cut.lastFrame << "; alpha up to " << std::setprecision(2) << flipbook.edgeAlpha
+         << "): --fit moves the camera so that all of it is seen, as would --set camera.distance=" << std::setprecision(3) << cut.distance;
+    return text.str();
+}
 
 Status flipbook(const FlipbookArguments& arguments)
 {
@@ -29,8 +48,8 @@ Status flipbook(const FlipbookArguments& arguments)
     if (!done) {
         return done.error();
     }
-    if (done.value()->isCutOff()) {
-        warn("the smoke is cut off at the edge of cells (alpha " + std::to_string(done.value()->edgeAlpha).substr(0, 4) + " there): move the camera back or make it fade sooner");
+    if (done.value()->cutOff) {
+        warn(complaint(*done.value()));
     }
     return Done{};
 }

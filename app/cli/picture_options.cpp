@@ -36,6 +36,7 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
     command.add_option_function<std::string>(
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     command.add_option("--supersample", supersample, "Render this many times larger and average")->check(CLI::Range(1, kMaxSupersample));
+    command.add_flag("--fit", fit, "Move the camera so that all smoke of all frames is in the picture, and fills it");
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
 }
 
@@ -61,6 +62,7 @@ Result<PictureJob> PictureOptions::load() const
         }
         job.plan.frames = range.value();
     }
+    job.plan.fitCamera = fit;
     job.plan.format = format.empty() ? formatOf(output) : kFormats.at(format);
     job.plan.output = output.empty() ? std::filesystem::path(effect.preset).stem() : std::filesystem::path(output);
     return job;

@@ -26,6 +26,7 @@ struct PictureOptions {
     std::string size;
     int supersample = 0;
     std::string format;
+    bool fit = false;
 
     void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
     [[nodiscard]] Result<PictureJob> load() const;

@@ -1,6 +1,7 @@
 #include "core/export/flipbook.h"
 
 #include "core/base/file.h"
+#include "core/rendering/framing.h"
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
 
@@ -50,6 +51,58 @@ float mostAlphaOnTheBorder(const Image& cell)
     return most;
 }
 
+/// Looks for smoke on the borders of cells with a transparent background.
+class BorderWatch {
+public:
+    explicit BorderWatch(const SampledEffect& smoke)
+        : m_smoke(smoke)
+        , m_framing(smoke->camera, smoke->output.width, smoke->output.height)
+    {
+    }
+
+    void look(const Image& cell, const Frame& frame)
+    {
+        if (m_smoke->output.background != Background::Transparent) {
+            return;
+        }
+        findAppearance(frame, m_smoke, Axes{}, m_appearance);
+        m_framing.addParticles(frame.particles, m_appearance, static_cast<float>(frame.number) / static_cast<float>(m_smoke->timeline.frameRate));
+        const float alpha = mostAlphaOnTheBorder(cell);
+        m_alpha = std::max(m_alpha, alpha);
+        constexpr float kSeen = 1.0F / 255.0F;
+        if (alpha < kSeen) {
+            return;
+        }
+        const PictureReach reach = reachOf(cell, kSeen);
+        if (!m_cutOff) {
+            m_cutOff = CutOff{.firstFrame = frame.number, .lastFrame = frame.number};
+        }
+        m_cutOff->firstFrame = std::min(m_cutOff->firstFrame, frame.number);
+        m_cutOff->lastFrame = std::max(m_cutOff->lastFrame, frame.number);
+        m_cutOff->left |= reach.left == 0;
+        m_cutOff->top |= reach.top == 0;
+        m_cutOff->right |= reach.right == cell.width;
+        m_cutOff->bottom |= reach.bottom == cell.height;
+    }
+
+    /// Writes down what was seen.
+    void tell(Flipbook& flipbook) const
+    {
+        flipbook.edgeAlpha = m_alpha;
+        flipbook.cutOff = m_cutOff;
+        if (m_cutOff) {
+            flipbook.cutOff->distance = m_framing.distanceFrom(m_smoke->camera.target);
+        }
+    }
+
+private:
+    const SampledEffect& m_smoke;
+    Framing m_framing;
+    Appearance m_appearance;
+    float m_alpha = 0.0F;
+    std::optional<CutOff> m_cutOff;
+};
+
 std::string describe(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook)
 {
     const bool png = fileEnding(options.format) == ".png";
@@ -70,16 +123,15 @@ std::string describe(const Effect& effect, const FlipbookOptions& options, const
     return json.dump(2) + "\n";
 }
 
-/// Renders the cells into the sheet.
-/// @return most alpha on a cell's border, where the background is transparent
-Result<float> renderCells(const Effect& effect, const FlipbookOptions& options, Image& sheet, const SequenceProgress& progress, const std::stop_token& stop)
+/// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
+Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& sheet, Flipbook& flipbook, const SequenceProgress& progress, const std::stop_token& stop)
 {
     const Output& output = effect.output;
     const SampledEffect smoke = sampled(effect);
     Simulator simulator(smoke);
     Renderer renderer;
     Image cell;
-    float edgeAlpha = 0.0F;
+    BorderWatch borders(smoke);
     const int cells = options.columns * options.rows;
     sheet.resize(output.width * options.columns, output.height * options.rows);
     for (int number = 0; number < cells; ++number) {
@@ -90,13 +142,12 @@ Result<float> renderCells(const Effect& effect, const FlipbookOptions& options, 
         if (Status status = renderer.render(*frame.value(), smoke, output.width, output.height, cell, stop); !status) {
             return status.error();
         }
-        if (output.background == Background::Transparent) {
-            edgeAlpha = std::max(edgeAlpha, mostAlphaOnTheBorder(cell));
-        }
+        borders.look(cell, *frame.value());
         place(cell, sheet, number % options.columns * cell.width, number / options.columns * cell.height);
         progress(number + 1, cells);
     }
-    return edgeAlpha;
+    borders.tell(flipbook);
+    return Done{};
 }
 
 } // namespace
@@ -122,11 +173,9 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     }
 
     Image sheet;
-    const Result<float> edgeAlpha = renderCells(effect, options, sheet, progress, stop);
-    if (!edgeAlpha) {
-        return edgeAlpha.error();
+    if (Status status = renderCells(effect, options, sheet, flipbook, progress, stop); !status) {
+        return status.error();
     }
-    flipbook.edgeAlpha = edgeAlpha.value();
     const Result<std::vector<std::byte>> bytes = encodeSheet(sheet, effect.output, options.format, effect.output.width, effect.output.height);
     if (!bytes) {
         Error error = bytes.error();

@@ -2,6 +2,8 @@
 
 #include "core/export/sequence.h"
 
+#include <optional>
+
 namespace fumage {
 
 /// Largest edge of a flipbook's picture, which graphics cards still take as a texture, and most pixels of it (a GiB of floats).
@@ -18,15 +20,21 @@ struct FlipbookOptions {
     ImageFormat format = ImageFormat::Png8;
 };
 
+/// Smoke that reaches the border of cells: it ends there abruptly, and seeps into the next cell when filtered.
+struct CutOff {
+    bool left = false, right = false, top = false, bottom = false; ///< edges that it reaches
+    int firstFrame = 0; ///< of those in which it does
+    int lastFrame = 0;
+    float distance = 0.0F; ///< of the camera from its target, m, that would do
+};
+
 /// What engines must be told to play a flipbook; also in the file beside it.
 struct Flipbook {
     std::filesystem::path picture;
     std::filesystem::path description;
     double cellsPerSecond = 0.0; ///< keeps the speed of the effect
     float edgeAlpha = 0.0F; ///< most alpha on a cell's border
-
-    /// More than a faint trace on a border: smoke ends there abruptly, and seeps into the next cell when filtered.
-    [[nodiscard]] bool isCutOff() const { return edgeAlpha > 4.0F / 255.0F; }
+    std::optional<CutOff> cutOff; ///< where edgeAlpha reaches 1/255
 };
 
 /// Frame that a cell shows.

@@ -1,6 +1,7 @@
 #include "core/export/plan.h"
 
 #include "core/base/file.h"
+#include "core/export/fit_camera.h"
 #include "core/noise/texture.h"
 
 namespace fumage {
@@ -38,6 +39,11 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
 
 } // namespace
 
+bool isPicture(ExportKind kind)
+{
+    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Picture;
+}
+
 std::string_view fileEnding(const ExportPlan& plan)
 {
     return plan.kind == ExportKind::Particles ? fileEnding(plan.particles) : fileEnding(plan.format);
@@ -62,6 +68,17 @@ std::filesystem::path lastFile(const ExportPlan& plan)
 
 Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
 {
+    if (plan.fitCamera && isPicture(plan.kind)) {
+        const Result<Camera> camera = fitCamera(effect, plan.kind == ExportKind::Flipbook ? plan.frames : framesToFit(effect, plan.frames), progress, stop);
+        if (!camera) {
+            return camera.error();
+        }
+        Effect fitted = effect;
+        fitted.camera = camera.value();
+        ExportPlan rest = plan;
+        rest.fitCamera = false;
+        return runExport(fitted, rest, progress, stop);
+    }
     const auto plainly = [](const Status& status) { return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error(); };
     switch (plan.kind) {
     case ExportKind::Sequence:

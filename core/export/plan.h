@@ -16,6 +16,9 @@ enum class ExportKind {
     Particles, ///< where they are at one frame
 };
 
+/// Whether it shows the smoke.
+[[nodiscard]] bool isPicture(ExportKind kind);
+
 /// All that decides what an export writes, but for the effect.
 struct ExportPlan {
     ExportKind kind = ExportKind::Sequence;
@@ -26,6 +29,7 @@ struct ExportPlan {
     int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
     int rows = 8;
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
+    bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
 };
 
@@ -37,9 +41,9 @@ struct ExportPlan {
 [[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
-/// @param progress called after each picture of a sequence and each cell of a flipbook
+/// @param progress called after each picture of a sequence and each cell of a flipbook; before them, after each frame that a fit of the camera looked at
 /// @return         the flipbook, where that is what was made
-/// @error          those of renderSequence(), renderFlipbook(), bakeNoise() and writeFileAtomically()
+/// @error          those of fitCamera(), renderSequence(), renderFlipbook(), bakeNoise() and writeFileAtomically()
 [[nodiscard]] Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

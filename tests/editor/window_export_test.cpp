@@ -5,6 +5,7 @@
 
 #include "core/effect/known_parameter.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -83,6 +84,10 @@ private slots:
         QCOMPARE(QImage(m_folder.filePath(u"book.png"_q)).size(), QSize(4 * 128, 2 * 128));
         QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
         QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
+        childOf<QCheckBox>(*dialog, u"export.fit"_q)->setChecked(true);
+        QTest::mouseClick(begin, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, 60000);
+        QVERIFY(!childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q));
     }
 
     void anExportIsCancelled()

@@ -301,13 +301,21 @@ private slots:
         flipbook.output = folder.path().toStdString() + "/a.png";
         flipbook.columns = flipbook.rows = 2;
         flipbook.frames = {30, 33, 1};
-        const auto edgeAt = [&](float distance) {
+        const auto bookFrom = [&](float distance) {
             effect.camera.mode = CameraMode::Orbit;
             effect.camera.distance = distance;
-            return renderFlipbook(effect, flipbook, [](int, int) {}).value().edgeAlpha;
+            return renderFlipbook(effect, flipbook, [](int, int) {}).value();
         };
-        QVERIFY(edgeAt(4.0F) > 0.1F);
-        QCOMPARE(edgeAt(200.0F), 0.0F);
+        const Flipbook near = bookFrom(4.0F);
+        QVERIFY(near.edgeAlpha > 0.1F);
+        QVERIFY(near.cutOff->top);
+        QCOMPARE(near.cutOff->firstFrame, 30);
+        QCOMPARE(near.cutOff->lastFrame, 33);
+        for (const float enough : {near.cutOff->distance, 200.0F}) {
+            const Flipbook far = bookFrom(enough);
+            QCOMPARE(far.edgeAlpha, 0.0F);
+            QVERIFY(!far.cutOff);
+        }
     }
 
     void unwritableFolderIsAnError()

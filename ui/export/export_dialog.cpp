@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
@@ -40,11 +41,6 @@ constexpr std::array kParameters{
     &knownParameter("output.background_colour"),
 };
 
-bool isPicture(ExportKind kind)
-{
-    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Picture;
-}
-
 } // namespace
 
 ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile ask, QWidget* parent)
@@ -63,6 +59,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_columns(addNumber(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells))
     , m_rowsOfCells(addNumber(QStringLiteral("export.rows"), tr("Rows"), 1, kMaxSheetCells))
     , m_grid(new QWidget(this))
+    , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
     , m_files(new QLabel(this))
     , m_state(new QLabel(this))
     , m_progress(new QProgressBar(this))
@@ -165,6 +162,9 @@ void ExportDialog::buildForm()
     addRow(tr("Frames"), makeRange());
     fillGrid();
     m_gridLabel = addRow(tr("Columns × rows"), m_grid);
+    m_fit->setObjectName(QStringLiteral("export.fit"));
+    m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
+    form->addRow(QString(), m_fit);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addLayout(form);
     for (const Parameter* parameter : kParameters) {
@@ -251,6 +251,7 @@ ExportPlan ExportDialog::plan() const
     plan.frames = {m_first->value(), m_last->value(), m_step->value()};
     plan.columns = m_columns->value();
     plan.rows = m_rowsOfCells->value();
+    plan.fitCamera = m_fit->isChecked();
     if (kind() == ExportKind::Particles) {
         plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
     } else {
@@ -296,6 +297,7 @@ void ExportDialog::followPlan()
         return;
     }
     const bool picture = isPicture(kind());
+    m_fit->setVisible(picture);
     for (ParameterRow* row : m_rows) {
         row->sync();
         row->setVisible(picture && fumage::isVisible(row->parameter(), m_document.effect()));

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -73,7 +74,8 @@ private:
     QSpinBox* m_step;
     QSpinBox* m_columns;
     QSpinBox* m_rowsOfCells;
-    QWidget* m_grid; ///< columns and rows
+    QWidget* m_grid;
+    QCheckBox* m_fit; ///< columns and rows
     QLabel* m_gridLabel = nullptr;
     QLabel* m_files;
     QLabel* m_state;

@@ -2,6 +2,9 @@
 
 #include "ui/document/text.h"
 
+#include <QLocale>
+#include <QStringList>
+
 namespace fumage::ui {
 
 ExportJob::ExportJob(QObject* parent)
@@ -43,14 +46,24 @@ void ExportJob::end(const Result<std::optional<Flipbook>>& result)
 {
     m_running = false;
     if (result) {
-        const bool cutOff = result.value() && result.value()->isCutOff();
-        const QString remark = cutOff ? tr("The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.") : QString();
+        const QString remark = result.value() && result.value()->cutOff ? complaint(*result.value()->cutOff) : QString();
         emit finished(toQString(firstFile(*m_lastPlan).string()), remark);
     } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {
         emit failed(toQString(result.error().text()));
     }
+}
+
+QString ExportJob::complaint(const CutOff& cut)
+{
+    QStringList edges;
+    for (const auto& [reached, name] : {std::pair{cut.left, tr("left")}, std::pair{cut.right, tr("right")}, std::pair{cut.top, tr("top")}, std::pair{cut.bottom, tr("bottom")}}) {
+        if (reached) {
+            edges << name;
+        }
+    }
+    return tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted, or move it back to %4 m.").arg(edges.join(QStringLiteral(", "))).arg(cut.firstFrame).arg(cut.lastFrame).arg(QLocale().toString(cut.distance, 'g', 3));
 }
 
 } // namespace fumage::ui

@@ -36,6 +36,7 @@ signals:
     void failed(const QString& message);
 
 private:
+    [[nodiscard]] static QString complaint(const CutOff& cut);
     void end(const Result<std::optional<Flipbook>>& result);
 
     std::optional<ExportPlan> m_lastPlan;

@@ -43,6 +43,7 @@ constexpr ActionSpec kSpecs[] = {
     {.id = "edit.commands", .menu = kEdit, .text = QT_TRANSLATE_NOOP("Actions", "Search c&ommands…"), .keys = "Ctrl+Shift+P"},
 
     {.id = "view.frameAll", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Frame &all"), .keys = "F", .icon = "frame-all"},
+    {.id = "view.frameAnimation", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Frame the &whole animation"), .keys = "Shift+F"},
     {.id = "view.front", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "From the &front"), .keys = "1"},
     {.id = "view.right", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "From the &right"), .keys = "3"},
     {.id = "view.top", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "From &above"), .keys = "7"},

@@ -46,7 +46,7 @@ MainWindow::MainWindow(Session& session)
     , m_timeline(std::make_unique<TimelineBar>(m_document, m_player))
     , m_docks(*this, m_document, m_locks)
     , m_editActions(m_actions, m_document, m_locks)
-    , m_viewActions(m_actions, *m_viewport, *this)
+    , m_viewActions(m_actions, m_document, *m_viewport, *this)
     , m_comparison(m_document, *m_viewport, m_actions)
     , m_exports(m_document, m_player, m_locks, m_actions, session.askForFile(), this)
     , m_drops(*this, m_files, m_docks.browser().list())
@@ -152,6 +152,7 @@ void MainWindow::connectStatus()
     statusBar()->hide();
     connect(statusBar(), &QStatusBar::messageChanged, statusBar(), [this](const QString& message) { statusBar()->setVisible(!message.isEmpty()); });
     connect(&m_exports, &ExportDesk::news, statusBar(), &QStatusBar::showMessage);
+    connect(&m_viewActions.cameraFit(), &CameraFit::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_recovery, &Recovery::failed, &m_ear, [this](const QString& message) { notify(tr("Unsaved work cannot be kept safe: %1").arg(message)); });
 }
 

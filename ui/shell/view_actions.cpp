@@ -43,12 +43,14 @@ constexpr Side kSides[] = {
 
 } // namespace
 
-ViewActions::ViewActions(const ActionSet& actions, Viewport& viewport, QWidget& window)
+ViewActions::ViewActions(const ActionSet& actions, Document& document, Viewport& viewport, QWidget& window)
     : m_actions(actions)
     , m_viewport(viewport)
     , m_window(window)
+    , m_fit(document)
 {
     m_actions.on("view.frameAll", &m_viewport, &Viewport::frameAll);
+    m_actions.on("view.frameAnimation", &m_fit, &CameraFit::start);
     for (const Side& side : kSides) {
         m_actions.on(side.action, this, [this, side] { m_viewport.lookFrom(side.yaw, side.pitch); });
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/viewport/camera_fit.h"
+
 #include <QObject>
 #include <QStringList>
 
@@ -16,7 +18,9 @@ class ViewActions : public QObject {
 
 public:
     /// @param window that becomes as large as the screen
-    ViewActions(const ActionSet& actions, Viewport& viewport, QWidget& window);
+    ViewActions(const ActionSet& actions, Document& document, Viewport& viewport, QWidget& window);
+
+    [[nodiscard]] CameraFit& cameraFit() { return m_fit; }
 
     /// What is drawn over the smoke, as the ids of its switches; without what comes and goes by itself.
     [[nodiscard]] QStringList shownOverlays() const;
@@ -33,6 +37,7 @@ private:
     const ActionSet& m_actions;
     Viewport& m_viewport;
     QWidget& m_window;
+    CameraFit m_fit;
 };
 
 } // namespace fumage::ui

@@ -1,0 +1,154 @@
+#include "core/export/fit_camera.h"
+
+#include "core/rendering/framing.h"
+#include "core/rendering/renderer.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+namespace {
+
+/// Edge of the pictures that are looked at, the longer one; those beyond the whole rounds of the animation are looked at only where smoke was still cut off.
+constexpr int kEdge = 256;
+constexpr int kRounds = 2;
+constexpr int kMostRounds = 4;
+/// Of the frames that give the first guess one in so many is looked at.
+constexpr int kStride = 4;
+/// Half of what may be on the border at most.
+constexpr float kSeen = 0.5F / 255.0F;
+
+/// Looks at all frames of an effect, from a camera that comes nearer to what is wanted each time.
+class Fitting {
+public:
+    Fitting(const Effect& effect, const FrameRange& frames, const SequenceProgress& progress, const std::stop_token& stop)
+        : m_smoke(smokeOf(effect))
+        , m_simulator(m_smoke)
+        , m_frames(frames)
+        , m_progress(progress)
+        , m_stop(stop)
+    {
+        const float scale = static_cast<float>(kEdge) / static_cast<float>(std::max(effect.output.width, effect.output.height));
+        m_width = std::max(1, static_cast<int>(std::lround(static_cast<float>(effect.output.width) * scale)));
+        m_height = std::max(1, static_cast<int>(std::lround(static_cast<float>(effect.output.height) * scale)));
+        m_guesses = (frames.count() + kStride - 1) / kStride;
+    }
+
+    Result<Camera> run()
+    {
+        const Camera& asked = m_smoke->camera;
+        Framing guess(asked, m_width, m_height);
+        for (int index = 0; index < m_frames.count(); index += kStride) {
+            const auto frame = m_simulator.frame(m_frames.at(index), m_stop);
+            if (!frame) {
+                return frame.error();
+            }
+            findAppearance(*frame.value(), m_smoke, Axes{}, m_appearance);
+            guess.addParticles(frame.value()->particles, m_appearance, secondsOf(*frame.value()));
+            tell();
+        }
+        Camera camera = guess.camera();
+        for (int round = 0; round < kMostRounds && (round < kRounds || m_touches); ++round) {
+            Framing seen(asked, m_width, m_height);
+            if (Status status = look(camera, seen); !status) {
+                return status.error();
+            }
+            if (seen.isEmpty()) {
+                return Error{ErrorCode::OutOfRange, "no smoke is to be seen in frames " + std::to_string(m_frames.first) + " to " + std::to_string(m_frames.last), "",
+                    "Choose other frames, or make the smoke denser"};
+            }
+            camera = seen.camera();
+        }
+        return camera;
+    }
+
+private:
+    /// Light has no part in where smoke is.
+    static SampledEffect smokeOf(Effect effect)
+    {
+        effect.output.quality = Quality::Good;
+        effect.light.shadow = 0.0F;
+        effect.light.occlusion = 0.0F;
+        return sampled(effect);
+    }
+
+    [[nodiscard]] float secondsOf(const Frame& frame) const { return static_cast<float>(frame.number) / static_cast<float>(m_smoke->timeline.frameRate); }
+
+    void tell()
+    {
+        const int total = m_guesses + kRounds * m_frames.count();
+        m_done = std::min(m_done + 1, total);
+        m_progress(m_done, total);
+    }
+
+    /// Renders every frame through a camera, and adds where smoke was seen.
+    Status look(const Camera& camera, Framing& seen)
+    {
+        m_touches = false;
+        for (int index = 0; index < m_frames.count(); ++index) {
+            const auto frame = m_simulator.frame(m_frames.at(index), m_stop);
+            if (!frame) {
+                return frame.error();
+            }
+            const float seconds = secondsOf(*frame.value());
+            const View view = makeView(camera, seconds, m_width, m_height);
+            if (Status status = m_renderer.prepare(*frame.value(), m_smoke, view, m_stop); !status) {
+                return status;
+            }
+            if (Status status = m_renderer.composite(m_image, m_stop); !status) {
+                return status;
+            }
+            const PictureReach reach = reachOf(m_image, kSeen);
+            m_touches = m_touches || (!reach.isEmpty() && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
+            const auto [nearest, farthest] = depths(frame.value()->particles, view);
+            seen.addPicture(view, reach, nearest, farthest, seconds);
+            tell();
+        }
+        return Done{};
+    }
+
+    /// Of what is drawn, m.
+    [[nodiscard]] std::pair<float, float> depths(const Particles& particles, const View& view) const
+    {
+        const SpriteBatch& batch = m_renderer.batch();
+        std::pair<float, float> range{1e30F, 0.0F};
+        for (std::size_t i = 0; i < particles.capacity; ++i) {
+            if (batch.depth[i] == SpriteBatch::kHidden || batch.sprites[i].opacity < kSeen) {
+                continue;
+            }
+            const float depth = project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth;
+            range = {std::min(range.first, depth), std::max(range.second, depth)};
+        }
+        return range.first <= range.second ? range : std::pair{1.0F, 1.0F};
+    }
+
+    SampledEffect m_smoke;
+    Simulator m_simulator;
+    Renderer m_renderer;
+    Appearance m_appearance;
+    Image m_image;
+    FrameRange m_frames;
+    const SequenceProgress& m_progress;
+    std::stop_token m_stop;
+    int m_width = 1;
+    int m_height = 1;
+    int m_guesses = 0;
+    int m_done = 0;
+    bool m_touches = false;
+};
+
+} // namespace
+
+FrameRange framesToFit(const Effect& effect, const FrameRange& asked)
+{
+    return {std::min(0, asked.first), std::max(effect.timeline.length - 1, asked.last), 1};
+}
+
+Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const SequenceProgress& progress, const std::stop_token& stop)
+{
+    return Fitting(effect, frames, progress, stop).run();
+}
+
+} // namespace fumage

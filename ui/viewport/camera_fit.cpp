@@ -1,0 +1,80 @@
+#include "ui/viewport/camera_fit.h"
+
+#include "ui/document/text.h"
+#include "ui/viewport/navigation.h"
+
+#include "core/export/fit_camera.h"
+
+namespace fumage::ui {
+
+namespace {
+
+constexpr int kShownMs = 8000;
+
+} // namespace
+
+CameraFit::CameraFit(Document& document)
+    : m_document(document)
+    , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); })
+{
+    connect(&m_document, &Document::effectChanged, this, [this] {
+        if (m_running) {
+            post();
+        }
+    });
+    connect(&m_document, &Document::loaded, this, [this] {
+        if (m_running) {
+            m_running = false;
+            emit news({}, kShownMs);
+            emit ended();
+        }
+    });
+}
+
+void CameraFit::start()
+{
+    m_running = true;
+    post();
+}
+
+void CameraFit::post()
+{
+    m_job.post({m_document.effect(), ++m_number});
+}
+
+void CameraFit::work(const Request& request, const std::stop_token& stop)
+{
+    const auto onThisThread = [this, number = request.number](auto what) {
+        QMetaObject::invokeMethod(
+            this, [this, number, what] {
+                if (m_running && number == m_number) {
+                    what();
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    constexpr int kPercent = 100;
+    int told = -1;
+    const auto report = [&](int done, int total) {
+        if (const int percent = kPercent * done / total; percent > told) {
+            told = percent;
+            onThisThread([this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
+        }
+    };
+    const Result<Camera> camera = fitCamera(request.effect, framesToFit(request.effect, {}), report, stop);
+    onThisThread([this, camera] { end(camera); });
+}
+
+void CameraFit::end(const Result<Camera>& camera)
+{
+    m_running = false;
+    if (camera) {
+        m_document.edit(assignmentsOf(camera.value()), tr("Frame the whole animation"));
+        emit news(tr("The camera shows all smoke of the animation"), kShownMs);
+    } else {
+        emit news(toQString(camera.error().text()), kShownMs);
+    }
+    emit ended();
+}
+
+} // namespace fumage::ui

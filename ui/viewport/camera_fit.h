@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/work/latest_job.h"
+
+#include "core/base/result.h"
+
+namespace fumage::ui {
+
+/// Moves the document's camera so that all smoke of the whole animation is in the picture. On a thread of its own; a change of the document meanwhile
+/// begins it anew.
+class CameraFit : public QObject {
+    Q_OBJECT
+
+public:
+    explicit CameraFit(Document& document);
+
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    void start();
+
+signals:
+    /// @param message for the artist
+    /// @param forMs how long it is of interest; 0: until the next news
+    void news(const QString& message, int forMs);
+    /// The camera has been moved, cannot be, or is that of another preset.
+    void ended();
+
+private:
+    struct Request {
+        Effect effect;
+        int number = 0;
+    };
+    void post();
+    void work(const Request& request, const std::stop_token& stop);
+    void end(const Result<Camera>& camera);
+
+    Document& m_document;
+    bool m_running = false;
+    int m_number = 0; ///< of the newest request: news of others are old
+    LatestJob<Request> m_job; ///< last: its thread ends first
+};
+
+} // namespace fumage::ui
