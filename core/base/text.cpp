@@ -44,6 +44,31 @@ std::size_t editDistance(std::string_view a, std::string_view b)
     return row[b.size()];
 }
 
+bool isContinuation(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// Bytes of the UTF-8 character that a text begins with; 1 where it begins with none.
+std::size_t characterLength(std::string_view text)
+{
+    constexpr std::array<unsigned char, 3> kLeadOfLength{0xC2, 0xE0, 0xF0}; // of 2, 3 and 4 bytes
+    const auto lead = static_cast<unsigned char>(text.front());
+    const auto length = static_cast<std::size_t>(std::upper_bound(kLeadOfLength.begin(), kLeadOfLength.end(), lead) - kLeadOfLength.begin()) + 1;
+    const std::string_view rest = text.substr(1, length - 1);
+    return rest.size() + 1 == length && std::all_of(rest.begin(), rest.end(), isContinuation) ? length : 1;
+}
+
+/// Whether a character is a control character (C0, DEL, C1), turns the direction of writing (U+202A to U+202E, U+2066 to U+2069), or is a stray byte.
+bool steers(std::string_view character)
+{
+    const auto lead = static_cast<unsigned char>(character.front());
+    if (character.size() == 1) {
+        return lead < 0x20U || lead >= 0x7FU;
+    }
+    return (lead == 0xC2U && character[1] < '\xA0') || (character >= "\u202A" && character <= "\u202E") || (character >= "\u2066" && character <= "\u2069");
+}
+
 } // namespace
 
 std::optional<float> parseFloat(std::string_view text)
@@ -108,14 +133,27 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
     return best;
 }
 
+std::string printable(std::string_view text)
+{
+    std::string out;
+    while (!text.empty()) {
+        const std::string_view character = text.substr(0, characterLength(text));
+        const bool isSpace = character == "\n" || character == "\t";
+        out += isSpace ? " " : steers(character) ? "?"
+                                                 : character;
+        text.remove_prefix(character.size());
+    }
+    return out;
+}
+
 std::string inQuotes(std::string_view text)
 {
     constexpr std::size_t kLongest = 60;
-    std::string out = "\"";
-    for (const char c : text.substr(0, kLongest)) {
-        out += (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) ? '?' : c;
+    std::size_t length = std::min(text.size(), kLongest);
+    while (length > 0 && length < text.size() && isContinuation(text[length])) {
+        --length;
     }
-    return out + (text.size() > kLongest ? "...\"" : "\"");
+    return '"' + printable(text.substr(0, length)) + (text.size() > length ? "...\"" : "\"");
 }
 
 } // namespace fumage

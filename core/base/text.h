@@ -32,7 +32,11 @@ namespace fumage {
 /// O(candidates * length^2).
 [[nodiscard]] std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
-/// A bare name for a message: control characters replaced, cut to 60 characters.
+/// A text on one line without what would steer a terminal or turn the direction of writing: such characters, and bytes that are not UTF-8, become '?', line breaks and tabs
+/// spaces.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// A bare name for a message: printable(), cut to 60 bytes at a character's border.
 [[nodiscard]] std::string inQuotes(std::string_view text);
 
 } // namespace fumage

@@ -70,9 +70,28 @@ private slots:
     void quotedTextIsShortAndWithoutControlCharacters()
     {
         QCOMPARE(inQuotes("wind"), std::string("\"wind\""));
-        QCOMPARE(inQuotes("a\x1b[2Jb\x7f\n"), std::string("\"a?[2Jb??\""));
+        QCOMPARE(inQuotes("a\x1b[2Jb\x7f\n"), std::string("\"a?[2Jb? \""));
         QCOMPARE(inQuotes(std::string(60, 'x')), "\"" + std::string(60, 'x') + "\"");
         QCOMPARE(inQuotes(std::string(61, 'x')), "\"" + std::string(60, 'x') + "...\"");
+    }
+
+    void printableTextSteersNothing()
+    {
+        QCOMPARE(printable("\u00e5 \u6c34 \U0001F525 plain"), std::string("\u00e5 \u6c34 \U0001F525 plain"));
+        QCOMPARE(printable("\x1b[31mred\x07\x7f"), std::string("?[31mred??"));
+        QCOMPARE(printable("two\nlines\tand\rback"), std::string("two lines and?back"));
+        QCOMPARE(printable("\u009b31m, \u202eabc\u2069, \u00a0"), std::string("?31m, ?abc?, \u00a0"));
+        QCOMPARE(printable("cut \xe6\xb0"), std::string("cut ??"));
+        QCOMPARE(printable("\x80\xff\xc0\xaf"), std::string("????"));
+        QCOMPARE(printable(std::string_view("a\0b", 3)), std::string("a?b"));
+        QCOMPARE(printable(""), std::string());
+    }
+
+    void longNamesAreCutAtABorderOfACharacter()
+    {
+        const std::string waters = "\u6c34\u6c34\u6c34\u6c34\u6c34\u6c34\u6c34\u6c34\u6c34\u6c34";
+        QCOMPARE(inQuotes("x" + waters + waters), "\"x" + waters + waters.substr(0, 27) + "...\"");
+        QCOMPARE(inQuotes(waters + waters), "\"" + waters + waters + "\"");
     }
 };
 
