@@ -23,6 +23,14 @@ void sortById(std::vector<LibraryEntry>& entries)
     std::sort(entries.begin(), entries.end(), [](const LibraryEntry& a, const LibraryEntry& b) { return a.id < b.id; });
 }
 
+/// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the working folder
+std::filesystem::path absoluteFolder(const char* variable)
+{
+    const char* value = std::getenv(variable);
+    const std::filesystem::path folder = value == nullptr ? "" : value;
+    return folder.is_absolute() ? folder : std::filesystem::path();
+}
+
 } // namespace
 
 std::vector<LibraryEntry> builtinPresets()
@@ -50,13 +58,10 @@ std::vector<LibraryEntry> presetsIn(const std::filesystem::path& folder)
 
 std::filesystem::path userPresetFolder()
 {
-    const char* data = std::getenv("XDG_DATA_HOME");
-    const char* home = std::getenv("HOME");
-    std::filesystem::path base;
-    if (data != nullptr && *data != '\0') {
-        base = data;
-    } else if (home != nullptr) {
-        base = std::filesystem::path(home) / ".local" / "share";
+    std::filesystem::path base = absoluteFolder("XDG_DATA_HOME");
+    if (base.empty()) {
+        const std::filesystem::path home = absoluteFolder("HOME");
+        base = home.empty() ? home : home / ".local" / "share";
     }
     return base.empty() ? base : base / "fumage" / "presets";
 }
@@ -74,7 +79,7 @@ Result<PresetReading> loadPreset(const LibraryEntry& entry)
     return Error{ErrorCode::UnknownName, "there is no built-in preset " + inQuotes(entry.id), "", ""};
 }
 
-Result<PresetReading> loadPreset(const std::string& nameOrPath)
+Result<LibraryEntry> findPreset(const std::string& nameOrPath)
 {
     std::vector<LibraryEntry> all = builtinPresets();
     const std::vector<LibraryEntry> user = presetsIn(userPresetFolder());
@@ -82,18 +87,24 @@ Result<PresetReading> loadPreset(const std::string& nameOrPath)
     std::vector<std::string_view> names;
     for (const LibraryEntry& entry : all) {
         if (entry.id == nameOrPath) {
-            return loadPreset(entry);
+            return entry;
         }
         names.push_back(entry.id);
     }
     std::error_code ignored;
     const bool looksLikeName = nameOrPath.find('/') == std::string::npos && nameOrPath.find('.') == std::string::npos;
-    if (looksLikeName && !std::filesystem::exists(nameOrPath, ignored)) {
+    if (looksLikeName && !std::filesystem::exists(std::filesystem::symlink_status(nameOrPath, ignored))) {
         const std::string_view near = nearestName(nameOrPath, names);
         return Error{ErrorCode::UnknownName, "there is no preset or file " + inQuotes(nameOrPath), "",
             near.empty() ? "List the presets with: fumage-cli presets" : "Did you mean " + inQuotes(near) + "?"};
     }
-    return readPresetFile(nameOrPath);
+    return LibraryEntry{std::filesystem::path(nameOrPath).stem().string(), nameOrPath};
+}
+
+Result<PresetReading> loadPreset(const std::string& nameOrPath)
+{
+    const Result<LibraryEntry> entry = findPreset(nameOrPath);
+    return entry ? loadPreset(entry.value()) : entry.error();
 }
 
 } // namespace fumage

@@ -285,6 +285,12 @@ private slots:
         QCOMPARE(userPresetFolder(), std::filesystem::path(presets));
         QCOMPARE(presetsIn(userPresetFolder()).size(), std::size_t(1));
         QVERIFY(loadPreset(std::string("mine")).ok());
+        qputenv("XDG_DATA_HOME", "relative");
+        qputenv("HOME", folder.path().toUtf8());
+        QCOMPARE(userPresetFolder(), std::filesystem::path(folder.path().toStdString()) / ".local/share/fumage/presets");
+        qputenv("HOME", "");
+        QVERIFY(userPresetFolder().empty());
+        QVERIFY(presetsIn(userPresetFolder()).empty());
         qunsetenv("XDG_DATA_HOME");
     }
 
