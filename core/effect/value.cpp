@@ -47,11 +47,11 @@ std::string formatList(const Gradient& gradient)
     return text + "]";
 }
 
-Result<Value> parseChoice(const Parameter& parameter, std::string_view text)
+Result<Clamped> parseChoice(const Parameter& parameter, std::string_view text)
 {
     for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
         if (parameter.choices[i] == text) {
-            return Value(static_cast<int>(i));
+            return Clamped{static_cast<int>(i)};
         }
     }
     std::string all;
@@ -61,13 +61,13 @@ Result<Value> parseChoice(const Parameter& parameter, std::string_view text)
     return Error{ErrorCode::UnknownName, "there is no " + inQuotes(text), std::string(parameter.key), "Choose one of " + all};
 }
 
-Result<Value> parseBool(const Parameter& parameter, std::string_view text)
+Result<Clamped> parseBool(const Parameter& parameter, std::string_view text)
 {
     if (text == "true" || text == "on" || text == "1") {
-        return Value(true);
+        return Clamped{true};
     }
     if (text == "false" || text == "off" || text == "0") {
-        return Value(false);
+        return Clamped{false};
     }
     return wrongType(parameter, text);
 }
@@ -109,7 +109,7 @@ Result<std::vector<double>> parseNumbers(const Parameter& parameter, std::string
     return numbers;
 }
 
-Result<Value> wholeNumber(const Parameter& parameter, double number)
+Result<Clamped> wholeNumber(const Parameter& parameter, double number)
 {
     constexpr double kLargestInt = 2147483647.0;
     constexpr double kLargestSeed = 4294967295.0;
@@ -117,9 +117,11 @@ Result<Value> wholeNumber(const Parameter& parameter, double number)
         return wrongType(parameter, formatFloat(static_cast<float>(number)));
     }
     if (parameter.kind == Kind::Seed) {
-        return Value(static_cast<std::uint32_t>(std::clamp(number, 0.0, kLargestSeed)));
+        const double inside = std::clamp(number, 0.0, kLargestSeed);
+        return Clamped{static_cast<std::uint32_t>(inside), inside != number};
     }
-    return Value(static_cast<int>(std::clamp(number, -kLargestInt, kLargestInt)));
+    const double inside = std::clamp(number, -kLargestInt, kLargestInt);
+    return Clamped{static_cast<int>(inside), inside != number};
 }
 
 Value curveFrom(std::span<const double> numbers)
@@ -222,7 +224,7 @@ std::string formatText(const Parameter& parameter, const Value& value, bool with
     return text;
 }
 
-Result<Value> parseValue(const Parameter& parameter, std::string_view text)
+Result<Clamped> parseValue(const Parameter& parameter, std::string_view text)
 {
     text = trimmed(text);
     if (parameter.kind == Kind::Choice) {
@@ -241,7 +243,7 @@ Result<Value> parseValue(const Parameter& parameter, std::string_view text)
     return numbers ? valueFromNumbers(parameter, numbers.value()) : numbers.error();
 }
 
-Result<Value> valueFromNumbers(const Parameter& parameter, std::span<const double> numbers)
+Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const double> numbers)
 {
     constexpr double kLargestFloat = 3.4028234e38;
     for (const double number : numbers) {
@@ -255,13 +257,13 @@ Result<Value> valueFromNumbers(const Parameter& parameter, std::span<const doubl
     case Kind::Choice: return wrongType(parameter, found);
     case Kind::Int:
     case Kind::Seed: return numbers.size() == 1 ? wholeNumber(parameter, numbers[0]) : wrongType(parameter, found);
-    case Kind::Float: return numbers.size() == 1 ? Result<Value>(static_cast<float>(numbers[0])) : wrongType(parameter, found);
+    case Kind::Float: return numbers.size() == 1 ? Result<Clamped>(Clamped{static_cast<float>(numbers[0])}) : wrongType(parameter, found);
     case Kind::Direction:
     case Kind::Vector:
     case Kind::Colour:
-        return numbers.size() == kNumbersAVector ? Result<Value>(glm::vec3(numbers[0], numbers[1], numbers[2])) : wrongType(parameter, found);
-    case Kind::Curve: return listFits(numbers.size(), kNumbersAPoint) ? Result<Value>(curveFrom(numbers)) : wrongType(parameter, found);
-    case Kind::Gradient: return listFits(numbers.size(), kNumbersAStop) ? Result<Value>(gradientFrom(numbers)) : wrongType(parameter, found);
+        return numbers.size() == kNumbersAVector ? Result<Clamped>(Clamped{glm::vec3(numbers[0], numbers[1], numbers[2])}) : wrongType(parameter, found);
+    case Kind::Curve: return listFits(numbers.size(), kNumbersAPoint) ? Result<Clamped>(Clamped{curveFrom(numbers)}) : wrongType(parameter, found);
+    case Kind::Gradient: return listFits(numbers.size(), kNumbersAStop) ? Result<Clamped>(Clamped{gradientFrom(numbers)}) : wrongType(parameter, found);
     }
     return wrongType(parameter, found);
 }
@@ -305,6 +307,11 @@ bool setClamped(Effect& effect, const Parameter& parameter, const Value& value)
     return clamped.changed;
 }
 
+bool setClamped(Effect& effect, const Parameter& parameter, const Clamped& read)
+{
+    return setClamped(effect, parameter, read.value) || read.changed;
+}
+
 Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
 {
     const std::size_t equals = assignment.find('=');
@@ -318,7 +325,7 @@ Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
         return Error{ErrorCode::UnknownKey, "there is no parameter " + inQuotes(key), "",
             near.empty() ? "List them with: fumage-cli parameters" : "Did you mean " + inQuotes(near) + "?"};
     }
-    const Result<Value> value = parseValue(*parameter, assignment.substr(equals + 1));
+    const Result<Clamped> value = parseValue(*parameter, assignment.substr(equals + 1));
     if (!value) {
         return value.error();
     }

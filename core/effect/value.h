@@ -14,19 +14,19 @@ namespace fumage {
 /// @return the value as a person types it: formatJson() without quotes, and with its unit where withUnit
 [[nodiscard]] std::string formatText(const Parameter& parameter, const Value& value, bool withUnit = false);
 
-/// Reads what formatText() writes; brackets around a vector may be left out.
+struct Clamped {
+    Value value;
+    bool changed = false; ///< it was outside of what the type or the parameter allows
+};
+
+/// Reads what formatText() writes; brackets around a vector may be left out. Only what the type cannot hold is clamped: see clampValue().
 /// @error WrongType, NotFinite, UnknownName; the place is the key
-[[nodiscard]] Result<Value> parseValue(const Parameter& parameter, std::string_view text);
+[[nodiscard]] Result<Clamped> parseValue(const Parameter& parameter, std::string_view text);
 
 /// Checks numbers that were read for a parameter and packs them.
 /// @param numbers Float, Int, Seed, Bool: 1; Direction, Vector, Colour: 3; Curve: 2 a point; Gradient: 4 a stop
 /// @error WrongType for a wrong count or a fraction where a whole number is meant; NotFinite
-[[nodiscard]] Result<Value> valueFromNumbers(const Parameter& parameter, std::span<const double> numbers);
-
-struct Clamped {
-    Value value;
-    bool changed = false; ///< the value was outside of the hard range
-};
+[[nodiscard]] Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const double> numbers);
 
 /// Brings every component into the hard range, a direction to unit length (a zero one to the default's), points in order.
 /// @param value finite
@@ -35,8 +35,9 @@ struct Clamped {
 /// @return the rows in which two effects differ, in table order
 [[nodiscard]] std::vector<const Parameter*> differences(const Effect& a, const Effect& b);
 
-/// Clamps and writes. @return whether the value had to be clamped
+/// Clamps and writes. @return whether the value had to be clamped, here or when it was read
 bool setClamped(Effect& effect, const Parameter& parameter, const Value& value);
+bool setClamped(Effect& effect, const Parameter& parameter, const Clamped& read);
 
 /// Parses "key=value" and applies it, as --set does.
 /// @return whether the value had to be clamped

@@ -139,7 +139,7 @@ private:
 
     Status readParameter(const Parameter& parameter, const JsonNode& node)
     {
-        const Result<Value> value = valueOf(parameter, node);
+        const Result<Clamped> value = valueOf(parameter, node);
         if (!value) {
             return errorAt(node, value.error().code, value.error().place + ": " + value.error().message, value.error().remedy);
         }
@@ -150,7 +150,7 @@ private:
         return Done{};
     }
 
-    [[nodiscard]] Result<Value> valueOf(const Parameter& parameter, const JsonNode& node) const
+    [[nodiscard]] Result<Clamped> valueOf(const Parameter& parameter, const JsonNode& node) const
     {
         const bool isText = node.type == JsonNode::Type::String && parameter.kind == Kind::Choice;
         const bool isFlag = node.type == JsonNode::Type::Bool && parameter.kind == Kind::Bool;
@@ -158,7 +158,7 @@ private:
             return parseValue(parameter, node.string);
         }
         if (isFlag) {
-            return Value(node.flag);
+            return Clamped{node.flag};
         }
         std::vector<double> numbers;
         if (!collectNumbers(parameter, node, numbers)) {

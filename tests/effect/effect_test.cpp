@@ -45,9 +45,9 @@ private slots:
         const Effect effect = tests::everythingOn();
         for (const Parameter& p : parameterTable()) {
             const Value value = clampValue(p, p.get(effect)).value;
-            const Result<Value> parsed = parseValue(p, formatText(p, value));
+            const Result<Clamped> parsed = parseValue(p, formatText(p, value));
             QVERIFY2(parsed.ok(), p.key.data());
-            QVERIFY2(parsed.value() == value, p.key.data());
+            QVERIFY2(parsed.value().value == value && !parsed.value().changed, p.key.data());
         }
     }
 
@@ -77,6 +77,19 @@ private slots:
                 QVERIFY2(!parseValue(p, text + ",0,0"), p.key.data());
             }
         }
+    }
+
+    void seedsOutOfRangeAreClampedAndSaid()
+    {
+        Effect effect;
+        for (const auto& [text, seed] : {std::pair{"-5", 0U}, std::pair{"1e11", 4294967295U}, std::pair{"100000000000", 4294967295U}, std::pair{"99999999999999999999999", 4294967295U}}) {
+            const Result<bool> clamped = applyAssignment(effect, std::string("emitter.seed=") + text);
+            QVERIFY2(clamped.ok() && clamped.value(), text);
+            QCOMPARE(effect.emitter.seed, seed);
+        }
+        QVERIFY(!applyAssignment(effect, "emitter.seed=4294967295").value());
+        QVERIFY(!applyAssignment(effect, "emitter.seed=010").value());
+        QCOMPARE(effect.emitter.seed, 10U);
     }
 
     void wrongShapesAreRefused()

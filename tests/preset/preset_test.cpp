@@ -124,6 +124,10 @@ private slots:
         QVERIFY(reading.ok());
         QCOMPARE(reading.value().preset.effect.motion.randomness, 1.0F);
         QVERIFY(reading.value().warnings[0].find("motion.randomness") != std::string::npos);
+        for (const char* seed : {"-5", "1e11"}) {
+            const Result<PresetReading> seeded = parsePreset(kHead + "\"emitter\": {\"seed\": " + seed + "}}");
+            QVERIFY(seeded.value().warnings[0].find("emitter.seed was out of range") != std::string::npos);
+        }
     }
 
     void missingParametersAreToldInOneLine()

@@ -117,9 +117,9 @@ void ParameterRow::copy(bool asAssignment) const
 
 void ParameterRow::paste()
 {
-    const Result<Value> value = parseValue(parameter(), QApplication::clipboard()->text().trimmed().toStdString());
+    const Result<Clamped> value = parseValue(parameter(), QApplication::clipboard()->text().trimmed().toStdString());
     if (value) {
-        m_document.edit(parameter(), value.value());
+        m_document.edit(parameter(), value.value().value);
     } else {
         QMessageBox::warning(this, tr("Paste"), toQString(value.error().text()));
     }
