@@ -14,6 +14,8 @@ namespace fumage {
 namespace {
 
 constexpr std::array<std::string_view, 4> kHeaderKeys{"format", "version", "name", "description"};
+/// Where editors of text look for the schema; kept, and nothing to warn of.
+constexpr std::string_view kSchemaKey = "$schema";
 /// More are counted only: nobody reads them, and a hostile file has a hundred thousand.
 constexpr std::size_t kMostWarnings = 20;
 
@@ -128,11 +130,13 @@ private:
 
     Status keepUnknown(const std::string& group, const std::string& key, const JsonNode& node)
     {
-        warn(node, [&] {
-            const std::string path = group.empty() ? key : group + "." + key;
-            const std::string_view near = nearestParameterKey(path);
-            return "unknown key " + inQuotes(path) + " is kept but has no effect" + (near.empty() ? "" : "; did you mean " + inQuotes(near) + "?");
-        });
+        const std::string path = group.empty() ? key : group + "." + key;
+        if (path != kSchemaKey) {
+            warn(node, [&] {
+                const std::string_view near = nearestParameterKey(path);
+                return "unknown key " + inQuotes(path) + " is kept but has no effect" + (near.empty() ? "" : "; did you mean " + inQuotes(near) + "?");
+            });
+        }
         m_reading.preset.unknown.push_back({group, key, std::string(m_text.substr(node.begin, node.end - node.begin))});
         return Done{};
     }

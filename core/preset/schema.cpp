@@ -69,6 +69,7 @@ std::string describe(const Parameter& parameter)
 std::string presetSchema()
 {
     Json properties;
+    properties["$schema"] = {{"type", "string"}};
     properties["format"] = {{"const", kPresetFormat}};
     properties["version"] = {{"const", kPresetVersion}};
     properties["name"] = {{"type", "string"}};
@@ -77,7 +78,7 @@ std::string presetSchema()
     for (const Parameter& parameter : parameterTable()) {
         const std::string group(parameter.group());
         if (!properties.contains(group)) {
-            properties[group] = {{"title", groupLabel(group)}, {"type", "object"}, {"properties", Json::object()}};
+            properties[group] = {{"title", groupLabel(group)}, {"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
         }
         Json schema = valueSchema(parameter);
         schema["title"] = parameter.label;
@@ -89,6 +90,7 @@ std::string presetSchema()
         {"title", "Fumage preset"},
         {"type", "object"},
         {"required", {"format", "version"}},
+        {"additionalProperties", false},
         {"properties", std::move(properties)}};
     return schema.dump(2) + "\n";
 }

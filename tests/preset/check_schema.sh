@@ -22,5 +22,12 @@ for group, name, value in wrong:
     broken[group][name] = value
     if validator.is_valid(broken):
         sys.exit(f"the schema accepts {group}.{name} = {value}")
+for typo in (("motion", "wnd"), ("motoin",)):
+    broken = copy.deepcopy(preset)
+    place = broken if len(typo) == 1 else broken[typo[0]]
+    place[typo[-1]] = {}
+    if validator.is_valid(broken):
+        sys.exit(f"the schema accepts the key {'.'.join(typo)}")
+validator.validate({"$schema": "preset.schema.json", **preset})
 print(f"{len(sys.argv) - 2} presets are valid, {len(wrong)} broken ones are not")
 PYTHON

@@ -130,6 +130,13 @@ private slots:
         }
     }
 
+    void aReferenceToTheSchemaIsKeptWithoutAWarning()
+    {
+        const Result<PresetReading> reading = parsePreset(formatPreset({}).replace(0, 1, "{\"$schema\": \"preset.schema.json\","));
+        QVERIFY(reading.ok() && reading.value().warnings.empty());
+        QVERIFY(formatPreset(reading.value().preset).find(R"("$schema": "preset.schema.json")") != std::string::npos);
+    }
+
     void missingParametersAreToldInOneLine()
     {
         const Result<PresetReading> reading = parsePreset(kHead + R"("name": "x"})");
