@@ -26,6 +26,8 @@ enum class ErrorCode {
     UnknownKey,
     UnknownName,
     OutOfRange,
+    OutOfMemory,
+    WouldOverwrite,
 };
 
 /// An expected failure: what happened, where, and what the user can do about it.

@@ -11,6 +11,8 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 
 namespace fumage {
 
@@ -42,12 +44,25 @@ private:
     std::size_t m_at = 0;
 };
 
+/// Says what the numbers mean: linear light in the primaries of Rec. 709 and sRGB, which are those that readers take where nothing is said.
+void describe(const ExrPixels& pixels, Imf::Header& header)
+{
+    header.insert("software", Imf::StringAttribute("Fumage"));
+    if (pixels.channels > 1) {
+        Imf::addChromaticities(header, Imf::Chromaticities());
+    }
+    if (pixels.frameRate > 0) {
+        Imf::addFramesPerSecond(header, Imf::Rational(pixels.frameRate, 1));
+    }
+}
+
 template <class Sample>
-void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream)
+void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream, const std::stop_token& stop)
 {
     const std::vector<Sample> samples(pixels.values.begin(), pixels.values.end());
     Imf::Header header(pixels.width, pixels.height);
     header.compression() = Imf::ZIP_COMPRESSION;
+    describe(pixels, header);
     Imf::FrameBuffer buffer;
     const std::string names = pixels.channels == 1 ? "Y" : "RGBA";
     const std::size_t pixelStride = sizeof(Sample) * static_cast<std::size_t>(pixels.channels);
@@ -61,19 +76,25 @@ void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream
     // No threads of its own: pictures are written beside one another.
     Imf::OutputFile file(stream, header, 0);
     file.setFrameBuffer(buffer);
-    file.writePixels(pixels.height);
+    constexpr int kRowsAtOnce = 64; // whole blocks of the compression
+    for (int row = 0; row < pixels.height && !stop.stop_requested(); row += kRowsAtOnce) {
+        file.writePixels(std::min(kRowsAtOnce, pixels.height - row));
+    }
 }
 
 } // namespace
 
-Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels)
+Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::stop_token& stop)
 {
     try {
         MemoryStream stream;
         if (pixels.half) {
-            writeExr<half>(pixels, Imf::HALF, stream);
+            writeExr<half>(pixels, Imf::HALF, stream, stop);
         } else {
-            writeExr<float>(pixels, Imf::FLOAT, stream);
+            writeExr<float>(pixels, Imf::FLOAT, stream, stop);
+        }
+        if (stop.stop_requested()) {
+            return Error{ErrorCode::Cancelled, "the picture was cancelled", "", ""};
         }
         return stream.take();
     } catch (const std::exception& cause) {

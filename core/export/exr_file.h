@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace fumage {
@@ -15,9 +16,10 @@ struct ExrPixels {
     int channels = 4; ///< 1: Y; 4: R, G, B, A, premultiplied
     bool half = true; ///< else 32-bit floats
     std::span<const float> values;
+    int frameRate = 0; ///< frames/s of the pictures that it is one of; 0: not said
 };
 
-/// @error WriteFailed
-[[nodiscard]] Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels);
+/// @error WriteFailed, Cancelled
+[[nodiscard]] Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -158,6 +158,11 @@ int frameOfCell(const FlipbookOptions& options, int cell)
     return options.frames.at(static_cast<int>(index));
 }
 
+std::filesystem::path descriptionOf(const std::filesystem::path& picture)
+{
+    return std::filesystem::path(picture).replace_extension(".flipbook.json");
+}
+
 Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
 {
     if (Status status = check(effect, options); !status) {
@@ -165,7 +170,7 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     }
     Flipbook flipbook;
     flipbook.picture = withEnding(options.output, fileEnding(options.format));
-    flipbook.description = std::filesystem::path(flipbook.picture).replace_extension(".flipbook.json");
+    flipbook.description = descriptionOf(flipbook.picture);
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
     flipbook.cellsPerSecond = options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
     if (Status status = makeFolderOf(flipbook.picture); !status) {

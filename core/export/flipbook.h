@@ -41,6 +41,9 @@ struct Flipbook {
 /// @param cell 0 at the top left, counted along rows
 [[nodiscard]] int frameOfCell(const FlipbookOptions& options, int cell);
 
+/// The file beside the picture of a flipbook that says how it is to be played.
+[[nodiscard]] std::filesystem::path descriptionOf(const std::filesystem::path& picture);
+
 /// Renders frames into one picture of columns by rows cells, each of effect.output's size, first at the top left, then along the rows, as Unity, Unreal,
 /// Godot and Effekseer read them. PNG: straight alpha in which transparent pixels have the colour of the smoke next to them, so that filtering and
 /// mipmaps bring no dark rims. Beside it NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). Both are written whole or not at all.

@@ -2,6 +2,7 @@
 
 #include "core/export/bleed.h"
 #include "core/export/exr_file.h"
+#include "core/export/output_name.h"
 #include "core/export/png_file.h"
 #include "core/rendering/view_transform.h"
 
@@ -12,23 +13,23 @@ namespace fumage {
 namespace {
 
 template <class Channel, class Finish>
-Result<std::vector<std::byte>> encodePngOf(const Image& image, const Output& output, const Finish& finish)
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Output& output, const std::stop_token& stop, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
     encode(image, output, encoded);
     finish(encoded);
-    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels))});
+    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels))}, stop);
 }
 
 /// @param finish called with the encoded picture of a PNG
 template <class Finish>
-Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& output, ImageFormat format, const Finish& finish)
+Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop, const Finish& finish)
 {
     switch (format) {
-    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output, finish);
-    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output, finish);
+    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output, stop, finish);
+    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output, stop, finish);
     case ImageFormat::ExrHalf:
-    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels});
+    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels, frameRate}, stop);
     }
     return Error{ErrorCode::WriteFailed, "unknown image format", "", ""};
 }
@@ -56,7 +57,7 @@ std::string_view fileEnding(ImageFormat format)
 
 ImageFormat formatOf(const std::filesystem::path& path, bool wide)
 {
-    if (path.extension() == ".exr") {
+    if (endingOf(path) == ".exr") {
         return wide ? ImageFormat::ExrFloat : ImageFormat::ExrHalf;
     }
     return wide ? ImageFormat::Png16 : ImageFormat::Png8;
@@ -64,18 +65,17 @@ ImageFormat formatOf(const std::filesystem::path& path, bool wide)
 
 std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending)
 {
-    const std::string name = path.filename().string();
-    return name.ends_with(ending) ? path : path.parent_path() / (name + std::string(ending));
+    return endingOf(path) == ending ? path : path.parent_path() / (path.filename().string() + std::string(ending));
 }
 
-Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format)
+Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop)
 {
-    return encodeWith(image, output, format, [](auto&) {});
+    return encodeWith(image, output, format, frameRate, stop, [](auto&) {});
 }
 
 Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight)
 {
-    return encodeWith(image, output, format, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+    return encodeWith(image, output, format, 0, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
 Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format)

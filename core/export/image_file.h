@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -22,18 +23,19 @@ enum class ImageFormat {
 /// ".png" or ".exr".
 [[nodiscard]] std::string_view fileEnding(ImageFormat format);
 
-/// The format that the ending of a path asks for: half floats for .exr; PNG of 8 bits for .png and all others.
+/// The format that the ending of a path asks for, in small letters or capitals: half floats for .exr; PNG of 8 bits for .png and all others.
 /// @param wide the format with more bits of the two: floats, or 16 bits
 [[nodiscard]] ImageFormat formatOf(const std::filesystem::path& path, bool wide = false);
 
-/// A path with an ending, which is added if it is missing.
+/// A path with an ending, which is added if it is missing; capitals will do.
 /// @param ending with its dot
 [[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending);
 
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
-/// @param output exposure and view transform for PNG
-/// @error WriteFailed when the library refuses
-[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format);
+/// @param output    exposure and view transform for PNG
+/// @param frameRate of the pictures that it is one of, for readers of EXR; 0: not said
+/// @error WriteFailed when the library refuses; Cancelled
+[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
 
 /// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
 [[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight);

@@ -1,10 +1,14 @@
 #include "core/export/particle_dump.h"
 
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/effect/sampling.h"
+#include "core/export/output_name.h"
 #include "core/lighting/appearance.h"
+#include "core/rendering/view_transform.h"
 #include "core/simulation/simulator.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -16,13 +20,29 @@ namespace fumage {
 namespace {
 
 constexpr std::array<std::string_view, 10> kColumns{"x", "y", "z", "vx", "vy", "vz", "age", "life", "alpha", "radius"};
+constexpr std::array<std::string_view, 3> kColours{"red", "green", "blue"};
 
 struct Row {
-    std::uint32_t id = 0;
+    std::int32_t id = 0;
     std::array<float, kColumns.size()> values{};
+    glm::vec3 colour{1.0F};
 };
 
-std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect)
+/// The number of a particle among all births: slots are a ring that births go round.
+std::int32_t birthNumber(const Frame& frame, std::size_t slot)
+{
+    constexpr std::int64_t kSigned = std::int64_t{1} << 31U; // many programs read no more
+    const auto capacity = static_cast<std::int64_t>(frame.particles.capacity);
+    const std::int64_t last = frame.model->schedule().birthsBefore(frame.step + 1) - 1;
+    return static_cast<std::int32_t>((last - (last - static_cast<std::int64_t>(slot)) % capacity) % kSigned);
+}
+
+glm::vec3 turned(const glm::vec3& v, UpAxis up)
+{
+    return up == UpAxis::Z ? glm::vec3(v.x, -v.z, v.y) : v;
+}
+
+std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect, UpAxis up)
 {
     Appearance appearance;
     findAppearance(frame, effect, Axes{}, appearance);
@@ -31,10 +51,19 @@ std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect)
     for (std::size_t i = 0; i < p.capacity; ++i) {
         const Lifecycle cycle = lifecycle(frame, i);
         if (cycle.alive) {
-            rows.push_back({p.key[i], {p.x[i], p.y[i], p.z[i], p.vx[i], p.vy[i], p.vz[i], cycle.age, cycle.life, appearance.alpha[i], appearance.radius[i]}});
+            const glm::vec3 at = turned({p.x[i], p.y[i], p.z[i]}, up);
+            const glm::vec3 velocity = turned({p.vx[i], p.vy[i], p.vz[i]}, up);
+            rows.push_back({birthNumber(frame, i), {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i], appearance.radius[i]},
+                effect->look.colour * effect->look.colourGradient.at(cycle.life)});
         }
     }
     return rows;
+}
+
+char inSrgb(float linear)
+{
+    constexpr float kFull = 255.0F;
+    return static_cast<char>(static_cast<unsigned char>(std::clamp(srgbFromLinear(linear), 0.0F, 1.0F) * kFull + 0.5F));
 }
 
 void appendLittleEndian(std::string& out, std::uint32_t bits)
@@ -51,50 +80,98 @@ std::string_view fileEnding(ParticleFormat format)
     return format == ParticleFormat::Csv ? ".csv" : ".ply";
 }
 
-std::string dumpCsv(const Frame& frame, const SampledEffect& effect)
+std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up)
 {
     std::string out = "id";
     for (const std::string_view column : kColumns) {
         out += ',';
         out += column;
     }
+    for (const std::string_view colour : kColours) {
+        out += ',';
+        out += colour;
+    }
     out += '\n';
-    for (const Row& row : livingRows(frame, effect)) {
+    for (const Row& row : livingRows(frame, effect, up)) {
         out += std::to_string(row.id);
         for (const float value : row.values) {
             out += ',';
             out += formatFloat(value);
+        }
+        for (int i = 0; i < 3; ++i) {
+            out += ',';
+            out += formatFloat(row.colour[i]);
         }
         out += '\n';
     }
     return out;
 }
 
-std::string dumpPly(const Frame& frame, const SampledEffect& effect)
+std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
 {
-    const std::vector<Row> rows = livingRows(frame, effect);
-    std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame " + std::to_string(frame.number) + "\nelement vertex " + std::to_string(rows.size()) + "\nproperty uint id\n";
+    const std::vector<Row> rows = livingRows(frame, effect, up);
+    std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame " + std::to_string(frame.number) + "\nelement vertex " + std::to_string(rows.size()) + "\nproperty int id\n";
     for (const std::string_view column : kColumns) {
         out += "property float " + std::string(column) + "\n";
     }
+    for (const std::string_view colour : kColours) {
+        out += "property uchar " + std::string(colour) + "\n";
+    }
     out += "end_header\n";
     for (const Row& row : rows) {
-        appendLittleEndian(out, row.id);
+        appendLittleEndian(out, static_cast<std::uint32_t>(row.id));
         for (const float value : row.values) {
             appendLittleEndian(out, std::bit_cast<std::uint32_t>(value));
+        }
+        for (int i = 0; i < 3; ++i) {
+            out += inSrgb(row.colour[i]);
         }
     }
     return out;
 }
 
-Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop)
+namespace {
+
+Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up, const std::stop_token& stop)
 {
-    const SampledEffect smoke = sampled(effect);
-    const Result<std::shared_ptr<const Frame>> simulated = Simulator(smoke).frame(frame, stop);
+    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, stop);
     if (!simulated) {
         return simulated.error();
     }
-    return format == ParticleFormat::Csv ? dumpCsv(*simulated.value(), smoke) : dumpPly(*simulated.value(), smoke);
+    const Frame& found = *simulated.value();
+    const SampledEffect& smoke = simulator.model().effect();
+    return format == ParticleFormat::Csv ? dumpCsv(found, smoke, up) : dumpPly(found, smoke, up);
+}
+
+} // namespace
+
+Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop, UpAxis up)
+{
+    Simulator simulator(sampled(effect));
+    return dumpFrame(simulator, frame, format, up, stop);
+}
+
+Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
+{
+    if (isFileOfAFrame(options.source, options.output, options.frames, fileEnding(options.format))) {
+        return wouldOverwrite(options.source);
+    }
+    if (Status status = makeFolderOf(options.output); !status) {
+        return status;
+    }
+    Simulator simulator(sampled(effect));
+    for (int done = 0; done < options.frames.count(); ++done) {
+        const int number = options.frames.at(done);
+        const Result<std::string> text = dumpFrame(simulator, number, options.format, options.up, stop);
+        if (!text) {
+            return text.error();
+        }
+        if (Status status = writeFileAtomically(framePath(options.output, options.frames, fileEnding(options.format), number), text.value()); !status) {
+            return status;
+        }
+        progress(done + 1, options.frames.count());
+    }
+    return Done{};
 }
 
 } // namespace fumage

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/result.h"
+#include "core/export/sequence.h"
 #include "core/simulation/frame.h"
 
 #include <stop_token>
@@ -14,19 +14,38 @@ enum class ParticleFormat {
     Ply, ///< binary vertices
 };
 
+/// Which axis points up in a file: ours is y; Blender, 3ds Max and Unreal have z.
+enum class UpAxis {
+    Y,
+    Z,
+};
+
 /// ".csv" or ".ply".
 [[nodiscard]] std::string_view fileEnding(ParticleFormat format);
 
 /// The living particles of a frame as text, one a line after a heading:
-/// id, x, y, z (m), vx, vy, vz (m/s, without turbulence), age (s), life (0..1), alpha (0..1), radius (m). Shortest round-trip numbers.
-/// @param effect the look that alpha and radius follow
-[[nodiscard]] std::string dumpCsv(const Frame& frame, const SampledEffect& effect);
+/// id (the number of its birth modulo 2^31, the same at every frame), x, y, z (m), vx, vy, vz (m/s, without turbulence), age (s), life (0..1), alpha (0..1),
+/// radius (m), red, green, blue (linear, before light). Shortest round-trip numbers.
+/// @param effect the look that alpha, radius and colour follow
+[[nodiscard]] std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y);
 
-/// The same as a binary little-endian PLY of vertices, with the same properties.
-[[nodiscard]] std::string dumpPly(const Frame& frame, const SampledEffect& effect);
+/// The same as a binary little-endian PLY of vertices; the colours are sRGB in 8 bits, as programs expect them there.
+[[nodiscard]] std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y);
 
 /// Simulates up to a frame and returns its particles as the bytes of a file.
 /// @error those of Simulator::frame()
-[[nodiscard]] Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop = {}, UpAxis up = UpAxis::Y);
+
+struct ParticleSequenceOptions {
+    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    FrameRange frames;
+    ParticleFormat format = ParticleFormat::Csv;
+    UpAxis up = UpAxis::Y;
+    std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+};
+
+/// Writes the particles of frames into numbered files, each whole or not at all.
+/// @error WouldOverwrite; that of the first frame that fails: files before it stay
+[[nodiscard]] Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -1,8 +1,12 @@
 #include "core/export/plan.h"
 
 #include "core/base/file.h"
+#include "core/base/memory.h"
 #include "core/export/fit_camera.h"
+#include "core/export/output_name.h"
 #include "core/noise/texture.h"
+
+#include <span>
 
 namespace fumage {
 
@@ -14,21 +18,63 @@ SequenceOptions sequenceOf(const ExportPlan& plan)
     return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format};
 }
 
-Status exportNoise(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
 {
     const int size = plan.noiseSize > 0 ? plan.noiseSize : effect.noise.resolution;
     const Result<NoiseTile> tile = bakeNoise(effect.noise, size, plan.noiseDepth, stop);
-    if (!tile) {
-        return tile.error();
+    return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
+}
+
+Result<std::vector<std::byte>> particleBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+{
+    const Result<std::string> text = dumpParticles(effect, plan.frames.first, plan.particles, stop);
+    if (!text) {
+        return text.error();
     }
-    const Result<std::vector<std::byte>> bytes = encodeNoise(tile.value(), plan.format);
+    const auto bytes = std::as_bytes(std::span(text.value()));
+    return std::vector<std::byte>(bytes.begin(), bytes.end());
+}
+
+Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+{
+    switch (plan.kind) {
+    case ExportKind::Sequence:
+    case ExportKind::Flipbook:
+        if (plan.kind == ExportKind::Flipbook || plan.frames.count() > 1) {
+            return Error{ErrorCode::OutOfRange, "these are several files", "", "Name a file, or one frame"};
+        }
+        [[fallthrough]];
+    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, plan.format, stop);
+    case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
+    case ExportKind::Particles: return particleBytes(effect, plan, stop);
+    }
+    return std::vector<std::byte>();
+}
+
+Status writeOne(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+{
+    if (Status status = makeFolderOf(plan.output); !status) {
+        return status;
+    }
+    const Result<std::vector<std::byte>> bytes = bytesOf(effect, plan, stop);
     return bytes ? writeFileAtomically(plan.output, bytes.value()) : Status(bytes.error());
 }
 
-Status exportParticles(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+/// Whether a plan writes over its source, be it through a link.
+bool overwritesSource(const ExportPlan& plan)
 {
-    const Result<std::string> text = dumpParticles(effect, plan.frames.first, plan.particles, stop);
-    return text ? writeFileAtomically(plan.output, text.value()) : Status(text.error());
+    if (plan.source.empty()) {
+        return false;
+    }
+    const SequenceOptions sequence = sequenceOf(plan);
+    switch (plan.kind) {
+    case ExportKind::Sequence:
+    case ExportKind::Picture: return isFileOfAFrame(plan.source, sequence.output, sequence.frames, fileEnding(plan.format));
+    case ExportKind::Flipbook: return isSameFile(firstFile(plan), plan.source) || isSameFile(descriptionOf(firstFile(plan)), plan.source);
+    case ExportKind::NoiseTexture:
+    case ExportKind::Particles: break;
+    }
+    return isSameFile(plan.output, plan.source);
 }
 
 Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
@@ -66,28 +112,55 @@ std::filesystem::path lastFile(const ExportPlan& plan)
     return plan.kind == ExportKind::Sequence ? framePath(sequenceOf(plan), plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
 }
 
-Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+namespace {
+
+/// The effect as the plan's camera sees it.
+Result<Effect> fitted(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
 {
+    Effect out = effect;
     if (plan.fitCamera && isPicture(plan.kind)) {
         const Result<Camera> camera = fitCamera(effect, plan.kind == ExportKind::Flipbook ? plan.frames : framesToFit(effect, plan.frames), progress, stop);
         if (!camera) {
             return camera.error();
         }
-        Effect fitted = effect;
-        fitted.camera = camera.value();
-        ExportPlan rest = plan;
-        rest.fitCamera = false;
-        return runExport(fitted, rest, progress, stop);
+        out.camera = camera.value();
     }
+    return out;
+}
+
+Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+{
     const auto plainly = [](const Status& status) { return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error(); };
     switch (plan.kind) {
     case ExportKind::Sequence:
     case ExportKind::Picture: return plainly(renderSequence(effect, sequenceOf(plan), progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
-    case ExportKind::NoiseTexture: return plainly(exportNoise(effect, plan, stop));
-    case ExportKind::Particles: return plainly(exportParticles(effect, plan, stop));
+    case ExportKind::NoiseTexture:
+    case ExportKind::Particles: return plainly(writeOne(effect, plan, stop));
     }
     return std::optional<Flipbook>();
+}
+
+} // namespace
+
+Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+{
+    if (overwritesSource(plan)) {
+        return wouldOverwrite(plan.source);
+    }
+    return withinMemory([&]() -> Result<std::optional<Flipbook>> {
+        const Result<Effect> seen = fitted(effect, plan, progress, stop);
+        return seen ? writeFiles(seen.value(), plan, progress, stop) : seen.error();
+    });
+}
+
+Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+{
+    return withinMemory([&]() -> Result<std::vector<std::byte>> {
+        const Result<Effect> seen = fitted(
+            effect, plan, [](int, int) {}, stop);
+        return seen ? bytesOf(seen.value(), plan, stop) : seen.error();
+    });
 }
 
 } // namespace fumage

@@ -31,6 +31,7 @@ struct ExportPlan {
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
+    std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
 };
 
 /// The ending of the files that a plan writes, with its dot.
@@ -43,7 +44,11 @@ struct ExportPlan {
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
 /// @param progress called after each picture of a sequence and each cell of a flipbook; before them, after each frame that a fit of the camera looked at
 /// @return         the flipbook, where that is what was made
-/// @error          those of fitCamera(), renderSequence(), renderFlipbook(), bakeNoise() and writeFileAtomically()
+/// @error          WouldOverwrite where a file that the plan names is the source; those of fitCamera(), renderSequence(), renderFlipbook(), bakeNoise() writeFileAtomically(), and OutOfMemory
 [[nodiscard]] Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop = {});
+
+/// The bytes of the one file of a plan, without writing it.
+/// @error OutOfRange where there are several files; those of runExport()
+[[nodiscard]] Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop = {});
 
 } // namespace fumage

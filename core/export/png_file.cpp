@@ -33,7 +33,7 @@ void fail(png_structp png, png_const_charp message)
 void ignore(png_structp /*png*/, png_const_charp /*message*/) { }
 
 /// Between setjmp and longjmp no object may be made that needs its destructor: all of them live in the caller.
-bool writePng(png_structp png, png_infop info, const PngPixels& pixels)
+bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const std::stop_token& stop)
 {
     if (setjmp(png_jmpbuf(png)) != 0) { // NOLINT(cert-err52-cpp): libpng's way to report errors
         return false;
@@ -48,12 +48,21 @@ bool writePng(png_structp png, png_infop info, const PngPixels& pixels)
     } else {
         png_set_gAMA(png, info, 1.0);
     }
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    // The library takes pointers to non-const and does not write through them.
+    text.key = const_cast<char*>("Software"); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    text.text = const_cast<char*>("Fumage"); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    png_set_text(png, info, &text, 1);
     png_write_info(png, info);
     if (pixels.bits == 16 && std::endian::native == std::endian::little) {
         png_set_swap(png);
     }
     const std::size_t stride = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.channels) * static_cast<std::size_t>(pixels.bits / 8);
     for (int y = 0; y < pixels.height; ++y) {
+        if (stop.stop_requested()) {
+            return false;
+        }
         png_write_row(png, reinterpret_cast<png_const_bytep>(pixels.bytes.data() + static_cast<std::size_t>(y) * stride));
     }
     png_write_end(png, info);
@@ -62,7 +71,7 @@ bool writePng(png_structp png, png_infop info, const PngPixels& pixels)
 
 } // namespace
 
-Result<std::vector<std::byte>> encodePng(const PngPixels& pixels)
+Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::stop_token& stop)
 {
     Sink sink;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, fail, ignore);
@@ -72,8 +81,11 @@ Result<std::vector<std::byte>> encodePng(const PngPixels& pixels)
         return Error{ErrorCode::WriteFailed, "the PNG library could not be started", "", ""};
     }
     png_set_write_fn(png, &sink, append, flush);
-    const bool written = writePng(png, info, pixels);
+    const bool written = writePng(png, info, pixels, stop);
     png_destroy_write_struct(&png, &info);
+    if (stop.stop_requested()) {
+        return Error{ErrorCode::Cancelled, "the picture was cancelled", "", ""};
+    }
     if (!written) {
         return Error{ErrorCode::WriteFailed, "the picture cannot be written as PNG: " + sink.message, "", ""};
     }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace fumage {
@@ -19,7 +20,7 @@ struct PngPixels {
     std::span<const std::byte> bytes;
 };
 
-/// @error WriteFailed
-[[nodiscard]] Result<std::vector<std::byte>> encodePng(const PngPixels& pixels);
+/// @error WriteFailed, Cancelled
+[[nodiscard]] Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::stop_token& stop = {});
 
 } // namespace fumage

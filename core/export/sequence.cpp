@@ -12,9 +12,9 @@ namespace fumage {
 
 namespace {
 
-Status writeImage(const Image& image, const Output& output, ImageFormat format, const std::filesystem::path& path)
+Status writeImage(const Image& image, const Effect& effect, ImageFormat format, const std::filesystem::path& path, const std::stop_token& stop)
 {
-    const Result<std::vector<std::byte>> bytes = encodeImage(image, output, format);
+    const Result<std::vector<std::byte>> bytes = encodeImage(image, effect.output, format, effect.timeline.frameRate, stop);
     if (!bytes) {
         Error error = bytes.error();
         error.place = path.string();
@@ -49,18 +49,47 @@ Result<FrameRange> parseFrameRange(std::string_view text)
     return FrameRange{static_cast<int>(*first), static_cast<int>(*last), static_cast<int>(*every)};
 }
 
-std::filesystem::path framePath(const SequenceOptions& options, int frame)
+std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame)
 {
     constexpr std::size_t kDigits = 4;
-    std::string name = withEnding(options.output, fileEnding(options.format)).filename().string();
+    std::string name = withEnding(output, ending).filename().string();
     const std::size_t first = name.find('#');
     if (first != std::string::npos) {
         const std::size_t past = std::min(name.size(), name.find_first_not_of('#', first));
         name.replace(first, past - first, padded(frame, past - first));
-    } else if (options.frames.count() > 1) {
-        name.insert(name.size() - fileEnding(options.format).size(), "_" + padded(frame, kDigits));
+    } else if (frames.count() > 1) {
+        name.insert(name.size() - ending.size(), "_" + padded(frame, kDigits));
     }
-    return options.output.parent_path() / name;
+    return output.parent_path() / name;
+}
+
+bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames, std::string_view ending)
+{
+    for (int i = 0; !file.empty() && i < frames.count(); ++i) {
+        if (isSameFile(framePath(output, frames, ending, frames.at(i)), file)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::filesystem::path framePath(const SequenceOptions& options, int frame)
+{
+    return framePath(options.output, options.frames, fileEnding(options.format), frame);
+}
+
+Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop)
+{
+    const SampledEffect smoke = sampled(effect);
+    const Result<std::shared_ptr<const Frame>> simulated = Simulator(smoke).frame(frame, stop);
+    if (!simulated) {
+        return simulated.error();
+    }
+    Image image;
+    if (const Status status = Renderer().render(*simulated.value(), smoke, effect.output.width, effect.output.height, image, stop); !status) {
+        return status.error();
+    }
+    return encodeImage(image, effect.output, format, effect.timeline.frameRate, stop);
 }
 
 Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
@@ -91,7 +120,7 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
         if (done > 0) {
             progress(done, total);
         }
-        writing = std::async(std::launch::async, [&image, &effect, format = options.format, path = framePath(options, number)] { return writeImage(image, effect.output, format, path); });
+        writing = std::async(std::launch::async, [&image, &effect, &stop, format = options.format, path = framePath(options, number)] { return writeImage(image, effect, format, path, stop); });
     }
     if (Status status = finishWriting(); !status) {
         return status;

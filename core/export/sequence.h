@@ -30,15 +30,26 @@ inline constexpr int kMaxFrame = 1'000'000;
 /// @error Syntax, OutOfRange
 [[nodiscard]] Result<FrameRange> parseFrameRange(std::string_view text);
 
+/// The file of a frame: a run of # in the name is replaced by the number with as many digits; a name without # gets _0000 before its ending when there
+/// are several frames.
+/// @param ending with its dot; added where it is missing
+[[nodiscard]] std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame);
+
+/// Whether the file of one of the frames is one that is there already and must stay, be it through a link. O(frames).
+/// @param file empty: none
+[[nodiscard]] bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames, std::string_view ending);
+
 struct SequenceOptions {
     std::filesystem::path output; ///< a run of # in the file name becomes the frame number; see framePath()
     FrameRange frames;
     ImageFormat format = ImageFormat::Png8;
 };
 
-/// The file of a frame: a run of # is replaced by the number with as many digits; a name without # gets _0000 before its
-/// ending when there are several frames. An ending that is missing is added.
 [[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);
+
+/// Renders one frame into the bytes of a file.
+/// @error those of renderSequence()
+[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop = {});
 
 /// Called after each frame with how many are done; on the calling thread.
 using SequenceProgress = std::function<void(int done, int total)>;

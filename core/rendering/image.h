@@ -2,6 +2,8 @@
 
 #include "core/base/aligned_array.h"
 
+#include <stop_token>
+
 #include <glm/vec4.hpp>
 
 namespace fumage {
@@ -34,6 +36,7 @@ struct Image {
 
 /// Averages blocks of factor by factor pixels.
 /// @param image its edges are multiples of factor
-[[nodiscard]] Image downsample(const Image& image, int factor);
+/// @param stop  ends it early, with rows that hold nothing
+[[nodiscard]] Image downsample(const Image& image, int factor, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -71,7 +71,10 @@ Status Renderer::render(const Frame& frame, const SampledEffect& effect, int wid
         return status;
     }
     if (factor > 1) {
-        image = downsample(m_large, factor);
+        image = downsample(m_large, factor, stop);
+    }
+    if (stop.stop_requested()) {
+        return Error{ErrorCode::Cancelled, "the picture was cancelled", "", ""};
     }
     if (effect->output.background == Background::Colour) {
         fillBackground(image, effect->output.backgroundColour);

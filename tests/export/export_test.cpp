@@ -13,6 +13,9 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <map>
+#include <set>
+
 #include <png.h>
 
 using namespace fumage;
@@ -85,6 +88,11 @@ SequenceOptions options(const std::string& output, FrameRange frames)
     out.output = output;
     out.frames = frames;
     return out;
+}
+
+std::string textOf(const std::vector<std::byte>& bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 } // namespace
@@ -332,11 +340,75 @@ private slots:
         const int alive = livingCount(*frame);
         const QByteArray csv = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect)));
         QCOMPARE(csv.count('\n'), alive + 1);
-        QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius\n"));
+        QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius,red,green,blue\n"));
         const std::string ply = dumpPly(*frame, sampled(effect));
         const std::size_t body = ply.find("end_header\n") + 11;
         QVERIFY(ply.find("element vertex " + std::to_string(alive) + "\n") != std::string::npos);
-        QCOMPARE(ply.size() - body, static_cast<std::size_t>(alive) * 44);
+        QCOMPARE(ply.size() - body, static_cast<std::size_t>(alive) * 47);
+    }
+
+    void aParticleKeepsItsNumber()
+    {
+        const Effect effect = everythingOn();
+        std::map<int, std::uint32_t> keys;
+        int seenBefore = 0;
+        for (const int number : {3, 4, 5}) {
+            const auto frame = frameOf(effect, number);
+            std::vector<std::uint32_t> living;
+            for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+                if (lifecycle(*frame, i).alive) {
+                    living.push_back(frame->particles.key[i]);
+                }
+            }
+            const QList<QByteArray> lines = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect))).split('\n');
+            QCOMPARE(static_cast<std::size_t>(lines.size()), living.size() + 2);
+            std::set<int> numbers;
+            for (std::size_t i = 0; i < living.size(); ++i) {
+                const int id = lines[static_cast<qsizetype>(i) + 1].split(',').first().toInt();
+                numbers.insert(id);
+                seenBefore += keys.count(id) > 0 ? 1 : 0;
+                QCOMPARE(keys.try_emplace(id, living[i]).first->second, living[i]);
+            }
+            QCOMPARE(numbers.size(), living.size());
+            QVERIFY(*numbers.begin() >= 0);
+        }
+        QVERIFY(seenBefore > 0);
+    }
+
+    void upMayBeZ()
+    {
+        const Effect effect = everythingOn();
+        const auto frame = frameOf(effect, 4);
+        const auto firstOf = [&](UpAxis up) { return QByteArray::fromStdString(dumpCsv(*frame, sampled(effect), up)).split('\n')[1].split(','); };
+        const QList<QByteArray> y = firstOf(UpAxis::Y);
+        const QList<QByteArray> z = firstOf(UpAxis::Z);
+        for (const int vector : {1, 4}) {
+            QCOMPARE(z[vector], y[vector]);
+            QCOMPARE(z[vector + 1].toFloat(), -y[vector + 2].toFloat());
+            QCOMPARE(z[vector + 2], y[vector + 1]);
+        }
+        QCOMPARE(z.mid(7), y.mid(7));
+    }
+
+    void filesSayWhatTheyHold()
+    {
+        const std::string exr = textOf(encodeImage(ramp(), Output{}, ImageFormat::ExrHalf, 24).value());
+        for (const char* attribute : {"chromaticities", "framesPerSecond", "software", "Fumage"}) {
+            QVERIFY2(exr.find(attribute) != std::string::npos, attribute);
+        }
+        QVERIFY(textOf(encodeImage(ramp(), Output{}, ImageFormat::ExrHalf).value()).find("framesPerSecond") == std::string::npos);
+        QVERIFY(textOf(encodeImage(ramp(), Output{}, ImageFormat::Png8).value()).find(std::string("tEXtSoftware\0Fumage", 19)) != std::string::npos);
+    }
+
+    void encodingCanBeCancelled()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat}) {
+            const auto bytes = encodeImage(ramp(), Output{}, format, 0, stop.get_token());
+            QVERIFY(!bytes.ok());
+            QCOMPARE(bytes.error().code, ErrorCode::Cancelled);
+        }
     }
 };
 

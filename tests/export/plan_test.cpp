@@ -2,6 +2,7 @@
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
+#include "core/export/output_name.h"
 #include "core/export/plan.h"
 #include "core/noise/texture.h"
 
@@ -186,6 +187,61 @@ private slots:
         plan.particles = ParticleFormat::Ply;
         QVERIFY(runExport(effect, plan, {}).ok());
         QVERIFY(readFile(plan.output, kMost).value() == dumpPly(*frame, sampled(effect)));
+    }
+
+    void thePresetIsNeverOverwritten()
+    {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles}) {
+            ExportPlan plan = planFor(kind, u"a.png"_qs);
+            plan.frames = {3, 5, 1};
+            plan.columns = 3;
+            plan.rows = 1;
+            plan.source = lastFile(plan);
+            QVERIFY(writeFileAtomically(plan.source, std::string_view("precious")).ok());
+            const auto done = runExport(smallEffect(), plan, [](int, int) {});
+            QVERIFY(!done.ok());
+            QCOMPARE(done.error().code, ErrorCode::WouldOverwrite);
+            QCOMPARE(readFile(plan.source, 100).value(), std::string("precious"));
+            plan.source = pathOf(u"another.json"_qs);
+            QVERIFY(writeFileAtomically(plan.source, std::string_view("precious")).ok());
+            QVERIFY(runExport(smallEffect(), plan, [](int, int) {}).ok());
+        }
+    }
+
+    void bytesAreThoseOfTheFile()
+    {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles}) {
+            ExportPlan plan = planFor(kind, u"a.png"_qs);
+            plan.frames = {3, 3, 1};
+            QVERIFY(runExport(smallEffect(), plan, [](int, int) {}).ok());
+            const std::vector<std::byte> bytes = exportBytes(smallEffect(), plan).value();
+            constexpr std::size_t kMost = 1U << 24U;
+            const std::string file = readFile(firstFile(plan), kMost).value();
+            QVERIFY(bytes.size() == file.size() && std::memcmp(bytes.data(), file.data(), file.size()) == 0);
+        }
+        ExportPlan several = planFor(ExportKind::Sequence, u"a.png"_qs);
+        several.frames = {3, 4, 1};
+        QCOMPARE(exportBytes(smallEffect(), several).error().code, ErrorCode::OutOfRange);
+    }
+
+    void namesOfOutputsMayBeGivenInManyWays()
+    {
+        const std::vector<std::string_view> endings{".png", ".exr"};
+        const OutputNames names{endings, "smoke"};
+        const auto pathOfName = [&](const std::string& name) { return outputPath(name, names).value().string(); };
+        QCOMPARE(pathOfName(""), std::string("smoke.png"));
+        QCOMPARE(pathOfName("none/"), std::string("none/smoke.png"));
+        QCOMPARE(pathOfName(m_folder->path().toStdString()), pathOf(u"smoke.png"_qs));
+        QCOMPARE(pathOfName("a/x_%04d.png"), std::string("a/x_####.png"));
+        QCOMPARE(pathOfName("x%d"), std::string("x#"));
+        QCOMPARE(pathOfName("x%99999999d"), std::string("x#########"));
+        for (const std::string same : {"x", "x.PNG", "x.####", "100%", "%", "%x.exr", "a%d/b", ".hidden"}) {
+            QCOMPARE(pathOfName(same), same);
+        }
+        for (const std::string wrong : {"x.jpg", "x.png.gz", "x.p", "v1.2"}) {
+            QCOMPARE(outputPath(wrong, names).error().code, ErrorCode::UnknownName);
+        }
+        QCOMPARE(outputPath("/dev/null", names).error().code, ErrorCode::NotAFile);
     }
 
     void everyKindCanBeCancelled()

@@ -1,0 +1,72 @@
+#include "core/export/output_name.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace fumage {
+
+namespace {
+
+/// Replaces printf's way to number files, as in "%04d", by a run of #.
+std::string withHashes(const std::string& name)
+{
+    constexpr std::int64_t kMostDigits = 9;
+    const std::size_t percent = name.find('%');
+    const std::size_t letter = percent == std::string::npos ? percent : name.find_first_not_of("0123456789", percent + 1);
+    if (letter == std::string::npos || name[letter] != 'd') {
+        return name;
+    }
+    const std::int64_t width = parseInteger(std::string_view(name).substr(percent + 1, letter - percent - 1)).value_or(1);
+    return name.substr(0, percent) + std::string(static_cast<std::size_t>(std::clamp<std::int64_t>(width, 1, kMostDigits)), '#') + name.substr(letter + 1);
+}
+
+std::string listOf(std::span<const std::string_view> endings)
+{
+    std::string list;
+    for (const std::string_view ending : endings) {
+        list += (list.empty() ? "" : ending == endings.back() ? " or "
+                                                              : ", ")
+            + std::string(ending);
+    }
+    return list;
+}
+
+} // namespace
+
+std::string endingOf(const std::filesystem::path& path)
+{
+    std::string ending = path.extension().string();
+    if (ending.find_first_not_of(".#") == std::string::npos) {
+        return {};
+    }
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return ending;
+}
+
+Error wouldOverwrite(const std::filesystem::path& source)
+{
+    return {ErrorCode::WouldOverwrite, "this would overwrite the preset that it is made of", source.string(), "Choose another name"};
+}
+
+Result<std::filesystem::path> outputPath(const std::string& named, const OutputNames& names)
+{
+    std::filesystem::path path(named);
+    std::error_code missing;
+    const std::filesystem::file_status there = std::filesystem::status(path, missing);
+    if (named.empty() || path.filename().empty() || std::filesystem::is_directory(there)) {
+        return path / (names.fallback + std::string(names.endings.front()));
+    }
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+        return Error{ErrorCode::NotAFile, "cannot write: it is not a regular file", named, "Name a file, or - for standard output"};
+    }
+    path.replace_filename(withHashes(path.filename().string()));
+    const std::string ending = endingOf(path);
+    if (!ending.empty() && std::find(names.endings.begin(), names.endings.end(), ending) == names.endings.end()) {
+        return Error{ErrorCode::UnknownName, "the ending " + inQuotes(ending) + " does not fit", named, "Use " + listOf(names.endings)};
+    }
+    return path;
+}
+
+} // namespace fumage
