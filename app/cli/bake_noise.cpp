@@ -1,6 +1,6 @@
-#include "app/cli/command.h"
+#include "app/cli/number_options.h"
+#include "app/cli/picture_options.h"
 
-#include "core/export/plan.h"
 #include "core/noise/texture.h"
 
 #include <memory>
@@ -17,20 +17,24 @@ struct BakeOptions {
     bool wide = false;
 };
 
+Status bakeOne(const BakeOptions& options, const NamedEffect& named)
+{
+    PictureJob job{named.effect, {}};
+    job.plan.kind = ExportKind::NoiseTexture;
+    job.plan.source = named.file;
+    job.plan.noiseSize = options.size;
+    job.plan.noiseDepth = options.depth;
+    if (Status status = chooseOutput(options.output, "", named.name + "_noise", job.plan); !status) {
+        return status;
+    }
+    job.plan.format = formatOf(job.plan.output, options.wide);
+    const Result<std::optional<Flipbook>> done = writePictures(job);
+    return done ? Status(Done{}) : done.error();
+}
+
 Status bake(const BakeOptions& options)
 {
-    const Result<Effect> effect = options.effect.load();
-    if (!effect) {
-        return effect.error();
-    }
-    ExportPlan plan;
-    plan.kind = ExportKind::NoiseTexture;
-    plan.output = options.output;
-    plan.format = formatOf(plan.output, options.wide);
-    plan.noiseSize = options.size;
-    plan.noiseDepth = options.depth;
-    const auto done = runExport(effect.value(), plan, {}, interruption());
-    return done ? Status(Done{}) : done.error();
+    return options.effect.forEach(options.output, [&](const NamedEffect& named) { return bakeOne(options, named); });
 }
 
 } // namespace
@@ -40,9 +44,9 @@ void addBakeNoise(CLI::App& program, Action& action)
     auto options = std::make_shared<BakeOptions>();
     CLI::App* command = program.add_subcommand("bake-noise", "Bake the noise texture of a preset to a seamless grey picture");
     options->effect.addTo(*command);
-    command->add_option("-o,--output", options->output, "File to write, .png or .exr")->required()->type_name("FILE");
-    command->add_option("--size", options->size, "Edge in pixels, any from 1 to 4096")->check(CLI::Range(1, kMaxTextureSize))->capture_default_str();
-    command->add_option("--depth", options->depth, "Where to cut the third axis, 0 to 1")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+    command->add_option("-o,--output", options->output, "File to write, .png or .exr; - is standard output. In a folder, the preset's name and _noise")->required()->type_name("FILE");
+    addWhole(*command, "--size", options->size, 1, kMaxTextureSize, "Edge in pixels, any from 1 to 4096");
+    addNumber(*command, "--depth", options->depth, 0.0F, 1.0F, "Where to cut the third axis, 0 to 1");
     command->add_flag("--wide", options->wide, "16-bit PNG or 32-bit EXR");
     command->callback([options, &action] { action = [options] { return bake(*options); }; });
 }

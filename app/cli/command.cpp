@@ -1,34 +1,28 @@
 #include "app/cli/command.h"
 
-#include "core/base/file.h"
 #include "core/effect/value.h"
-#include "core/preset/library.h"
-
-#include <csignal>
-#include <iostream>
-
-#include <pthread.h>
 
 namespace fumage::cli {
 
-void EffectOptions::addTo(CLI::App& command)
-{
-    command.add_option("preset", preset, "Name of a preset (see 'fumage-cli presets') or path of a JSON file")->required()->type_name("PRESET");
-    command.add_option("-s,--set", assignments, "Change a parameter, for example --set motion.wind=1.5; may be repeated")->type_name("KEY=VALUE")->take_all()->allow_extra_args(false);
-}
+namespace {
 
-Result<Effect> EffectOptions::load() const
+Result<NamedEffect> load(const std::string& preset, const std::vector<std::string>& assignments)
 {
-    const Result<PresetReading> reading = loadPreset(preset);
+    const Result<PresetReading> reading = readPreset(preset);
     if (!reading) {
         return reading.error();
     }
     for (const std::string& warning : reading.value().warnings) {
         warn(warning);
     }
-    Effect effect = reading.value().preset.effect;
+    NamedEffect named{reading.value().preset.effect, "smoke", {}};
+    if (preset != kStandardStream) {
+        const Result<LibraryEntry> entry = findPreset(preset);
+        named.name = entry ? entry.value().id : named.name;
+        named.file = entry ? entry.value().path : named.file;
+    }
     for (const std::string& assignment : assignments) {
-        const Result<bool> clamped = applyAssignment(effect, assignment);
+        const Result<bool> clamped = applyAssignment(named.effect, assignment);
         if (!clamped) {
             Error error = clamped.error();
             error.place = "--set " + assignment;
@@ -38,44 +32,43 @@ Result<Effect> EffectOptions::load() const
             warn("--set " + assignment + ": out of range, the nearest allowed value is used");
         }
     }
-    return effect;
+    return named;
 }
 
-std::stop_token interruption()
+} // namespace
+
+void EffectOptions::addTo(CLI::App& command)
 {
-    // The signals are blocked everywhere and taken by one thread, which may do what a signal handler must not.
-    static const std::stop_source source = [] {
-        std::stop_source stop;
-        sigset_t signals;
-        sigemptyset(&signals);
-        sigaddset(&signals, SIGINT);
-        sigaddset(&signals, SIGTERM);
-        pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-        std::thread([stop, signals]() mutable {
-            int number = 0;
-            sigwait(&signals, &number);
-            stop.request_stop();
-        }).detach();
-        return stop;
-    }();
-    return source.get_token();
+    command.add_option("preset", presets, "Presets: names (see 'fumage-cli presets'), JSON files, or - for standard input")->required()->type_name("PRESET")->option_text("PRESET...");
+    command.add_option("-s,--set", assignments, "Change a parameter, for example --set motion.wind=1.5; may be repeated")->type_name("KEY=VALUE")->take_all()->allow_extra_args(false)->option_text("KEY=VALUE");
 }
 
-void warn(const std::string& text)
+Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedEffect&)>& work) const
 {
-    std::cerr << "fumage-cli: warning: " << text << '\n';
-}
-
-Status writeOutput(const std::string& path, const std::string& text)
-{
-    if (path != "-") {
-        return writeFileAtomically(path, text);
+    std::error_code missing;
+    const bool isFolder = output.empty() || output.ends_with('/') || std::filesystem::is_directory(output, missing);
+    if (presets.size() > 1 && !isFolder) {
+        return Error{ErrorCode::OutOfRange, "several presets cannot be written to one file", output, "Name a folder, as in --output out/"};
     }
-    std::cout << text << std::flush;
-    if (!std::cout) {
-        return Error{ErrorCode::WriteFailed, "standard output cannot be written", "", ""};
+    for (const std::string& preset : presets) {
+        const Result<NamedEffect> named = load(preset, assignments);
+        if (!named) {
+            return named.error();
+        }
+        if (Status status = work(named.value()); !status) {
+            return status;
+        }
     }
     return Done{};
+}
+
+Result<PresetReading> readPreset(const std::string& name)
+{
+    if (name != kStandardStream) {
+        return loadPreset(name);
+    }
+    const Result<std::string> text = readStandardInput(kMaxPresetBytes);
+    return text ? parsePreset(text.value(), "standard input") : text.error();
 }
 
 } // namespace fumage::cli

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "app/cli/interruption.h"
+#include "app/cli/streams.h"
+
 #include "core/base/result.h"
 #include "core/effect/effect.h"
+#include "core/preset/library.h"
 
+#include <filesystem>
 #include <functional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -18,32 +22,34 @@ enum ExitCode {
     kFailure = 1,
     kUsage = 2,
     kBadInput = 3,
-    kInterrupted = 130
+    kInterrupted = 130,
 };
 
 /// The action of the chosen subcommand; set while the command line is read, run after it.
 using Action = std::function<Status()>;
 
-/// An effect as the command line names it: a preset, then changes to it.
+/// A preset with the changes of the command line.
+struct NamedEffect {
+    Effect effect;
+    std::string name; ///< files are named after it where the user does not say how
+    std::filesystem::path file; ///< of the preset; empty where it is built in or came from standard input
+};
+
+/// Effects as the command line names them: presets, then changes to them.
 struct EffectOptions {
-    std::string preset;
+    std::vector<std::string> presets;
     std::vector<std::string> assignments;
 
     /// Adds PRESET and --set to a subcommand.
     void addTo(CLI::App& command);
 
-    /// Loads the preset and applies --set in order; warnings go to standard error.
-    [[nodiscard]] Result<Effect> load() const;
+    /// Loads each preset, applies --set in order, and does the work; warnings go to standard error.
+    /// @param output what the user named for what is written: with several presets only a folder will do
+    [[nodiscard]] Status forEach(const std::string& output, const std::function<Status(const NamedEffect&)>& work) const;
 };
 
-/// A token that stops when the user presses Ctrl-C or the program is asked to end.
-[[nodiscard]] std::stop_token interruption();
-
-/// Prints "fumage-cli: warning: ..." to standard error.
-void warn(const std::string& text);
-
-/// Writes to a file, or to standard output for "-".
-[[nodiscard]] Status writeOutput(const std::string& path, const std::string& text);
+/// Reads a preset that a person names; "-" is standard input.
+[[nodiscard]] Result<PresetReading> readPreset(const std::string& name);
 
 // One function a subcommand: adds it to the program and sets the action when it is chosen.
 void addRender(CLI::App& program, Action& action);

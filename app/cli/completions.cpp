@@ -5,7 +5,8 @@
 #include "core/effect/parameter_table.h"
 #include "core/preset/library.h"
 
-#include <iostream>
+#include <algorithm>
+#include <memory>
 
 namespace fumage::cli {
 
@@ -255,7 +256,7 @@ void addCompletions(CLI::App& program, Action& action)
                     "  fumage-cli completions bash > ~/.local/share/bash-completion/completions/fumage-cli\n"
                     "  fumage-cli completions zsh > ~/.zfunc/_fumage-cli");
     command->callback([&program, &action, shell] {
-        action = [&program, shell]() -> Status { return writeOutput("-", *shell == "bash" ? bashScript(program) : zshScript(program)); };
+        action = [&program, shell]() -> Status { return print(*shell == "bash" ? bashScript(program) : zshScript(program)); };
     });
 }
 

@@ -1,8 +1,12 @@
 #include "app/cli/command.h"
+#include "app/cli/progress.h"
 
+#include "core/base/memory.h"
+#include "core/export/output_name.h"
 #include "core/export/particle_dump.h"
-#include "core/export/sequence.h"
+#include "core/export/plan.h"
 
+#include <array>
 #include <memory>
 
 namespace fumage::cli {
@@ -11,20 +15,75 @@ namespace {
 
 struct DumpOptions {
     EffectOptions effect;
-    std::string output = "-";
-    int frame = 0;
-    std::string format = "csv";
+    std::string output{kStandardStream};
+    std::string frames = "0";
+    std::string format;
+    std::string up = "y";
 };
+
+/// The file or files to write, and their format.
+Status chooseOutput(const DumpOptions& options, const std::string& name, ParticleSequenceOptions& out)
+{
+    static constexpr std::array<std::string_view, 2> kEndings{".csv", ".ply"};
+    const std::string_view wanted = fileEnding(options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv);
+    const Result<std::filesystem::path> path = outputPath(options.output, {options.format.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1), name});
+    if (!path) {
+        return path.error();
+    }
+    const std::string ending = endingOf(path.value());
+    out.format = (ending.empty() ? wanted : ending) == ".ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
+    out.output = withEnding(path.value(), fileEnding(out.format));
+    return Done{};
+}
+
+Status dumpToStandardOutput(const DumpOptions& options, const NamedEffect& named, const ParticleSequenceOptions& sequence)
+{
+    if (sequence.frames.count() > 1) {
+        return Error{ErrorCode::OutOfRange, "several frames are several files", "--frames " + options.frames, "Name a file for them, as in --output smoke_####.csv"};
+    }
+    const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
+    const Result<std::string> text = dumpParticles(named.effect, sequence.frames.first, format, interruption(), sequence.up);
+    return text ? print(text.value()) : Status(text.error());
+}
+
+Status dumpToFiles(const NamedEffect& named, const ParticleSequenceOptions& sequence)
+{
+    const auto fileOf = [&](int index) { return framePath(sequence.output, sequence.frames, fileEnding(sequence.format), sequence.frames.at(index)); };
+    const int count = sequence.frames.count();
+    {
+        ProgressBar bar("Writing");
+        if (Status status = dumpSequence(
+                named.effect, sequence, [&](int done, int total) { bar.show(done, total); }, interruption());
+            !status) {
+            return status;
+        }
+    }
+    tellWritten(count, fileOf(0), fileOf(count - 1));
+    return Done{};
+}
+
+Status dumpOne(const DumpOptions& options, const NamedEffect& named)
+{
+    ParticleSequenceOptions sequence;
+    const Result<FrameRange> frames = parseFrameRange(options.frames);
+    if (!frames) {
+        return frames.error();
+    }
+    sequence.frames = frames.value();
+    sequence.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
+    if (options.output == kStandardStream) {
+        return withinMemory([&] { return dumpToStandardOutput(options, named, sequence); });
+    }
+    if (Status status = chooseOutput(options, named.name, sequence); !status) {
+        return status;
+    }
+    sequence.source = named.file;
+    return withinMemory([&] { return dumpToFiles(named, sequence); });
+}
 
 Status dump(const DumpOptions& options)
 {
-    const Result<Effect> effect = options.effect.load();
-    if (!effect) {
-        return effect.error();
-    }
-    const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
-    const Result<std::string> text = dumpParticles(effect.value(), options.frame, format, interruption());
-    return text ? writeOutput(options.output, text.value()) : Status(text.error());
+    return options.effect.forEach(options.output, [&](const NamedEffect& named) { return dumpOne(options, named); });
 }
 
 } // namespace
@@ -32,11 +91,12 @@ Status dump(const DumpOptions& options)
 void addDump(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<DumpOptions>();
-    CLI::App* command = program.add_subcommand("dump", "Write the particles of one frame as CSV or PLY");
+    CLI::App* command = program.add_subcommand("dump", "Write the particles of frames as CSV or PLY");
     options->effect.addTo(*command);
-    command->add_option("-f,--frame", options->frame, "Frame number")->check(CLI::Range(0, kMaxFrame))->capture_default_str();
-    command->add_option("--format", options->format, "csv or ply (binary)")->check(CLI::IsMember({"csv", "ply"}))->capture_default_str();
-    command->add_option("-o,--output", options->output, "File to write; - is standard output")->type_name("FILE")->capture_default_str();
+    command->add_option("-f,--frame,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
+    command->add_option("--format", options->format, "csv or ply (binary). Default: by the ending of the file")->check(CLI::IsMember({"csv", "ply"}));
+    command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+    command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")->type_name("FILE")->capture_default_str();
     command->callback([options, &action] { action = [options] { return dump(*options); }; });
 }
 

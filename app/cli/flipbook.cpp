@@ -29,13 +29,16 @@ std::string complaint(const Flipbook& flipbook)
     }
     std::ostringstream text;
     text << "the smoke is cut off at the edge of cells (" << edges << "; frames " << cut.firstFrame << " to " << cut.lastFrame << "; alpha up to " << std::setprecision(2) << flipbook.edgeAlpha
-         << "): --fit moves the camera so that all of it is seen, as would --set camera.distance=" << std::setprecision(3) << cut.distance;
+         << "): --fit moves the camera so that all of it is seen";
+    if (cut.distance > 0.0F) {
+        text << ", as would --set camera.distance=" << std::setprecision(3) << cut.distance;
+    }
     return text.str();
 }
 
-Status flipbook(const FlipbookArguments& arguments)
+Status renderOne(const FlipbookArguments& arguments, const NamedEffect& named)
 {
-    Result<PictureJob> job = arguments.picture.load();
+    Result<PictureJob> job = arguments.picture.jobFor(named);
     if (!job) {
         return job.error();
     }
@@ -48,10 +51,15 @@ Status flipbook(const FlipbookArguments& arguments)
     if (!done) {
         return done.error();
     }
-    if (done.value()->cutOff) {
+    if (done.value() && done.value()->cutOff) {
         warn(complaint(*done.value()));
     }
     return Done{};
+}
+
+Status flipbook(const FlipbookArguments& arguments)
+{
+    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedEffect& named) { return renderOne(arguments, named); });
 }
 
 } // namespace
@@ -60,7 +68,7 @@ void addFlipbook(CLI::App& program, Action& action)
 {
     auto arguments = std::make_shared<FlipbookArguments>();
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
-    arguments->picture.addTo(*command, "Picture to write. Default: the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
+    arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
                     "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"

@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "core/base/simd.h"
+#include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/sampling.h"
 #include "core/effect/value.h"
@@ -8,8 +9,8 @@
 #include "core/simulation/schedule.h"
 #include "core/version.h"
 
-#include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace fumage::cli {
 
@@ -17,33 +18,35 @@ namespace {
 
 Status info(const std::string& name)
 {
-    const Result<PresetReading> reading = loadPreset(name);
+    const Result<PresetReading> reading = readPreset(name);
     if (!reading) {
         return reading.error();
     }
     const Preset& preset = reading.value().preset;
     const Effect& effect = preset.effect;
     const Schedule schedule = makeSchedule(sampled(effect));
-    std::cout << preset.name << "\n"
-              << preset.description << "\n\n";
-    std::cout << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
-    std::cout << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " frames/s" << (effect.timeline.loop ? ", looping" : "") << "\n";
-    std::cout << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n\n";
-    std::cout << "What differs from a new document:\n";
+    std::ostringstream out;
+    out << printable(preset.name) << "\n"
+        << printable(preset.description) << "\n\n";
+    out << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
+    out << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " frames/s" << (effect.timeline.loop ? ", looping" : "") << "\n";
+    out << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n\n";
+    out << "What differs from a new document:\n";
     for (const Parameter* parameter : differences(effect, Effect{})) {
-        std::cout << "  " << parameter->key << " = " << formatText(*parameter, parameter->get(effect), true) << "\n";
+        out << "  " << parameter->key << " = " << formatText(*parameter, parameter->get(effect), true) << "\n";
     }
-    return Done{};
+    return print(out.str());
 }
 
 Status machine()
 {
-    std::cout << "fumage-cli " << FUMAGE_VERSION << "\ninstruction sets, best first:";
+    std::ostringstream out;
+    out << "fumage-cli " << FUMAGE_VERSION << "\ninstruction sets, best first:";
     for (const std::string& name : availableSimdTargets()) {
-        std::cout << ' ' << name;
+        out << ' ' << name;
     }
-    std::cout << "\nuser presets: " << userPresetFolder().string() << "\n";
-    return Done{};
+    out << "\nuser presets: " << userPresetFolder().string() << "\n";
+    return print(out.str());
 }
 
 } // namespace

@@ -1,12 +1,19 @@
 #include "app/cli/command.h"
+#include "app/cli/number_options.h"
 
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
+#include "core/base/text.h"
 #include "core/version.h"
 
+#include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -26,33 +33,71 @@ int exitCodeOf(ErrorCode code)
     case ErrorCode::NotFinite:
     case ErrorCode::UnknownKey:
     case ErrorCode::UnknownName:
-    case ErrorCode::OutOfRange: return kBadInput;
+    case ErrorCode::OutOfRange:
+    case ErrorCode::WouldOverwrite: return kBadInput;
     default: return kFailure;
     }
 }
 
 int report(const Error& error)
 {
-    std::cerr << "fumage-cli: " << error.text() << '\n';
+    std::cerr << "fumage-cli: " << printable(error.text()) << '\n';
     return exitCodeOf(error.code);
 }
 
-int run(int argc, char** argv)
+/// Prints help, or what is wrong with the command line.
+int answer(const CLI::App& program, const CLI::ParseError& error)
 {
-    CLI::App program("Fumage makes smoke: it renders presets to pictures and bakes noise, without a display.", "fumage-cli");
-    program.set_version_flag("--version", std::string("fumage-cli ") + FUMAGE_VERSION);
-    program.footer("Start with:\n"
-                   "  fumage-cli presets\n"
-                   "  fumage-cli render campfire --frames 0-119 --output frames/fire_####.png\n\n"
-                   "Exit codes: 0 done, 1 could not be done, 2 wrong usage, 3 bad preset or value, 130 interrupted.");
-    program.require_subcommand(1);
+    std::ostringstream out;
+    std::ostringstream complaint;
+    if (program.exit(error, out, complaint) == 0) {
+        const Status status = print(out.str());
+        return status ? kSuccess : report(status.error());
+    }
+    const bool isValue = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr || dynamic_cast<const CLI::ConversionError*>(&error) != nullptr;
+    std::cerr << "fumage-cli: " << (isValue ? printable(error.what()) + '\n' : complaint.str());
+    return isValue ? kBadInput : kUsage;
+}
+
+/// Whether the first word that is no option is a command.
+Status checkCommand(const CLI::App& program, const std::vector<std::string>& words)
+{
+    const auto word = std::find_if(words.begin(), words.end(), [](const std::string& text) { return !text.starts_with('-'); });
+    const bool isValue = word != words.begin() && word != words.end() && (*(word - 1) == "--threads" || *(word - 1) == "--simd");
+    if (word == words.end() || isValue) {
+        return Done{};
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands(nullptr)) {
+        names.push_back(command->get_name());
+    }
+    if (std::find(names.begin(), names.end(), *word) != names.end()) {
+        return Done{};
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    const std::string_view near = nearestName(*word, candidates);
+    return Error{ErrorCode::UnknownName, "there is no command " + inQuotes(*word), "", near.empty() ? "List them with: fumage-cli --help" : "Did you mean " + inQuotes(near) + "?"};
+}
+
+/// Options that come before or after any command.
+struct CommonOptions {
     int threads = 0;
     std::string simd;
-    program.add_option("--threads", threads, "Use at most this many threads; 0 is as many as there are")->check(CLI::Range(0, 1024));
-    program.add_option("--simd", simd, "Force an instruction set (avx512, avx2, sse4, baseline): slower, the same bits")->type_name("NAME");
-    program.fallthrough();
+    bool quiet = false;
 
-    Action action;
+    void addTo(CLI::App& program)
+    {
+        constexpr int kMostThreads = 1024;
+        addWhole(program, "--threads", threads, 0, kMostThreads, "Use at most this many threads; 0 is as many as there are");
+        program.add_option("--simd", simd, "Force an instruction set (avx512, avx2, sse4, baseline): slower, the same bits")->type_name("NAME");
+        program.add_flag("-q,--quiet", quiet, "Say nothing but what goes wrong");
+        program.fallthrough();
+    }
+};
+
+void addCommands(CLI::App& program, Action& action)
+{
+    program.require_subcommand(1);
     addRender(program, action);
     addFlipbook(program, action);
     addBakeNoise(program, action);
@@ -63,18 +108,51 @@ int run(int argc, char** argv)
     addParameters(program, action);
     addSchema(program, action);
     addCompletions(program, action);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? kSuccess : kUsage;
+}
+
+/// The words of the command line; "help render" is "render --help", as in git.
+std::vector<std::string> wordsOf(int argc, char** argv)
+{
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
     }
-    if (!simd.empty()) {
-        if (const Status status = forceSimdTarget(simd); !status) {
-            return report(status.error());
-        }
-    }
+    return words;
+}
+
+int run(int argc, char** argv)
+{
     (void)interruption(); // before any thread starts, so that all of them have the signals blocked
-    const std::unique_ptr<ThreadLimit> limit = threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr;
+    std::signal(SIGXFSZ, SIG_IGN); // writing says it too, and then what was begun can be cleared away
+    CLI::App program("Fumage makes smoke: it renders presets to pictures and bakes noise, without a display.", "fumage-cli");
+    program.set_version_flag("-V,--version", std::string("fumage-cli ") + FUMAGE_VERSION);
+    program.footer("Start with:\n"
+                   "  fumage-cli presets\n"
+                   "  fumage-cli render campfire --frames 0-119 --output frames/fire_####.png\n\n"
+                   "Exit codes: 0 done, 1 could not be done, 2 wrong usage, 3 bad preset or value, 130 interrupted.");
+    CommonOptions common;
+    common.addTo(program);
+    Action action;
+    addCommands(program, action);
+    std::vector<std::string> words = wordsOf(argc, argv);
+    if (const Status status = checkCommand(program, words); !status) {
+        (void)report(status.error());
+        return kUsage;
+    }
+    try {
+        std::reverse(words.begin(), words.end()); // as the library takes them
+        program.parse(words);
+    } catch (const CLI::ParseError& error) {
+        return answer(program, error);
+    }
+    if (common.quiet) {
+        beQuiet();
+    }
+    if (const Status status = common.simd.empty() ? Status(Done{}) : forceSimdTarget(common.simd); !status) {
+        return report(status.error());
+    }
+    const std::unique_ptr<ThreadLimit> limit = common.threads > 0 ? std::make_unique<ThreadLimit>(common.threads) : nullptr;
     const Status status = action();
     return status ? kSuccess : report(status.error());
 }

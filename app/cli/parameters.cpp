@@ -4,8 +4,8 @@
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 
-#include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace fumage::cli {
 
@@ -32,26 +32,28 @@ std::string rangeText(const Parameter& parameter)
 Status plain()
 {
     const Effect defaults;
+    std::ostringstream out;
     for (const Parameter& parameter : parameterTable()) {
-        std::cout << parameter.key << " = " << formatText(parameter, parameter.get(defaults), true) << "  (" << rangeText(parameter) << ")\n    " << parameter.tip << "\n";
+        out << parameter.key << " = " << formatText(parameter, parameter.get(defaults), true) << "  (" << rangeText(parameter) << ")\n    " << parameter.tip << "\n";
     }
-    return Done{};
+    return print(out.str());
 }
 
 Status markdown()
 {
     const Effect defaults;
+    std::ostringstream out;
     std::string_view group;
-    std::cout << "# Parameters\n\nWritten by `fumage-cli parameters --markdown`.\n";
+    out << "# Parameters\n\nWritten by `fumage-cli parameters --markdown`.\n";
     for (const Parameter& parameter : parameterTable()) {
         if (parameter.group() != group) {
             group = parameter.group();
-            std::cout << "\n## " << groupLabel(group) << "\n\n| key | default | range | unit | what it does |\n|---|---|---|---|---|\n";
+            out << "\n## " << groupLabel(group) << "\n\n| key | default | range | unit | what it does |\n|---|---|---|---|---|\n";
         }
-        std::cout << "| <a id=\"" << parameter.key << "\"></a>`" << parameter.key << "` | " << formatText(parameter, parameter.get(defaults)) << " | " << rangeText(parameter) << " | "
-                  << unitSymbol(parameter.unit) << " | " << parameter.tip << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*") << " |\n";
+        out << "| <a id=\"" << parameter.key << "\"></a>`" << parameter.key << "` | " << formatText(parameter, parameter.get(defaults)) << " | " << rangeText(parameter) << " | "
+            << unitSymbol(parameter.unit) << " | " << parameter.tip << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*") << " |\n";
     }
-    return Done{};
+    return print(out.str());
 }
 
 } // namespace

@@ -1,10 +1,14 @@
 #include "app/cli/picture_options.h"
 
+#include "app/cli/number_options.h"
 #include "app/cli/progress.h"
 
 #include "core/base/text.h"
+#include "core/export/output_name.h"
 
+#include <array>
 #include <map>
+#include <span>
 
 namespace fumage::cli {
 
@@ -35,19 +39,16 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
     command.add_option("--size", size, sizeHelp)->type_name("SIZE");
     command.add_option_function<std::string>(
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
-    command.add_option("--supersample", supersample, "Render this many times larger and average")->check(CLI::Range(1, kMaxSupersample));
+    addWhole(command, "--supersample", supersample, 1, kMaxSupersample, "Render this many times larger and average. Default: the preset's");
     command.add_flag("--fit", fit, "Move the camera so that all smoke of all frames is in the picture, and fills it");
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
 }
 
-Result<PictureJob> PictureOptions::load() const
+Result<PictureJob> PictureOptions::jobFor(const NamedEffect& named) const
 {
-    Result<Effect> loaded = effect.load();
-    if (!loaded) {
-        return loaded.error();
-    }
     PictureJob job;
-    job.effect = loaded.value();
+    job.effect = named.effect;
+    job.plan.source = named.file;
     if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
         return Error{ErrorCode::OutOfRange, "the size " + inQuotes(size) + " is not understood", "--size", "Write 512 or 640x360, with edges from 1 to " + std::to_string(kMaxOutputEdge)};
     }
@@ -63,16 +64,56 @@ Result<PictureJob> PictureOptions::load() const
         job.plan.frames = range.value();
     }
     job.plan.fitCamera = fit;
-    job.plan.format = format.empty() ? formatOf(output) : kFormats.at(format);
-    job.plan.output = output.empty() ? std::filesystem::path(effect.preset).stem() : std::filesystem::path(output);
+    if (Status status = chooseOutput(output, format, named.name, job.plan); !status) {
+        return status.error();
+    }
     return job;
+}
+
+Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan)
+{
+    static constexpr std::array<std::string_view, 2> kEndings{".png", ".exr"};
+    plan.output = output;
+    if (!formatName.empty()) {
+        plan.format = kFormats.at(formatName);
+    }
+    if (output == kStandardStream) {
+        return Done{};
+    }
+    const std::string_view wanted = fileEnding(plan.format);
+    const std::span<const std::string_view> endings = formatName.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1);
+    const Result<std::filesystem::path> path = outputPath(output, {endings, name});
+    if (!path) {
+        return path.error();
+    }
+    if (formatName.empty()) {
+        plan.format = formatOf(path.value());
+    }
+    plan.output = withEnding(path.value(), fileEnding(plan.format));
+    return Done{};
 }
 
 Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
 {
-    ProgressBar bar("Rendering");
-    return runExport(
-        job.effect, job.plan, [&](int done, int total) { bar.show(done, total); }, interruption());
+    if (job.plan.output == kStandardStream) {
+        const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, interruption());
+        const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
+        return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
+    }
+    Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
+    {
+        ProgressBar bar("Rendering");
+        done = runExport(
+            job.effect, job.plan, [&](int count, int total) { bar.show(count, total); }, interruption());
+    }
+    if (done) {
+        const bool one = job.plan.kind != ExportKind::Sequence;
+        const std::filesystem::path beside = done.value() ? done.value()->description : lastFile(job.plan);
+        tellWritten(done.value() ? 2 : one ? 1
+                                           : job.plan.frames.count(),
+            firstFile(job.plan), beside);
+    }
+    return done;
 }
 
 } // namespace fumage::cli

@@ -4,6 +4,8 @@
 
 #include "core/export/plan.h"
 
+#include <optional>
+
 namespace fumage::cli {
 
 /// "640x360", or "512" for both. @return whether it is two numbers from 1 to most
@@ -14,9 +16,6 @@ struct PictureJob {
     Effect effect;
     ExportPlan plan;
 };
-
-/// Runs the job with a progress bar, until it is done or interrupted.
-[[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
 /// The options that the commands that render have in common.
 struct PictureOptions {
@@ -29,7 +28,18 @@ struct PictureOptions {
     bool fit = false;
 
     void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
-    [[nodiscard]] Result<PictureJob> load() const;
+    /// What is to be done with one of the presets.
+    [[nodiscard]] Result<PictureJob> jobFor(const NamedEffect& named) const;
 };
+
+/// Fills in format and path of a plan for pictures.
+/// @param output     as the user named it
+/// @param formatName png, png16, exr, exr32; empty: by the ending of the output
+/// @param name       what the file is called where only a folder is named
+[[nodiscard]] Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan);
+
+/// Does a job with a bar of progress that can be interrupted, and says what was written.
+/// @return the flipbook, where that is what was made
+[[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
 } // namespace fumage::cli

@@ -1,17 +1,18 @@
 #include "app/cli/command.h"
 
+#include "core/base/text.h"
 #include "core/preset/library.h"
 
 #include <algorithm>
 #include <iomanip>
-#include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace fumage::cli {
 
 namespace {
 
-void list(const std::vector<LibraryEntry>& entries)
+void list(const std::vector<LibraryEntry>& entries, std::ostream& out)
 {
     std::size_t width = 0;
     for (const LibraryEntry& entry : entries) {
@@ -19,27 +20,32 @@ void list(const std::vector<LibraryEntry>& entries)
     }
     for (const LibraryEntry& entry : entries) {
         const Result<PresetReading> reading = loadPreset(entry);
-        std::cout << "  " << std::left << std::setw(static_cast<int>(width) + 2) << entry.id << (reading ? reading.value().preset.description : reading.error().text()) << "\n";
+        out << "  " << std::left << std::setw(static_cast<int>(width) + 2) << printable(entry.id) << printable(reading ? reading.value().preset.description : reading.error().text()) << "\n";
     }
 }
 
 Status presets()
 {
-    std::cout << "Built in:\n";
-    list(builtinPresets());
+    std::ostringstream out;
+    out << "Built in:\n";
+    list(builtinPresets(), out);
     const std::vector<LibraryEntry> user = presetsIn(userPresetFolder());
-    std::cout << "Yours, in " << userPresetFolder().string() << ":\n";
-    list(user);
-    if (user.empty()) {
-        std::cout << "  none\n";
+    if (userPresetFolder().empty()) {
+        out << "Yours: there is no place for them, since neither XDG_DATA_HOME nor HOME names one.\n";
+        return print(out.str());
     }
-    return Done{};
+    out << "Yours, in " << printable(userPresetFolder().string()) << ":\n";
+    list(user, out);
+    if (user.empty()) {
+        out << "  none\n";
+    }
+    return print(out.str());
 }
 
 /// Prints the preset as canonical JSON: a start for one's own.
 Status show(const std::string& name, const std::string& output)
 {
-    const Result<PresetReading> reading = loadPreset(name);
+    const Result<PresetReading> reading = readPreset(name);
     return reading ? writeOutput(output, formatPreset(reading.value().preset)) : Status(reading.error());
 }
 

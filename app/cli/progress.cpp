@@ -1,6 +1,7 @@
 #include "app/cli/progress.h"
 
 #include <cstdio>
+#include <iostream>
 
 #include <unistd.h>
 
@@ -8,7 +9,7 @@ namespace fumage::cli {
 
 ProgressBar::ProgressBar(std::string what)
     : m_what(std::move(what))
-    , m_terminal(::isatty(STDERR_FILENO) != 0)
+    , m_terminal(::isatty(STDERR_FILENO) != 0 && std::clog.rdbuf() != nullptr)
 {
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "core/base/text.h"
 #include "core/preset/library.h"
 
 #include <iostream>
@@ -18,9 +19,9 @@ Status validate(const ValidateOptions& options)
 {
     Status result = Done{};
     for (const std::string& name : options.presets) {
-        const Result<PresetReading> reading = loadPreset(name);
+        const Result<PresetReading> reading = readPreset(name);
         if (!reading) {
-            std::cerr << "fumage-cli: " << reading.error().text() << '\n';
+            std::cerr << "fumage-cli: " << printable(reading.error().text()) << '\n';
             result = Error{reading.error().code, "not every preset is valid", "", ""};
             continue;
         }
@@ -29,8 +30,8 @@ Status validate(const ValidateOptions& options)
         }
         if (options.strict && !reading.value().warnings.empty()) {
             result = Error{ErrorCode::OutOfRange, "there were warnings", "", "Leave out --strict to accept them"};
-        } else {
-            std::cout << name << ": valid\n";
+        } else if (const Status status = print(printable(name) + ": valid\n"); !status) {
+            return status;
         }
     }
     return result;

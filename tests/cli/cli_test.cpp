@@ -5,10 +5,17 @@
 #include "core/base/file.h"
 #include "core/preset/preset.h"
 
+#include <QDirIterator>
 #include <QProcess>
 #include <QTemporaryDir>
 
 #include <csignal>
+#include <map>
+
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace fumage;
 
@@ -70,8 +77,7 @@ private slots:
         QCOMPARE(run({}).code, 2);
         QCOMPARE(run({"rendr"}).code, 2);
         QCOMPARE(run({"render"}).code, 2);
-        QCOMPARE(run({"render", "default", "--format", "gif"}).code, 2);
-        QCOMPARE(run({"dump", "default", "--frame", "-1"}).code, 2);
+        QCOMPARE(run({"render", "default", "--colour", "red"}).code, 2);
     }
 
     void badValuesAreThree_data()
@@ -90,6 +96,15 @@ private slots:
         row("grid", {"flipbook", "default", "--grid", "8x99"}, "8x99");
         row("too few frames", {"flipbook", "default", "--frames", "0-9"}, "64 cells");
         row("simd", {"--simd", "mmx", "render", "default"}, "mmx");
+        row("format", {"render", "default", "--format", "gif"}, "gif");
+        row("frame", {"dump", "default", "--frame=-1"}, "-1");
+        row("frame in words", {"dump", "default", "--frame", "ten"}, "ten");
+        row("supersample", {"render", "default", "--supersample", "0"}, "from 1 to 4");
+        row("size 0", {"render", "default", "--size", "0"}, "0");
+        row("threads", {"--threads", "0x2", "render", "default"}, "0x2");
+        row("size of noise", {"bake-noise", "default", "--size", "4097", "-o", "a.png"}, "4096");
+        row("depth that is no number", {"bake-noise", "default", "--depth", "nan", "-o", "a.png"}, "nan");
+        row("depth beyond the end", {"bake-noise", "default", "--depth", "1.5", "-o", "a.png"}, "1.5");
     }
     void badValuesAreThree()
     {
@@ -129,13 +144,69 @@ private slots:
         QCOMPARE(readFile(picture.toStdString(), 100).value(), std::string("precious"));
     }
 
+    void zerosBeforeANumberChangeNothing()
+    {
+        const QStringList small{"--set", "emitter.count=50"};
+        const QByteArray thirty = run(QStringList{"dump", "default", "--frame", "30"} + small).out;
+        QVERIFY(thirty.count('\n') > 10);
+        QCOMPARE(run(QStringList{"dump", "default", "--frame", "0030"} + small).out, thirty);
+        QCOMPARE(run(QStringList{"dump", "default", "--frame", "0019"} + small).code, 0);
+    }
+
+    void clampedSeedsAreSaid()
+    {
+        const QTemporaryDir folder;
+        const QString preset = folder.path() + "/seed.json";
+        QVERIFY(writeFileAtomically(preset.toStdString(), QByteArray(R"({"format": "fumage-preset", "version": 1, "emitter": {"seed": -5}})").toStdString()).ok());
+        QCOMPARE(run({"validate", "--strict", preset}).code, 3);
+        QVERIFY(run({"dump", "default", "--set", "emitter.count=5", "--set", "emitter.seed=1e11"}).error.contains("emitter.seed=1e11: out of range"));
+    }
+
+    void fullStandardOutputIsAnError_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"presets", "--show", "default"}, QStringList{"validate", "default"}, QStringList{"parameters"},
+                 QStringList{"parameters", "--markdown"}, QStringList{"info"}, QStringList{"info", "default"}, QStringList{"schema"}, QStringList{"--help"}, QStringList{"render", "--help"},
+                 QStringList{"--version"}, QStringList{"dump", "default", "--set", "emitter.count=5"}}) {
+            QTest::newRow(qPrintable(arguments.join(' '))) << arguments;
+        }
+    }
+    void fullStandardOutputIsAnError()
+    {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = run(arguments, "\"$0\" \"$@\" > /dev/full");
+        QCOMPARE(outcome.code, 1);
+        QVERIFY2(outcome.error.contains("standard output cannot be written: No space left"), outcome.error.constData());
+        QCOMPARE(outcome.error.count('\n'), 1);
+    }
+
+    void namesOfPresetsSteerNoTerminal()
+    {
+        const QTemporaryDir folder;
+        const QString presets = folder.path() + "/fumage/presets";
+        QVERIFY(QDir().mkpath(presets));
+        Preset preset;
+        preset.name = "\x1b[31mred";
+        preset.description = "\x1b]0;title\x07\u009b1m";
+        QVERIFY(writePresetFile((presets + "/a\x1b[1m.json").toStdString(), preset).ok());
+        QVERIFY(writeFileAtomically((presets + "/\x1b[2m.json").toStdString(), std::string_view("{\"\x1b[2m")).ok());
+        const QString command = "XDG_DATA_HOME='" + folder.path() + "' \"$0\" \"$@\"";
+        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"info", presets + "/a\x1b[1m.json"}, QStringList{"validate", presets + "/a\x1b[1m.json", presets + "/\x1b[2m.json"}}) {
+            const Outcome outcome = run(arguments, command);
+            QVERIFY(outcome.out.contains("?["));
+            for (const QByteArray& text : {outcome.out, outcome.error}) {
+                QVERIFY2(!text.contains('\x1b') && !text.contains('\x07') && !text.contains("\u009b"), text.constData());
+            }
+        }
+    }
+
     void filesThatCannotBeReadOrWrittenAreOne()
     {
         const QTemporaryDir folder;
         QCOMPARE(run({"render", folder.path() + "/none.json"}).code, 1);
         QCOMPARE(run({"render", folder.path() + "/"}).code, 1);
         QCOMPARE(run({"render", "thesis-2012", "-f", "0", "-o", "/proc/nowhere/a.png"}).code, 1);
-        QCOMPARE(run({"bake-noise", "thesis-2012", "--size", "16", "-o", folder.path()}).code, 1);
+        QCOMPARE(run({"bake-noise", "thesis-2012", "--size", "16", "-o", "/proc/nowhere/a.png"}).code, 1);
     }
 
     void noPermissionIsSaidPlainly()
@@ -221,12 +292,209 @@ private slots:
         QCOMPARE(outcome.out, reference.readAll());
     }
 
-    void progressIsQuietInAPipe()
+    void whatWasWrittenIsSaidInTheLastLine()
     {
         const QTemporaryDir folder;
-        const Outcome outcome = run(QStringList{"render", "thesis-2012", "-f", "0-2", "-o", folder.path() + "/f.png"} + kSmall);
+        const QStringList arguments = QStringList{"render", "thesis-2012", "-f", "0-2", "-o", folder.path() + "/f.png"} + kSmall;
+        const Outcome outcome = run(arguments);
         QCOMPARE(outcome.code, 0);
-        QVERIFY(outcome.out.isEmpty() && outcome.error.isEmpty());
+        QVERIFY(outcome.out.isEmpty());
+        QCOMPARE(outcome.error, QString("fumage-cli: wrote 3 files, %1/f_0000.png to %1/f_0002.png\n").arg(folder.path()).toUtf8());
+        QCOMPARE(run(arguments + QStringList{"-f", "1"}).code, 2); // named twice
+        const Outcome quiet = run(QStringList{"--quiet"} + arguments);
+        QVERIFY(quiet.code == 0 && quiet.out.isEmpty() && quiet.error.isEmpty());
+    }
+
+    void outputsAreNamedAsTheUserMeans_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QStringList>("files");
+        const auto row = [](const char* name, const QStringList& arguments, const QStringList& files) { QTest::newRow(name) << arguments << files; };
+        const QStringList two{"render", "thesis-2012", "-f", "7-8", "-o"};
+        const QStringList one{"render", "thesis-2012", "-f", "7", "-o"};
+        row("capitals", one + QStringList{"x.PNG"}, {"x.PNG"});
+        row("exr", one + QStringList{"x.Exr"}, {"x.Exr"});
+        row("format without an ending", one + QStringList{"x", "--format", "exr"}, {"x.exr"});
+        row("printf", two + QStringList{"x_%03d.png"}, {"x_007.png", "x_008.png"});
+        row("printf without width", two + QStringList{"x%d"}, {"x7.png", "x8.png"});
+        row("hashes and no ending", two + QStringList{"x.##"}, {"x.07.png", "x.08.png"});
+        row("a folder that is there", two + QStringList{"d"}, {"d/thesis-2012_0007.png", "d/thesis-2012_0008.png"});
+        row("a folder to be made", one + QStringList{"e/"}, {"e/thesis-2012.png"});
+        row("no name", {"render", "thesis-2012", "-f", "7"}, {"thesis-2012.png"});
+        row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"}, {"d/default.png", "d/thesis-2012.png"});
+        row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
+        row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});
+        row("particles by the ending", {"dump", "thesis-2012", "-o", "p.ply"}, {"p.ply"});
+        row("particles of several frames", {"dump", "thesis-2012", "-f", "0-4:2", "-o", "p_##.csv"}, {"p_00.csv", "p_02.csv", "p_04.csv"});
+    }
+    void outputsAreNamedAsTheUserMeans()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QStringList, files);
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkdir("d"));
+        const QString small = arguments[0] == "dump" ? " --set emitter.count=20" : " --size 16 --set emitter.count=20 --set noise.slices=1 --set noise.resolution=8";
+        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"" + small);
+        QVERIFY2(outcome.code == 0, outcome.error.constData());
+        QStringList found;
+        QDirIterator at(folder.path(), QDir::Files, QDirIterator::Subdirectories);
+        while (at.hasNext()) {
+            found += QDir(folder.path()).relativeFilePath(at.next());
+        }
+        found.sort();
+        QCOMPARE(found, files);
+        const QByteArray begin = contents(QFileInfo(folder.filePath(files.first())).path());
+        QVERIFY(files.first().endsWith("exr", Qt::CaseInsensitive) == begin.contains("\x76\x2f\x31\x01"));
+        QVERIFY(files.first().endsWith("ply") == begin.contains("end_header"));
+    }
+
+    void badNamesOfOutputsAreRefused_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("says");
+        const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << QByteArray(says); };
+        row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png or .exr");
+        row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png or .exr");
+        row("particles as png", {"dump", "default", "-o", "q.png"}, "Use .csv or .ply");
+        row("ending against format", {"render", "default", "-o", "x.png", "--format", "exr"}, "Use .exr");
+        row("particles against format", {"dump", "default", "-o", "x.csv", "--format", "ply"}, "Use .ply");
+        row("several pictures to standard output", {"render", "default", "-f", "0-1", "-o", "-"}, "several files");
+        row("flipbook to standard output", {"flipbook", "default", "-o", "-"}, "several files");
+        row("several dumps to standard output", {"dump", "default", "-f", "0-1"}, "several files");
+        row("two presets into one file", {"render", "default", "thesis-2012", "-o", "x.png"}, "folder");
+    }
+    void badNamesOfOutputsAreRefused()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, says);
+        const QTemporaryDir folder;
+        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
+        QCOMPARE(outcome.code, 3);
+        QVERIFY2(outcome.error.contains(says), outcome.error.constData());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void devicesAreNotGivenAnEnding()
+    {
+        const Outcome outcome = run({"render", "default", "-f", "0", "-o", "/dev/stdout"});
+        QCOMPARE(outcome.code, 1);
+        QVERIFY2(outcome.error.contains("- for standard output"), outcome.error.constData());
+    }
+
+    void standardStreamsAreADash()
+    {
+        const QTemporaryDir folder;
+        const QStringList small = QStringList{"-f", "7"} + kSmall;
+        const Outcome picture = run(QStringList{"render", "default", "-o", "-"} + small);
+        QCOMPARE(picture.code, 0);
+        QVERIFY(picture.error.isEmpty());
+        QCOMPARE(run(QStringList{"render", "default", "-o", folder.path() + "/a.png"} + small).code, 0);
+        QVERIFY(contents(folder.path()) == "a.png" + picture.out);
+        const QString piped = "\"$0\" presets --show campfire | \"$0\" \"$@\"";
+        QCOMPARE(run({"validate", "--strict", "-"}, piped).code, 0);
+        QCOMPARE(run(QStringList{"dump", "-", "--set", "emitter.count=50"}, piped).out, run({"dump", "campfire", "--set", "emitter.count=50"}).out);
+        QCOMPARE(run({"validate", "-"}, "echo rubbish | \"$0\" \"$@\"").code, 3);
+    }
+
+    void aCommandNeverOverwritesItsPreset_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        const auto row = [](const char* name, const QStringList& arguments) { QTest::newRow(name) << arguments; };
+        row("dump", {"dump", "my.csv", "-o", "my.csv"});
+        row("dump through a link", {"dump", "my.csv", "-o", "link.csv"});
+        row("dump of frames", {"dump", "p_02.csv", "-f", "0-3", "-o", "p_##.csv"});
+        row("noise", {"bake-noise", "my.png", "-o", "my.png"});
+        row("render", {"render", "f_0003.png", "-f", "0-5", "-o", "f.png"});
+        row("flipbook's description", {"flipbook", "my.flipbook.json", "--grid", "1", "-f", "0", "-o", "my"});
+    }
+    void aCommandNeverOverwritesItsPreset()
+    {
+        QFETCH(QStringList, arguments);
+        const QTemporaryDir folder;
+        const QString preset = folder.filePath(arguments[1]);
+        QVERIFY(writePresetFile(preset.toStdString(), Preset()).ok());
+        QVERIFY(QFile::link(preset, folder.filePath("link.csv")));
+        const QByteArray before = contents(folder.path());
+        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
+        QCOMPARE(outcome.code, 3);
+        QVERIFY2(outcome.error.contains("overwrite the preset"), outcome.error.constData());
+        QVERIFY(contents(folder.path()) == before);
+    }
+
+    void slipsInTheNameOfACommandAreAnswered()
+    {
+        const Outcome slip = run({"rendr", "default"});
+        QCOMPARE(slip.code, 2);
+        QVERIFY2(slip.error.contains("Did you mean \"render\"?"), slip.error.constData());
+        QCOMPARE(run({"help"}).out, run({"--help"}).out);
+        QCOMPARE(run({"help", "render"}).out, run({"render", "--help"}).out);
+        QCOMPARE(run({"-V"}).out, run({"--version"}).out);
+        QVERIFY(!run({"render", "--help"}).out.contains("KEY=VALUE ..."));
+    }
+
+    void anInterruptionOfALargePictureIsQuick()
+    {
+        const QTemporaryDir folder;
+        const pid_t program = start({"--threads", "1", "render", "thesis-2012", "-f", "40-45", "--size", "2048", "--supersample", "2", "-o", folder.path() + "/f.png"}, STDERR_FILENO);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).entryList({"*.png"}).isEmpty(), 120000); // so the second is being made
+        const rusage before = usageOf(program);
+        ::kill(program, SIGINT);
+        int status = 0;
+        rusage after{};
+        QCOMPARE(::wait4(program, &status, 0, &after), program);
+        QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 130);
+        // Time of the processor: one such picture takes several times as much.
+        QVERIFY2(secondsOf(after) - secondsOf(before) < 0.5, QByteArray::number(secondsOf(after) - secondsOf(before)).constData());
+    }
+
+    void interruptingADumpThatNobodyReadsEndsIt_data() { signalNumbers(); }
+    void interruptingADumpThatNobodyReadsEndsIt()
+    {
+        QFETCH(int, number);
+        int ends[2];
+        QCOMPARE(::pipe(ends), 0);
+        const pid_t program = start({"dump", "default", "-f", "60"}, ends[1]);
+        ::close(ends[1]);
+        char byte = 0;
+        QCOMPARE(::read(ends[0], &byte, 1), ssize_t(1)); // it writes, and the pipe is soon full
+        ::kill(program, number);
+        QCOMPARE(exitCodeOf(program), 130);
+        ::close(ends[0]);
+    }
+
+    void theSecondInterruptionEndsAtOnce()
+    {
+        // A blocked dump takes a moment to see the first; where the machine is slow the second may come too late.
+        bool endedAtOnce = false;
+        constexpr int kTries = 50;
+        for (int i = 0; i < kTries && !endedAtOnce; ++i) {
+            int ends[2];
+            QCOMPARE(::pipe(ends), 0);
+            const pid_t program = start({"dump", "default", "-f", "60"}, ends[1]);
+            ::close(ends[1]);
+            char byte = 0;
+            QCOMPARE(::read(ends[0], &byte, 1), ssize_t(1));
+            ::kill(program, SIGINT);
+            while (isPending(program)) {
+            }
+            ::kill(program, SIGINT);
+            int status = 0;
+            QCOMPARE(::waitpid(program, &status, 0), program);
+            endedAtOnce = WIFSIGNALED(status) && WTERMSIG(status) == SIGINT;
+            ::close(ends[0]);
+        }
+        QVERIFY(endedAtOnce);
+    }
+
+    void whatTheParentIgnoresIsIgnored()
+    {
+        const QTemporaryDir folder;
+        const pid_t program = start({"render", "default", "-f", "0-3", "--size", "64", "-o", folder.path() + "/f.png"}, STDERR_FILENO, {SIGINT, SIGHUP});
+        for (int i = 0; i < 20; ++i) {
+            ::kill(program, i % 2 == 0 ? SIGINT : SIGHUP);
+        }
+        QCOMPARE(exitCodeOf(program), 0);
+        QCOMPARE(QDir(folder.path()).entryList({"*.png"}).size(), 4);
     }
 
     void interruptingStopsCleanly()
@@ -241,6 +509,79 @@ private slots:
         for (const QString& name : QDir(folder.path()).entryList(QDir::Files)) {
             QVERIFY2(name.endsWith(".png"), qPrintable(name));
         }
+    }
+
+private:
+    static void signalNumbers()
+    {
+        QTest::addColumn<int>("number");
+        QTest::newRow("INT") << SIGINT;
+        QTest::newRow("TERM") << SIGTERM;
+        QTest::newRow("HUP") << SIGHUP;
+    }
+
+    /// @param ignored signals that the program is started with
+    static pid_t start(const QStringList& arguments, int output, const std::vector<int>& ignored = {})
+    {
+        std::vector<QByteArray> texts{FUMAGE_CLI};
+        for (const QString& argument : arguments) {
+            texts.push_back(argument.toLocal8Bit());
+        }
+        std::vector<char*> pointers;
+        for (QByteArray& text : texts) {
+            pointers.push_back(text.data());
+        }
+        pointers.push_back(nullptr);
+        std::map<int, sighandler_t> before;
+        for (const int number : ignored) {
+            before[number] = std::signal(number, SIG_IGN);
+        }
+        posix_spawn_file_actions_t files;
+        posix_spawn_file_actions_init(&files);
+        posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+        // Comes back when the program runs: between fork() and exec() a signal would meet the handlers of the test.
+        pid_t program = -1;
+        if (posix_spawn(&program, FUMAGE_CLI, &files, nullptr, pointers.data(), environ) != 0) {
+            qFatal("%s cannot be started", FUMAGE_CLI);
+        }
+        posix_spawn_file_actions_destroy(&files);
+        for (const auto& [number, handler] : before) {
+            std::signal(number, handler);
+        }
+        return program;
+    }
+
+    static double secondsOf(const rusage& usage)
+    {
+        const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+        return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    }
+
+    /// What a program that runs has used.
+    static rusage usageOf(pid_t program)
+    {
+        rusage usage{};
+        QFile stat(QString("/proc/%1/stat").arg(program));
+        if (stat.open(QIODevice::ReadOnly)) {
+            constexpr int kUserTime = 13;
+            const QList<QByteArray> fields = stat.readAll().split(' ');
+            const double ticks = fields[kUserTime].toDouble() + fields[kUserTime + 1].toDouble();
+            usage.ru_utime.tv_usec = static_cast<suseconds_t>(1e6 * ticks / static_cast<double>(sysconf(_SC_CLK_TCK)));
+        }
+        return usage;
+    }
+
+    /// Whether a signal has been sent and not yet taken.
+    static bool isPending(pid_t program)
+    {
+        QFile status(QString("/proc/%1/status").arg(program));
+        return status.open(QIODevice::ReadOnly) && !status.readAll().contains("ShdPnd:\t0000000000000000");
+    }
+
+    static int exitCodeOf(pid_t program)
+    {
+        int status = 0;
+        return ::waitpid(program, &status, 0) == program && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 };
 

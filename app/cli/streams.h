@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fumage::cli {
+
+/// The name that stands for standard input and standard output.
+inline constexpr std::string_view kStandardStream = "-";
+
+/// From now on warn() and tell() say nothing.
+void beQuiet();
+
+/// Prints "fumage-cli: warning: ..." to standard error.
+void warn(const std::string& text);
+
+/// Says what was done, on standard error.
+void tell(const std::string& text);
+
+/// Says which files were written.
+void tellWritten(int count, const std::filesystem::path& first, const std::filesystem::path& last);
+
+/// Reads all of standard input; ends early when the user interrupts, even where nobody writes.
+/// @error TooLarge, ReadFailed, Cancelled
+[[nodiscard]] Result<std::string> readStandardInput(std::size_t mostBytes);
+
+/// Writes to standard output; ends early when the user interrupts, even where nobody reads.
+/// @error WriteFailed, Cancelled
+[[nodiscard]] Status print(std::string_view text);
+[[nodiscard]] Status print(std::span<const std::byte> bytes);
+
+/// Writes to a file, or to standard output for "-".
+[[nodiscard]] Status writeOutput(const std::string& path, std::string_view text);
+
+} // namespace fumage::cli
