@@ -2,8 +2,6 @@
 
 #include "core/effect/effect.h"
 
-#include <utility>
-
 namespace fumage {
 
 /// An effect with its output.quality worked into its numbers. Only sampled() and thinned() make one, and what simulates and draws takes nothing
@@ -19,8 +17,8 @@ public:
     friend bool operator==(const SampledEffect&, const SampledEffect&) = default;
 
 private:
-    explicit SampledEffect(Effect effect)
-        : m_effect(std::move(effect))
+    explicit SampledEffect(const Effect& effect)
+        : m_effect(effect)
     {
     }
     friend SampledEffect sampled(const Effect& effect);

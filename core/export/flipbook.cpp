@@ -90,7 +90,7 @@ public:
     {
         flipbook.edgeAlpha = m_alpha;
         flipbook.cutOff = m_cutOff;
-        if (m_cutOff) {
+        if (m_cutOff && m_smoke->camera.mode == CameraMode::Orbit) {
             flipbook.cutOff->distance = m_framing.distanceFrom(m_smoke->camera.target);
         }
     }

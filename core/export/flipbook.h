@@ -25,7 +25,7 @@ struct CutOff {
     bool left = false, right = false, top = false, bottom = false; ///< edges that it reaches
     int firstFrame = 0; ///< of those in which it does
     int lastFrame = 0;
-    float distance = 0.0F; ///< of the camera from its target, m, that would do
+    float distance = 0.0F; ///< of the camera from its target, m, that would do; 0: the camera has no target
 };
 
 /// What engines must be told to play a flipbook; also in the file beside it.
