@@ -2162,6 +2162,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
         <translation>Detta är osparat arbete från innan programmet oväntat tog slut. Spara det för att behålla det.</translation>
     </message>
+    <message>
+        <source>A copy of unsaved work cannot be read. It stays where it is: %1</source>
+        <translation>En kopia av osparat arbete kan inte läsas. Den ligger kvar: %1</translation>
+    </message>
+    <message>
+        <source>The program ended twice while it opened unsaved work. It stays where it is: %1</source>
+        <translation>Programmet tog slut två gånger medan det öppnade osparat arbete. Arbetet ligger kvar: %1</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::StartDialog</name>

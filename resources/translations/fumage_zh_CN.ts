@@ -2162,6 +2162,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
         <translation>这是程序意外结束之前未保存的工作。保存它以便保留。</translation>
     </message>
+    <message>
+        <source>A copy of unsaved work cannot be read. It stays where it is: %1</source>
+        <translation>有一份未保存工作的副本无法读取。它仍在原处：%1</translation>
+    </message>
+    <message>
+        <source>The program ended twice while it opened unsaved work. It stays where it is: %1</source>
+        <translation>程序两次在打开未保存的工作时意外结束。该工作仍在原处：%1</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::StartDialog</name>

@@ -3,9 +3,11 @@
 
 #include "ui/document/recovery.h"
 
+#include "core/base/file.h"
 #include "core/effect/known_parameter.h"
 
 #include <QProcess>
+#include <QStatusBar>
 #include <QTimer>
 
 #include <cstdio>
@@ -36,8 +38,23 @@ private slots:
         QCOMPARE(recovered->document().effect().motion.gravity, 6.5F);
         QCOMPARE(recovered->document().filePath(), u"/somewhere/mine.json"_q);
         QVERIFY(recovered->isWindowModified());
-        QVERIFY(Recovery::take(QDir(Settings::recoveryFolder())).empty());
+        QVERIFY(Recovery::find(recoveryFolder()).works.empty()); // this program has it
+        QTRY_VERIFY_WITH_TIMEOUT(recoveryFolder().entryList({u"*.trial"_q}).isEmpty(), 20000); // what has been shown is harmless
     }
+
+    void aCopyThatCannotBeReadIsMentioned()
+    {
+        const QString copy = recoveryFolder().filePath(u"left.json"_q);
+        const QString file = m_folder.filePath(u"smoke.json"_q);
+        QVERIFY(writeFileAtomically(copy.toStdString(), std::string_view("{ half a fi")).ok());
+        QVERIFY(writePresetFile(file.toStdString(), smallPreset()).ok());
+        m_session->start({file});
+        QVERIFY2(otherWindow()->statusBar()->currentMessage().contains(copy), qPrintable(otherWindow()->statusBar()->currentMessage()));
+        QVERIFY(QFile::remove(copy));
+    }
+
+private:
+    static QDir recoveryFolder() { return QDir(Settings::recoveryFolder()); }
 };
 
 /// The program that is killed while it has unsaved work.

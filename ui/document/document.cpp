@@ -46,7 +46,7 @@ QString Document::displayName() const
     if (!m_path.isEmpty()) {
         return QFileInfo(m_path).completeBaseName();
     }
-    return m_preset.name.empty() ? tr("Untitled") : toQString(m_preset.name);
+    return m_preset.name.empty() ? tr("Untitled") : shortened(toQString(m_preset.name));
 }
 
 bool Document::isModified() const
@@ -94,10 +94,10 @@ void Document::reset(const Parameter& parameter)
 
 void Document::load(const Preset& preset, const QString& path, bool modified)
 {
+    m_unsavedFromStart = modified; // before the undo stack says that nothing has changed
     m_undo.clear();
     m_preset = preset;
     m_path = path;
-    m_unsavedFromStart = modified;
     rebase();
     emit loaded();
     announce(allParameters());

@@ -4,8 +4,8 @@
 
 #include "core/base/file.h"
 
-#include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 #include <QUuid>
 
 namespace fumage::ui {
@@ -18,20 +18,51 @@ constexpr int kSoonMs = 1000;
 const QString kCopy = QStringLiteral(".json");
 const QString kLock = QStringLiteral(".lock");
 const QString kOrigin = QStringLiteral(".origin"); ///< beside a copy: the path of the document's file
+const QString kTrial = QStringLiteral(".trial"); ///< beside a copy: has a byte for each program that was about to show it
+constexpr qint64 kMostTrials = 2; ///< the first may have been ended by chance
+
+/// @param name without ending
+std::unique_ptr<QLockFile> lockOf(const QString& name)
+{
+    auto lock = std::make_unique<QLockFile>(name + kLock);
+    // A lock whose program is gone can be had; that of a running one cannot.
+    lock->setStaleLockTime(0);
+    return lock;
+}
+
+QString readOrigin(const QString& copy)
+{
+    constexpr std::size_t kLongestPath = 4096;
+    const Result<std::string> origin = readFile((copy + kOrigin).toStdString(), kLongestPath);
+    return origin ? toQString(origin.value()) : QString();
+}
+
+/// Sessions that were killed without unsaved work leave their lock alone.
+void clearLocks(const QDir& folder)
+{
+    for (const QString& name : folder.entryList({QLatin1Char('*') + kLock}, QDir::Files)) {
+        static_cast<void>(lockOf(folder.filePath(name).chopped(kLock.size()))->tryLock(0)); // goes with its owner, who ends here
+    }
+}
 
 } // namespace
+
+void RecoveryCopy::remove() const
+{
+    for (const QString& file : {path, path + kOrigin, path + kTrial}) {
+        QFile::remove(file);
+    }
+}
 
 Recovery::Recovery(Document& document, const QDir& folder, QObject* parent)
     : QObject(parent)
     , m_document(document)
-    , m_folder(folder)
 {
-    m_folder.mkpath(QStringLiteral("."));
-    const QString name = m_folder.filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
-    m_path = name + kCopy;
-    m_lock = std::make_unique<QLockFile>(name + kLock);
-    m_lock->setStaleLockTime(0);
-    m_lock->tryLock(0);
+    folder.mkpath(QStringLiteral("."));
+    QFile::setPermissions(folder.path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner);
+    const QString name = folder.filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
+    m_copy = {name + kCopy, lockOf(name)};
+    m_copy.lock->tryLock(0);
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoonMs);
     connect(&m_soon, &QTimer::timeout, this, &Recovery::saveNow);
@@ -59,8 +90,8 @@ void Recovery::saveNow()
     if (!m_document.isModified()) {
         return;
     }
-    const Status origin = writeFileAtomically((m_path + kOrigin).toStdString(), m_document.filePath().toStdString());
-    const Status copy = origin ? writePresetFile(m_path.toStdString(), m_document.preset()) : origin;
+    const Status origin = writeFileAtomically((m_copy.path + kOrigin).toStdString(), m_document.filePath().toStdString(), FileAccess::Private);
+    const Status copy = origin ? writeFileAtomically(m_copy.path.toStdString(), formatPreset(m_document.preset()), FileAccess::Private) : origin;
     if (!copy && !m_hasFailed) {
         emit failed(toQString(copy.error().text()));
     }
@@ -70,33 +101,51 @@ void Recovery::saveNow()
 void Recovery::discard()
 {
     m_soon.stop();
-    QFile::remove(m_path);
-    QFile::remove(m_path + kOrigin);
+    m_copy.remove();
 }
 
-std::vector<Recovery::Found> Recovery::take(const QDir& folder)
+Recovery::Leftovers Recovery::find(const QDir& folder)
 {
-    std::vector<Found> found;
+    Leftovers found;
+    clearLeftovers(folder.path().toStdString());
+    clearLocks(folder);
     for (const QString& name : folder.entryList({QLatin1Char('*') + kCopy}, QDir::Files, QDir::Time)) {
         const QString path = folder.filePath(name);
-        QLockFile lock(path.chopped(kCopy.size()) + kLock);
-        // A lock whose program is gone can be had; that of a running one cannot.
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0)) {
+        std::unique_ptr<QLockFile> lock = lockOf(path.chopped(kCopy.size()));
+        if (!lock->tryLock(0)) {
             continue;
         }
         Result<PresetReading> reading = readPresetFile(path.toStdString());
         if (!reading) {
-            continue;
+            found.unreadable += path;
+        } else if (QFileInfo(path + kTrial).size() >= kMostTrials) {
+            found.dangerous += path;
+        } else {
+            found.works.push_back({std::move(reading).value().preset, readOrigin(path), {path, std::move(lock)}});
         }
-        QFile origin(path + kOrigin);
-        const bool hasOrigin = origin.open(QIODevice::ReadOnly);
-        found.push_back({std::move(reading).value().preset, hasOrigin ? QString::fromUtf8(origin.readAll()) : QString()});
-        origin.close();
-        QFile::remove(path);
-        QFile::remove(path + kOrigin);
     }
     return found;
+}
+
+void Recovery::adopt(Work work)
+{
+    discard();
+    m_copy = std::move(work.copy);
+    m_onTrial = true;
+    // If it is this work that ends the program, others are not to run into it again and again.
+    const std::string trials(static_cast<std::size_t>(QFileInfo(m_copy.path + kTrial).size()) + 1, '+');
+    if (const Status trial = writeFileAtomically((m_copy.path + kTrial).toStdString(), trials, FileAccess::Private); !trial) {
+        emit failed(toQString(trial.error().text()));
+    }
+    m_document.load(work.preset, work.originalPath, true);
+}
+
+void Recovery::proveHarmless()
+{
+    if (m_onTrial) {
+        m_onTrial = false;
+        QFile::remove(m_copy.path + kTrial);
+    }
 }
 
 } // namespace fumage::ui

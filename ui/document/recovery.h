@@ -11,8 +11,17 @@
 
 namespace fumage::ui {
 
+/// A copy of unsaved work on disk, which belongs to whoever holds this.
+struct RecoveryCopy {
+    QString path; ///< of the copy; others beside it have its name and more
+    std::unique_ptr<QLockFile> lock; ///< says that a running program owns the copy
+
+    /// Takes the copy away.
+    void remove() const;
+};
+
 /// Keeps a copy of unsaved work on disk, a moment after each change, and takes it away once the work is saved or given up: what is
-/// there when a program starts, and belongs to no running one, is what a crash has left.
+/// there when a program starts, and belongs to no running one, is what a crash has left. The copies are for the user's eyes alone.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -27,13 +36,24 @@ public:
     void discard();
 
     /// Work that was left behind.
-    struct Found {
+    struct Work {
         Preset preset;
         QString originalPath; ///< of the document's file; empty where it had none
+        RecoveryCopy copy;
     };
-    /// Takes the work that crashed programs have left in a folder; what is taken is no longer there.
-    /// Copies that cannot be read stay.
-    [[nodiscard]] static std::vector<Found> take(const QDir& folder);
+    struct Leftovers {
+        std::vector<Work> works; ///< the newest first
+        QStringList unreadable; ///< copies that are no presets; they stay
+        QStringList dangerous; ///< copies that programs ended with before they had shown them, more than once; they stay
+    };
+    /// Takes possession of what programs that are gone have left in a folder. A copy stays on the disk, and is found again, until a Recovery that
+    /// has adopted it discards it.
+    [[nodiscard]] static Leftovers find(const QDir& folder);
+
+    /// Shows work in the document, and goes on with its copy.
+    void adopt(Work work);
+    /// The program has shown the work and lives: its copy may be opened again.
+    void proveHarmless();
 
 signals:
     /// The copy cannot be written.
@@ -43,10 +63,9 @@ private:
     void follow();
 
     Document& m_document;
-    QDir m_folder;
-    QString m_path; ///< of the copy
-    std::unique_ptr<QLockFile> m_lock; ///< says that a running program owns the copy
+    RecoveryCopy m_copy;
     QTimer m_soon;
+    bool m_onTrial = false; ///< adopted work has not been shown yet
     bool m_hasFailed = false;
 };
 

@@ -12,4 +12,10 @@ namespace fumage::ui {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+/// The beginning of a text that is too long to be shown.
+[[nodiscard]] QString shortened(const QString& text, qsizetype longest = 80);
+
+/// The name of a document as that of a file: in the folder that is meant, seen, and not too long.
+[[nodiscard]] QString fileNameOf(const QString& name);
+
 } // namespace fumage::ui

@@ -139,7 +139,7 @@ void MainWindow::connectPresets()
     browser.setFavourites(settings.favourites());
     connect(&browser, &PresetBrowser::opened, &m_files, &DocumentFiles::openPreset);
     connect(&browser, &PresetBrowser::applied, &m_document, [this](const Preset& preset) {
-        m_document.replaceEffect(preset.effect, tr("Put in “%1”").arg(toQString(preset.name)));
+        m_document.replaceEffect(preset.effect, tr("Put in “%1”").arg(shortened(toQString(preset.name))));
     });
     connect(&browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
     connect(&settings, &Settings::favouritesChanged, &browser, [&browser, &settings] { browser.setFavourites(settings.favourites()); });
@@ -154,6 +154,7 @@ void MainWindow::connectStatus()
     connect(&m_exports, &ExportDesk::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_viewActions.cameraFit(), &CameraFit::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_recovery, &Recovery::failed, &m_ear, [this](const QString& message) { notify(tr("Unsaved work cannot be kept safe: %1").arg(message)); });
+    connect(m_viewport.get(), &Viewport::pictureShown, &m_recovery, &Recovery::proveHarmless);
 }
 
 void MainWindow::searchCommands()

@@ -36,6 +36,7 @@ public:
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
     [[nodiscard]] NoisePane& noisePane() { return m_docks.noisePane(); }
     [[nodiscard]] ExportJob& exportJob() { return m_exports.job(); }
+    [[nodiscard]] Recovery& recovery() { return m_recovery; }
     [[nodiscard]] DocumentFiles& files() { return m_files; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
 

@@ -1,6 +1,5 @@
 #include "ui/shell/session.h"
 
-#include "ui/document/recovery.h"
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
@@ -9,6 +8,23 @@
 #include <QApplication>
 
 namespace fumage::ui {
+
+namespace {
+
+/// What is to be known of copies of unsaved work that are not opened; empty: nothing.
+QString remarkOn(const Recovery::Leftovers& left)
+{
+    QStringList lines;
+    if (!left.unreadable.isEmpty()) {
+        lines += Session::tr("A copy of unsaved work cannot be read. It stays where it is: %1").arg(left.unreadable.join(QStringLiteral(", ")));
+    }
+    if (!left.dangerous.isEmpty()) {
+        lines += Session::tr("The program ended twice while it opened unsaved work. It stays where it is: %1").arg(left.dangerous.join(QStringLiteral(", ")));
+    }
+    return lines.join(QLatin1Char(' '));
+}
+
+} // namespace
 
 Session::Session(AskForFile ask, QObject* parent)
     : QObject(parent)
@@ -36,25 +52,28 @@ MainWindow* Session::openWindow()
     return window;
 }
 
-bool Session::recover()
+void Session::recover(std::vector<Recovery::Work>& works)
 {
-    const std::vector<Recovery::Found> found = Recovery::take(QDir(Settings::recoveryFolder()));
-    for (const Recovery::Found& work : found) {
+    for (Recovery::Work& work : works) {
         MainWindow* window = openWindow();
-        window->document().load(work.preset, work.originalPath, true);
+        window->recovery().adopt(std::move(work));
         window->notify(tr("This is unsaved work from before the program ended unexpectedly. Save it to keep it."));
     }
-    return !found.empty();
 }
 
 void Session::start(const QStringList& files)
 {
-    const bool recovered = recover();
+    Recovery::Leftovers left = Recovery::find(QDir(Settings::recoveryFolder()));
+    const QString remark = remarkOn(left);
+    recover(left.works);
     for (const QString& file : files) {
         openWindow()->files().openFile(file);
     }
-    if (!recovered && files.isEmpty()) {
+    if (left.works.empty() && files.isEmpty()) {
         openWindow()->begin();
+    }
+    if (!remark.isEmpty()) {
+        m_windows.constLast()->notify(remark);
     }
 }
 

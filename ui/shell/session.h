@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/recovery.h"
 #include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 #include "ui/viewport/gl_support.h"
@@ -27,14 +28,14 @@ public:
 
     /// Opens a window; it deletes itself when it is closed.
     MainWindow* openWindow();
-    /// Opens the files that were named, else what a crash has left, else an empty window with the start dialog.
+    /// Opens what a crash has left and the files that were named; if there are none, an empty window with the start dialog.
     void start(const QStringList& files);
     void closeAll();
 
     void applyTheme(Theme theme);
 
 private:
-    bool recover();
+    void recover(std::vector<Recovery::Work>& works);
 
     Settings m_settings;
     const AskForFile m_askForFile;

@@ -1,0 +1,26 @@
+#include "ui/document/text.h"
+
+namespace fumage::ui {
+
+QString shortened(const QString& text, qsizetype longest)
+{
+    return text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026);
+}
+
+QString fileNameOf(const QString& name)
+{
+    constexpr qsizetype kLongest = 60; // at most 240 bytes, which leaves room for an ending
+    QString file = name.left(kLongest);
+    for (QChar& c : file) {
+        if (c == QLatin1Char('/') || c == QLatin1Char('\\') || !(c.isPrint() || c.isSurrogate())) {
+            c = QLatin1Char('-');
+        }
+    }
+    // A dot at the beginning would hide the file, or name a folder.
+    if (file.startsWith(QLatin1Char('.'))) {
+        file[0] = QLatin1Char('-');
+    }
+    return file;
+}
+
+} // namespace fumage::ui
