@@ -82,6 +82,19 @@ private slots:
         QCOMPARE(child<QLabel>(u"export.files"_q)->text(), u"a.b.ply"_q);
     }
 
+    void theFileOfTheDocumentIsNotOverwritten()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(u"mine.csv"_q);
+        QVERIFY(m_document->save(file).ok());
+        m_dialog->setKind(ExportKind::Particles);
+        typePath(file);
+        QSignalSpy failed(m_job.get(), &ExportJob::failed);
+        QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY(readPresetFile(file.toStdString()).ok());
+    }
+
     void whatCannotBeWrittenCannotBeBegun()
     {
         const auto* begin = child<QPushButton>(u"export.begin"_q);

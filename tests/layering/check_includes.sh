@@ -26,6 +26,11 @@ forbid ui/viewport 'ui/(panels|noise_preview|presets|export|shell)/' 'the viewpo
 forbid ui/noise_preview 'ui/(panels|pictures|viewport|timeline|presets|export|shell)/' 'the noise pane knows the document alone'
 forbid ui/presets 'ui/(viewport|noise_preview|timeline|export|shell)/' 'presets know document and pictures'
 forbid ui/export 'ui/(pictures|viewport|noise_preview|presets|shell)/' 'export knows document, panels and timeline'
+boxes=$(grep -rn '#include <QMessageBox>' ui --include='*.h' --include='*.cpp' | grep -v '^ui/face/message_box' || true)
+if [ -n "$boxes" ]; then
+    printf '%s\n%s\n' 'texts of files are shown by MessageBox, which takes nothing for HTML:' "$boxes"
+    failed=1
+fi
 forbid core/base 'core/(effect|preset|noise|simulation|lighting|rendering|export)/' 'base stands below everything'
 forbid core/effect 'core/(preset|noise|simulation|lighting|rendering|export)/' 'effect knows only base'
 forbid core/preset 'core/(noise|simulation|lighting|rendering|export)/' 'preset knows effect and base'

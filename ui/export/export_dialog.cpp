@@ -174,6 +174,7 @@ void ExportDialog::buildForm()
     m_files->setObjectName(QStringLiteral("export.files"));
     m_files->setProperty("role", QStringLiteral("secondary"));
     m_files->setWordWrap(true);
+    m_files->setTextFormat(Qt::PlainText);
     box->addWidget(m_files);
     box->addStretch();
     connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
@@ -184,6 +185,7 @@ void ExportDialog::buildProgress()
     m_progress->setObjectName(QStringLiteral("export.progress"));
     m_state->setObjectName(QStringLiteral("export.state"));
     m_state->setWordWrap(true);
+    m_state->setTextFormat(Qt::PlainText);
     m_export->setObjectName(QStringLiteral("export.begin"));
     m_export->setDefault(true);
     m_cancel->setObjectName(QStringLiteral("export.cancel"));
@@ -252,6 +254,7 @@ ExportPlan ExportDialog::plan() const
     plan.columns = m_columns->value();
     plan.rows = m_rowsOfCells->value();
     plan.fitCamera = m_fit->isChecked();
+    plan.source = m_document.filePath().toStdString();
     if (kind() == ExportKind::Particles) {
         plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
     } else {
@@ -266,7 +269,7 @@ ExportPlan ExportDialog::plan() const
 QString ExportDialog::suggestedPath() const
 {
     const QString folder = m_document.filePath().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) : QFileInfo(m_document.filePath()).path();
-    QString name = m_document.displayName().toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
+    QString name = fileNameOf(m_document.displayName()).toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
     switch (kind()) {
     case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
     case ExportKind::Flipbook: name += QStringLiteral("-%1x%2").arg(m_columns->value()).arg(m_rowsOfCells->value()); break;

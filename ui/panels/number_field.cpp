@@ -1,7 +1,8 @@
 #include "ui/panels/number_field.h"
 
-#include "ui/document/text.h"
 #include "ui/document/number_text.h"
+#include "ui/document/text.h"
+#include "ui/face/plain_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ void NumberField::commitText()
     if (!number) {
         const QString unit = toQString(unitSymbol(m_scale.unit));
         QToolTip::showText(mapToGlobal(QPoint(0, height())),
-            unit.isEmpty() ? tr("“%1” is not a number.").arg(text()) : tr("“%1” is not a number in %2.").arg(text(), unit), this);
+            plainToolTip(unit.isEmpty() ? tr("“%1” is not a number.").arg(shortened(text())) : tr("“%1” is not a number in %2.").arg(shortened(text()), unit)), this);
         showValue();
         return;
     }

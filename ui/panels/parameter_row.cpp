@@ -2,6 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
+#include "ui/face/message_box.h"
 
 #include "core/effect/value.h"
 
@@ -12,7 +13,6 @@
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QMessageBox>
 #include <QStyle>
 
 namespace fumage::ui {
@@ -121,7 +121,7 @@ void ParameterRow::paste()
     if (value) {
         m_document.edit(parameter(), value.value().value);
     } else {
-        QMessageBox::warning(this, tr("Paste"), toQString(value.error().text()));
+        MessageBox::warn(this, tr("Paste"), toQString(value.error().text()));
     }
 }
 

@@ -2,12 +2,12 @@
 
 #include "ui/document/text.h"
 #include "ui/face/icons.h"
+#include "ui/face/message_box.h"
 
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -61,12 +61,11 @@ void PresetBrowser::filter()
 
 void PresetBrowser::remove(const QString& path)
 {
-    const auto answer = QMessageBox::question(this, tr("Delete the preset"), tr("Delete “%1”? The file goes to the trash.").arg(path));
-    if (answer != QMessageBox::Yes) {
+    if (!MessageBox::ask(this, tr("Delete the preset"), tr("Delete “%1”? The file goes to the trash.").arg(path))) {
         return;
     }
     if (!QFile::moveToTrash(path)) {
-        QMessageBox::warning(this, tr("Delete the preset"), tr("“%1” cannot be moved to the trash. Delete the file by hand.").arg(path));
+        MessageBox::warn(this, tr("Delete the preset"), tr("“%1” cannot be moved to the trash. Delete the file by hand.").arg(path));
     }
     m_list->reload();
 }
@@ -81,8 +80,9 @@ void PresetBrowser::showMenu(const QPoint& at)
     }
     QMenu menu(this);
     if (preset != nullptr) {
-        menu.addAction(tr("Open"), this, [this, preset] { emit opened(*preset); });
-        menu.addAction(tr("Put into this document"), this, [this, preset] { emit applied(*preset); });
+        // Copies: while the menu is open the list may be filled anew.
+        menu.addAction(tr("Open"), this, [this, preset = *preset] { emit opened(preset); });
+        menu.addAction(tr("Put into this document"), this, [this, preset = *preset] { emit applied(preset); });
         const QString id = m_list->idOf(item);
         const bool favourite = m_favourites.contains(id);
         menu.addAction(favourite ? tr("No longer a favourite") : tr("Make a favourite"), this, [this, id, favourite] { emit favouriteChanged(id, !favourite); });

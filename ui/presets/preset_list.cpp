@@ -1,10 +1,10 @@
 #include "ui/presets/preset_list.h"
 
 #include "ui/document/text.h"
+#include "ui/face/plain_text.h"
 
 #include <algorithm>
 
-#include <QFileInfo>
 #include <QMimeData>
 #include <QTimer>
 
@@ -36,10 +36,12 @@ PresetList::PresetList(int edge, QWidget* parent)
     setUniformItemSizes(true);
     setDragEnabled(true);
     setSpacing(2);
+    connect(&m_reader, &LibraryReader::found, this, qOverload<const std::vector<LibraryPreset>&, bool>(&PresetList::add));
     connect(&m_thumbnailer, &Thumbnailer::ready, this, &PresetList::receive);
     connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         if (const Preset* preset = presetOf(item)) {
-            emit chosen(*preset);
+            const Preset copy = *preset; // the list may be filled anew while somebody answers a question
+            emit chosen(copy);
         }
     });
 }
@@ -58,61 +60,64 @@ void PresetList::showEvent(QShowEvent* event)
 void PresetList::reload()
 {
     m_loaded = true;
-    m_thumbnailer.clear();
-    clear();
-    m_shelves.clear();
-    for (const LibraryEntry& entry : presetsIn(userPresetFolder())) {
-        addEntry(entry);
-    }
-    for (const LibraryEntry& entry : builtinPresets()) {
-        addEntry(entry);
-    }
-    setFavourites(m_favourites);
+    m_reader.read();
 }
 
-void PresetList::addEntry(const LibraryEntry& entry)
+void PresetList::add(const std::vector<LibraryPreset>& presets, bool first)
 {
-    Result<PresetReading> reading = loadPreset(entry);
+    if (first) {
+        m_thumbnailer.clear();
+        clear();
+        m_shelves.clear();
+        m_items.clear();
+    }
+    for (const LibraryPreset& preset : presets) {
+        add(preset);
+    }
+}
+
+void PresetList::add(const LibraryPreset& shelf)
+{
+    const Preset& preset = shelf.preset;
+    const QString id = idOfEntry(shelf.entry);
     auto* item = new QListWidgetItem(this);
     item->setData(kShelfRole, static_cast<int>(m_shelves.size()));
     item->setSizeHint(gridSize());
-    if (!reading) {
-        m_shelves.push_back({entry, {}, true});
-        item->setToolTip(toQString(reading.error().text()));
+    m_shelves.push_back(shelf);
+    m_items.insert(id, item);
+    label(*item);
+    item->setHidden(!isWanted(*item));
+    if (!shelf.trouble.isEmpty()) {
+        item->setToolTip(plainToolTip(shelf.trouble));
         item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
-        label(*item);
         return;
     }
-    m_shelves.push_back({entry, std::move(reading).value().preset, false});
-    const Preset& preset = m_shelves.back().preset;
-    item->setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(toQString(preset.name).toHtmlEscaped(), toQString(preset.description).toHtmlEscaped()));
+    constexpr qsizetype kLongestTip = 400;
+    item->setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(shortened(toQString(preset.name)).toHtmlEscaped(), shortened(toQString(preset.description), kLongestTip).toHtmlEscaped()));
     QPixmap blank(m_edge, m_edge);
     blank.fill(QColor(30, 34, 40));
     item->setIcon(blank);
-    label(*item);
-    m_thumbnailer.request(idOfEntry(entry), preset.effect, static_cast<int>(m_edge * devicePixelRatioF()));
+    m_thumbnailer.request(id, preset.effect, static_cast<int>(m_edge * devicePixelRatioF()));
 }
 
 void PresetList::label(QListWidgetItem& item) const
 {
-    const Shelf* shelf = shelfOf(&item);
-    const QString name = shelf->preset.name.empty() ? toQString(shelf->entry.id) : toQString(shelf->preset.name);
+    const LibraryPreset* shelf = shelfOf(&item);
+    const QString name = shortened(toQString(shelf->preset.name.empty() ? shelf->entry.id : shelf->preset.name));
     const bool favourite = m_favourites.contains(idOf(&item));
-    item.setText((favourite ? QStringLiteral("★ ") : QString()) + name + (shelf->broken ? tr(" (broken)") : QString()));
+    item.setText((favourite ? QStringLiteral("★ ") : QString()) + name + (shelf->trouble.isEmpty() ? QString() : tr(" (broken)")));
 }
 
 void PresetList::receive(const QString& id, const QImage& image)
 {
-    for (int i = 0; i < count(); ++i) {
-        if (idOf(item(i)) == id) {
-            QPixmap pixmap = QPixmap::fromImage(image);
-            pixmap.setDevicePixelRatio(devicePixelRatioF());
-            item(i)->setIcon(pixmap);
-        }
+    if (QListWidgetItem* item = m_items.value(id)) {
+        QPixmap pixmap = QPixmap::fromImage(image);
+        pixmap.setDevicePixelRatio(devicePixelRatioF());
+        item->setIcon(pixmap);
     }
 }
 
-const PresetList::Shelf* PresetList::shelfOf(const QListWidgetItem* item) const
+const LibraryPreset* PresetList::shelfOf(const QListWidgetItem* item) const
 {
     return &m_shelves[static_cast<std::size_t>(item->data(kShelfRole).toInt())];
 }
@@ -124,7 +129,7 @@ const LibraryEntry* PresetList::entryOf(const QListWidgetItem* item) const
 
 const Preset* PresetList::presetOf(const QListWidgetItem* item) const
 {
-    return item == nullptr || shelfOf(item)->broken ? nullptr : &shelfOf(item)->preset;
+    return item == nullptr || !shelfOf(item)->trouble.isEmpty() ? nullptr : &shelfOf(item)->preset;
 }
 
 QString PresetList::idOf(const QListWidgetItem* item) const
@@ -134,12 +139,7 @@ QString PresetList::idOf(const QListWidgetItem* item) const
 
 const Preset* PresetList::presetOfId(const QString& id) const
 {
-    for (const Shelf& shelf : m_shelves) {
-        if (idOfEntry(shelf.entry) == id && !shelf.broken) {
-            return &shelf.preset;
-        }
-    }
-    return nullptr;
+    return presetOf(m_items.value(id));
 }
 
 void PresetList::setFavourites(const QStringList& ids)
@@ -152,13 +152,18 @@ void PresetList::setFavourites(const QStringList& ids)
 
 void PresetList::filter(const QString& words, bool onlyFavourites)
 {
-    const QStringList all = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    m_words = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    m_onlyFavourites = onlyFavourites;
     for (int i = 0; i < count(); ++i) {
-        const Shelf* shelf = shelfOf(item(i));
-        const QString text = item(i)->text() + QLatin1Char(' ') + toQString(shelf->preset.description);
-        const bool found = std::all_of(all.begin(), all.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
-        item(i)->setHidden(!found || (onlyFavourites && !m_favourites.contains(idOf(item(i)))));
+        item(i)->setHidden(!isWanted(*item(i)));
     }
+}
+
+bool PresetList::isWanted(const QListWidgetItem& item) const
+{
+    const QString text = item.text() + QLatin1Char(' ') + toQString(shelfOf(&item)->preset.description);
+    const bool found = std::all_of(m_words.begin(), m_words.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    return found && (!m_onlyFavourites || m_favourites.contains(idOf(&item)));
 }
 
 QString PresetList::mimeType()

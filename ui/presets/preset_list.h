@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/presets/library_reader.h"
 #include "ui/presets/thumbnailer.h"
 
-#include "core/preset/library.h"
-
+#include <QHash>
 #include <QListWidget>
 
 #include <vector>
@@ -17,7 +17,7 @@ class PresetList : public QListWidget {
 public:
     explicit PresetList(int edge, QWidget* parent = nullptr);
 
-    /// Reads both folders anew and renders every thumbnail.
+    /// Reads the library anew; the list is filled as it is read.
     void reload();
     /// @param words empty: all; favourites are the ids that come first and have a star
     void filter(const QString& words, bool onlyFavourites);
@@ -40,19 +40,20 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    struct Shelf {
-        LibraryEntry entry;
-        Preset preset;
-        bool broken = false;
-    };
-    [[nodiscard]] const Shelf* shelfOf(const QListWidgetItem* item) const;
-    void addEntry(const LibraryEntry& entry);
+    [[nodiscard]] const LibraryPreset* shelfOf(const QListWidgetItem* item) const;
+    [[nodiscard]] bool isWanted(const QListWidgetItem& item) const;
+    void add(const std::vector<LibraryPreset>& presets, bool first);
+    void add(const LibraryPreset& preset);
     void receive(const QString& id, const QImage& image);
     void label(QListWidgetItem& item) const;
 
+    LibraryReader m_reader;
     Thumbnailer m_thumbnailer;
-    std::vector<Shelf> m_shelves; ///< one an item, found by its index in the item's data
+    std::vector<LibraryPreset> m_shelves; ///< one an item, found by its index in the item's data
+    QHash<QString, QListWidgetItem*> m_items; ///< by id
+    QStringList m_words;
     QStringList m_favourites;
+    bool m_onlyFavourites = false;
     int m_edge;
     bool m_loaded = false;
 };

@@ -1,5 +1,7 @@
 #include "ui/presets/start_dialog.h"
 
+#include "ui/face/plain_text.h"
+
 #include <QCheckBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -34,7 +36,7 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     files->setAccessibleName(tr("Recent files"));
     for (const QString& path : recentFiles) {
         auto* item = new QListWidgetItem(QFileInfo(path).completeBaseName(), files);
-        item->setToolTip(path);
+        item->setToolTip(plainToolTip(path));
         item->setData(Qt::UserRole, path);
     }
     auto* open = new QPushButton(tr("Open a file…"), this);

@@ -67,6 +67,15 @@ void Thumbnailer::clear()
     m_jobs.clear();
 }
 
+QImage Thumbnailer::imageOf(const Job& job, const std::stop_token& stop)
+{
+    try {
+        return renderThumbnail(job.effect, job.edge, stop);
+    } catch (const std::bad_alloc&) {
+        return {}; // the list shows it without a picture
+    }
+}
+
 void Thumbnailer::run(const std::stop_token& stop)
 {
     while (!stop.stop_requested()) {
@@ -79,7 +88,7 @@ void Thumbnailer::run(const std::stop_token& stop)
             job = std::move(m_jobs.front());
             m_jobs.pop_front();
         }
-        const QImage image = renderThumbnail(job.effect, job.edge, stop);
+        const QImage image = imageOf(job, stop);
         if (!image.isNull()) {
             QMetaObject::invokeMethod(
                 this, [this, name = job.name, image] { emit ready(name, image); }, Qt::QueuedConnection);

@@ -36,6 +36,7 @@ private:
         int edge = 0;
     };
     void run(const std::stop_token& stop);
+    [[nodiscard]] static QImage imageOf(const Job& job, const std::stop_token& stop);
 
     std::mutex m_mutex;
     std::condition_variable_any m_wake;

@@ -1,6 +1,7 @@
 #include "ui/shell/document_files.h"
 
 #include "ui/document/text.h"
+#include "ui/face/message_box.h"
 
 #include "core/preset/library.h"
 
@@ -9,7 +10,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QInputDialog>
-#include <QMessageBox>
 #include <QPushButton>
 
 namespace fumage::ui {
@@ -37,11 +37,10 @@ QString libraryFolder()
     return toQString(userPresetFolder().string());
 }
 
-/// Where a preset of a name lies; a slash would make it a folder.
-QString libraryFile(QString name)
+/// The file of a preset of a name.
+QString presetFile(const QString& folder, const QString& name)
 {
-    name.replace(QLatin1Char('/'), QLatin1Char('-'));
-    return QDir(libraryFolder()).filePath(QStringLiteral("%1.%2").arg(name, kEnding));
+    return QDir(folder).filePath(QStringLiteral("%1.%2").arg(fileNameOf(name), kEnding));
 }
 
 } // namespace
@@ -57,8 +56,7 @@ DocumentFiles::DocumentFiles(Document& document, Settings& settings, const AskFo
 
 void DocumentFiles::report(const QString& title, const Error& error) const
 {
-    QMessageBox box(QMessageBox::Warning, title, toQString(error.message), QMessageBox::Ok, m_window);
-    box.setObjectName(QStringLiteral("errorBox"));
+    MessageBox box(QStringLiteral("errorBox"), MessageBox::Warning, title, toQString(error.message), MessageBox::Ok, m_window);
     QStringList more;
     if (!error.place.empty()) {
         more += toQString(error.place);
@@ -66,7 +64,7 @@ void DocumentFiles::report(const QString& title, const Error& error) const
     if (!error.remedy.empty()) {
         more += toQString(error.remedy) + QLatin1Char('.');
     }
-    box.setInformativeText(more.join(QLatin1Char('\n')));
+    box.explain(more.join(QLatin1Char('\n')));
     box.exec();
 }
 
@@ -75,14 +73,13 @@ void DocumentFiles::showWarnings(const QString& name, const std::vector<std::str
     if (warnings.empty()) {
         return;
     }
-    QMessageBox box(QMessageBox::Information, tr("Opened with changes"), tr("“%1” was opened, but some of it had to be put right.").arg(name), QMessageBox::Ok, m_window);
-    box.setObjectName(QStringLiteral("warningBox"));
+    MessageBox box(QStringLiteral("warningBox"), MessageBox::Information, tr("Opened with changes"), tr("“%1” was opened, but some of it had to be put right.").arg(name), MessageBox::Ok, m_window);
     QStringList lines;
     for (const std::string& warning : warnings) {
         lines += toQString(warning);
     }
     constexpr int kShown = 6;
-    box.setInformativeText(QStringList(lines.mid(0, kShown)).join(QLatin1Char('\n')));
+    box.explain(QStringList(lines.mid(0, kShown)).join(QLatin1Char('\n')));
     if (lines.size() > kShown) {
         box.setDetailedText(lines.join(QLatin1Char('\n')));
     }
@@ -95,14 +92,13 @@ bool DocumentFiles::mayLeave()
     if (!m_document.isModified()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(m_document.displayName()),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
-    box.setObjectName(QStringLiteral("unsavedBox"));
-    box.setInformativeText(tr("They are lost if you do not save them."));
-    box.setDefaultButton(QMessageBox::Save);
+    MessageBox box(QStringLiteral("unsavedBox"), MessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(m_document.displayName()),
+        MessageBox::Save | MessageBox::Discard | MessageBox::Cancel, m_window);
+    box.explain(tr("They are lost if you do not save them."));
+    box.setDefaultButton(MessageBox::Save);
     switch (box.exec()) {
-    case QMessageBox::Save: return save();
-    case QMessageBox::Discard: return true;
+    case MessageBox::Save: return save();
+    case MessageBox::Discard: return true;
     default: return false;
     }
 }
@@ -177,8 +173,9 @@ QString DocumentFiles::suggestedPath() const
     if (!m_document.filePath().isEmpty()) {
         return m_document.filePath();
     }
-    QDir().mkpath(libraryFolder());
-    return libraryFile(m_document.displayName());
+    const QString folder = libraryFolder().isEmpty() ? QDir::homePath() : libraryFolder();
+    QDir().mkpath(folder);
+    return presetFile(folder, m_document.displayName());
 }
 
 bool DocumentFiles::saveAs()
@@ -199,9 +196,8 @@ QString DocumentFiles::askForName() const
 
 bool DocumentFiles::mayReplace(const QString& name) const
 {
-    QMessageBox box(QMessageBox::Question, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name), QMessageBox::Yes | QMessageBox::No, m_window);
-    box.setObjectName(QStringLiteral("replaceBox"));
-    return box.exec() == QMessageBox::Yes;
+    MessageBox box(QStringLiteral("replaceBox"), MessageBox::Question, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name), MessageBox::Yes | MessageBox::No, m_window);
+    return box.exec() == MessageBox::Yes;
 }
 
 void DocumentFiles::saveToLibrary()
@@ -210,8 +206,8 @@ void DocumentFiles::saveToLibrary()
     if (name.isEmpty()) {
         return;
     }
-    const QString path = libraryFile(name);
-    if (!QDir().mkpath(libraryFolder())) {
+    const QString path = presetFile(libraryFolder(), name);
+    if (libraryFolder().isEmpty() || !QDir().mkpath(libraryFolder())) {
         report(tr("Cannot save “%1”").arg(name), {ErrorCode::PermissionDenied, "the folder of your presets cannot be made", libraryFolder().toStdString(), "Save the preset somewhere else"});
         return;
     }

@@ -2,6 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
+#include "ui/face/message_box.h"
 #include "ui/shell/action_table.h"
 
 #include "core/effect/parameter_table.h"
@@ -10,7 +11,6 @@
 #include <QDialog>
 #include <QIcon>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -104,13 +104,12 @@ void showShortcuts(QWidget* parent)
 
 void showAbout(QWidget* parent)
 {
-    QMessageBox box(parent);
-    box.setObjectName(QStringLiteral("aboutBox"));
-    box.setWindowTitle(helpText(QT_TRANSLATE_NOOP("Help", "About Fumage")));
+    MessageBox box(QStringLiteral("aboutBox"), MessageBox::NoIcon, helpText(QT_TRANSLATE_NOOP("Help", "About Fumage")), {}, MessageBox::Ok, parent);
     constexpr int kIcon = 96;
     box.setIconPixmap(QIcon(QStringLiteral(":/icons/fumage.svg")).pixmap(kIcon, kIcon));
+    box.setTextFormat(Qt::RichText);
     box.setText(QStringLiteral("<h2>Fumage %1</h2>").arg(QCoreApplication::applicationVersion().toHtmlEscaped()));
-    box.setInformativeText(helpText(QT_TRANSLATE_NOOP("Help", "An editor for smoke. Free software under the MIT licence.\n\nThe model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, University of Gävle, 2012. Made with Qt, GLM, Highway, oneTBB, libpng and OpenEXR.")));
+    box.explain(helpText(QT_TRANSLATE_NOOP("Help", "An editor for smoke. Free software under the MIT licence.\n\nThe model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, University of Gävle, 2012. Made with Qt, GLM, Highway, oneTBB, libpng and OpenEXR.")));
     box.exec();
 }
 

@@ -1,6 +1,7 @@
 #include "ui/shell/menus.h"
 
 #include "ui/face/language.h"
+#include "ui/face/plain_text.h"
 #include "ui/shell/action_table.h"
 #include "ui/shell/document_files.h"
 #include "ui/shell/session.h"
@@ -88,7 +89,7 @@ void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)
         menu.clear();
         for (const QString& path : settings.recentFiles()) {
             QAction* action = menu.addAction(QFileInfo(path).fileName(), &files, [&files, path] { files.openFile(path); });
-            action->setToolTip(path);
+            action->setToolTip(plainToolTip(path));
             action->setData(path);
         }
         menu.setEnabled(!menu.isEmpty());

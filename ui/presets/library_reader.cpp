@@ -1,0 +1,68 @@
+#include "ui/presets/library_reader.h"
+
+#include "ui/document/text.h"
+
+#include <QElapsedTimer>
+
+#include <utility>
+
+namespace fumage::ui {
+
+namespace {
+
+/// Often enough that a list is seen to grow, seldom enough that it is not laid out for every item.
+constexpr qint64 kSendMs = 50;
+
+LibraryPreset readEntry(const LibraryEntry& entry)
+{
+    Result<PresetReading> reading = loadPreset(entry);
+    return reading ? LibraryPreset{entry, std::move(reading).value().preset, {}} : LibraryPreset{entry, {}, toQString(reading.error().text())};
+}
+
+} // namespace
+
+LibraryReader::LibraryReader(QObject* parent)
+    : QObject(parent)
+    , m_job([this](quint64 number, const std::stop_token& stop) { work(number, stop); })
+{
+}
+
+void LibraryReader::read()
+{
+    m_job.post(++m_newest);
+}
+
+void LibraryReader::work(quint64 number, const std::stop_token& stop)
+{
+    std::vector<LibraryEntry> entries = presetsIn(userPresetFolder());
+    const std::vector<LibraryEntry> builtin = builtinPresets();
+    entries.insert(entries.end(), builtin.begin(), builtin.end());
+    std::vector<LibraryPreset> some;
+    bool first = true;
+    QElapsedTimer sinceSent;
+    sinceSent.start();
+    for (const LibraryEntry& entry : entries) {
+        if (stop.stop_requested()) {
+            return;
+        }
+        some.push_back(readEntry(entry));
+        if (sinceSent.elapsed() > kSendMs) {
+            send(number, std::exchange(some, {}), std::exchange(first, false));
+            sinceSent.start();
+        }
+    }
+    send(number, std::move(some), first);
+}
+
+void LibraryReader::send(quint64 number, std::vector<LibraryPreset> presets, bool first)
+{
+    QMetaObject::invokeMethod(
+        this, [this, number, presets = std::move(presets), first] {
+            if (number == m_newest) {
+                emit found(presets, first);
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+} // namespace fumage::ui
