@@ -666,6 +666,17 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::GuardedApplication</name>
+    <message>
+        <source>Not enough memory</source>
+        <translation>Minnet räcker inte</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for what you just did. Save your work.</source>
+        <translation>Minnet räcker inte till det du just gjorde. Spara ditt arbete.</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Find</source>
@@ -701,6 +712,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Put in “%1”</source>
         <translation>Lägg in ”%1”</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Use fewer particles or a smaller window.</source>
+        <translation>Minnet räcker inte till den här bilden. Använd färre partiklar eller ett mindre fönster.</translation>
     </message>
 </context>
 <context>
@@ -798,6 +813,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>%1 × %1 px   mean %2   deviation %3</source>
         <translation>%1 × %1 px   medel %2   avvikelse %3</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this texture.</source>
+        <translation>Minnet räcker inte till den här texturen.</translation>
     </message>
 </context>
 <context>

@@ -666,6 +666,17 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::GuardedApplication</name>
+    <message>
+        <source>Not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for what you just did. Save your work.</source>
+        <translation>内存不足以完成刚才的操作。请保存工作。</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Find</source>
@@ -701,6 +712,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Put in “%1”</source>
         <translation>放入“%1”</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Use fewer particles or a smaller window.</source>
+        <translation>内存不足以生成这幅图像。请减少粒子数量或缩小窗口。</translation>
     </message>
 </context>
 <context>
@@ -798,6 +813,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>%1 × %1 px   mean %2   deviation %3</source>
         <translation>%1 × %1 像素   均值 %2   偏差 %3</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this texture.</source>
+        <translation>内存不足以生成这张纹理。</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ inline Value valueOf(const Effect& effect, const char* key)
 }
 
 /// main() of a test program: folders of its own for settings and data, and the application.
-template <class Test>
+template <class Test, class Application = QApplication>
 int runTest(int argc, char** argv)
 {
     const QTemporaryDir home;
@@ -61,7 +61,7 @@ int runTest(int argc, char** argv)
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
+    Application application(argc, argv);
     Test test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -2,6 +2,8 @@
 
 #include "ui/document/text.h"
 
+#include <system_error>
+
 #include <QLocale>
 #include <QStringList>
 
@@ -21,7 +23,7 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
     m_lastPlan = plan;
     m_timer.start();
     emit started();
-    m_thread = std::jthread([this, effect, plan](const std::stop_token& stop) {
+    const auto work = [this, effect, plan](const std::stop_token& stop) {
         const auto report = [this](int done, int total) {
             QMetaObject::invokeMethod(
                 this, [this, done, total] {
@@ -34,7 +36,12 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
         const Result<std::optional<Flipbook>> result = runExport(effect, plan, report, stop);
         QMetaObject::invokeMethod(
             this, [this, result] { end(result); }, Qt::QueuedConnection);
-    });
+    };
+    try {
+        m_thread = std::jthread(work);
+    } catch (const std::system_error&) {
+        end(Error{ErrorCode::OutOfMemory, "the export cannot be started: there are not enough memory or threads", "", "Close other programs"});
+    }
 }
 
 void ExportJob::cancel()

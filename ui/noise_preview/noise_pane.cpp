@@ -82,6 +82,7 @@ void NoisePane::connectParts()
     m_clock.setInterval(kAnimationMs);
     connect(&m_clock, &QTimer::timeout, this, &NoisePane::advance);
     connect(&m_worker, &NoiseWorker::ready, this, &NoisePane::receive);
+    connect(&m_worker, &NoiseWorker::exhausted, this, [this] { m_facts->setText(tr("There is not enough memory for this texture.")); });
     connect(&m_document, &Document::effectChanged, this, &NoisePane::refresh);
     connect(m_channel, &QComboBox::currentIndexChanged, this, &NoisePane::refresh);
     connect(m_plain, &QToolButton::toggled, this, &NoisePane::refresh);

@@ -64,6 +64,9 @@ void measure(NoisePicture& picture)
 QImage toImage(const NoiseTile& tile)
 {
     QImage image(tile.size, tile.size, QImage::Format_Grayscale8);
+    if (image.isNull()) {
+        throw std::bad_alloc();
+    }
     for (int y = 0; y < tile.size; ++y) {
         // Rows of the tile go up, those of the screen down.
         uchar* row = image.scanLine(tile.size - 1 - y);
@@ -95,12 +98,18 @@ NoisePicturePtr makeNoisePicture(const NoiseRequest& request, const std::stop_to
 
 NoiseWorker::NoiseWorker(QObject* parent)
     : QObject(parent)
-    , m_job([this](const NoiseRequest& request, const std::stop_token& stop) {
-        if (NoisePicturePtr picture = makeNoisePicture(request, stop)) {
-            QMetaObject::invokeMethod(
-                this, [this, picture = std::move(picture)] { emit ready(picture); }, Qt::QueuedConnection);
-        }
-    })
+    , m_job(
+          [this](const NoiseRequest& request, const std::stop_token& stop) {
+              if (NoisePicturePtr picture = makeNoisePicture(request, stop)) {
+                  QMetaObject::invokeMethod(
+                      this, [this, picture = std::move(picture)] { emit ready(picture); }, Qt::QueuedConnection);
+              }
+          },
+          [](const NoiseRequest&) { return true; },
+          [this] {
+              QMetaObject::invokeMethod(
+                  this, [this] { emit exhausted(); }, Qt::QueuedConnection);
+          })
 {
 }
 

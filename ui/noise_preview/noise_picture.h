@@ -61,6 +61,8 @@ public:
 
 signals:
     void ready(fumage::ui::NoisePicturePtr picture);
+    /// Memory ran out: the picture that was being made does not come.
+    void exhausted();
 
 private:
     LatestJob<NoiseRequest> m_job;

@@ -19,6 +19,7 @@ PictureFeed::PictureFeed(qint64 cacheBytes, QObject* parent)
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &PictureFeed::rest);
     connect(&m_worker, &PictureWorker::pictureReady, this, &PictureFeed::receive);
+    connect(&m_worker, &PictureWorker::exhausted, this, &PictureFeed::giveUp);
 }
 
 void PictureFeed::setEffect(const Effect& effect, Stage stale)
@@ -108,6 +109,7 @@ void PictureFeed::setOther(const std::optional<Effect>& other)
     if (!m_otherWorker) {
         m_otherWorker = std::make_unique<PictureWorker>();
         connect(m_otherWorker.get(), &PictureWorker::pictureReady, this, &PictureFeed::receiveOther);
+        connect(m_otherWorker.get(), &PictureWorker::exhausted, this, &PictureFeed::exhausted);
     }
     requestOther(Haste::None);
 }
@@ -207,6 +209,13 @@ void PictureFeed::receive(const PicturePtr& picture)
         emit cacheChanged();
     }
     show(picture);
+}
+
+void PictureFeed::giveUp()
+{
+    m_asked.reset();
+    emit waitingChanged(false);
+    emit exhausted();
 }
 
 void PictureFeed::receiveOther(const PicturePtr& picture)

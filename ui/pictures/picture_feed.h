@@ -57,6 +57,8 @@ signals:
     void cacheChanged();
     /// The picture of the frame that was asked for last is on its way, or has come.
     void waitingChanged(bool waiting);
+    /// There was not enough memory for a picture; it is not tried again until something changes.
+    void exhausted();
 
 private:
     void invalidate();
@@ -67,6 +69,7 @@ private:
     void requestOther(Haste haste);
     void receive(const PicturePtr& picture);
     void receiveOther(const PicturePtr& picture);
+    void giveUp();
     void show(const PicturePtr& picture);
     [[nodiscard]] bool isWanted(const Picture& picture) const;
     [[nodiscard]] Haste usualHaste() const;

@@ -20,6 +20,8 @@ public:
 signals:
     /// On the thread of this object.
     void pictureReady(fumage::ui::PicturePtr picture);
+    /// Memory ran out: the picture that was being made does not come.
+    void exhausted();
 
 private:
     Studio m_studio; ///< used by the thread of the job alone

@@ -1,11 +1,13 @@
 #include "ui/shell/application.h"
 
 #include "ui/face/language.h"
+#include "ui/shell/guarded_application.h"
 #include "ui/shell/session.h"
 
 #include "core/version.h"
 
-#include <QApplication>
+#include <csignal>
+
 #include <QCommandLineParser>
 #include <QIcon>
 #include <QSurfaceFormat>
@@ -21,7 +23,8 @@ int runEditor(int argc, char** argv)
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setSwapInterval(0); // the player keeps the time
     QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
+    std::signal(SIGXFSZ, SIG_IGN); // writing says it too, and then the user hears of it
+    GuardedApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("Fumage"));
     QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("fumage"));

@@ -30,6 +30,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     connect(&m_feed, &PictureFeed::ready, this, &Viewport::display);
     connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
     connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
+    connect(&m_feed, &PictureFeed::exhausted, this, &Viewport::exhausted);
     connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
     connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
     connect(&m_player, &Player::frameChanged, &m_feed, &PictureFeed::setFrame);

@@ -51,6 +51,8 @@ public:
 signals:
     void pictureShown(fumage::ui::PicturePtr picture);
     void cacheChanged();
+    /// There was not enough memory for a picture.
+    void exhausted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

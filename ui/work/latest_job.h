@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -18,10 +19,14 @@ public:
     /// Whether work on a request may be given up when a newer one comes.
     using MayStop = std::function<bool(const Request&)>;
 
+    /// Memory ran out; on the thread.
+    using Exhausted = std::function<void()>;
+
     explicit LatestJob(
-        Work work, MayStop mayStop = [](const Request&) { return true; })
+        Work work, MayStop mayStop = [](const Request&) { return true; }, Exhausted exhausted = [] {})
         : m_work(std::move(work))
         , m_mayStop(std::move(mayStop))
+        , m_exhausted(std::move(exhausted))
         , m_thread([this](const std::stop_token& stop) { run(stop); })
     {
     }
@@ -66,12 +71,17 @@ private:
     void run(const std::stop_token& stop)
     {
         while (const std::optional<Assignment> assignment = take(stop)) {
-            m_work(assignment->request, assignment->stop);
+            try {
+                m_work(assignment->request, assignment->stop);
+            } catch (const std::bad_alloc&) {
+                m_exhausted();
+            }
         }
     }
 
     Work m_work;
     MayStop m_mayStop;
+    Exhausted m_exhausted;
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::optional<Request> m_waiting;
