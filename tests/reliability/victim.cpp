@@ -1,0 +1,75 @@
+// Saves or keeps safe the work of a document until it is killed; see kill_loop.py. Ends with 3 where it finds a broken file.
+
+#include "ui/document/document.h"
+#include "ui/document/recovery.h"
+#include "ui/document/text.h"
+
+#include "core/effect/known_parameter.h"
+#include "core/preset/preset.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <QCoreApplication>
+
+namespace {
+
+using namespace fumage;
+using namespace fumage::ui;
+
+constexpr int kBroken = 3;
+
+void change(Document& document, int turn)
+{
+    document.edit(knownParameter("motion.gravity"), static_cast<float>(turn % 100) * 0.1F);
+}
+
+int save(const std::string& path)
+{
+    Document document;
+    if (std::filesystem::exists(path)) {
+        const Result<PresetReading> reading = readPresetFile(path);
+        if (!reading) {
+            std::fprintf(stderr, "%s\n", reading.error().text().c_str());
+            return kBroken;
+        }
+        document.load(reading.value().preset, toQString(path));
+    }
+    for (int turn = 1;; ++turn) {
+        change(document, turn);
+        if (const Status status = document.save(toQString(path)); !status) {
+            std::fprintf(stderr, "%s\n", status.error().text().c_str());
+            return 1;
+        }
+    }
+}
+
+int recover(const std::string& path)
+{
+    const QDir folder(toQString(path));
+    const bool leftWork = !folder.entryList({QStringLiteral("*.json")}).isEmpty();
+    Document document;
+    Recovery recovery(document, folder);
+    Recovery::Leftovers left = Recovery::find(folder);
+    if (!left.unreadable.isEmpty() || !left.dangerous.isEmpty() || left.works.empty() == leftWork) {
+        return kBroken;
+    }
+    if (leftWork) {
+        recovery.adopt(std::move(left.works.front()));
+        recovery.proveHarmless();
+    }
+    for (int turn = 1;; ++turn) {
+        change(document, turn);
+        recovery.saveNow();
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const QCoreApplication application(argc, argv);
+    const std::string what = argc == 3 ? argv[1] : "";
+    return what == "save" ? save(argv[2]) : what == "recover" ? recover(argv[2])
+                                                              : 2;
+}
