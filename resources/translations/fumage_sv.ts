@@ -255,6 +255,25 @@
         <source>T&amp;heme</source>
         <translation>&amp;Tema</translation>
     </message>
+    <message>
+        <source>Frame the &amp;whole animation</source>
+        <translation>Visa &amp;hela animationen</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::CameraFit</name>
+    <message>
+        <source>Looking for smoke in all frames: %1 %</source>
+        <translation>Letar efter rök i alla bildrutor: %1 %</translation>
+    </message>
+    <message>
+        <source>Frame the whole animation</source>
+        <translation>Visa hela animationen</translation>
+    </message>
+    <message>
+        <source>The camera shows all smoke of the animation</source>
+        <translation>Kameran visar all rök i animationen</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ColourEditor</name>
@@ -616,12 +635,40 @@
         <source>%1, %2 × %3 pixels, and how it is to be played beside it</source>
         <translation>%1, %2 × %3 bildpunkter, och bredvid den en fil om hur den spelas</translation>
     </message>
+    <message>
+        <source>Fit the camera to the smoke of all frames</source>
+        <translation>Anpassa kameran till röken i alla bildrutor</translation>
+    </message>
+    <message>
+        <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
+        <translation>Bilderna tas därifrån all rök syns och fyller dem; vyn förblir som den är</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
     <message>
-        <source>The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.</source>
-        <translation>Röken skärs av vid rutornas kant: flytta kameran bakåt eller låt röken tona bort tidigare.</translation>
+        <source>left</source>
+        <translation>vänster</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>höger</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>överkant</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>underkant</translation>
+    </message>
+    <message>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted, or move it back to %4 m.</source>
+        <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas, eller flytta den bakåt till %4 m.</translation>
+    </message>
+    <message>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
+        <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas.</translation>
     </message>
 </context>
 <context>

@@ -255,6 +255,25 @@
         <source>T&amp;heme</source>
         <translation>主题(&amp;H)</translation>
     </message>
+    <message>
+        <source>Frame the &amp;whole animation</source>
+        <translation>显示整个动画(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::CameraFit</name>
+    <message>
+        <source>Looking for smoke in all frames: %1 %</source>
+        <translation>正在所有帧中查找烟雾：%1 %</translation>
+    </message>
+    <message>
+        <source>Frame the whole animation</source>
+        <translation>显示整个动画</translation>
+    </message>
+    <message>
+        <source>The camera shows all smoke of the animation</source>
+        <translation>摄像机已显示动画中的全部烟雾</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ColourEditor</name>
@@ -616,12 +635,40 @@
         <source>%1, %2 × %3 pixels, and how it is to be played beside it</source>
         <translation>%1，%2 × %3 像素，旁边附有播放说明文件</translation>
     </message>
+    <message>
+        <source>Fit the camera to the smoke of all frames</source>
+        <translation>使摄像机适应所有帧的烟雾</translation>
+    </message>
+    <message>
+        <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
+        <translation>从能看到全部烟雾并使其充满画面的位置拍摄；视图保持不变</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
     <message>
-        <source>The smoke is cut off at the edge of cells: move the camera back or make it fade sooner.</source>
-        <translation>烟雾在格子边缘被截断：请将相机后移，或让烟雾更早消散。</translation>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted, or move it back to %4 m.</source>
+        <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应，或将其后移到 %4 米。</translation>
+    </message>
+    <message>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
+        <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应。</translation>
     </message>
 </context>
 <context>
