@@ -65,7 +65,7 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "flipbook", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
+        for (const char* command : {"render", "flipbook", "fit", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }
@@ -303,6 +303,22 @@ private slots:
         QCOMPARE(run(arguments + QStringList{"-f", "1"}).code, 2); // named twice
         const Outcome quiet = run(QStringList{"--quiet"} + arguments);
         QVERIFY(quiet.code == 0 && quiet.out.isEmpty() && quiet.error.isEmpty());
+    }
+
+    void aFitIsPrintedAsOptionsThatKeepAllSmokeInThePicture()
+    {
+        const QTemporaryDir folder;
+        const QStringList smoke{"default", "--set", "emitter.count=500", "--set", "camera.distance=2", "--frames", "20-29", "--size", "48"};
+        const auto bookWith = [&](const QStringList& more) { return run(QStringList{"flipbook"} + smoke + QStringList{"--grid", "2", "-o", folder.filePath("a.png")} + more); };
+        QVERIFY(bookWith({}).error.contains("cut off"));
+        QVERIFY(bookWith({}).error.contains("frames 20 to 27"));
+        const Outcome fit = run(QStringList{"fit"} + smoke);
+        QCOMPARE(fit.code, 0);
+        const QStringList options = QString::fromUtf8(fit.out.trimmed()).split(' ');
+        QCOMPARE(options.size(), 4); // target and distance
+        QVERIFY(!bookWith(options).error.contains("cut off"));
+        QVERIFY(!bookWith({"--fit"}).error.contains("cut off"));
+        QCOMPARE(run({"fit", "default", "--frames", "0", "--set", "look.opacity=0"}).code, 3);
     }
 
     void outputsAreNamedAsTheUserMeans_data()

@@ -1,0 +1,68 @@
+#include "app/cli/command.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/progress.h"
+
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/export/fit_camera.h"
+
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+/// What the camera of one effect has to become, as options of other commands.
+Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
+{
+    Effect fitted = effect;
+    {
+        ProgressBar bar("Looking");
+        const Result<Camera> camera = fitCamera(
+            effect, frames, [&](int done, int total) { bar.show(done, total); }, interruption());
+        if (!camera) {
+            return camera.error();
+        }
+        fitted.camera = camera.value();
+    }
+    std::string text;
+    for (const Parameter* parameter : differences(fitted, effect)) {
+        if (isVisible(*parameter, fitted)) {
+            std::string value = formatText(*parameter, parameter->get(fitted));
+            std::erase_if(value, [](char letter) { return letter == ' ' || letter == '[' || letter == ']'; }); // one word for a shell
+            text += (text.empty() ? "--set " : " --set ") + std::string(parameter->key) + "=" + value;
+        }
+    }
+    return text + "\n";
+}
+
+Status fit(const PictureOptions& options)
+{
+    return options.effect.forEach({}, [&](const NamedEffect& named) -> Status {
+        const Result<PictureJob> job = options.jobFor(named);
+        if (!job) {
+            return job.error();
+        }
+        const FrameRange frames = options.frames.empty() ? framesToFit(job.value().effect, {}) : job.value().plan.frames;
+        const Result<std::string> text = optionsFor(job.value().effect, frames);
+        return text ? print(text.value()) : Status(text.error());
+    });
+}
+
+} // namespace
+
+void addFit(CLI::App& program, Action& action)
+{
+    auto options = std::make_shared<PictureOptions>();
+    CLI::App* command = program.add_subcommand("fit", "Find where the camera sees all smoke, and print it as options of other commands");
+    options->effect.addTo(*command);
+    command->add_option("-f,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
+    command->add_option("--size", options->size, "Picture size, of which the shape matters: 512 or 640x360. Default: the preset's")->type_name("SIZE");
+    command->footer("The camera looks the way it does; it moves until no border of any frame has smoke on it, and the smoke fills the picture. render and flipbook do the\n"
+                    "same with --fit; machines that share the frames of an animation then each look at all of it, which one fit beforehand saves.\n"
+                    "Example:\n"
+                    "  fumage-cli render chimney --output out/chimney_####.exr $(fumage-cli fit chimney)");
+    command->callback([options, &action] { action = [options] { return fit(*options); }; });
+}
+
+} // namespace fumage::cli
