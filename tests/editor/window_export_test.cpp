@@ -109,6 +109,39 @@ private slots:
         }
     }
 
+    void closingTheWindowLetsAnExportFinish()
+    {
+        beginSequence(u"whole/smoke_##.png"_q, 40);
+        m_chosenAnswer = 0;
+        const QPointer<MainWindow> window(m_window);
+        QVERIFY(m_window->close());
+        QCOMPARE(m_choiceQuestions.size(), 1);
+        QTRY_VERIFY(window == nullptr);
+        const QString last = m_folder.filePath(u"whole/smoke_40.png"_q);
+        QVERIFY(!QFile::exists(last)); // it was not waited for
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(last), 60000);
+        QTRY_VERIFY(m_session->findChild<ExportJob*>() == nullptr);
+    }
+
+    void closingTheWindowStopsAnExport()
+    {
+        beginSequence(u"part/smoke_####.png"_q, 5000);
+        m_chosenAnswer = 1;
+        const QPointer<MainWindow> window(m_window);
+        QVERIFY(m_window->close());
+        QTRY_VERIFY(window == nullptr);
+        QVERIFY(m_session->findChild<ExportJob*>() == nullptr);
+        QVERIFY(!QFile::exists(m_folder.filePath(u"part/smoke_5000.png"_q)));
+    }
+
+    void aWindowThatIsNotClosedGoesOnExporting()
+    {
+        beginSequence(u"on/smoke_####.png"_q, 5000);
+        QVERIFY(!m_window->close());
+        QCOMPARE(m_choiceQuestions.size(), 1);
+        QVERIFY(m_window->exportJob().isRunning());
+    }
+
     void anExportThatFailsSaysWhy()
     {
         QDialog* dialog = openExport();
@@ -122,6 +155,21 @@ private slots:
     }
 
 private:
+    /// Begins a sequence from frame 0 and waits for its first file.
+    void beginSequence(const QString& name, int last)
+    {
+        QDialog* dialog = openExport();
+        auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
+        field->selectAll();
+        const QString path = m_folder.filePath(name);
+        QTest::keyClicks(field, path);
+        childOf<QSpinBox>(*dialog, u"export.first"_q)->setValue(0);
+        childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(last);
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
+        QTRY_VERIFY(!QDir(QFileInfo(path).path()).isEmpty());
+        QVERIFY(m_window->document().save(m_folder.filePath(u"saved.json"_q)).ok()); // nothing is asked about it
+    }
+
     QDialog* openExport()
     {
         m_window->document().edit({{&knownParameter("output.width"), 128}, {&knownParameter("output.height"), 128}}, u"Size"_q);

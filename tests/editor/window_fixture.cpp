@@ -33,10 +33,15 @@ void pressButton(QMessageBox& box, QMessageBox::StandardButton button)
 
 void WindowFixture::init()
 {
-    m_session = std::make_unique<Session>([this](QWidget*, const FileQuestion& question) {
+    const auto chooseFile = [this](QWidget*, const FileQuestion& question) {
         m_fileQuestions += question;
         return m_chosenFile;
-    });
+    };
+    const auto choose = [this](QWidget*, const ChoiceQuestion& question) {
+        m_choiceQuestions += question;
+        return static_cast<int>(m_chosenAnswer < 0 ? question.answers.size() - 1 : m_chosenAnswer);
+    };
+    m_session = std::make_unique<Session>(chooseFile, choose);
     m_window = m_session->openWindow();
     m_window->player().pause();
     m_window->document().load(smallPreset(), {});
@@ -50,6 +55,8 @@ void WindowFixture::cleanup()
     m_session.reset();
     m_chosenFile.clear();
     m_fileQuestions.clear();
+    m_chosenAnswer = -1;
+    m_choiceQuestions.clear();
     QDir(toQString(userPresetFolder().string())).removeRecursively();
     QDir(m_folder.path()).removeRecursively();
     QDir().mkpath(m_folder.path());

@@ -65,6 +65,8 @@ protected:
     QTemporaryDir m_folder;
     QString m_chosenFile; ///< what a question for a file is answered with; empty: none is chosen
     QList<FileQuestion> m_fileQuestions; ///< that were asked
+    int m_chosenAnswer = -1; ///< what a question with a few answers is answered with; less than 0: the last
+    QList<ChoiceQuestion> m_choiceQuestions; ///< that were asked
     std::unique_ptr<Session> m_session;
     MainWindow* m_window = nullptr;
 };

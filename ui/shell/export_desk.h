@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 #include "ui/export/export_job.h"
+#include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
 
@@ -21,15 +22,25 @@ class ExportDesk : public QObject {
     Q_OBJECT
 
 public:
-    /// @param ask for the names of files
+    /// @param askForFile for the names of files
     /// @param window parent of the dialog
-    ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& ask, QWidget* window);
+    ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window);
     ~ExportDesk() override;
 
-    [[nodiscard]] ExportJob& job() { return m_job; }
+    [[nodiscard]] ExportJob& job() { return *m_job; }
     ExportDialog& openDialog();
     /// The same again without a question; asks where nothing has been exported yet.
     void exportAgain();
+
+    /// What becomes of an export that runs when its window closes.
+    enum class Leaving {
+        Stop, ///< also where none runs
+        Finish, ///< whoever asked takes the job
+        Stay, ///< the window does not close
+    };
+    [[nodiscard]] Leaving askBeforeLeaving() const;
+    /// The job that runs; the desk goes on with another.
+    [[nodiscard]] std::unique_ptr<ExportJob> takeJob();
 
 signals:
     /// @param forMs how long it is of interest; 0: until the next news
@@ -42,9 +53,10 @@ private:
     Player& m_player;
     Locks& m_locks;
     QAction& m_frame; ///< the exported frame in the picture, shown while the dialog is open
-    const AskForFile& m_ask;
+    const AskForFile& m_askForFile;
+    const AskForChoice& m_askForChoice;
     QWidget* m_window;
-    ExportJob m_job;
+    std::unique_ptr<ExportJob> m_job;
     std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for
 };
 

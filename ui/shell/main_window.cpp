@@ -48,7 +48,7 @@ MainWindow::MainWindow(Session& session)
     , m_editActions(m_actions, m_document, m_locks)
     , m_viewActions(m_actions, m_document, *m_viewport, *this)
     , m_comparison(m_document, *m_viewport, m_actions)
-    , m_exports(m_document, m_player, m_locks, m_actions, session.askForFile(), this)
+    , m_exports(m_document, m_player, m_locks, m_actions, session.askForFile(), session.askForChoice(), this)
     , m_drops(*this, m_files, m_docks.browser().list())
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -196,9 +196,13 @@ void MainWindow::showTitle()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!m_files.mayLeave()) {
+    const auto leaving = m_files.mayLeave() ? m_exports.askBeforeLeaving() : ExportDesk::Leaving::Stay;
+    if (leaving == ExportDesk::Leaving::Stay) {
         event->ignore();
         return;
+    }
+    if (leaving == ExportDesk::Leaving::Finish && m_exports.job().isRunning()) {
+        m_session.finish(m_exports.takeJob());
     }
     saveLayout(*this, m_docks, m_viewActions, m_session.settings());
     m_recovery.discard();

@@ -1,11 +1,13 @@
 #include "ui/shell/session.h"
 
+#include "ui/export/export_job.h"
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
 #include "core/base/parallel.h"
 
 #include <QApplication>
+#include <QEventLoopLocker>
 
 namespace fumage::ui {
 
@@ -26,9 +28,10 @@ QString remarkOn(const Recovery::Leftovers& left)
 
 } // namespace
 
-Session::Session(AskForFile ask, QObject* parent)
+Session::Session(AskForFile askForFile, AskForChoice askForChoice, QObject* parent)
     : QObject(parent)
-    , m_askForFile(std::move(ask))
+    , m_askForFile(std::move(askForFile))
+    , m_askForChoice(std::move(askForChoice))
     , m_desktopIsDark(isDark(QApplication::palette()))
     , m_glSupport(probeOpenGl())
 {
@@ -84,6 +87,20 @@ void Session::closeAll()
             return;
         }
     }
+}
+
+void Session::finish(std::unique_ptr<ExportJob> job)
+{
+    ExportJob* kept = job.release();
+    kept->setParent(this);
+    const auto lock = std::make_shared<QEventLoopLocker>();
+    const auto end = [kept, lock] { kept->deleteLater(); };
+    connect(kept, &ExportJob::finished, kept, end);
+    connect(kept, &ExportJob::cancelled, kept, end);
+    connect(kept, &ExportJob::failed, kept, [this, end](const QString& message) {
+        m_askForChoice(nullptr, {.name = QStringLiteral("exportFailedBox"), .title = tr("Export"), .text = tr("Export failed: %1").arg(message), .answers = {tr("Close")}});
+        end();
+    });
 }
 
 void Session::applyTheme(Theme theme)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/recovery.h"
+#include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 #include "ui/viewport/gl_support.h"
@@ -9,8 +10,11 @@
 #include <QObject>
 #include <QPointer>
 
+#include <memory>
+
 namespace fumage::ui {
 
+class ExportJob;
 class MainWindow;
 
 /// What all windows of the program share: settings, what OpenGL can do, and who else is open.
@@ -18,19 +22,22 @@ class Session : public QObject {
     Q_OBJECT
 
 public:
-    /// @param ask for the names of files; tests answer without a dialog
-    explicit Session(AskForFile ask = askInDialog, QObject* parent = nullptr);
+    /// @param askForFile,askForChoice tests answer without a dialog
+    explicit Session(AskForFile askForFile = askInDialog, AskForChoice askForChoice = askInBox, QObject* parent = nullptr);
     ~Session() override;
 
     [[nodiscard]] Settings& settings() { return m_settings; }
     [[nodiscard]] GlSupport glSupport() const { return m_glSupport; }
     [[nodiscard]] const AskForFile& askForFile() const { return m_askForFile; }
+    [[nodiscard]] const AskForChoice& askForChoice() const { return m_askForChoice; }
 
     /// Opens a window; it deletes itself when it is closed.
     MainWindow* openWindow();
     /// Opens what a crash has left and the files that were named; if there are none, an empty window with the start dialog.
     void start(const QStringList& files);
     void closeAll();
+    /// Lets an export end whose window closes; the program runs until then.
+    void finish(std::unique_ptr<ExportJob> job);
 
     void applyTheme(Theme theme);
 
@@ -39,6 +46,7 @@ private:
 
     Settings m_settings;
     const AskForFile m_askForFile;
+    const AskForChoice m_askForChoice;
     const bool m_desktopIsDark; ///< as the program found it
     GlSupport m_glSupport;
     QList<QPointer<MainWindow>> m_windows;
