@@ -52,6 +52,7 @@ private slots:
         QCOMPARE(m_fileQuestions.size(), 2);
         QCOMPARE(m_fileQuestions[1].purpose, FileQuestion::Purpose::Save);
         QCOMPARE(m_fileQuestions[1].start, offered);
+        QVERIFY(m_fileQuestions[1].mayReplace); // that is asked when the export begins
         QCOMPARE(field->text(), m_chosenFile);
         // It is no suggestion, which would follow the format.
         childOf<QComboBox>(*dialog, u"export.format"_q)->setCurrentIndex(2);
@@ -142,6 +143,52 @@ private slots:
         QVERIFY(m_window->exportJob().isRunning());
     }
 
+    void filesThatAreThereAreAskedAbout()
+    {
+        const QString first = m_folder.filePath(u"a_03.png"_q);
+        QFile file(first);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.close();
+        const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 4);
+        auto* begin = childOf<QPushButton>(*dialog, u"export.begin"_q);
+        QTest::mouseClick(begin, Qt::LeftButton); // and is cancelled
+        QCOMPARE(m_choiceQuestions.size(), 1);
+        QVERIFY(m_choiceQuestions[0].text.contains(first));
+        QVERIFY(!m_window->exportJob().isRunning());
+        QCOMPARE(QFileInfo(first).size(), 0);
+        m_chosenAnswer = 0;
+        exportAndWait(*begin);
+        QVERIFY(QFileInfo(first).size() > 0);
+    }
+
+    void anExportIsNumberedOn()
+    {
+        const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 4);
+        auto* begin = childOf<QPushButton>(*dialog, u"export.begin"_q);
+        exportAndWait(*begin);
+        QVERIFY(m_choiceQuestions.isEmpty());
+        m_chosenAnswer = 1;
+        exportAndWait(*begin);
+        exportAndWait(*begin);
+        QCOMPARE(m_choiceQuestions.size(), 2);
+        QVERIFY(QFile::exists(m_folder.filePath(u"a-3_04.png"_q)));
+        QCOMPARE(childOf<QLineEdit>(*dialog, u"export.path"_q)->text(), m_folder.filePath(u"a-3_##.png"_q));
+    }
+
+    void exportingAgainAsksOnce()
+    {
+        const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 3);
+        exportAndWait(*childOf<QPushButton>(*dialog, u"export.begin"_q));
+        m_chosenAnswer = 1;
+        for (int i = 0; i < 3; ++i) {
+            QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
+            trigger("file.exportAgain");
+            QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        }
+        QCOMPARE(m_choiceQuestions.size(), 1);
+        QVERIFY(QFile::exists(m_folder.filePath(u"a-4_03.png"_q)));
+    }
+
     void anExportThatFailsSaysWhy()
     {
         QDialog* dialog = openExport();
@@ -158,16 +205,28 @@ private:
     /// Begins a sequence from frame 0 and waits for its first file.
     void beginSequence(const QString& name, int last)
     {
+        const QDialog* dialog = fillSequence(name, 0, last);
+        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
+        QTRY_VERIFY(!QDir(QFileInfo(m_folder.filePath(name)).path()).isEmpty());
+        QVERIFY(m_window->document().save(m_folder.filePath(u"saved.json"_q)).ok()); // nothing is asked about it
+    }
+
+    QDialog* fillSequence(const QString& name, int first, int last)
+    {
         QDialog* dialog = openExport();
         auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
         field->selectAll();
-        const QString path = m_folder.filePath(name);
-        QTest::keyClicks(field, path);
-        childOf<QSpinBox>(*dialog, u"export.first"_q)->setValue(0);
+        QTest::keyClicks(field, m_folder.filePath(name));
+        childOf<QSpinBox>(*dialog, u"export.first"_q)->setValue(first);
         childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(last);
-        QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
-        QTRY_VERIFY(!QDir(QFileInfo(path).path()).isEmpty());
-        QVERIFY(m_window->document().save(m_folder.filePath(u"saved.json"_q)).ok()); // nothing is asked about it
+        return dialog;
+    }
+
+    void exportAndWait(QPushButton& begin)
+    {
+        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
+        QTest::mouseClick(&begin, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
     }
 
     QDialog* openExport()

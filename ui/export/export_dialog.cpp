@@ -1,6 +1,7 @@
 #include "ui/export/export_dialog.h"
 
 #include "ui/document/text.h"
+#include "ui/export/export_clash.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
@@ -43,13 +44,14 @@ constexpr std::array kParameters{
 
 } // namespace
 
-ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile ask, QWidget* parent)
+ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_player(player)
     , m_locks(locks)
     , m_job(job)
-    , m_ask(std::move(ask))
+    , m_askForFile(std::move(askForFile))
+    , m_askForChoice(std::move(askForChoice))
     , m_kind(new QComboBox(this))
     , m_format(new QComboBox(this))
     , m_path(new QLineEdit(this))
@@ -357,13 +359,25 @@ void ExportDialog::followJob()
 
 void ExportDialog::begin()
 {
+    ExportPlan wanted = plan();
+    if (const QStringList there = filesThere(wanted); !there.isEmpty()) {
+        const OnClash answer = askOnClash(this, m_askForChoice, there);
+        if (answer == OnClash::Cancel) {
+            return;
+        }
+        if (answer == OnClash::NumberOn) {
+            wanted = numberedOn(wanted);
+            m_pathIsSuggested = false;
+            m_path->setText(toQString(wanted.output.string()));
+        }
+    }
     m_written.clear();
-    m_job.start(m_document.effect(), plan());
+    m_job.start(m_document.effect(), wanted);
 }
 
 void ExportDialog::browse()
 {
-    const QString chosen = m_ask(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Export to"), .start = m_path->text()});
+    const QString chosen = m_askForFile(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Export to"), .start = m_path->text(), .mayReplace = true});
     if (!chosen.isEmpty()) {
         m_pathIsSuggested = false;
         m_path->setText(chosen);

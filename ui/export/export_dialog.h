@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 #include "ui/export/export_job.h"
+#include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
 
@@ -28,8 +29,9 @@ class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param ask for the name of the file
-    ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile ask, QWidget* parent);
+    /// @param askForFile for the name of the file
+    /// @param askForChoice what becomes of files that are there
+    ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
     void setKind(ExportKind kind);
@@ -65,7 +67,8 @@ private:
     Player& m_player;
     Locks& m_locks;
     ExportJob& m_job;
-    const AskForFile m_ask;
+    const AskForFile m_askForFile;
+    const AskForChoice m_askForChoice;
     QComboBox* m_kind;
     QComboBox* m_format;
     QLineEdit* m_path;

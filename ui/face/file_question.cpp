@@ -12,6 +12,7 @@ QString askInDialog(QWidget* parent, const FileQuestion& question)
     const bool saves = question.purpose == FileQuestion::Purpose::Save;
     dialog.setAcceptMode(saves ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog.setFileMode(saves ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite, question.mayReplace);
     dialog.setDefaultSuffix(question.ending);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }

@@ -18,6 +18,7 @@ struct FileQuestion {
     QString title;
     QString start; ///< the folder, or the file, that is offered
     QString filter; ///< "Presets (*.json);;All files (*)"; empty: all files
+    bool mayReplace = false; ///< a file that is there is not asked about: whoever asks does it later
     QString ending; ///< for names that are typed without one, with no dot; empty: they stay as they are
 };
 

@@ -29,7 +29,8 @@ ExportDesk::~ExportDesk() = default;
 ExportDialog& ExportDesk::openDialog()
 {
     if (m_dialog == nullptr) {
-        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, *m_job, m_askForFile, m_window);
+        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, *m_job, m_askForFile, m_askForChoice, m_window);
+        connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnClash.reset(); });
         connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
     }
     m_dialog->show();
@@ -39,11 +40,25 @@ ExportDialog& ExportDesk::openDialog()
 
 void ExportDesk::exportAgain()
 {
-    if (m_job->lastPlan()) {
-        m_job->start(m_document.effect(), *m_job->lastPlan());
-    } else {
+    if (!m_job->lastPlan()) {
         openDialog();
+        return;
     }
+    if (m_job->isRunning()) {
+        return;
+    }
+    ExportPlan plan = *m_job->lastPlan();
+    if (const QStringList there = filesThere(plan); !there.isEmpty()) {
+        const OnClash answer = m_againOnClash ? *m_againOnClash : askOnClash(m_window, m_askForChoice, there);
+        if (answer == OnClash::Cancel) {
+            return;
+        }
+        m_againOnClash = answer;
+        if (answer == OnClash::NumberOn) {
+            plan = numberedOn(plan);
+        }
+    }
+    m_job->start(m_document.effect(), plan);
 }
 
 ExportDesk::Leaving ExportDesk::askBeforeLeaving() const

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
+#include "ui/export/export_clash.h"
 #include "ui/export/export_job.h"
 #include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
@@ -29,7 +30,7 @@ public:
 
     [[nodiscard]] ExportJob& job() { return *m_job; }
     ExportDialog& openDialog();
-    /// The same again without a question; asks where nothing has been exported yet.
+    /// The same again; asks where nothing has been exported yet, and once what becomes of files that are there.
     void exportAgain();
 
     /// What becomes of an export that runs when its window closes.
@@ -57,6 +58,7 @@ private:
     const AskForChoice& m_askForChoice;
     QWidget* m_window;
     std::unique_ptr<ExportJob> m_job;
+    std::optional<OnClash> m_againOnClash; ///< what was answered last time, until the dialog is seen
     std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for
 };
 

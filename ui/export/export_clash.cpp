@@ -1,0 +1,83 @@
+#include "ui/export/export_clash.h"
+
+#include "ui/document/text.h"
+#include "ui/export/export_dialog.h"
+
+#include "core/base/text.h"
+
+#include <array>
+
+#include <QDir>
+
+namespace fumage::ui {
+
+namespace {
+
+void addIfThere(QStringList& there, const std::filesystem::path& path)
+{
+    if (std::error_code unknown; std::filesystem::exists(path, unknown)) {
+        there += toQString(path.string());
+    }
+}
+
+/// "smoke" becomes "smoke-2", and that "smoke-3".
+std::string withNextNumber(const std::string& name)
+{
+    const std::size_t dash = name.rfind('-');
+    const std::optional<std::int64_t> number = dash == std::string::npos ? std::nullopt : parseInteger(std::string_view(name).substr(dash + 1));
+    return number ? name.substr(0, dash + 1) + std::to_string(*number + 1) : name + "-2";
+}
+
+/// The next number stands before that of the frame, and before the ending.
+std::filesystem::path withNextNumber(const std::filesystem::path& path)
+{
+    const std::string name = path.filename().string();
+    std::size_t end = std::min(name.find('#'), name.size() - path.extension().string().size());
+    while (end > 1 && std::string_view("_-. ").find(name[end - 1]) != std::string_view::npos) {
+        --end;
+    }
+    return path.parent_path() / (withNextNumber(name.substr(0, end)) + name.substr(end));
+}
+
+} // namespace
+
+QStringList filesThere(const ExportPlan& plan)
+{
+    QStringList there;
+    if (plan.kind == ExportKind::Sequence) {
+        for (int i = 0; i < plan.frames.count(); ++i) {
+            addIfThere(there, framePath({plan.output, plan.frames, plan.format}, plan.frames.at(i)));
+        }
+        return there;
+    }
+    const std::filesystem::path picture = firstFile(plan);
+    addIfThere(there, picture);
+    if (plan.kind == ExportKind::Flipbook) {
+        addIfThere(there, std::filesystem::path(picture).replace_extension(".flipbook.json"));
+    }
+    return there;
+}
+
+ExportPlan numberedOn(ExportPlan plan)
+{
+    do {
+        plan.output = withNextNumber(plan.output);
+    } while (!filesThere(plan).isEmpty());
+    return plan;
+}
+
+OnClash askOnClash(QWidget* parent, const AskForChoice& ask, const QStringList& there)
+{
+    const QString first = QDir::toNativeSeparators(there.constFirst());
+    const QString text = there.size() == 1 ? ExportDialog::tr("There is a file %1 already.").arg(first)
+                                           : ExportDialog::tr("%1 of the files are there already; the first is %2.").arg(there.size()).arg(first);
+    const int answer = ask(parent,
+        {.name = QStringLiteral("exportClashBox"),
+            .title = ExportDialog::tr("Export"),
+            .text = text,
+            .answers = {ExportDialog::tr("Overwrite"), ExportDialog::tr("Number on"), ExportDialog::tr("Cancel")}});
+    constexpr std::array kAnswers{OnClash::Overwrite, OnClash::NumberOn, OnClash::Cancel};
+    return kAnswers[static_cast<std::size_t>(answer)];
+}
+
+} // namespace fumage::ui
