@@ -13,8 +13,10 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QMenu>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTabBar>
 
 using namespace fumage;
@@ -146,9 +148,39 @@ private slots:
         QTest::keyClicks(field, u"0.08"_q);
         QTest::keyClick(field, Qt::Key_Return);
         QCOMPARE(m_window->document().effect().life.fadeRate, 0.08F);
-        QTest::keyClick(field, Qt::Key_Up);
-        QVERIFY(m_window->document().effect().life.fadeRate > 0.08F);
+        QTest::keyClick(m_window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(m_window->document().effect().life.fadeRate != 0.08F);
     }
+
+    void returnTakesANumberOverAndTheKeysAreShortcutsAgain_data() { addNumberFields(); }
+    void returnTakesANumberOverAndTheKeysAreShortcutsAgain()
+    {
+        QLineEdit& field = numberField();
+        QTest::keyClicks(&field, u"7"_q);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(field.text().left(1), u"7"_q);
+        QTRY_VERIFY(m_window->viewport().surface()->hasFocus());
+        const bool frame = m_window->actions().get("view.frame").isChecked();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_X);
+        QCOMPARE(m_window->actions().get("view.frame").isChecked(), !frame);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QVERIFY(m_window->player().isPlaying());
+        QCOMPARE(field.text().left(1), u"7"_q);
+    }
+
+    void escapeLeavesANumberAsItWas_data() { addNumberFields(); }
+    void escapeLeavesANumberAsItWas()
+    {
+        QLineEdit& field = numberField();
+        const QString before = field.text();
+        QTest::keyClicks(&field, u"7"_q);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QTRY_VERIFY(m_window->viewport().surface()->hasFocus());
+        QCOMPARE(field.text(), before);
+        QCOMPARE(m_window->player().frame(), 30);
+        QCOMPARE(m_window->document().undoStack()->count(), 0);
+    }
+
 
     void plainKeysBelongToTheTimelineUnlessAWidgetNeedsThem()
     {
@@ -204,6 +236,26 @@ private slots:
                 QVERIFY2(named, qPrintable(widget->objectName() + u" "_q + QString::fromLatin1(widget->metaObject()->className())));
             }
         }
+    }
+
+private:
+    static void addNumberFields()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("of a parameter") << u"emitter.speed.field"_q;
+        QTest::newRow("of the timeline") << u"frameField"_q;
+    }
+
+    /// The field that is asked for, with the keyboard in it and all of it selected.
+    QLineEdit& numberField()
+    {
+        QFETCH(QString, name);
+        auto* widget = m_window->findChild<QWidget*>(name);
+        widget->setFocus(Qt::TabFocusReason);
+        auto* box = qobject_cast<QSpinBox*>(widget);
+        QLineEdit* field = box != nullptr ? box->findChild<QLineEdit*>() : qobject_cast<QLineEdit*>(widget);
+        field->selectAll();
+        return *field;
     }
 };
 

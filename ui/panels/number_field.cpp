@@ -2,6 +2,7 @@
 
 #include "ui/document/number_text.h"
 #include "ui/document/text.h"
+#include "ui/face/field_keys.h"
 #include "ui/face/plain_text.h"
 
 #include <algorithm>
@@ -31,10 +32,6 @@ NumberField::NumberField(const NumberScale& scale, QWidget* parent)
     setFocusPolicy(Qt::TabFocus);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
     connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_value, true); });
-    connect(this, &QLineEdit::returnPressed, this, [this] {
-        commitText();
-        selectAll();
-    });
     showValue();
 }
 
@@ -164,9 +161,16 @@ void NumberField::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Down: stepBy(-1.0); return;
     case Qt::Key_PageUp: stepBy(kCoarse); return;
     case Qt::Key_PageDown: stepBy(-kCoarse); return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        commitText();
+        selectAll();
+        leaveField(*this);
+        return;
     case Qt::Key_Escape:
-        if (isModified()) {
+        if (isModified() || isInMainWindow(*this)) {
             showValue();
+            leaveField(*this);
             return;
         }
         break;

@@ -8,7 +8,7 @@
 namespace fumage::ui {
 
 /// A number that can be dragged sideways, typed with its unit, stepped with the arrow keys, and with the wheel while it has the focus.
-/// Shift moves finely, Ctrl snaps to tens of steps. Escape puts back what was there.
+/// Shift moves finely, Ctrl snaps to tens of steps. Return takes over what was typed, Escape puts back what was there, and both leave the field.
 class NumberField : public QLineEdit {
     Q_OBJECT
 

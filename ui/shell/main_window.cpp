@@ -87,6 +87,7 @@ void MainWindow::buildCentre()
     layout->setSpacing(0);
     layout->addWidget(m_viewport.get(), 1);
     layout->addWidget(m_timeline.get());
+    centre->setFocusProxy(m_viewport->surface());
     setCentralWidget(centre);
     m_viewport->setNavigationStyle(m_session.settings().navigationStyle());
     connect(m_viewport.get(), &Viewport::cacheChanged, m_timeline.get(), [this] { m_timeline->ruler().setCached(m_viewport->cachedFrames()); });

@@ -1,5 +1,6 @@
 #include "ui/timeline/timeline_bar.h"
 
+#include "ui/face/field_keys.h"
 #include "ui/face/icons.h"
 
 #include "core/effect/known_parameter.h"
@@ -198,6 +199,7 @@ void TimelineBar::addFrameAndTime(QHBoxLayout& controls)
     m_frame->setToolTip(tr("The frame that is shown"));
     m_frame->setKeyboardTracking(false);
     m_frame->setMinimumWidth(kLeastField);
+    new SpinBoxKeys(*m_frame);
     m_time->setProperty("role", QStringLiteral("secondary"));
     m_time->setMinimumWidth(0);
     m_time->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -225,6 +227,7 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
     m_rate->setRange(static_cast<int>(kFrameRate.hard.low), static_cast<int>(kFrameRate.hard.high));
     m_rate->setSuffix(tr(" frames/s"));
     m_rate->setMinimumWidth(kLeastField);
+    new SpinBoxKeys(*m_rate);
     controls.addWidget(m_speed);
     controls.addWidget(m_rate);
 }
