@@ -5,6 +5,9 @@
 #include "ui/panels/gradient_editor.h"
 #include "ui/panels/parameter_row.h"
 
+#include <QLabel>
+#include <QMenu>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -47,20 +50,38 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 2);
     }
 
-    void theRightButtonAndDeleteTakeAllButTheLastAway_data() { addStrips(); }
-    void theRightButtonAndDeleteTakeAllButTheLastAway()
+    void theRightButtonChangesNothing_data() { addStrips(); }
+    void theRightButtonChangesNothing()
     {
         open({0.2F, 0.5F, 0.8F});
-        QTest::mouseClick(m_strip, Qt::RightButton, {}, beside(0.3F));
-        QCOMPARE(places().size(), 3);
-        QTest::mouseClick(m_strip, Qt::RightButton, {}, pointOf(1));
+        for (const QPoint at : {beside(0.3F), pointOf(1)}) {
+            QTest::mouseClick(m_strip, Qt::RightButton, {}, at);
+            QCOMPARE(places(), (QList<float>{0.2F, 0.5F, 0.8F}));
+        }
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void theMenuAndDeleteTakeAllButTheLastAway_data() { addStrips(); }
+    void theMenuAndDeleteTakeAllButTheLastAway()
+    {
+        open({0.2F, 0.5F, 0.8F});
+        QVERIFY(deletionAt(beside(0.3F)) == nullptr);
+        deletionAt(pointOf(1))->trigger();
         QCOMPARE(places(), (QList<float>{0.2F, 0.8F}));
         QTest::keyClick(m_strip, Qt::Key_Delete); // the one that took its place
         QCOMPARE(places(), QList<float>{0.2F});
         QTest::keyClick(m_strip, Qt::Key_Backspace);
-        QTest::mouseClick(m_strip, Qt::RightButton, {}, pointOf(0));
+        QVERIFY(!deletionAt(pointOf(0))->isEnabled());
         QCOMPARE(places(), QList<float>{0.2F});
         QCOMPARE(m_document->undoStack()->count(), 2);
+    }
+
+    void aHintTellsWhatTheHandCanDo_data() { addStrips(); }
+    void aHintTellsWhatTheHandCanDo()
+    {
+        open({0.2F, 0.5F});
+        const auto* hint = m_row->findChild<QLabel*>(m_row->editor().objectName() + u".hint"_q);
+        QVERIFY(hint != nullptr && hint->isVisible() && hint->text().contains(u"add"_q));
     }
 
     void keysGoFromPointToPointAndMoveThem_data() { addStrips(); }
@@ -187,6 +208,19 @@ private:
         return out;
     }
 
+    /// What the menu offers to take a point away; null where there is none. The menu is the next one's end.
+    QAction* deletionAt(QPoint at)
+    {
+        m_menu = std::make_unique<QMenu>();
+        m_row->editor().addActions(*m_menu, m_strip->mapToGlobal(at));
+        for (QAction* action : m_menu->actions()) {
+            if (action->text() == u"Delete the point"_q) {
+                return action;
+            }
+        }
+        return nullptr;
+    }
+
     [[nodiscard]] QPoint pointOf(int index) const
     {
         if (const auto* area = qobject_cast<CurveArea*>(m_strip)) {
@@ -209,6 +243,7 @@ private:
     std::unique_ptr<Document> m_document;
     std::unique_ptr<Locks> m_locks;
     std::unique_ptr<ParameterRow> m_row;
+    std::unique_ptr<QMenu> m_menu;
     PointStrip* m_strip = nullptr;
 };
 

@@ -133,7 +133,9 @@ CurveEditor::CurveEditor(const Parameter& parameter, QWidget* parent)
     name(*m_area, QStringLiteral("area"), {});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
     layout->addWidget(m_area);
+    layout->addWidget(makeHint(tr("Press to add, drag to move, Delete or right click to take away")));
     setFocusProxy(m_area);
     connect(m_area, &CurveArea::changed, this, [this](bool finished) { emit edited(m_area->curve(), finished); });
 }

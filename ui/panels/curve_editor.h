@@ -43,6 +43,7 @@ class CurveEditor : public ParameterEditor {
 public:
     CurveEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
+    void addActions(QMenu& menu, const QPoint& global) override { m_area->addActions(menu, global); }
 
 private:
     CurveArea* m_area;

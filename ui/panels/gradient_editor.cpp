@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -94,6 +95,11 @@ void GradientBar::colourStop(int stop)
     });
 }
 
+void GradientBar::addPointActions(QMenu& menu, int index)
+{
+    menu.addAction(tr("Colour of the stop"), this, [this, index] { colourStop(index); });
+}
+
 void GradientBar::mouseDoubleClickEvent(QMouseEvent* event)
 {
     const int stop = pointAt(event->position());
@@ -143,7 +149,9 @@ GradientEditor::GradientEditor(const Parameter& parameter, QWidget* parent)
     name(*m_bar, QStringLiteral("bar"), {});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
     layout->addWidget(m_bar);
+    layout->addWidget(makeHint(tr("Press to add, drag to move, double click for the colour, right click for more")));
     setFocusProxy(m_bar);
     connect(m_bar, &GradientBar::changed, this, [this](bool finished) { emit edited(m_bar->gradient(), finished); });
 }

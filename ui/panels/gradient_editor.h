@@ -28,6 +28,7 @@ protected:
     void moveTo(int index, const QPointF& mouse) override { place(index, positionOf(mouse)); }
     bool step(int index, int right, int up) override;
     void erase(int index) override { removePoint(m_gradient, index); }
+    void addPointActions(QMenu& menu, int index) override;
 
 private:
     [[nodiscard]] QRectF bar() const;
@@ -47,6 +48,7 @@ class GradientEditor : public ParameterEditor {
 public:
     GradientEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
+    void addActions(QMenu& menu, const QPoint& global) override { m_bar->addActions(menu, global); }
 
 private:
     GradientBar* m_bar;

@@ -9,6 +9,8 @@
 #include "ui/panels/simple_editors.h"
 #include "ui/panels/vector_editors.h"
 
+#include <QLabel>
+
 namespace fumage::ui {
 
 ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
@@ -32,6 +34,15 @@ NumberField* ParameterEditor::addField(const QString& suffix, const QString& spo
     auto* field = new NumberField(NumberScale::of(m_parameter), this);
     name(*field, suffix, spoken);
     return field;
+}
+
+QWidget* ParameterEditor::makeHint(const QString& text)
+{
+    auto* hint = new QLabel(text, this);
+    hint->setObjectName(objectName() + QStringLiteral(".hint"));
+    hint->setProperty("role", QStringLiteral("hint"));
+    hint->setWordWrap(true);
+    return hint;
 }
 
 ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent)

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+class QMenu;
+
 namespace fumage::ui {
 
 class NumberField;
@@ -19,6 +21,8 @@ public:
 
     /// Shows a value without telling anybody.
     virtual void setValue(const Value& value) = 0;
+    /// What the menu of the parameter offers besides at a place on the screen.
+    virtual void addActions(QMenu&, const QPoint& /*global*/) { }
 
 signals:
     /// @param finished the gesture is over; edits up to the next finished one are one step
@@ -29,6 +33,8 @@ protected:
     void name(QWidget& part, const QString& suffix, const QString& spoken) const;
     /// A field for one component, named after it.
     [[nodiscard]] NumberField* addField(const QString& suffix, const QString& spoken);
+    /// A line below that tells what the hand can do.
+    [[nodiscard]] QWidget* makeHint(const QString& text);
 
 private:
     const Parameter& m_parameter;

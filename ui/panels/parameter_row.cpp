@@ -129,6 +129,7 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
 {
     QMenu menu(this);
     menu.setObjectName(QStringLiteral("parameterMenu"));
+    m_editor->addActions(menu, event->globalPos());
     QAction* reset = menu.addAction(tr("Reset"), this, [this] { m_document.reset(parameter()); });
     reset->setEnabled(!(m_shown == parameter().get(m_document.reference())));
     menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(parameter(), parameter().get(Effect())); });

@@ -1,6 +1,7 @@
 #include "ui/panels/point_strip.h"
 
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 
 namespace fumage::ui {
@@ -32,11 +33,22 @@ void PointStrip::remove(int index)
     touched(index, true);
 }
 
+void PointStrip::addActions(QMenu& menu, const QPoint& global)
+{
+    const int index = pointAt(mapFromGlobal(global));
+    if (index < 0) {
+        return;
+    }
+    addPointActions(menu, index);
+    menu.addAction(tr("Delete the point"), this, [this, index] { remove(index); })->setEnabled(count() > 1);
+    menu.addSeparator();
+}
+
 void PointStrip::mousePressEvent(QMouseEvent* event)
 {
     const int index = pointAt(event->position());
-    if (event->button() == Qt::RightButton) {
-        remove(index);
+    if (event->button() != Qt::LeftButton) {
+        select(index >= 0 ? index : m_selected); // for the menu that follows
         return;
     }
     if (index >= 0) {

@@ -6,15 +6,20 @@
 
 #include <QWidget>
 
+class QMenu;
+
 namespace fumage::ui {
 
-/// Points along a strip, in order, for the hand: press one to drag it, press beside them for a new one, take one away with the right button
-/// or Delete, go from one to the next with PageUp and PageDown, move one with the arrows. What a point is and how it looks says the class derived from it.
+/// Points along a strip, in order, for the hand: press one to drag it, press beside them for a new one, take one away with Delete or from its
+/// menu, go from one to the next with PageUp and PageDown, move one with the arrows. What a point is and how it looks says the class derived from it.
 class PointStrip : public QWidget {
     Q_OBJECT
 
 public:
     explicit PointStrip(QWidget* parent);
+
+    /// What a menu offers for the point that lies at a place on the screen; nothing where there is none.
+    void addActions(QMenu& menu, const QPoint& global);
 
 signals:
     /// The hand has changed the points.
@@ -36,6 +41,8 @@ protected:
     /// @return whether a point goes that way
     virtual bool step(int index, int right, int up) = 0;
     virtual void erase(int index) = 0;
+    /// What a menu offers for one point, before it can be taken away there.
+    virtual void addPointActions(QMenu&, int) { }
 
     /// The points may be exchanged: the hand does not hold one.
     [[nodiscard]] bool isFree() const { return !m_dragging; }
