@@ -8,23 +8,28 @@ namespace fumage::ui {
 
 namespace {
 
-/// The colours of a theme, by what they are for.
-struct Colours {
-    QRgb window;
-    QRgb base; ///< behind fields and lists
-    QRgb raised; ///< buttons, headings
-    QRgb edge;
-    QRgb text;
-    QRgb quiet; ///< text that stands back
-    QRgb accent;
-    QRgb onAccent;
-    QRgb mark; ///< what differs from the preset
-};
+constexpr ThemeColours kDark{.window = 0xff23262b,
+    .base = 0xff191b1f,
+    .raised = 0xff2f333a,
+    .edge = 0xff3d424b,
+    .control = 0xff858c97,
+    .text = 0xffe2e5ea,
+    .quiet = 0xff969ca6,
+    .accent = 0xff4a9fd8,
+    .onAccent = 0xff10141a,
+    .mark = 0xffffb454};
+constexpr ThemeColours kLight{.window = 0xfff3f4f6,
+    .base = 0xffffffff,
+    .raised = 0xffe6e8ec,
+    .edge = 0xffc4c8d0,
+    .control = 0xff757c88,
+    .text = 0xff1f2328,
+    .quiet = 0xff5d646f,
+    .accent = 0xff1f78b8,
+    .onAccent = 0xffffffff,
+    .mark = 0xff955400};
 
-constexpr Colours kDark{0xff23262b, 0xff191b1f, 0xff2f333a, 0xff3d424b, 0xffe2e5ea, 0xff969ca6, 0xff4a9fd8, 0xffffffff, 0xffffb454};
-constexpr Colours kLight{0xfff3f4f6, 0xffffffff, 0xffe6e8ec, 0xffc4c8d0, 0xff1f2328, 0xff666d78, 0xff1f78b8, 0xffffffff, 0xffb56a00};
-
-QPalette makePalette(const Colours& c)
+QPalette makePalette(const ThemeColours& c)
 {
     QPalette palette;
     palette.setColor(QPalette::Window, c.window);
@@ -48,7 +53,7 @@ QPalette makePalette(const Colours& c)
     return palette;
 }
 
-QString styleSheet(const Colours& c)
+QString styleSheet(const ThemeColours& c, bool dark)
 {
     QFile file(QStringLiteral(":/theme/fumage.qss"));
     if (!file.open(QIODevice::ReadOnly)) {
@@ -60,15 +65,22 @@ QString styleSheet(const Colours& c)
     put("@base", c.base);
     put("@raised", c.raised);
     put("@edge", c.edge);
+    put("@control", c.control);
     put("@text", c.text);
     put("@quiet", c.quiet);
     put("@onAccent", c.onAccent);
     put("@accent", c.accent);
     put("@mark", c.mark);
+    sheet.replace(QLatin1String("@scheme"), dark ? QStringLiteral("dark") : QStringLiteral("light"));
     return sheet;
 }
 
 } // namespace
+
+const ThemeColours& themeColours(bool dark)
+{
+    return dark ? kDark : kLight;
+}
 
 bool isDark(const QPalette& palette)
 {
@@ -78,10 +90,10 @@ bool isDark(const QPalette& palette)
 void applyTheme(QApplication& application, Theme theme, bool desktopIsDark)
 {
     const bool dark = theme == Theme::Dark || (theme == Theme::System && desktopIsDark);
-    const Colours& colours = dark ? kDark : kLight;
+    const ThemeColours& colours = themeColours(dark);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(makePalette(colours));
-    application.setStyleSheet(styleSheet(colours));
+    application.setStyleSheet(styleSheet(colours, dark));
 }
 
 } // namespace fumage::ui
