@@ -63,6 +63,19 @@ private slots:
         QVERIFY(camera.yaw != Effect().camera.yaw && camera.pitch != Effect().camera.pitch);
     }
 
+    void lookingAroundLeavesTheEyeWhereItIs()
+    {
+        Effect effect;
+        effect.camera.turntable = 30.0F;
+        constexpr int kFrame = 45;
+        const View before = windowView(effect, kFrame, 800, 600);
+        effect.camera = lookedAround(effect.camera, {100.0, 60.0}, before);
+        const View after = windowView(effect, kFrame, 800, 600);
+        QVERIFY(glm::length(after.eye - before.eye) < 1e-4F);
+        QVERIFY(glm::dot(after.forward, before.right) > 0.1F); // the way the mouse went
+        QVERIFY(after.forward.y < before.forward.y);
+    }
+
     void orbitingNeverGoesOverThePole()
     {
         const Camera camera = orbited(Effect().camera, {0.0, 5000.0}, windowView(Effect(), 0, 800, 600));
@@ -89,7 +102,11 @@ private slots:
         QCOMPARE(cameraMoveFor(S::Maya, Qt::LeftButton, Qt::AltModifier), CameraMove::Orbit);
         QCOMPARE(cameraMoveFor(S::Maya, Qt::MiddleButton, Qt::AltModifier), CameraMove::Pan);
         QCOMPARE(cameraMoveFor(S::Maya, Qt::RightButton, Qt::AltModifier), CameraMove::Zoom);
+        QVERIFY(!cameraMoveFor(S::Maya, Qt::MiddleButton, {}).has_value());
+        QVERIFY(!cameraMoveFor(S::Maya, Qt::RightButton, {}).has_value());
         QCOMPARE(cameraMoveFor(S::Unity, Qt::MiddleButton, {}), CameraMove::Pan);
+        QCOMPARE(cameraMoveFor(S::Unity, Qt::RightButton, {}), CameraMove::Look);
+        QCOMPARE(cameraMoveFor(S::Unity, Qt::RightButton, Qt::AltModifier), CameraMove::Zoom);
         QVERIFY(!cameraMoveFor(S::Blender, Qt::RightButton, {}).has_value());
     }
 

@@ -181,6 +181,17 @@ private slots:
         QCOMPARE(m_window->document().undoStack()->count(), 0);
     }
 
+    void mouseHabitsChangeInEveryWindow()
+    {
+        MainWindow* other = m_session->openWindow();
+        m_window->actions().submenu("view.mouseHabits").actions()[1]->trigger();
+        for (const MainWindow* window : {m_window, other}) {
+            QCOMPARE(window->findChild<Viewport*>()->navigationStyle(), NavigationStyle::Maya);
+        }
+        QVERIFY(other->actions().submenu("view.mouseHabits").actions()[1]->isChecked());
+        m_window->actions().submenu("view.mouseHabits").actions()[0]->trigger();
+        QCOMPARE(other->viewport().navigationStyle(), NavigationStyle::Blender);
+    }
 
     void plainKeysBelongToTheTimelineUnlessAWidgetNeedsThem()
     {

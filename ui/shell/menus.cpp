@@ -26,7 +26,7 @@ QString menuText(const char* text)
 
 /// Offers a choice of which one is always made.
 /// @param chosen is given the index of a name
-void addChoices(QMenu& menu, const QStringList& names, int current, const std::function<void(int)>& chosen)
+QActionGroup& addChoices(QMenu& menu, const QStringList& names, int current, const std::function<void(int)>& chosen)
 {
     auto* group = new QActionGroup(&menu);
     for (int i = 0; i < names.size(); ++i) {
@@ -36,6 +36,7 @@ void addChoices(QMenu& menu, const QStringList& names, int current, const std::f
         group->addAction(action);
         QObject::connect(action, &QAction::triggered, &menu, [chosen, i] { chosen(i); });
     }
+    return *group;
 }
 
 } // namespace
@@ -101,10 +102,10 @@ void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)
 void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport)
 {
     const QStringList names{QStringLiteral("Blender"), QStringLiteral("Maya"), QStringLiteral("Unity")};
-    addChoices(menu, names, static_cast<int>(settings.navigationStyle()), [&](int index) {
-        settings.setNavigationStyle(static_cast<NavigationStyle>(index));
-        viewport.setNavigationStyle(static_cast<NavigationStyle>(index));
-    });
+    const QActionGroup& choices = addChoices(menu, names, static_cast<int>(settings.navigationStyle()), [&](int index) { settings.setNavigationStyle(static_cast<NavigationStyle>(index)); });
+    // It may be chosen in another window.
+    QObject::connect(&settings, &Settings::navigationStyleChanged, &viewport, &Viewport::setNavigationStyle);
+    QObject::connect(&settings, &Settings::navigationStyleChanged, &choices, [&choices](NavigationStyle style) { choices.actions()[static_cast<int>(style)]->setChecked(true); });
 }
 
 void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(const QString&)>& say)
@@ -124,7 +125,8 @@ void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(con
 void fillThemes(QMenu& menu, Session& session)
 {
     const QStringList names{menuText(QT_TRANSLATE_NOOP("Menus", "As the desktop")), menuText(QT_TRANSLATE_NOOP("Menus", "Dark")), menuText(QT_TRANSLATE_NOOP("Menus", "Light"))};
-    addChoices(menu, names, static_cast<int>(session.settings().theme()), [&session](int index) { session.applyTheme(static_cast<Theme>(index)); });
+    const QActionGroup& choices = addChoices(menu, names, static_cast<int>(session.settings().theme()), [&session](int index) { session.applyTheme(static_cast<Theme>(index)); });
+    QObject::connect(&session.settings(), &Settings::themeChanged, &choices, [&choices](Theme theme) { choices.actions()[static_cast<int>(theme)]->setChecked(true); });
 }
 
 } // namespace fumage::ui

@@ -79,6 +79,7 @@ Theme Settings::theme() const
 void Settings::setTheme(Theme theme)
 {
     m_settings.setValue(kTheme, static_cast<int>(theme));
+    emit themeChanged(theme);
 }
 
 QString Settings::language() const
@@ -99,6 +100,7 @@ NavigationStyle Settings::navigationStyle() const
 void Settings::setNavigationStyle(NavigationStyle style)
 {
     m_settings.setValue(kNavigation, static_cast<int>(style));
+    emit navigationStyleChanged(style);
 }
 
 bool Settings::showsStartDialog() const

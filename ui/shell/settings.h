@@ -43,6 +43,8 @@ public:
 signals:
     void recentFilesChanged();
     void favouritesChanged();
+    void navigationStyleChanged(fumage::ui::NavigationStyle style);
+    void themeChanged(fumage::ui::Theme theme);
 
 private:
     QSettings m_settings;

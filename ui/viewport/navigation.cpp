@@ -30,6 +30,14 @@ glm::vec3 turned(const glm::vec3& view, float yawDegrees, float pitchDegrees)
     return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
 }
 
+std::optional<CameraMove> middleInBlender(Qt::KeyboardModifiers modifiers)
+{
+    if (modifiers.testFlag(Qt::ShiftModifier)) {
+        return CameraMove::Pan;
+    }
+    return modifiers.testFlag(Qt::ControlModifier) ? CameraMove::Zoom : CameraMove::Orbit;
+}
+
 } // namespace
 
 std::optional<CameraMove> cameraMoveFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
@@ -38,19 +46,24 @@ std::optional<CameraMove> cameraMoveFor(NavigationStyle style, Qt::MouseButton b
     if (button == Qt::LeftButton) {
         return modifiers.testFlag(Qt::ShiftModifier) && !alt ? CameraMove::Pan : CameraMove::Orbit;
     }
-    if (button == Qt::RightButton) {
-        return alt ? std::optional(CameraMove::Zoom) : std::nullopt;
-    }
-    if (button != Qt::MiddleButton) {
+    const bool middle = button == Qt::MiddleButton;
+    if (!middle && button != Qt::RightButton) {
         return std::nullopt;
     }
-    if (style != NavigationStyle::Blender) {
-        return CameraMove::Pan;
+    switch (style) {
+    case NavigationStyle::Blender: return middle ? middleInBlender(modifiers) : std::nullopt;
+    case NavigationStyle::Maya:
+        if (!alt) {
+            return std::nullopt;
+        }
+        break;
+    case NavigationStyle::Unity:
+        if (!middle && !alt) {
+            return CameraMove::Look;
+        }
+        break;
     }
-    if (modifiers.testFlag(Qt::ShiftModifier)) {
-        return CameraMove::Pan;
-    }
-    return modifiers.testFlag(Qt::ControlModifier) ? CameraMove::Zoom : CameraMove::Orbit;
+    return middle ? CameraMove::Pan : CameraMove::Zoom;
 }
 
 Camera orbited(const Camera& camera, QPointF pixels, const View& view)
@@ -65,6 +78,16 @@ Camera orbited(const Camera& camera, QPointF pixels, const View& view)
     }
     out.yaw = wrapped(camera.yaw - across);
     out.pitch = std::clamp(camera.pitch + down, -kSteepest, kSteepest);
+    return out;
+}
+
+Camera lookedAround(const Camera& camera, QPointF pixels, const View& view)
+{
+    Camera standing = camera;
+    standing.mode = CameraMode::Fixed;
+    standing.view = view.forward;
+    Camera out = orbited(camera, pixels, view);
+    out.target = view.eye + orbited(standing, pixels, view).view * camera.distance;
     return out;
 }
 

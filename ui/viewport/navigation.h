@@ -13,14 +13,15 @@ namespace fumage::ui {
 /// Whose mouse habits the viewport follows.
 enum class NavigationStyle {
     Blender, ///< middle: orbit; with Shift: pan; with Ctrl: zoom
-    Maya, ///< Alt with left: orbit; middle: pan; right: zoom
-    Unity, ///< Alt with left: orbit; middle: pan; Alt with right: zoom
+    Maya, ///< with Alt, left: orbit; middle: pan; right: zoom
+    Unity, ///< Alt with left: orbit; middle: pan; right: look around; Alt with right: zoom
 };
 
 enum class CameraMove {
     Orbit,
     Pan,
     Zoom,
+    Look, ///< the eye stays where it is
 };
 
 /// What a button means; the bare left button orbits in every style, for hands with one button.
@@ -30,6 +31,8 @@ enum class CameraMove {
 
 /// @param pixels way of the mouse; the whole height of the view is half a turn
 [[nodiscard]] Camera orbited(const Camera& camera, QPointF pixels, const View& view);
+/// The view turns about the eye.
+[[nodiscard]] Camera lookedAround(const Camera& camera, QPointF pixels, const View& view);
 /// The point under the mouse, at the distance of the target, stays under it.
 [[nodiscard]] Camera panned(const Camera& camera, QPointF pixels, const View& view);
 /// @param notches of the wheel; more than 0 goes nearer

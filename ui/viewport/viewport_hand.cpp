@@ -114,6 +114,9 @@ void ViewportHand::drag(CameraMove move, const QMouseEvent& event)
     case CameraMove::Pan:
         apply(panned(before, way, m_drag->view), tr("Pan"));
         break;
+    case CameraMove::Look:
+        apply(lookedAround(before, way, m_drag->view), tr("Look around"));
+        break;
     case CameraMove::Zoom:
         constexpr double kNotchesAPixel = 0.03;
         apply(zoomed(before, -way.y() * kNotchesAPixel, m_drag->view), tr("Zoom"));
