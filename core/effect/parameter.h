@@ -74,6 +74,7 @@ struct Range {
 struct Parameter {
     std::string_view key; ///< "group.name": JSON path, --set key, objectName of the editor, anchor in the help
     std::string_view label; ///< key for tr()
+    std::string_view synonyms; ///< other words that it is looked for by, with spaces between: those of other programs, of other spellings, plain ones
     Kind kind = Kind::Float;
     Range hard; ///< refused or clamped outside; of every component
     Range soft; ///< what a slider spans

@@ -387,6 +387,48 @@ private slots:
         QVERIFY(row("motion.wind")->isVisible());
     }
 
+    void wordsOfArtistsFindParameters_data()
+    {
+        QTest::addColumn<QString>("word");
+        QTest::addColumn<QString>("key");
+        QTest::newRow("US spelling") << u"color"_q << u"look.colour"_q;
+        QTest::newRow("thick") << u"thick"_q << u"look.opacity"_q;
+        QTest::newRow("transparent") << u"transparent"_q << u"look.opacity"_q;
+        QTest::newRow("density") << u"Density"_q << u"look.opacity"_q;
+        QTest::newRow("lifetime") << u"lifetime"_q << u"life.fade_rate"_q;
+        QTest::newRow("fps") << u"fps"_q << u"timeline.frame_rate"_q;
+    }
+    void wordsOfArtistsFindParameters()
+    {
+        QFETCH(QString, word);
+        QFETCH(QString, key);
+        m_panel->findChild<QLineEdit*>(u"parameterSearch"_q)->setText(word);
+        QVERIFY(row(key.toLatin1().constData())->isVisible());
+        QVERIFY(!m_panel->findChild<QLabel*>(u"parameterSearch.nothing"_q)->isVisible());
+    }
+
+    void aSearchThatFindsNothingSaysSo()
+    {
+        m_panel->findChild<QLineEdit*>(u"parameterSearch"_q)->setText(u"zebra"_q);
+        const auto* nothing = m_panel->findChild<QLabel*>(u"parameterSearch.nothing"_q);
+        QVERIFY(nothing->isVisible() && nothing->text().contains(u"zebra"_q));
+    }
+
+    void theEssentialsStandOnTopOnceMore()
+    {
+        auto* group = m_panel->findChild<ParameterGroup*>(u"group.essentials"_q);
+        QCOMPARE(group->y(), 0);
+        QVERIFY(group->isVisible() && group->isOpen());
+        for (const char* key : {"look.opacity", "look.size", "look.colour", "life.fade_rate", "emitter.normal", "motion.wind_angle", "motion.gravity", "noise.octaves", "noise.sharpness", "timeline.loop"}) {
+            QVERIFY2(group->findChild<ParameterRow*>(u"essentials/%1.row"_q.arg(QLatin1String(key))) != nullptr, key);
+        }
+        m_document->edit(*findParameter("motion.gravity"), 3.0F);
+        QCOMPARE(group->findChild<NumberField*>(u"essentials/motion.gravity.field"_q)->value(), 3.0);
+        m_panel->findChild<QLineEdit*>(u"parameterSearch"_q)->setText(u"gravity"_q);
+        QVERIFY(!group->isVisible()); // not found twice
+        QVERIFY(row("motion.gravity")->isVisible());
+    }
+
     void whereNothingIsSearchedForNoTextIsLookedUp()
     {
         CountingTranslator translator;

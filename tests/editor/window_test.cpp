@@ -4,6 +4,7 @@
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/number_slider.h"
+#include "ui/noise_preview/noise_pane.h"
 #include "ui/viewport/viewport.h"
 
 #include "core/effect/known_parameter.h"
@@ -12,7 +13,9 @@
 #include <QAbstractSpinBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
@@ -223,6 +226,52 @@ private slots:
         QCOMPARE(m_window->viewport().overlays().testFlag(Overlay::Grid), !before);
     }
 
+    void theCommandSearchKnowsWhatMenusOffer_data()
+    {
+        QTest::addColumn<QString>("text");
+        for (const char* text : {"theme light", "mouse habits maya", "language svenska", "panels noise", "preset volcano"}) {
+            QTest::newRow(text) << QString::fromLatin1(text);
+        }
+    }
+    void theCommandSearchKnowsWhatMenusOffer()
+    {
+        QFETCH(QString, text);
+        const auto* list = searchCommands(text);
+        QVERIFY(list->currentItem() != nullptr && !list->currentItem()->isHidden());
+        QVERIFY(!childOf<QLabel>(*m_window, u"commandSearch.nothing"_q)->isVisible());
+    }
+
+    void aThemeAndAPresetAreChosenInTheCommandSearch()
+    {
+        searchCommands(u"theme light"_q);
+        QTest::keyClick(childOf<QLineEdit>(*m_window, u"commandSearch.text"_q), Qt::Key_Return);
+        QCOMPARE(m_session->settings().theme(), Theme::Light);
+        m_session->applyTheme(Theme::System);
+        QTRY_VERIFY(m_window->findChild<QDialog*>(u"commandSearch"_q) == nullptr);
+        searchCommands(u"preset volcano"_q);
+        QTest::keyClick(childOf<QLineEdit>(*m_window, u"commandSearch.text"_q), Qt::Key_Return);
+        QCOMPARE(m_window->document().displayName().toLower(), u"volcano"_q);
+    }
+
+    void aCommandThatIsNotThereIsNotFound()
+    {
+        QVERIFY(searchCommands(u"zebra"_q)->currentItem() == nullptr);
+        QVERIFY(childOf<QLabel>(*m_window, u"commandSearch.nothing"_q)->text().contains(u"zebra"_q));
+    }
+
+    void theNoisePaneHasItsParameters()
+    {
+        auto* field = childOf<NumberField>(m_window->noisePane(), u"noisePane/noise.sharpness.field"_q);
+        m_window->document().edit(knownParameter("noise.sharpness"), 2.0F);
+        QCOMPARE(field->value(), 2.0);
+        QTest::mouseClick(field, Qt::LeftButton);
+        field->selectAll();
+        QTest::keyClicks(field, u"3"_q);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_window->document().effect().noise.sharpness, 3.0F);
+        QVERIFY(m_window->noisePane().findChild<NumberField*>(u"noisePane/noise.octaves.field"_q) != nullptr);
+    }
+
     void everyActionHasATextAndNoShortcutIsTakenTwice()
     {
         QSet<QKeySequence> taken;
@@ -255,6 +304,14 @@ private:
         QTest::addColumn<QString>("name");
         QTest::newRow("of a parameter") << u"emitter.speed.field"_q;
         QTest::newRow("of the timeline") << u"frameField"_q;
+    }
+
+    /// Opens the search of commands and types into it.
+    QListWidget* searchCommands(const QString& text)
+    {
+        trigger("edit.commands");
+        QTest::keyClicks(childOf<QLineEdit>(*m_window, u"commandSearch.text"_q), text);
+        return childOf<QListWidget>(*m_window, u"commandSearch.list"_q);
     }
 
     /// The field that is asked for, with the keyboard in it and all of it selected.

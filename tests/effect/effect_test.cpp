@@ -17,7 +17,7 @@ private slots:
         std::set<std::string_view> keys;
         for (const Parameter& p : parameterTable()) {
             QVERIFY2(keys.insert(p.key).second, p.key.data());
-            QVERIFY(!p.label.empty() && !p.tip.empty() && p.get != nullptr && p.set != nullptr);
+            QVERIFY(!p.label.empty() && !p.synonyms.empty() && !p.tip.empty() && p.get != nullptr && p.set != nullptr);
             QVERIFY(!groupLabel(p.group()).empty());
             if (p.kind == Kind::Choice) {
                 QVERIFY(p.choices.size() >= 2);

@@ -52,6 +52,15 @@ QString fullLabelOf(const Parameter& parameter)
     return QStringLiteral("%1: %2").arg(groupLabelOf(parameter.group()), labelOf(parameter));
 }
 
+QString searchTextOf(const Parameter& parameter)
+{
+    QStringList words{fullLabelOf(parameter), translated(parameter.tip)};
+    for (const std::string_view text : {groupLabel(parameter.group()), parameter.label, parameter.tip, parameter.key, parameter.synonyms}) {
+        words += toQString(text);
+    }
+    return words.join(QLatin1Char(' '));
+}
+
 QString toolTipOf(const Parameter& parameter)
 {
     QString text = QStringLiteral("<p><b>%1</b><br>%2</p>").arg(fullLabelOf(parameter).toHtmlEscaped(), translated(parameter.tip).toHtmlEscaped());

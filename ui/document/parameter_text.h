@@ -15,6 +15,9 @@ namespace fumage::ui {
 /// "Motion: Wind angle", as undo steps and lists name a parameter outside of its panel.
 [[nodiscard]] QString fullLabelOf(const Parameter& parameter);
 
+/// All words that a parameter is found by: of label, group, tip, key and synonyms, in the language of the user and as they stand in the table.
+[[nodiscard]] QString searchTextOf(const Parameter& parameter);
+
 /// What a parameter does, its unit, range, key and source, as rich text.
 [[nodiscard]] QString toolTipOf(const Parameter& parameter);
 

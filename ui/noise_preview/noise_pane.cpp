@@ -58,6 +58,12 @@ void NoisePane::build()
     layout->addWidget(m_facts);
 }
 
+void NoisePane::addControls(QWidget* controls)
+{
+    auto* box = static_cast<QVBoxLayout*>(layout());
+    box->insertWidget(box->indexOf(m_plots), controls);
+}
+
 QHBoxLayout* NoisePane::makeBar()
 {
     auto* bar = new QHBoxLayout;

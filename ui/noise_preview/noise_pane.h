@@ -26,6 +26,9 @@ public:
 
     [[nodiscard]] const NoisePicturePtr& picture() const { return m_picture; }
 
+    /// Puts the parameters that are wanted beside the picture below it.
+    void addControls(QWidget* controls);
+
 signals:
     /// The artist wants the texture as a file.
     void exportRequested();

@@ -3,10 +3,13 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 
 #include <algorithm>
+#include <array>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QToolButton>
@@ -17,6 +20,21 @@ namespace fumage::ui {
 namespace {
 
 constexpr int kMargin = 8;
+const QString kEssentialsName = QStringLiteral("essentials");
+
+/// What an artist needs first, once more above all groups.
+constexpr std::array kEssentials{
+    &knownParameter("look.opacity"),
+    &knownParameter("look.size"),
+    &knownParameter("look.colour"),
+    &knownParameter("life.fade_rate"),
+    &knownParameter("emitter.normal"),
+    &knownParameter("motion.wind_angle"),
+    &knownParameter("motion.gravity"),
+    &knownParameter("noise.octaves"),
+    &knownParameter("noise.sharpness"),
+    &knownParameter("timeline.loop"),
+};
 
 std::vector<std::string_view> groups()
 {
@@ -31,16 +49,17 @@ std::vector<std::string_view> groups()
 
 } // namespace
 
-ParameterGroup::ParameterGroup(std::string_view group, Document& document, Locks& locks, QWidget* parent)
+ParameterGroup::ParameterGroup(const QString& name, const QString& label, std::vector<ParameterRow*> rows, Document& document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_heading(new QToolButton(this))
     , m_content(new QWidget(this))
+    , m_rows(std::move(rows))
 {
-    setObjectName(QStringLiteral("group.") + toQString(group));
+    setObjectName(QStringLiteral("group.") + name);
     m_heading->setObjectName(objectName() + QStringLiteral(".heading"));
     m_heading->setProperty("role", QStringLiteral("heading"));
-    m_heading->setText(groupLabelOf(group));
+    m_heading->setText(label);
     m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_heading->setCheckable(true);
     m_heading->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -49,14 +68,11 @@ ParameterGroup::ParameterGroup(std::string_view group, Document& document, Locks
     layout->setSpacing(0);
     layout->addWidget(m_heading);
     layout->addWidget(m_content);
-    auto* rows = new QVBoxLayout(m_content);
-    rows->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin);
-    rows->setSpacing(2);
-    for (const Parameter& parameter : parameterTable()) {
-        if (parameter.group() == group) {
-            m_rows.push_back(new ParameterRow(parameter, document, locks, m_content));
-            rows->addWidget(m_rows.back());
-        }
+    auto* list = new QVBoxLayout(m_content);
+    list->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin);
+    list->setSpacing(2);
+    for (ParameterRow* row : m_rows) {
+        list->addWidget(row);
     }
     connect(m_heading, &QToolButton::toggled, this, &ParameterGroup::setOpen);
     setOpen(false);
@@ -112,7 +128,9 @@ bool ParameterGroup::filter(const QStringList& words)
 
 EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     : QWidget(parent)
+    , m_document(document)
     , m_search(new QLineEdit(this))
+    , m_nothing(new QLabel(this))
     , m_scroll(new QScrollArea(this))
 {
     setObjectName(QStringLiteral("effectPanel"));
@@ -120,16 +138,11 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->setPlaceholderText(tr("Search parameters"));
     m_search->setClearButtonEnabled(true);
-    auto* content = new QWidget(m_scroll);
-    auto* list = new QVBoxLayout(content);
-    list->setContentsMargins(0, 0, 0, 0);
-    list->setSpacing(1);
-    for (const std::string_view group : groups()) {
-        m_groups.push_back(new ParameterGroup(group, document, locks, content));
-        list->addWidget(m_groups.back());
-    }
-    list->addStretch();
-    m_scroll->setWidget(content);
+    m_nothing->setObjectName(QStringLiteral("parameterSearch.nothing"));
+    m_nothing->setProperty("role", QStringLiteral("secondary"));
+    m_nothing->setWordWrap(true);
+    m_nothing->hide();
+    m_scroll->setWidget(makeGroups(locks));
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -140,13 +153,48 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     auto* top = new QVBoxLayout;
     top->setContentsMargins(kMargin, kMargin, kMargin, 0);
     top->addWidget(m_search);
+    top->addWidget(m_nothing);
     layout->addLayout(top);
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);
     connect(&document, &Document::effectChanged, this, &EffectPanel::follow);
     connect(&document, &Document::titleChanged, this, &EffectPanel::sync);
     sync();
-    setOpenGroups({QStringLiteral("emitter"), QStringLiteral("motion")});
+    setOpenGroups(usualGroups());
+}
+
+QStringList EffectPanel::usualGroups()
+{
+    return {kEssentialsName, QStringLiteral("emitter"), QStringLiteral("motion")};
+}
+
+QWidget* EffectPanel::makeGroups(Locks& locks)
+{
+    auto* content = new QWidget(m_scroll);
+    auto* list = new QVBoxLayout(content);
+    list->setContentsMargins(0, 0, 0, 0);
+    list->setSpacing(1);
+    const auto add = [&](const QString& name, const QString& label, std::vector<ParameterRow*> rows) {
+        m_groups.push_back(new ParameterGroup(name, label, std::move(rows), m_document, content));
+        list->addWidget(m_groups.back());
+    };
+    std::vector<ParameterRow*> essentials;
+    for (const Parameter* parameter : kEssentials) {
+        essentials.push_back(new ParameterRow(*parameter, m_document, locks, content));
+        essentials.back()->prefixNames(kEssentialsName + QLatin1Char('/'));
+    }
+    add(kEssentialsName, tr("Essentials"), std::move(essentials));
+    for (const std::string_view group : groups()) {
+        std::vector<ParameterRow*> rows;
+        for (const Parameter& parameter : parameterTable()) {
+            if (parameter.group() == group) {
+                rows.push_back(new ParameterRow(parameter, m_document, locks, content));
+            }
+        }
+        add(toQString(group), groupLabelOf(group), std::move(rows));
+    }
+    list->addStretch();
+    return content;
 }
 
 void EffectPanel::sync()
@@ -166,9 +214,14 @@ void EffectPanel::follow(const EffectChange& change)
 void EffectPanel::filter(const QString& text)
 {
     const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    bool any = false;
     for (ParameterGroup* group : m_groups) {
-        group->filter(words);
+        any = group->filter(words) || any;
     }
+    // What stands there once more is not to be found twice.
+    m_groups.front()->setVisible(words.isEmpty());
+    m_nothing->setVisible(!any);
+    m_nothing->setText(tr("No parameter is found by “%1”. Try a part of a word, or another word.").arg(text));
 }
 
 void EffectPanel::showGroup(std::string_view name)

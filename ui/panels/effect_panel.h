@@ -6,6 +6,7 @@
 
 #include <vector>
 
+class QLabel;
 class QLineEdit;
 class QToolButton;
 
@@ -16,7 +17,8 @@ class ParameterGroup : public QWidget {
     Q_OBJECT
 
 public:
-    ParameterGroup(std::string_view group, Document& document, Locks& locks, QWidget* parent);
+    /// @param name objectName without its "group."
+    ParameterGroup(const QString& name, const QString& label, std::vector<ParameterRow*> rows, Document& document, QWidget* parent);
 
     [[nodiscard]] bool isOpen() const;
     void setOpen(bool open);
@@ -36,7 +38,8 @@ private:
     QStringList m_words;
 };
 
-/// All parameters of the effect, generated from the parameter table: a search field above groups that fold.
+/// All parameters of the effect, generated from the parameter table: a search field above groups that fold. On top those that an artist needs
+/// first stand once more.
 class EffectPanel : public QWidget {
     Q_OBJECT
 
@@ -51,6 +54,8 @@ public:
     void search();
     [[nodiscard]] QStringList openGroups() const;
     void setOpenGroups(const QStringList& groups);
+    /// Those that are open as long as nobody says otherwise.
+    [[nodiscard]] static QStringList usualGroups();
 
     QSize sizeHint() const override { return {372, 700}; }
 
@@ -58,8 +63,11 @@ private:
     void sync();
     void follow(const EffectChange& change);
     void filter(const QString& text);
+    [[nodiscard]] QWidget* makeGroups(Locks& locks);
 
+    Document& m_document;
     QLineEdit* m_search;
+    QLabel* m_nothing; ///< says that nothing was found
     QScrollArea* m_scroll;
     std::vector<ParameterGroup*> m_groups;
 };

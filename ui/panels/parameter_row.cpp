@@ -91,12 +91,23 @@ void ParameterRow::showState()
     m_label->style()->polish(m_label);
 }
 
+void ParameterRow::prefixNames(const QString& prefix)
+{
+    const QString key = toQString(parameter().key);
+    for (QWidget* part : findChildren<QWidget*>()) {
+        if (part->objectName().startsWith(key)) {
+            part->setObjectName(prefix + part->objectName());
+        }
+    }
+    setObjectName(prefix + objectName());
+}
+
 bool ParameterRow::matches(const QStringList& words) const
 {
     if (words.isEmpty()) {
         return true;
     }
-    const QString all = fullLabelOf(parameter()) + QLatin1Char(' ') + toQString(parameter().key) + QLatin1Char(' ') + toQString(parameter().tip);
+    const QString all = searchTextOf(parameter());
     return std::all_of(words.begin(), words.end(), [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }
 

@@ -22,7 +22,9 @@ public:
 
     /// Shows what the document holds.
     void sync();
-    /// @param words all of which have to be found in label, group, key or tip
+    /// Puts something before all objectNames, where the same parameter has another row elsewhere.
+    void prefixNames(const QString& prefix);
+    /// @param words all of which have to be found; see searchTextOf()
     [[nodiscard]] bool matches(const QStringList& words) const;
 
 protected:

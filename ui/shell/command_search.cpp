@@ -8,16 +8,17 @@
 #include <algorithm>
 
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
 
 namespace {
 
-constexpr int kActionRole = Qt::UserRole;
-constexpr int kParameterRole = Qt::UserRole + 1;
+constexpr int kWordsRole = Qt::UserRole; ///< what an item is found by
 
 } // namespace
 
@@ -26,18 +27,23 @@ CommandSearch::CommandSearch(ActionSet& actions, QWidget* parent)
     , m_actions(actions)
     , m_search(new QLineEdit(this))
     , m_list(new QListWidget(this))
+    , m_nothing(new QLabel(this))
 {
     setObjectName(QStringLiteral("commandSearch"));
     setWindowTitle(tr("Search commands"));
     m_search->setObjectName(QStringLiteral("commandSearch.text"));
     m_search->setAccessibleName(tr("Search commands"));
-    m_search->setPlaceholderText(tr("A command or a parameter"));
+    m_search->setPlaceholderText(tr("A command, a choice, a parameter or a preset"));
     m_search->installEventFilter(this);
     m_list->setObjectName(QStringLiteral("commandSearch.list"));
     m_list->setAccessibleName(tr("Commands"));
+    m_nothing->setObjectName(QStringLiteral("commandSearch.nothing"));
+    m_nothing->setProperty("role", QStringLiteral("secondary"));
+    m_nothing->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->addWidget(m_search);
+    layout->addWidget(m_nothing);
     layout->addWidget(m_list);
     constexpr QSize kUsual(520, 420);
     resize(kUsual);
@@ -48,21 +54,52 @@ CommandSearch::CommandSearch(ActionSet& actions, QWidget* parent)
     connect(m_list, &QListWidget::itemClicked, this, &CommandSearch::choose);
 }
 
+QListWidgetItem* CommandSearch::add(const QString& text, const QString& words, std::function<void()> act)
+{
+    auto* item = new QListWidgetItem(text, m_list);
+    item->setData(kWordsRole, words.isEmpty() ? text : words);
+    m_acts.push_back(std::move(act));
+    return item;
+}
+
 void CommandSearch::fill()
 {
+    addCommands();
+    addParameters();
+    addPresets();
+}
+
+void CommandSearch::addCommands()
+{
     for (const ActionSpec& spec : actionSpecs()) {
-        const QAction& action = m_actions.get(spec.id);
-        if (!action.isEnabled() || spec.kind == ActionKind::Submenu) {
+        QAction& action = m_actions.get(spec.id);
+        if (!action.isEnabled()) {
+            continue;
+        }
+        if (spec.kind == ActionKind::Submenu) {
+            for (QAction* choice : m_actions.submenu(spec.id).actions()) {
+                add(fullName(spec) + QStringLiteral(": ") + choice->text().remove(QLatin1Char('&')), {}, [choice] { choice->trigger(); });
+            }
             continue;
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(action.icon(), fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys), m_list);
-        item->setData(kActionRole, QLatin1String(spec.id));
+        add(fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys), {}, [&action] { action.trigger(); })->setIcon(action.icon());
     }
+}
+
+void CommandSearch::addParameters()
+{
     for (const Parameter& parameter : parameterTable()) {
-        auto* item = new QListWidgetItem(fullLabelOf(parameter), m_list);
-        item->setToolTip(toolTipOf(parameter));
-        item->setData(kParameterRole, toQString(parameter.key));
+        add(fullLabelOf(parameter), searchTextOf(parameter), [this, key = toQString(parameter.key)] { emit parameterChosen(key); })->setToolTip(toolTipOf(parameter));
+    }
+}
+
+void CommandSearch::addPresets()
+{
+    for (const auto& shelf : {builtinPresets(), presetsIn(userPresetFolder())}) {
+        for (const LibraryEntry& entry : shelf) {
+            add(tr("Preset: %1").arg(toQString(entry.id)), {}, [this, entry] { emit presetChosen(entry); });
+        }
     }
 }
 
@@ -71,12 +108,14 @@ void CommandSearch::filter(const QString& text)
     const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     int first = -1;
     for (int i = 0; i < m_list->count(); ++i) {
-        const QString name = m_list->item(i)->text();
-        const bool found = std::all_of(words.begin(), words.end(), [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
+        const QString known = m_list->item(i)->data(kWordsRole).toString();
+        const bool found = std::all_of(words.begin(), words.end(), [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); });
         m_list->item(i)->setHidden(!found);
         first = found && first < 0 ? i : first;
     }
     m_list->setCurrentRow(first);
+    m_nothing->setVisible(first < 0);
+    m_nothing->setText(tr("Nothing is found by “%1”. Try a part of a word, or another word.").arg(text));
 }
 
 void CommandSearch::choose()
@@ -86,12 +125,7 @@ void CommandSearch::choose()
         return;
     }
     accept();
-    const QString action = item->data(kActionRole).toString();
-    if (action.isEmpty()) {
-        emit parameterChosen(item->data(kParameterRole).toString());
-    } else {
-        m_actions.get(action.toLatin1().constData()).trigger();
-    }
+    m_acts[static_cast<std::size_t>(m_list->row(item))]();
 }
 
 bool CommandSearch::eventFilter(QObject* watched, QEvent* event)

@@ -2,14 +2,21 @@
 
 #include "ui/shell/action_table.h"
 
+#include "core/preset/library.h"
+
 #include <QDialog>
 
+#include <functional>
+#include <vector>
+
+class QLabel;
 class QLineEdit;
 class QListWidget;
+class QListWidgetItem;
 
 namespace fumage::ui {
 
-/// Finds a command or a parameter by some of its letters and does it, or goes there.
+/// Finds a command, a choice of a menu, a parameter or a preset by some of its letters and does it, or goes there.
 class CommandSearch : public QDialog {
     Q_OBJECT
 
@@ -18,18 +25,26 @@ public:
 
 signals:
     void parameterChosen(const QString& key);
+    void presetChosen(const fumage::LibraryEntry& entry);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void fill();
+    void addCommands();
+    void addParameters();
+    void addPresets();
+    /// @param words it is found by; empty: by its text
+    QListWidgetItem* add(const QString& text, const QString& words, std::function<void()> act);
     void filter(const QString& text);
     void choose();
 
     ActionSet& m_actions;
     QLineEdit* m_search;
     QListWidget* m_list;
+    QLabel* m_nothing; ///< says that nothing was found
+    std::vector<std::function<void()>> m_acts; ///< one an item, in their order
 };
 
 } // namespace fumage::ui

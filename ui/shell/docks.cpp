@@ -2,8 +2,11 @@
 
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/effect_panel.h"
+#include "ui/panels/parameter_rows.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/variations_panel.h"
+
+#include "core/effect/known_parameter.h"
 
 #include <algorithm>
 
@@ -43,6 +46,8 @@ Docks::Docks(QMainWindow& window, Document& document, Locks& locks)
     , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), makeHistory(document)))
     , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new VariationsPanel(document, locks)))
 {
+    constexpr std::array kBesideTheNoise{&knownParameter("noise.octaves"), &knownParameter("noise.sharpness")};
+    m_noisePane->addControls(new ParameterRows(kBesideTheNoise, QStringLiteral("noisePane/"), document, locks));
     arrange();
 }
 

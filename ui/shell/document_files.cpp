@@ -149,6 +149,15 @@ bool DocumentFiles::openPreset(const Preset& preset)
     return true;
 }
 
+void DocumentFiles::openEntry(const LibraryEntry& entry)
+{
+    if (const Result<PresetReading> reading = loadPreset(entry)) {
+        openPreset(reading.value().preset);
+    } else {
+        report(tr("Cannot open “%1”").arg(toQString(entry.id)), reading.error());
+    }
+}
+
 bool DocumentFiles::saveTo(const QString& path)
 {
     finishTyping();

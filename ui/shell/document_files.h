@@ -4,6 +4,8 @@
 #include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 
+#include "core/preset/library.h"
+
 #include <QObject>
 
 namespace fumage::ui {
@@ -26,6 +28,8 @@ public:
     bool openFile(const QString& name);
     /// Shows a preset that has no file of its own.
     bool openPreset(const Preset& preset);
+    /// Shows a preset of the library.
+    void openEntry(const LibraryEntry& entry);
     bool save();
     bool saveAs();
     /// Writes a copy to the user's presets and goes on with it.

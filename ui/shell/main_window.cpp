@@ -164,6 +164,7 @@ void MainWindow::searchCommands()
     auto* search = new CommandSearch(m_actions, this);
     search->setAttribute(Qt::WA_DeleteOnClose);
     connect(search, &CommandSearch::parameterChosen, &m_docks, &Docks::showParameter);
+    connect(search, &CommandSearch::presetChosen, &m_files, &DocumentFiles::openEntry);
     search->show();
 }
 

@@ -31,7 +31,7 @@ void restoreLayout(QMainWindow& window, Docks& docks, ViewActions& view, const S
         // Panels can be given their sizes once the window has its own.
         QMetaObject::invokeMethod(&docks, &Docks::arrange, Qt::QueuedConnection);
     }
-    docks.effectPanel().setOpenGroups(settings.list(kOpenGroups, {QStringLiteral("emitter"), QStringLiteral("motion")}));
+    docks.effectPanel().setOpenGroups(settings.list(kOpenGroups, EffectPanel::usualGroups()));
     view.showOverlays(settings.list(kOverlays, view.shownOverlays()));
 }
 

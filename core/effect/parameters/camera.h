@@ -14,6 +14,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::mode>({
         .key = "camera.mode",
         .label = "Mode",
+        .synonyms = "orbit fixed free",
         .tip = "Around a target, or at a fixed place.",
         .choices = kCameraModes,
         .stage = Stage::Shade,
@@ -21,6 +22,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::yaw>({
         .key = "camera.yaw",
         .label = "Yaw",
+        .synonyms = "turn orbit angle azimuth heading",
         .hard = {-360, 360},
         .soft = {-180, 180},
         .step = 1,
@@ -32,6 +34,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::pitch>({
         .key = "camera.pitch",
         .label = "Pitch",
+        .synonyms = "tilt elevation angle",
         .hard = {-89, 89},
         .step = 1,
         .unit = Unit::Degrees,
@@ -42,6 +45,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::distance>({
         .key = "camera.distance",
         .label = "Distance",
+        .synonyms = "zoom dolly range",
         .hard = {0.01, 10000},
         .soft = {0.5, 50},
         .step = 0.05,
@@ -54,6 +58,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::target>({
         .key = "camera.target",
         .label = "Target",
+        .synonyms = "look at pivot focus center",
         .kind = Kind::Vector,
         .hard = kFarAway,
         .soft = {-10, 10},
@@ -66,6 +71,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::turntable>({
         .key = "camera.turntable",
         .label = "Turntable",
+        .synonyms = "turn spin rotate orbit",
         .hard = {-3600, 3600},
         .soft = {-90, 90},
         .step = 1,
@@ -77,6 +83,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::position>({
         .key = "camera.position",
         .label = "Position",
+        .synonyms = "place location move eye",
         .kind = Kind::Vector,
         .hard = kFarAway,
         .soft = {-20, 20},
@@ -89,6 +96,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::view>({
         .key = "camera.view",
         .label = "View direction",
+        .synonyms = "look direction aim",
         .kind = Kind::Direction,
         .hard = kComponents,
         .step = 0.01,
@@ -99,6 +107,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::focalLength>({
         .key = "camera.focal_length",
         .label = "Focal length",
+        .synonyms = "zoom lens field of view fov",
         .hard = {5, 1000},
         .soft = {15, 200},
         .step = 1,

@@ -15,6 +15,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::count>({
         .key = "emitter.count",
         .label = "Particles",
+        .synonyms = "number amount quantity density thick rate spawn",
         .hard = {1, kMaxParticles},
         .soft = {1000, 1000000},
         .step = 1000,
@@ -26,6 +27,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::shape>({
         .key = "emitter.shape",
         .label = "Shape",
+        .synonyms = "source form disc disk sphere rectangle",
         .tip = "The surface or body on which particles are born.",
         .source = "2012 model, eq. I (rectangle)",
         .choices = kEmitterShapes,
@@ -33,6 +35,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::radius>({
         .key = "emitter.radius",
         .label = "Radius",
+        .synonyms = "size diameter source width",
         .hard = {0, 1000},
         .soft = {0, 3},
         .step = 0.01,
@@ -42,6 +45,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::width>({
         .key = "emitter.width",
         .label = "Width",
+        .synonyms = "size source",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.01,
@@ -53,6 +57,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::depth>({
         .key = "emitter.depth",
         .label = "Depth",
+        .synonyms = "size source length",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.01,
@@ -64,6 +69,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::normal>({
         .key = "emitter.normal",
         .label = "Normal",
+        .synonyms = "direction aim up orientation",
         .kind = Kind::Direction,
         .hard = kComponents,
         .step = 0.01,
@@ -73,6 +79,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::position>({
         .key = "emitter.position",
         .label = "Position",
+        .synonyms = "place location source move origin",
         .kind = Kind::Vector,
         .hard = kFarAway,
         .soft = {-10, 10},
@@ -84,6 +91,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::speed>({
         .key = "emitter.speed",
         .label = "Speed",
+        .synonyms = "velocity fast slow initial",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.01,
@@ -94,6 +102,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::velocityRandomness>({
         .key = "emitter.velocity_randomness",
         .label = "Velocity randomness",
+        .synonyms = "random chaos jitter irregular",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: every particle leaves at the full speed. 1: each component of the velocity is multiplied by its "
@@ -103,6 +112,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::spread>({
         .key = "emitter.spread",
         .label = "Spread",
+        .synonyms = "cone angle nozzle",
         .hard = {0, 180},
         .soft = {0, 90},
         .step = 0.5,
@@ -112,12 +122,14 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::mode>({
         .key = "emitter.mode",
         .label = "Emission",
+        .synonyms = "burst explosion puff continuous",
         .tip = "Continuous smoke, or one burst at the start of the timeline.",
         .choices = kEmissionModes,
     }),
     row<&Emitter::burstDuration>({
         .key = "emitter.burst_duration",
         .label = "Burst duration",
+        .synonyms = "burst explosion puff time",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.01,
@@ -128,12 +140,14 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::subframe>({
         .key = "emitter.subframe",
         .label = "Birth between steps",
+        .synonyms = "smooth stream stripes bands",
         .tip = "Spreads births over the time between two steps, so that fast smoke leaves in a stream and not in "
                "sheets.",
     }),
     row<&Emitter::seed>({
         .key = "emitter.seed",
         .label = "Seed",
+        .synonyms = "random different another",
         .hard = kSeeds,
         .step = 1,
         .tip = "Another seed gives another smoke of the same kind.",

@@ -12,6 +12,7 @@ inline constexpr std::array kRows<Life>{
     row<&Life::fadeRate>({
         .key = "life.fade_rate",
         .label = "Fade rate",
+        .synonyms = "lifetime life duration age disappear vanish dissolve lifespan fade out",
         .hard = {0.001, 100},
         .soft = {0.005, 0.2},
         .step = 0.001,
@@ -23,6 +24,7 @@ inline constexpr std::array kRows<Life>{
     row<&Life::initialAlpha>({
         .key = "life.initial_alpha",
         .label = "Initial alpha",
+        .synonyms = "transparent transparency opacity density start",
         .hard = {0.001, 1},
         .soft = {0.01, 1},
         .step = 0.005,
@@ -33,6 +35,7 @@ inline constexpr std::array kRows<Life>{
     row<&Life::lifetimeVariance>({
         .key = "life.lifetime_variance",
         .label = "Lifetime variance",
+        .synonyms = "life duration random variation lifespan",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Lets particles die earlier, by up to this share of their life, so that the smoke thins out unevenly.",
@@ -40,6 +43,7 @@ inline constexpr std::array kRows<Life>{
     row<&Life::sizeCurve>({
         .key = "life.size",
         .label = "Size over life",
+        .synonyms = "grow shrink scale expansion curve",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Share of the particle's size, from birth to death.",
@@ -47,6 +51,7 @@ inline constexpr std::array kRows<Life>{
     row<&Life::alphaCurve>({
         .key = "life.alpha",
         .label = "Alpha over life",
+        .synonyms = "fade in transparent transparency opacity curve",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Multiplies the fading alpha, from birth to death.",

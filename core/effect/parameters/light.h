@@ -14,6 +14,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::direction>({
         .key = "light.direction",
         .label = "Direction",
+        .synonyms = "sun angle lamp lighting",
         .kind = Kind::Direction,
         .hard = kComponents,
         .step = 0.01,
@@ -23,6 +24,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::intensity>({
         .key = "light.intensity",
         .label = "Intensity",
+        .synonyms = "brightness sun bright dark strength",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.05,
@@ -32,6 +34,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::shadow>({
         .key = "light.shadow",
         .label = "Shadow",
+        .synonyms = "dark self-shadow shade absorption thick",
         .hard = {0, 100},
         .soft = {0, 4},
         .step = 0.02,
@@ -41,6 +44,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::scattering>({
         .key = "light.scattering",
         .label = "Scattering",
+        .synonyms = "bright translucent soft milky",
         .hard = {0, 0.95},
         .step = 0.01,
         .tip = "Light that is scattered many times and reaches deep into dense smoke, so that it is not black.",
@@ -50,6 +54,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::anisotropy>({
         .key = "light.anisotropy",
         .label = "Anisotropy",
+        .synonyms = "forward back rim silver lining phase",
         .hard = {-0.95, 0.95},
         .soft = {-0.9, 0.9},
         .step = 0.01,
@@ -61,6 +66,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::ambient>({
         .key = "light.ambient",
         .label = "Ambient",
+        .synonyms = "fill sky brightness",
         .hard = {0, 1000},
         .soft = {0, 4},
         .step = 0.02,
@@ -70,6 +76,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::colour>({
         .key = "light.colour",
         .label = "Colour",
+        .synonyms = "color sun tint",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,
@@ -80,6 +87,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::sky>({
         .key = "light.sky",
         .label = "Sky",
+        .synonyms = "color ambient blue above",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,
@@ -90,6 +98,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::ground>({
         .key = "light.ground",
         .label = "Ground",
+        .synonyms = "color ambient bounce below floor",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,
@@ -100,6 +109,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::occlusion>({
         .key = "light.occlusion",
         .label = "Occlusion",
+        .synonyms = "ao ambient dark shade",
         .hard = {0, 100},
         .soft = {0, 4},
         .step = 0.02,
@@ -109,6 +119,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emission>({
         .key = "light.emission",
         .label = "Emission",
+        .synonyms = "fire glow flame heat burn",
         .hard = {0, 1000},
         .soft = {0, 20},
         .step = 0.1,
@@ -118,6 +129,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emissionCooling>({
         .key = "light.emission_cooling",
         .label = "Emission cooling",
+        .synonyms = "fire glow flame fade",
         .hard = {0, 100},
         .soft = {0, 10},
         .step = 0.05,
@@ -128,6 +140,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::hotCore>({
         .key = "light.hot_core",
         .label = "Hot core",
+        .synonyms = "fire flame center inside",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much cooler the rim glows than the inside: air cools what lies open to it, and fire shows in the "
@@ -137,6 +150,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emissionColour>({
         .key = "light.emission_colour",
         .label = "Emission from",
+        .synonyms = "color fire flame blackbody",
         .tip = "Colours of your choice, or those of a body that glows by its temperature.",
         .choices = kEmissionColours,
         .stage = Stage::Shade,
@@ -144,6 +158,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::temperature>({
         .key = "light.temperature",
         .label = "Temperature",
+        .synonyms = "heat kelvin fire blackbody",
         .hard = {600, 20000},
         .soft = {900, 4000},
         .step = 10,
@@ -157,6 +172,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emissionGradient>({
         .key = "light.emission_colours",
         .label = "Emission colours",
+        .synonyms = "color colors fire flame ramp gradient",
         .hard = kColours,
         .soft = kUnit,
         .step = 0.01,
@@ -167,6 +183,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::resolution>({
         .key = "light.resolution",
         .label = "Resolution",
+        .synonyms = "quality detail shadow grid voxels",
         .hard = {8, kMaxLightResolution},
         .soft = {32, 128},
         .step = 8,

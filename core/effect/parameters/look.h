@@ -14,6 +14,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::opacity>({
         .key = "look.opacity",
         .label = "Opacity",
+        .synonyms = "density thick thickness thin transparent transparency alpha dense",
         .hard = {0, 1000},
         .soft = {0.05, 50},
         .step = 0.05,
@@ -24,6 +25,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::size>({
         .key = "look.size",
         .label = "Size",
+        .synonyms = "scale big small particle diameter large",
         .hard = {0.001, 100},
         .soft = {0.01, 3},
         .step = 0.005,
@@ -35,6 +37,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::colour>({
         .key = "look.colour",
         .label = "Colour",
+        .synonyms = "color tint albedo gray grey",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,
@@ -45,6 +48,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::colourGradient>({
         .key = "look.colour_over_life",
         .label = "Colour over life",
+        .synonyms = "color gradient tint ramp age",
         .hard = kColours,
         .soft = kUnit,
         .step = 0.01,
@@ -54,6 +58,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::texture>({
         .key = "look.texture",
         .label = "Texture",
+        .synonyms = "detail noise transparent holes",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much the noise disturbs the transparency of a particle.",
@@ -63,6 +68,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::erosion>({
         .key = "look.erosion",
         .label = "Erosion",
+        .synonyms = "dissolve holes wispy break up",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How far the noise eats into a particle by the end of its life.",
@@ -71,6 +77,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::erosionSoftness>({
         .key = "look.erosion_softness",
         .label = "Erosion softness",
+        .synonyms = "dissolve holes edge",
         .hard = {0.02, 1},
         .step = 0.01,
         .tip = "Width of the transition from smoke to hole.",
@@ -79,6 +86,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::softness>({
         .key = "look.softness",
         .label = "Softness",
+        .synonyms = "soft hard edge blur feather rim",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: a disc with a hard rim. 1: a puff that fades from its centre.",
@@ -88,6 +96,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::relief>({
         .key = "look.relief",
         .label = "Relief",
+        .synonyms = "bump normal depth volume",
         .hard = {0, 4},
         .soft = {0, 2},
         .step = 0.02,
@@ -97,6 +106,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::roundness>({
         .key = "look.roundness",
         .label = "Roundness",
+        .synonyms = "ball volume puffy shading",
         .hard = {0, 2},
         .soft = {0, 1},
         .step = 0.02,
@@ -106,6 +116,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::sizeVariance>({
         .key = "look.size_variance",
         .label = "Size variance",
+        .synonyms = "random size variation",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much sizes differ; 1 mixes everything down to nothing.",
@@ -114,6 +125,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::dilution>({
         .key = "look.dilution",
         .label = "Dilution",
+        .synonyms = "thin expand density mass",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much a particle thins out as it grows; 1 keeps its amount of smoke constant.",
@@ -122,6 +134,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::textureScale>({
         .key = "look.texture_scale",
         .label = "Texture scale",
+        .synonyms = "noise zoom tiling detail",
         .hard = {0.05, 4},
         .soft = {0.1, 2},
         .step = 0.01,
@@ -132,6 +145,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::textureRate>({
         .key = "look.texture_rate",
         .label = "Texture evolution",
+        .synonyms = "boil animate evolve noise speed",
         .hard = {0, 100},
         .soft = {0, 4},
         .step = 0.02,
@@ -142,6 +156,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::rotationVariance>({
         .key = "look.rotation_variance",
         .label = "Rotation variance",
+        .synonyms = "rotate angle random",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much particles are turned at birth; 1 is any angle.",
@@ -150,6 +165,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::spin>({
         .key = "look.spin",
         .label = "Spin",
+        .synonyms = "rotate rotation turn",
         .hard = {-3600, 3600},
         .soft = {-180, 180},
         .step = 1,
@@ -160,6 +176,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::spinVariance>({
         .key = "look.spin_variance",
         .label = "Spin variance",
+        .synonyms = "rotate random rotation",
         .hard = {0, 3600},
         .soft = {0, 180},
         .step = 1,
@@ -170,6 +187,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::roll>({
         .key = "look.roll",
         .label = "Roll",
+        .synonyms = "rotate swirl billow",
         .hard = {0, 4},
         .soft = {0, 1},
         .step = 0.02,
@@ -178,6 +196,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::stretch>({
         .key = "look.stretch",
         .label = "Stretch",
+        .synonyms = "streak motion blur velocity long",
         .hard = {0, 1},
         .soft = {0, 0.2},
         .step = 0.002,
@@ -188,6 +207,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::mask>({
         .key = "look.mask",
         .label = "Mask",
+        .synonyms = "shape sprite square round",
         .tip = "A soft round puff, or the bare square of the 2012 model.",
         .choices = kMaskShapes,
         .stage = Stage::Shade,

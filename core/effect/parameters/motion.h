@@ -12,6 +12,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::buoyancy>({
         .key = "motion.buoyancy",
         .label = "Buoyancy",
+        .synonyms = "rise lift heat hot up",
         .hard = {-1000, 1000},
         .soft = {-2, 10},
         .step = 0.05,
@@ -22,6 +23,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::wind>({
         .key = "motion.wind",
         .label = "Wind",
+        .synonyms = "blow breeze force air",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.01,
@@ -32,6 +34,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::windAngle>({
         .key = "motion.wind_angle",
         .label = "Wind angle",
+        .synonyms = "direction blow heading",
         .hard = {-360, 360},
         .soft = {-180, 180},
         .step = 1,
@@ -42,6 +45,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::gravity>({
         .key = "motion.gravity",
         .label = "Gravity",
+        .synonyms = "fall weight down heavy",
         .hard = {-1000, 1000},
         .soft = {-10, 10},
         .step = 0.05,
@@ -52,6 +56,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::drag>({
         .key = "motion.drag",
         .label = "Drag",
+        .synonyms = "friction air resistance slow damping",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.05,
@@ -61,6 +66,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::cooling>({
         .key = "motion.cooling",
         .label = "Cooling",
+        .synonyms = "heat cold temperature",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.01,
@@ -70,6 +76,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::randomness>({
         .key = "motion.randomness",
         .label = "Randomness",
+        .synonyms = "chaos jitter random noise",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random "
@@ -79,6 +86,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::gust>({
         .key = "motion.gust",
         .label = "Gusts",
+        .synonyms = "wind wander random breeze",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much the strength and direction of the wind wander.",
@@ -86,6 +94,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::gustRate>({
         .key = "motion.gust_rate",
         .label = "Gust rate",
+        .synonyms = "wind frequency",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.05,
@@ -95,6 +104,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::heatVariance>({
         .key = "motion.heat_variance",
         .label = "Heat variance",
+        .synonyms = "random hot rise",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much the heat at birth differs from one particle to the next; hot ones run ahead.",
@@ -102,6 +112,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::pull>({
         .key = "motion.pull",
         .label = "Pull to axis",
+        .synonyms = "attract inflow narrow column",
         .hard = {-100, 100},
         .soft = {-2, 5},
         .step = 0.05,
@@ -112,6 +123,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::rotation>({
         .key = "motion.rotation",
         .label = "Rotation",
+        .synonyms = "spin turn swirl twist",
         .hard = {-3600, 3600},
         .soft = {-180, 180},
         .step = 1,
@@ -122,6 +134,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::rotationJitter>({
         .key = "motion.rotation_jitter",
         .label = "Rotation jitter",
+        .synonyms = "spin random",
         .hard = {0, 3600},
         .soft = {0, 180},
         .step = 1,
@@ -132,6 +145,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::mass>({
         .key = "motion.mass",
         .label = "Mass",
+        .synonyms = "weight heavy light",
         .hard = {0.001, 1000},
         .soft = {0.1, 10},
         .step = 0.05,

@@ -15,6 +15,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::octaves>({
         .key = "noise.octaves",
         .label = "Octaves",
+        .synonyms = "detail layers fractal levels fine",
         .hard = {1, 10},
         .soft = {1, 8},
         .step = 1,
@@ -25,6 +26,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::sharpness>({
         .key = "noise.sharpness",
         .label = "Sharpness",
+        .synonyms = "contrast crisp hard",
         .hard = {0.05, 20},
         .soft = {0.25, 6},
         .step = 0.05,
@@ -36,6 +38,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::wavelength>({
         .key = "noise.wavelength",
         .label = "Wavelength",
+        .synonyms = "frequency scale size",
         .hard = {0.005, 1},
         .soft = {0.05, 1},
         .step = 0.01,
@@ -47,6 +50,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::persistence>({
         .key = "noise.persistence",
         .label = "Persistence",
+        .synonyms = "gain amplitude roughness detail",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Amplitude of each octave relative to the one before.",
@@ -56,6 +60,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::coverage>({
         .key = "noise.coverage",
         .label = "Coverage",
+        .synonyms = "threshold amount fill bias",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much of the tile is smoke: shifts the grey values up or down.",
@@ -64,6 +69,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::warp>({
         .key = "noise.warp",
         .label = "Warp",
+        .synonyms = "distort bend domain swirl",
         .hard = {0, 2},
         .soft = {0, 0.6},
         .step = 0.01,
@@ -74,6 +80,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::smooth>({
         .key = "noise.smooth",
         .label = "Smooth",
+        .synonyms = "blur soft",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Averages each lattice value with its neighbours: centre 1/4, edges 1/8, corners 1/16.",
@@ -84,6 +91,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::basis>({
         .key = "noise.basis",
         .label = "Basis",
+        .synonyms = "type perlin simplex value",
         .tip = "Random values on a lattice (2012 model), random gradients, or gradients on a lattice of simplices.",
         .source = "2012 model; Perlin 2002",
         .choices = kNoiseBases,
@@ -92,6 +100,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::interpolation>({
         .key = "noise.interpolation",
         .label = "Interpolation",
+        .synonyms = "smooth linear cosine cubic",
         .tip = "How values between lattice points are found.",
         .source = "2012 model (linear, cosine, cubic); Perlin 2002 (quintic)",
         .choices = kInterpolations,
@@ -100,6 +109,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::lacunarity>({
         .key = "noise.lacunarity",
         .label = "Lacunarity",
+        .synonyms = "frequency detail",
         .hard = {1, 8},
         .soft = {1.5, 3},
         .step = 0.05,
@@ -110,6 +120,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::depth>({
         .key = "noise.depth",
         .label = "Depth",
+        .synonyms = "boil evolve third",
         .hard = {1, 64},
         .soft = {1, 16},
         .step = 1,
@@ -120,6 +131,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::slices>({
         .key = "noise.slices",
         .label = "Slices",
+        .synonyms = "layers quality",
         .hard = {1, kMaxNoiseSlices},
         .soft = {1, 64},
         .step = 1,
@@ -129,6 +141,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::resolution>({
         .key = "noise.resolution",
         .label = "Resolution",
+        .synonyms = "size pixels quality detail",
         .hard = {8, kMaxNoiseResolution},
         .soft = {32, 256},
         .step = 32,
@@ -139,6 +152,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::seed>({
         .key = "noise.seed",
         .label = "Seed",
+        .synonyms = "random different another",
         .hard = kSeeds,
         .step = 1,
         .tip = "Another seed gives another texture of the same kind.",

@@ -16,6 +16,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::width>({
         .key = "output.width",
         .label = "Width",
+        .synonyms = "size resolution pixels",
         .hard = {1, kMaxOutputEdge},
         .soft = {64, 2048},
         .step = 1,
@@ -26,6 +27,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::height>({
         .key = "output.height",
         .label = "Height",
+        .synonyms = "size resolution pixels",
         .hard = {1, kMaxOutputEdge},
         .soft = {64, 2048},
         .step = 1,
@@ -36,6 +38,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::quality>({
         .key = "output.quality",
         .label = "Quality",
+        .synonyms = "draft final preview particles",
         .tip = "Draft: a quarter of the particles. Final: eight times as many, and finer shadows. The smoke keeps "
                "its form and density.",
         .choices = kQualities,
@@ -43,6 +46,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::supersample>({
         .key = "output.supersample",
         .label = "Supersampling",
+        .synonyms = "antialias anti-aliasing smooth aa",
         .hard = {1, kMaxSupersample},
         .step = 1,
         .tip = "Renders this many times larger and averages.",
@@ -51,6 +55,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::exposure>({
         .key = "output.exposure",
         .label = "Exposure",
+        .synonyms = "brightness bright dark gamma",
         .hard = {-20, 20},
         .soft = {-4, 4},
         .step = 0.05,
@@ -61,6 +66,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::viewTransform>({
         .key = "output.view_transform",
         .label = "View transform",
+        .synonyms = "tone mapping filmic color management gamma",
         .tip = "Standard is plain sRGB; filmic rolls bright light off softly.",
         .choices = kViewTransforms,
         .stage = Stage::Shade,
@@ -68,6 +74,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::background>({
         .key = "output.background",
         .label = "Background",
+        .synonyms = "transparent alpha backdrop",
         .tip = "Keep transparency, or put a colour behind the smoke.",
         .choices = kBackgrounds,
         .stage = Stage::Shade,
@@ -75,6 +82,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::backgroundColour>({
         .key = "output.background_colour",
         .label = "Background colour",
+        .synonyms = "color backdrop behind",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,

@@ -12,6 +12,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::strength>({
         .key = "rings.strength",
         .label = "Strength",
+        .synonyms = "mushroom billow puff roll vortex",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.05,
@@ -23,6 +24,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::speed>({
         .key = "rings.speed",
         .label = "Rise",
+        .synonyms = "rise velocity",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.05,
@@ -32,6 +34,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::radius>({
         .key = "rings.radius",
         .label = "Radius",
+        .synonyms = "size",
         .hard = {0.001, 1000},
         .soft = {0.05, 5},
         .step = 0.01,
@@ -42,6 +45,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::widening>({
         .key = "rings.widening",
         .label = "Widening",
+        .synonyms = "grow expand",
         .hard = {0, 10},
         .soft = {0, 1},
         .step = 0.01,
@@ -50,6 +54,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::spacing>({
         .key = "rings.spacing",
         .label = "Spacing",
+        .synonyms = "distance puffs rate",
         .hard = {0.01, 1000},
         .soft = {0.2, 10},
         .step = 0.05,
@@ -60,6 +65,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::followers>({
         .key = "rings.followers",
         .label = "Followers",
+        .synonyms = "repeat trail",
         .hard = {0, 4},
         .soft = kUnit,
         .step = 0.02,
@@ -68,6 +74,7 @@ inline constexpr std::array kRows<Rings>{
     row<&Rings::variance>({
         .key = "rings.variance",
         .label = "Variance",
+        .synonyms = "random irregular",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much the rings differ in strength and lie off the axis, so that they do not march in formation.",

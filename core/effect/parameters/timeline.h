@@ -12,6 +12,7 @@ inline constexpr std::array kRows<Timeline>{
     row<&Timeline::length>({
         .key = "timeline.length",
         .label = "Length",
+        .synonyms = "duration frames end time",
         .hard = {1, 100000},
         .soft = {1, 600},
         .step = 1,
@@ -21,17 +22,20 @@ inline constexpr std::array kRows<Timeline>{
     row<&Timeline::loop>({
         .key = "timeline.loop",
         .label = "Loop",
+        .synonyms = "repeat cycle tile endless seamless",
         .tip = "The frame after the last is the first again, to the bit.",
     }),
     row<&Timeline::prewarm>({
         .key = "timeline.prewarm",
         .label = "Start warm",
+        .synonyms = "preroll pre-roll warmup start",
         .tip = "Frame 0 shows smoke that has been rising for a lifetime, instead of none.",
         .visible = when("timeline.loop", 0),
     }),
     row<&Timeline::frameRate>({
         .key = "timeline.frame_rate",
         .label = "Frame rate",
+        .synonyms = "fps speed",
         .hard = {1, 240},
         .soft = {12, 60},
         .step = 1,
@@ -41,6 +45,7 @@ inline constexpr std::array kRows<Timeline>{
     row<&Timeline::stepsPerFrame>({
         .key = "timeline.steps_per_frame",
         .label = "Steps a frame",
+        .synonyms = "substeps quality accuracy",
         .hard = {1, 32},
         .soft = {1, 8},
         .step = 1,

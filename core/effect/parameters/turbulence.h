@@ -12,6 +12,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::strength>({
         .key = "turbulence.strength",
         .label = "Strength",
+        .synonyms = "swirl chaos wild curl noise",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.02,
@@ -22,6 +23,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::scale>({
         .key = "turbulence.scale",
         .label = "Scale",
+        .synonyms = "swirl size eddies",
         .hard = {0.001, 1000},
         .soft = {0.1, 10},
         .step = 0.02,
@@ -32,6 +34,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::octaves>({
         .key = "turbulence.octaves",
         .label = "Octaves",
+        .synonyms = "detail layers swirl",
         .hard = {1, kMaxTurbulenceOctaves},
         .soft = {1, 6},
         .step = 1,
@@ -40,6 +43,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::roughness>({
         .key = "turbulence.roughness",
         .label = "Roughness",
+        .synonyms = "detail gain persistence",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Speed of each layer of swirls relative to the one before.",
@@ -47,6 +51,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::evolution>({
         .key = "turbulence.evolution",
         .label = "Evolution",
+        .synonyms = "speed change animate",
         .hard = {0, 100},
         .soft = {0, 3},
         .step = 0.02,
@@ -56,6 +61,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::onset>({
         .key = "turbulence.onset",
         .label = "Onset",
+        .synonyms = "delay start calm",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.02,
@@ -65,6 +71,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::growth>({
         .key = "turbulence.growth",
         .label = "Growth with height",
+        .synonyms = "bigger larger height",
         .hard = {0, 10},
         .soft = {0, 2},
         .step = 0.02,
@@ -74,6 +81,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::drift>({
         .key = "turbulence.drift",
         .label = "Drift",
+        .synonyms = "rise move speed",
         .hard = {-1000, 1000},
         .soft = {0, 5},
         .step = 0.02,
@@ -83,6 +91,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::lacunarity>({
         .key = "turbulence.lacunarity",
         .label = "Lacunarity",
+        .synonyms = "frequency detail",
         .hard = {1, 8},
         .soft = {1.5, 3},
         .step = 0.05,

@@ -12,6 +12,7 @@ inline constexpr std::array kRows<Vortex>{
     row<&Vortex::strength>({
         .key = "vortex.strength",
         .label = "Strength",
+        .synonyms = "tornado swirl twist spin whirl",
         .hard = {-1000, 1000},
         .soft = {-5, 5},
         .step = 0.05,
@@ -22,6 +23,7 @@ inline constexpr std::array kRows<Vortex>{
     row<&Vortex::radius>({
         .key = "vortex.radius",
         .label = "Radius",
+        .synonyms = "tornado width size",
         .hard = {0.001, 1000},
         .soft = {0.05, 5},
         .step = 0.01,
@@ -32,6 +34,7 @@ inline constexpr std::array kRows<Vortex>{
     row<&Vortex::axis>({
         .key = "vortex.axis",
         .label = "Axis",
+        .synonyms = "tornado direction",
         .kind = Kind::Direction,
         .hard = kComponents,
         .step = 0.01,
