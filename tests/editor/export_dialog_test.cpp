@@ -5,6 +5,7 @@
 
 #include "core/effect/known_parameter.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -93,6 +94,14 @@ private slots:
         QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
         QTRY_COMPARE(failed.size(), 1);
         QVERIFY(readPresetFile(file.toStdString()).ok());
+    }
+
+    void theSeamlessLoopIsASwitchOfTheDialog()
+    {
+        QTest::mouseClick(child<QCheckBox>(u"timeline.loop.box"_q), Qt::LeftButton, {}, {8, 8});
+        QVERIFY(m_document->effect().timeline.loop);
+        m_dialog->setKind(ExportKind::NoiseTexture);
+        QVERIFY(!child<QCheckBox>(u"timeline.loop.box"_q)->isVisible());
     }
 
     void whatCannotBeWrittenCannotBeBegun()

@@ -3,6 +3,7 @@
 #include "ui/timeline/player.h"
 #include "ui/timeline/timeline_bar.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QSpinBox>
 #include <QToolButton>
@@ -125,6 +126,22 @@ private slots:
         QVERIFY(player.isPlaying());
         click(u"playButton"_q);
         QVERIFY(!player.isPlaying());
+    }
+
+    void theSeamlessLoopIsAParameterOfTheDocumentAndNoRepeat()
+    {
+        Document document;
+        Player player;
+        TimelineBar bar(document, player);
+        auto* loop = bar.findChild<QCheckBox*>(u"seamlessLoop"_q);
+        QCOMPARE(loop->text(), u"Seamless loop"_q);
+        QVERIFY(bar.findChild<QToolButton*>(u"repeat"_q)->toolTip().startsWith(u"Repeat playback"_q));
+        const bool repeated = player.repeats();
+        loop->click();
+        QVERIFY(document.effect().timeline.loop);
+        QCOMPARE(player.repeats(), repeated);
+        document.undoStack()->undo();
+        QVERIFY(!loop->isChecked());
     }
 
     void theFrameRateIsAParameterOfTheDocument()

@@ -34,6 +34,7 @@ namespace {
 
 /// The parameters that an export asks about.
 constexpr std::array kParameters{
+    &knownParameter("timeline.loop"),
     &knownParameter("output.width"),
     &knownParameter("output.height"),
     &knownParameter("output.quality"),

@@ -1,5 +1,6 @@
 #include "ui/timeline/timeline_bar.h"
 
+#include "ui/document/parameter_text.h"
 #include "ui/face/field_keys.h"
 #include "ui/face/icons.h"
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -32,6 +34,7 @@ constexpr double kLeastTickGap = 52.0;
 constexpr int kLeastField = 62;
 constexpr int kLeastSpeed = 46;
 constexpr const Parameter& kFrameRate = knownParameter("timeline.frame_rate");
+constexpr const Parameter& kLoop = knownParameter("timeline.loop");
 
 /// 1, 2, 5, 10, 20, 50 ... frames between numbers.
 int tickStep(double pixelsAFrame)
@@ -163,6 +166,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     controls->setSpacing(2);
     addButtons(*controls);
     addFrameAndTime(*controls);
+    addLoop(*controls);
     addSpeedAndRate(*controls);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 6);
@@ -181,9 +185,9 @@ void TimelineBar::addButtons(QHBoxLayout& controls)
     m_play = makeIconButton(this, QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
     QToolButton* forward = makeIconButton(this, QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("One frame on (Right)"));
     QToolButton* end = makeIconButton(this, QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("To the last frame (End)"));
-    m_loop = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"), tr("Start again after the last frame"));
-    m_loop->setCheckable(true);
-    for (QToolButton* button : {start, back, m_play, forward, end, m_loop}) {
+    m_repeat = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"), tr("Repeat playback: start again after the last frame, whether it fits the first or not"));
+    m_repeat->setCheckable(true);
+    for (QToolButton* button : {start, back, m_play, forward, end, m_repeat}) {
         controls.addWidget(button);
     }
     connect(start, &QToolButton::clicked, &m_player, &Player::toStart);
@@ -206,6 +210,16 @@ void TimelineBar::addFrameAndTime(QHBoxLayout& controls)
     controls.addSpacing(8);
     controls.addWidget(m_frame);
     controls.addWidget(m_time, 1);
+}
+
+void TimelineBar::addLoop(QHBoxLayout& controls)
+{
+    m_loop = new QCheckBox(labelOf(kLoop), this);
+    m_loop->setObjectName(QStringLiteral("seamlessLoop"));
+    m_loop->setToolTip(toolTipOf(kLoop));
+    controls.addWidget(m_loop);
+    controls.addSpacing(8);
+    connect(m_loop, &QCheckBox::clicked, this, [this](bool on) { m_document.edit(kLoop, on); });
 }
 
 void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
@@ -235,7 +249,7 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
 void TimelineBar::connectPlayer()
 {
     connect(m_play, &QToolButton::clicked, &m_player, &Player::toggle);
-    connect(m_loop, &QToolButton::toggled, &m_player, &Player::setRepeats);
+    connect(m_repeat, &QToolButton::toggled, &m_player, &Player::setRepeats);
     connect(m_speed, &QComboBox::currentIndexChanged, this, [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
     connect(m_frame, &QSpinBox::valueChanged, &m_player, &Player::setFrame);
     connect(m_rate, &QSpinBox::valueChanged, this, [this](int value) { m_document.edit(kFrameRate, value); });
@@ -249,6 +263,7 @@ void TimelineBar::followDocument()
     const Timeline& timeline = m_document.effect().timeline;
     const QSignalBlocker blocker(m_rate);
     m_rate->setValue(timeline.frameRate);
+    m_loop->setChecked(timeline.loop);
     m_player.setTimeline(timeline.length, timeline.frameRate);
     sync();
 }
@@ -256,9 +271,9 @@ void TimelineBar::followDocument()
 void TimelineBar::sync()
 {
     m_play->setIcon(themedIcon(m_player.isPlaying() ? QStringLiteral("pause") : QStringLiteral("play")));
-    const QSignalBlocker loopBlocker(m_loop);
+    const QSignalBlocker repeatBlocker(m_repeat);
     const QSignalBlocker frameBlocker(m_frame);
-    m_loop->setChecked(m_player.repeats());
+    m_repeat->setChecked(m_player.repeats());
     m_frame->setRange(0, m_player.length() - 1);
     m_frame->setSuffix(tr(" of %1").arg(m_player.length() - 1));
     showTime();

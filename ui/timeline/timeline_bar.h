@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -47,7 +48,7 @@ private:
     bool m_wasPlaying = false;
 };
 
-/// Play, step, scrub, range, loop, speed and frame rate.
+/// Play, step, scrub, range, repeat, seamless loop, speed and frame rate.
 class TimelineBar : public QWidget {
     Q_OBJECT
 
@@ -59,6 +60,7 @@ public:
 private:
     void addButtons(QHBoxLayout& controls);
     void addFrameAndTime(QHBoxLayout& controls);
+    void addLoop(QHBoxLayout& controls);
     void addSpeedAndRate(QHBoxLayout& controls);
     void connectPlayer();
     void followDocument();
@@ -69,7 +71,8 @@ private:
     Player& m_player;
     TimelineRuler* m_ruler;
     QToolButton* m_play;
-    QToolButton* m_loop;
+    QToolButton* m_repeat;
+    QCheckBox* m_loop; ///< a parameter of the document
     QSpinBox* m_frame;
     QLabel* m_time;
     QComboBox* m_speed;

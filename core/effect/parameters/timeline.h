@@ -21,8 +21,8 @@ inline constexpr std::array kRows<Timeline>{
     }),
     row<&Timeline::loop>({
         .key = "timeline.loop",
-        .label = "Loop",
-        .synonyms = "repeat cycle tile endless seamless",
+        .label = "Seamless loop",
+        .synonyms = "repeat cycle tile endless",
         .tip = "The frame after the last is the first again, to the bit.",
     }),
     row<&Timeline::prewarm>({
