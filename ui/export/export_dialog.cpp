@@ -2,6 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_clash.h"
+#include "ui/export/export_summary.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
@@ -24,7 +25,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -269,20 +269,6 @@ ExportPlan ExportDialog::plan() const
     return plan;
 }
 
-QString ExportDialog::suggestedPath() const
-{
-    const QString folder = m_document.filePath().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) : QFileInfo(m_document.filePath()).path();
-    QString name = fileNameOf(m_document.displayName()).toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
-    switch (kind()) {
-    case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
-    case ExportKind::Flipbook: name += QStringLiteral("-%1x%2").arg(m_columns->value()).arg(m_rowsOfCells->value()); break;
-    case ExportKind::Picture: break;
-    case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
-    case ExportKind::Particles: name += QStringLiteral("-particles"); break;
-    }
-    return QDir(folder).filePath(name) + toQString(fileEnding(plan()));
-}
-
 void ExportDialog::followKind()
 {
     const QSignalBlocker blocker(m_format);
@@ -316,36 +302,11 @@ void ExportDialog::followPlan()
     m_gridLabel->setVisible(kind() == ExportKind::Flipbook);
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
-        m_path->setText(suggestedPath());
+        m_path->setText(suggestedPath(plan(), m_document));
     }
     const ExportPlan now = plan();
-    m_files->setText(summary(now));
+    m_files->setText(summaryOf(now, m_document.effect()));
     m_export->setEnabled(isPossible(now) && !m_job.isRunning());
-}
-
-bool ExportDialog::isPossible(const ExportPlan& plan) const
-{
-    const bool filled = plan.kind != ExportKind::Flipbook || plan.frames.count() >= plan.columns * plan.rows;
-    return !plan.output.empty() && plan.frames.first <= plan.frames.last && filled;
-}
-
-QString ExportDialog::summary(const ExportPlan& plan) const
-{
-    if (plan.output.empty() || plan.frames.first > plan.frames.last) {
-        return tr("Choose a file, and a first frame that comes before the last.");
-    }
-    if (!isPossible(plan)) {
-        return tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
-    }
-    const QString first = toQString(firstFile(plan).filename().string());
-    if (plan.kind == ExportKind::Sequence) {
-        return tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, toQString(lastFile(plan).filename().string()));
-    }
-    if (plan.kind == ExportKind::Flipbook) {
-        const Output& output = m_document.effect().output;
-        return tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows);
-    }
-    return first;
 }
 
 void ExportDialog::followJob()

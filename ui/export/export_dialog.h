@@ -59,9 +59,6 @@ private:
     void browse();
     void showInFolder();
     [[nodiscard]] ExportKind kind() const;
-    [[nodiscard]] QString suggestedPath() const;
-    [[nodiscard]] QString summary(const ExportPlan& plan) const;
-    [[nodiscard]] bool isPossible(const ExportPlan& plan) const;
 
     Document& m_document;
     Player& m_player;
