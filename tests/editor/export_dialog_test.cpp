@@ -104,6 +104,61 @@ private slots:
         QVERIFY(!child<QCheckBox>(u"timeline.loop.box"_q)->isVisible());
     }
 
+    void anEndingThatIsTypedNamesTheFormat()
+    {
+        typePath(u"f_####.exr"_q);
+        QCOMPARE(m_dialog->plan().format, ImageFormat::ExrHalf);
+        QCOMPARE(m_dialog->plan().output.string(), std::string("f_####.exr"));
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(3); // floats
+        typePath(u"g_####.exr"_q);
+        QCOMPARE(m_dialog->plan().format, ImageFormat::ExrFloat);
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
+        QCOMPARE(child<QLineEdit>(u"export.path"_q)->text(), u"g_####.png"_q);
+        m_dialog->setKind(ExportKind::Particles);
+        typePath(u"p.ply"_q);
+        QCOMPARE(m_dialog->plan().particles, ParticleFormat::Ply);
+    }
+
+    void theFormatOfPicturesIsKeptFromKindToKind()
+    {
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(3);
+        for (const ExportKind kind : {ExportKind::Flipbook, ExportKind::Particles, ExportKind::NoiseTexture, ExportKind::Picture}) {
+            m_dialog->setKind(kind);
+        }
+        QCOMPARE(m_dialog->plan().format, ImageFormat::ExrFloat);
+    }
+
+    void theNoiseTextureHasASizeOfItsOwn()
+    {
+        auto* size = child<QSpinBox>(u"export.noiseSize"_q);
+        QVERIFY(!size->isVisible());
+        m_dialog->setKind(ExportKind::NoiseTexture);
+        QVERIFY(size->isVisible());
+        QCOMPARE(m_dialog->plan().noiseSize, 0); // the effect's
+        size->setValue(512);
+        QCOMPARE(m_dialog->plan().noiseSize, 512);
+    }
+
+    void returnBeginsAnExportOrDoesNothing()
+    {
+        typePath(u"  "_q); // nothing can be begun
+        QSignalSpy started(m_job.get(), &ExportJob::started);
+        QTest::keyClick(child<QLineEdit>(u"export.path"_q), Qt::Key_Return);
+        QCOMPARE(started.size(), 0);
+        for (const QPushButton* button : m_dialog->findChildren<QPushButton*>()) {
+            QCOMPARE(button->autoDefault(), button->objectName() == u"export.begin"_q);
+        }
+    }
+
+    void theMessageOfTheExportBeforeIsForgotten()
+    {
+        emit m_job->failed(u"no room"_q);
+        QVERIFY(child<QLabel>(u"export.state"_q)->isVisible());
+        m_dialog->hide();
+        m_dialog->show();
+        QVERIFY(child<QLabel>(u"export.state"_q)->text().isEmpty());
+    }
+
     void whatCannotBeWrittenCannotBeBegun()
     {
         const auto* begin = child<QPushButton>(u"export.begin"_q);

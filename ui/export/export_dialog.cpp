@@ -2,26 +2,25 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_clash.h"
+#include "ui/export/export_progress.h"
 #include "ui/export/export_summary.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
+#include "core/noise/texture.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
-#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -61,11 +60,11 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_step(addNumber(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame))
     , m_columns(addNumber(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells))
     , m_rowsOfCells(addNumber(QStringLiteral("export.rows"), tr("Rows"), 1, kMaxSheetCells))
+    , m_noiseSize(addNumber(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize))
     , m_grid(new QWidget(this))
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
     , m_files(new QLabel(this))
-    , m_state(new QLabel(this))
-    , m_progress(new QProgressBar(this))
+    , m_progress(new ExportProgress(job, this))
     , m_export(new QPushButton(tr("Export"), this))
     , m_cancel(new QPushButton(tr("Cancel"), this))
     , m_show(new QPushButton(tr("Show in folder"), this))
@@ -90,7 +89,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     buildProgress();
     connectPlan();
     connectJob();
-    constexpr int kWidth = 520;
+    constexpr int kWidth = 440;
     resize(kWidth, sizeHint().height());
     followKind();
     followJob();
@@ -99,10 +98,10 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
 void ExportDialog::connectPlan()
 {
     connect(m_kind, &QComboBox::currentIndexChanged, this, &ExportDialog::followKind);
-    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followPlan);
-    connect(m_path, &QLineEdit::textEdited, this, [this] { m_pathIsSuggested = false; });
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followFormat);
+    connect(m_path, &QLineEdit::textEdited, this, &ExportDialog::takePath);
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::followPlan);
-    for (QSpinBox* field : {m_first, m_last, m_step, m_columns, m_rowsOfCells}) {
+    for (QSpinBox* field : {m_first, m_last, m_step, m_columns, m_rowsOfCells, m_noiseSize}) {
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
     connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
@@ -168,6 +167,9 @@ void ExportDialog::buildForm()
     m_fit->setObjectName(QStringLiteral("export.fit"));
     m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
     form->addRow(QString(), m_fit);
+    m_noiseSize->setSpecialValueText(tr("as in the effect"));
+    m_noiseSize->setSuffix(tr(" pixels"));
+    m_noiseSizeLabel = addRow(tr("Size"), m_noiseSize);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addLayout(form);
     for (const Parameter* parameter : kParameters) {
@@ -185,10 +187,6 @@ void ExportDialog::buildForm()
 
 void ExportDialog::buildProgress()
 {
-    m_progress->setObjectName(QStringLiteral("export.progress"));
-    m_state->setObjectName(QStringLiteral("export.state"));
-    m_state->setWordWrap(true);
-    m_state->setTextFormat(Qt::PlainText);
     m_export->setObjectName(QStringLiteral("export.begin"));
     m_export->setDefault(true);
     m_cancel->setObjectName(QStringLiteral("export.cancel"));
@@ -203,9 +201,12 @@ void ExportDialog::buildProgress()
     buttons->addWidget(m_export);
     auto* box = static_cast<QVBoxLayout*>(layout());
     box->addWidget(m_progress);
-    box->addWidget(m_state);
     box->addLayout(buttons);
     connect(close, &QPushButton::clicked, this, &QWidget::close);
+    // Return begins an export and nothing else, also while that cannot be.
+    for (QPushButton* button : findChildren<QPushButton*>()) {
+        button->setAutoDefault(button == m_export);
+    }
 }
 
 void ExportDialog::connectJob()
@@ -213,30 +214,11 @@ void ExportDialog::connectJob()
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::begin);
     connect(m_cancel, &QPushButton::clicked, &m_job, &ExportJob::cancel);
     connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
-    connect(&m_job, &ExportJob::started, this, [this] {
-        m_progress->setRange(0, 0);
-        m_state->clear();
-        followJob();
-    });
-    connect(&m_job, &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
-        m_progress->setRange(0, total);
-        m_progress->setValue(done);
-        m_state->setText(tr("%1 of %2, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)));
-    });
-    connect(&m_job, &ExportJob::finished, this, [this](const QString& firstFile, const QString& remark) {
-        m_written = firstFile;
-        const QString done = tr("Done: %1").arg(QDir::toNativeSeparators(firstFile));
-        m_state->setText(remark.isEmpty() ? done : done + QLatin1Char('\n') + remark);
-        followJob();
-    });
-    connect(&m_job, &ExportJob::cancelled, this, [this] {
-        m_state->setText(tr("Cancelled. Files that were complete are kept."));
-        followJob();
-    });
-    connect(&m_job, &ExportJob::failed, this, [this](const QString& message) {
-        m_state->setText(message);
-        followJob();
-    });
+    connect(&m_job, &ExportJob::finished, this, [this](const QString& firstFile) { m_written = firstFile; });
+    connect(&m_job, &ExportJob::started, this, &ExportDialog::followJob);
+    connect(&m_job, &ExportJob::finished, this, &ExportDialog::followJob);
+    connect(&m_job, &ExportJob::cancelled, this, &ExportDialog::followJob);
+    connect(&m_job, &ExportJob::failed, this, &ExportDialog::followJob);
 }
 
 ExportKind ExportDialog::kind() const
@@ -258,6 +240,7 @@ ExportPlan ExportDialog::plan() const
     plan.rows = m_rowsOfCells->value();
     plan.fitCamera = m_fit->isChecked();
     plan.source = m_document.filePath().toStdString();
+    plan.noiseSize = m_noiseSize->value();
     if (kind() == ExportKind::Particles) {
         plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
     } else {
@@ -277,9 +260,31 @@ void ExportDialog::followKind()
         m_format->addItems({tr("CSV, one particle a line"), tr("PLY, binary points")});
     } else {
         m_format->addItems({tr("PNG, 8 bits"), tr("PNG, 16 bits"), tr("OpenEXR, half floats, linear"), tr("OpenEXR, floats, linear")});
+        m_format->setCurrentIndex(m_imageFormat);
     }
     m_pathIsSuggested = true;
     followPlan();
+}
+
+void ExportDialog::followFormat()
+{
+    if (kind() != ExportKind::Particles) {
+        m_imageFormat = m_format->currentIndex();
+    }
+    const QString path = withEndingOf(plan(), m_path->text());
+    if (path.compare(m_path->text(), Qt::CaseInsensitive) != 0) {
+        m_path->setText(path);
+    }
+    followPlan();
+}
+
+void ExportDialog::takePath(const QString& path)
+{
+    m_pathIsSuggested = false;
+    const std::optional<int> format = formatNamedBy(path, kind());
+    if (format && !path.endsWith(toQString(fileEnding(plan())), Qt::CaseInsensitive)) {
+        m_format->setCurrentIndex(*format);
+    }
 }
 
 void ExportDialog::followPlan()
@@ -300,6 +305,8 @@ void ExportDialog::followPlan()
     m_step->setEnabled(many);
     m_grid->setVisible(kind() == ExportKind::Flipbook);
     m_gridLabel->setVisible(kind() == ExportKind::Flipbook);
+    m_noiseSize->setVisible(kind() == ExportKind::NoiseTexture);
+    m_noiseSizeLabel->setVisible(kind() == ExportKind::NoiseTexture);
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
         m_path->setText(suggestedPath(plan(), m_document));
@@ -312,10 +319,8 @@ void ExportDialog::followPlan()
 void ExportDialog::followJob()
 {
     const bool running = m_job.isRunning();
-    m_progress->setVisible(running);
     m_cancel->setVisible(running);
     m_show->setVisible(!running && !m_written.isEmpty());
-    m_state->setVisible(!m_state->text().isEmpty() || running);
     followPlan();
 }
 
@@ -341,8 +346,8 @@ void ExportDialog::browse()
 {
     const QString chosen = m_askForFile(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Export to"), .start = m_path->text(), .mayReplace = true});
     if (!chosen.isEmpty()) {
-        m_pathIsSuggested = false;
         m_path->setText(chosen);
+        takePath(chosen);
     }
 }
 
@@ -357,6 +362,8 @@ void ExportDialog::showEvent(QShowEvent* event)
     if (!m_job.isRunning()) {
         m_first->setValue(m_player.first());
         m_last->setValue(m_player.last());
+        m_progress->forget();
+        m_written.clear();
     }
     followJob();
     emit shownChanged(true);

@@ -16,12 +16,12 @@ class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
 namespace fumage::ui {
 
+class ExportProgress;
 class ParameterRow;
 
 /// What is to be written and where; does not block the window it belongs to. Size and background are parameters of the document.
@@ -53,6 +53,9 @@ private:
     void connectPlan();
     void connectJob();
     void followKind();
+    void followFormat();
+    /// A person has named the file; its ending may name another format.
+    void takePath(const QString& path);
     void followPlan();
     void followJob();
     void begin();
@@ -74,18 +77,20 @@ private:
     QSpinBox* m_step;
     QSpinBox* m_columns;
     QSpinBox* m_rowsOfCells;
-    QWidget* m_grid;
-    QCheckBox* m_fit; ///< columns and rows
+    QSpinBox* m_noiseSize; ///< 0: the effect's own
+    QWidget* m_grid; ///< columns and rows
+    QCheckBox* m_fit;
     QLabel* m_gridLabel = nullptr;
+    QLabel* m_noiseSizeLabel = nullptr;
     QLabel* m_files;
-    QLabel* m_state;
-    QProgressBar* m_progress;
+    ExportProgress* m_progress;
     QPushButton* m_export;
     QPushButton* m_cancel;
     QPushButton* m_show;
     std::vector<ParameterRow*> m_rows;
     QString m_written; ///< first file of the last export
     bool m_pathIsSuggested = true;
+    int m_imageFormat = 0; ///< that was chosen last, for any kind of picture
 };
 
 } // namespace fumage::ui

@@ -48,6 +48,25 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
     return QDir(folder).filePath(name) + toQString(fileEnding(plan));
 }
 
+std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    const bool particles = kind == ExportKind::Particles;
+    if (ending == QStringLiteral("png") && !particles) {
+        return static_cast<int>(ImageFormat::Png8);
+    }
+    if (ending == QStringLiteral("exr") && !particles) {
+        return static_cast<int>(ImageFormat::ExrHalf);
+    }
+    if (ending == QStringLiteral("csv") && particles) {
+        return static_cast<int>(ParticleFormat::Csv);
+    }
+    if (ending == QStringLiteral("ply") && particles) {
+        return static_cast<int>(ParticleFormat::Ply);
+    }
+    return std::nullopt;
+}
+
 QString withEndingOf(const ExportPlan& plan, const QString& path)
 {
     for (const QString& ending : {QStringLiteral(".png"), QStringLiteral(".exr"), QStringLiteral(".csv"), QStringLiteral(".ply")}) {
