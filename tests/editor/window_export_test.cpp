@@ -2,6 +2,7 @@
 #include "window_fixture.h"
 
 #include "ui/export/export_job.h"
+#include "ui/viewport/viewport.h"
 
 #include "core/effect/known_parameter.h"
 
@@ -12,6 +13,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStatusBar>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -54,9 +56,9 @@ private slots:
         QCOMPARE(m_fileQuestions[1].start, offered);
         QVERIFY(m_fileQuestions[1].mayReplace); // that is asked when the export begins
         QCOMPARE(field->text(), m_chosenFile);
-        // It is no suggestion, which would follow the format.
+        // It is no suggestion: nothing but its ending follows the format.
         childOf<QComboBox>(*dialog, u"export.format"_q)->setCurrentIndex(2);
-        QCOMPARE(field->text(), m_chosenFile);
+        QCOMPARE(field->text(), m_folder.filePath(u"chosen_##.exr"_q));
     }
 
     void aFlipbookIsExported()
@@ -187,6 +189,18 @@ private slots:
         }
         QCOMPARE(m_choiceQuestions.size(), 1);
         QVERIFY(QFile::exists(m_folder.filePath(u"a-4_03.png"_q)));
+    }
+
+    void theDialogStandsBesideTheMiddleAndTheSmokeStaysWhereItIs()
+    {
+        m_window->resize(1200, 800);
+        QVERIFY(QTest::qWaitFor([this] { return m_window->width() == 1200; }));
+        const QSize before = m_window->viewport().size();
+        const QDialog* dialog = openExport();
+        QTRY_VERIFY(dialog->frameGeometry().center().x() > m_window->geometry().center().x() + 200);
+        exportAndWait(*childOf<QPushButton>(*fillSequence(u"a_##.png"_q, 3, 3), u"export.begin"_q));
+        QVERIFY(!m_window->statusBar()->currentMessage().isEmpty());
+        QCOMPARE(m_window->viewport().size(), before);
     }
 
     void anExportThatFailsSaysWhy()

@@ -3,11 +3,26 @@
 #include "ui/export/export_dialog.h"
 #include "ui/shell/action_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include <QScreen>
+
 namespace fumage::ui {
+
+namespace {
+
+/// Puts a dialog right of a window, as far as the screen goes: what is framed in the middle stays in sight.
+void placeBeside(const QWidget& window, QWidget& dialog)
+{
+    const QRect screen = window.screen()->availableGeometry();
+    const int most = screen.right() + 1 - dialog.frameGeometry().width();
+    dialog.move(std::max(screen.left(), std::min(window.frameGeometry().right() + 1, most)), window.frameGeometry().top());
+}
+
+} // namespace
 
 ExportDesk::ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window)
     : m_document(document)
@@ -33,7 +48,11 @@ ExportDialog& ExportDesk::openDialog()
         connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnClash.reset(); });
         connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
     }
+    const bool wasOpen = m_dialog->isVisible();
     m_dialog->show();
+    if (!wasOpen) {
+        placeBeside(*m_window, *m_dialog);
+    }
     m_dialog->raise();
     return *m_dialog;
 }

@@ -149,9 +149,7 @@ void MainWindow::connectPresets()
 
 void MainWindow::connectStatus()
 {
-    statusBar()->setSizeGripEnabled(false);
-    statusBar()->hide();
-    connect(statusBar(), &QStatusBar::messageChanged, statusBar(), [this](const QString& message) { statusBar()->setVisible(!message.isEmpty()); });
+    statusBar()->setSizeGripEnabled(false); // always there: if it came and went, the smoke would jump
     connect(&m_exports, &ExportDesk::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_viewActions.cameraFit(), &CameraFit::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_recovery, &Recovery::failed, &m_ear, [this](const QString& message) { notify(tr("Unsaved work cannot be kept safe: %1").arg(message)); });
