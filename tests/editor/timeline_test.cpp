@@ -144,6 +144,31 @@ private slots:
         QVERIFY(!loop->isChecked());
     }
 
+    void onANarrowScreenControlsGoRatherThanBeingCutOff_data()
+    {
+        QTest::addColumn<int>("width");
+        for (const int width : {300, 420, 520, 900}) {
+            QTest::addRow("%d", width) << width;
+        }
+    }
+    void onANarrowScreenControlsGoRatherThanBeingCutOff()
+    {
+        QFETCH(int, width);
+        Document document;
+        Player player;
+        TimelineBar bar(document, player);
+        bar.resize(width, bar.sizeHint().height());
+        bar.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bar));
+        for (const char* name : {"frameField", "seamlessLoop", "playSpeed", "frameRateField"}) {
+            const auto* control = bar.findChild<QWidget*>(QLatin1String(name));
+            QVERIFY2(control->isHidden() || control->width() >= control->sizeHint().width(), name);
+            QVERIFY2(control->isHidden() || control->geometry().right() < width, name);
+        }
+        QVERIFY(!bar.findChild<QWidget*>(u"frameField"_q)->isHidden());
+        QCOMPARE(bar.findChild<QWidget*>(u"frameRateField"_q)->isHidden(), width < 600);
+    }
+
     void theFrameRateIsAParameterOfTheDocument()
     {
         Document document;

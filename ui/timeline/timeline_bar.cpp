@@ -30,9 +30,6 @@ constexpr double kGripReach = 7.0;
 constexpr double kRangeTop = 2.0; ///< of the strip that holds the range
 constexpr double kRangeHeight = 8.0;
 constexpr double kLeastTickGap = 52.0;
-// On a small screen these give way before the smoke does.
-constexpr int kLeastField = 62;
-constexpr int kLeastSpeed = 46;
 constexpr const Parameter& kFrameRate = knownParameter("timeline.frame_rate");
 constexpr const Parameter& kLoop = knownParameter("timeline.loop");
 
@@ -157,21 +154,21 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_player(player)
+    , m_controls(new QHBoxLayout)
     , m_ruler(new TimelineRuler(player, this))
     , m_frame(new QSpinBox(this))
     , m_time(new QLabel(this))
 {
     setObjectName(QStringLiteral("timeline"));
-    auto* controls = new QHBoxLayout;
-    controls->setSpacing(2);
-    addButtons(*controls);
-    addFrameAndTime(*controls);
-    addLoop(*controls);
-    addSpeedAndRate(*controls);
+    m_controls->setSpacing(2);
+    addButtons(*m_controls);
+    addFrameAndTime(*m_controls);
+    addLoop(*m_controls);
+    addSpeedAndRate(*m_controls);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 6);
     layout->setSpacing(4);
-    layout->addLayout(controls);
+    layout->addLayout(m_controls);
     layout->addWidget(m_ruler);
     connectPlayer();
     connect(&document, &Document::effectChanged, this, &TimelineBar::followDocument);
@@ -202,11 +199,8 @@ void TimelineBar::addFrameAndTime(QHBoxLayout& controls)
     m_frame->setAccessibleName(tr("Frame"));
     m_frame->setToolTip(tr("The frame that is shown"));
     m_frame->setKeyboardTracking(false);
-    m_frame->setMinimumWidth(kLeastField);
     new SpinBoxKeys(*m_frame);
     m_time->setProperty("role", QStringLiteral("secondary"));
-    m_time->setMinimumWidth(0);
-    m_time->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     controls.addSpacing(8);
     controls.addWidget(m_frame);
     controls.addWidget(m_time, 1);
@@ -232,7 +226,6 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
         m_speed->addItem(QStringLiteral("%1×").arg(factor), factor);
     }
     m_speed->setCurrentIndex(m_speed->findData(1.0));
-    m_speed->setMinimumWidth(kLeastSpeed);
     m_rate = new QSpinBox(this);
     m_rate->setObjectName(QStringLiteral("frameRateField"));
     m_rate->setAccessibleName(tr("Frames per second"));
@@ -240,7 +233,6 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
     m_rate->setKeyboardTracking(false);
     m_rate->setRange(static_cast<int>(kFrameRate.hard.low), static_cast<int>(kFrameRate.hard.high));
     m_rate->setSuffix(tr(" frames/s"));
-    m_rate->setMinimumWidth(kLeastField);
     new SpinBoxKeys(*m_rate);
     controls.addWidget(m_speed);
     controls.addWidget(m_rate);
@@ -268,6 +260,37 @@ void TimelineBar::followDocument()
     sync();
 }
 
+QSize TimelineBar::minimumSizeHint() const
+{
+    int needed = QWidget::minimumSizeHint().width();
+    for (const QWidget* first : {static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_speed), static_cast<QWidget*>(m_time)}) {
+        needed -= first->isHidden() ? 0 : first->minimumSizeHint().width() + m_controls->spacing();
+    }
+    return {needed, QWidget::minimumSizeHint().height()};
+}
+
+void TimelineBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    giveWay();
+}
+
+/// On a small screen some controls go, rather than that all are cut off.
+void TimelineBar::giveWay()
+{
+    const QMargins margins = layout()->contentsMargins();
+    int needed = margins.left() + margins.right();
+    for (int i = 0; i < m_controls->count(); ++i) {
+        const QLayoutItem& item = *m_controls->itemAt(i);
+        needed += m_controls->spacing() + (item.widget() != nullptr ? item.widget()->sizeHint().width() : item.sizeHint().width());
+    }
+    for (QWidget* first : {static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_speed), static_cast<QWidget*>(m_time)}) {
+        const bool fits = needed <= width();
+        first->setVisible(fits);
+        needed -= fits ? 0 : first->sizeHint().width() + m_controls->spacing();
+    }
+}
+
 void TimelineBar::sync()
 {
     m_play->setIcon(themedIcon(m_player.isPlaying() ? QStringLiteral("pause") : QStringLiteral("play")));
@@ -277,6 +300,7 @@ void TimelineBar::sync()
     m_frame->setRange(0, m_player.length() - 1);
     m_frame->setSuffix(tr(" of %1").arg(m_player.length() - 1));
     showTime();
+    giveWay(); // the field may be wider now
 }
 
 void TimelineBar::showTime()

@@ -57,7 +57,13 @@ public:
 
     [[nodiscard]] TimelineRuler& ruler() const { return *m_ruler; }
 
+    QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void giveWay();
     void addButtons(QHBoxLayout& controls);
     void addFrameAndTime(QHBoxLayout& controls);
     void addLoop(QHBoxLayout& controls);
@@ -69,6 +75,7 @@ private:
 
     Document& m_document;
     Player& m_player;
+    QHBoxLayout* m_controls;
     TimelineRuler* m_ruler;
     QToolButton* m_play;
     QToolButton* m_repeat;
