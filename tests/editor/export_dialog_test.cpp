@@ -10,6 +10,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 
 using namespace fumage;
@@ -157,6 +159,24 @@ private slots:
         m_dialog->hide();
         m_dialog->show();
         QVERIFY(child<QLabel>(u"export.state"_q)->text().isEmpty());
+    }
+
+    void aSmallScreenHoldsTheDialogAndItsButtons()
+    {
+        // What is above the buttons gives way and can be scrolled.
+        m_dialog->setMaximumHeight(320);
+        QTRY_COMPARE(m_dialog->height(), 320);
+        for (const char* name : {"export.begin", "export.close"}) {
+            const auto* button = child<QPushButton>(QLatin1String(name));
+            QVERIFY2(button->mapTo(m_dialog.get(), button->rect().bottomRight()).y() < 320, name);
+        }
+        const auto* scroll = child<QScrollArea>(u"export.scroll"_q);
+        QVERIFY(scroll->verticalScrollBar()->maximum() > 0);
+    }
+
+    void theDialogIsAsHighAsItsContents()
+    {
+        QCOMPARE(child<QScrollArea>(u"export.scroll"_q)->verticalScrollBar()->maximum(), 0);
     }
 
     void whatCannotBeWrittenCannotBeBegun()

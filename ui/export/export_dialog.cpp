@@ -22,6 +22,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QUrl>
@@ -54,6 +56,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_askForChoice(std::move(askForChoice))
     , m_kind(new QComboBox(this))
     , m_format(new QComboBox(this))
+    , m_scroll(new QScrollArea(this))
     , m_path(new QLineEdit(this))
     , m_first(addNumber(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame))
     , m_last(addNumber(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame))
@@ -89,8 +92,6 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     buildProgress();
     connectPlan();
     connectJob();
-    constexpr int kWidth = 440;
-    resize(kWidth, sizeHint().height());
     followKind();
     followJob();
 }
@@ -170,7 +171,9 @@ void ExportDialog::buildForm()
     m_noiseSize->setSpecialValueText(tr("as in the effect"));
     m_noiseSize->setSuffix(tr(" pixels"));
     m_noiseSizeLabel = addRow(tr("Size"), m_noiseSize);
-    auto* box = static_cast<QVBoxLayout*>(layout());
+    auto* content = new QWidget;
+    auto* box = new QVBoxLayout(content);
+    box->setContentsMargins({});
     box->addLayout(form);
     for (const Parameter* parameter : kParameters) {
         m_rows.push_back(new ParameterRow(*parameter, m_document, m_locks, this));
@@ -182,6 +185,12 @@ void ExportDialog::buildForm()
     m_files->setTextFormat(Qt::PlainText);
     box->addWidget(m_files);
     box->addStretch();
+    m_scroll->setObjectName(QStringLiteral("export.scroll"));
+    m_scroll->setWidget(content);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    static_cast<QVBoxLayout*>(layout())->addWidget(m_scroll, 1);
     connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
 }
 
@@ -366,7 +375,17 @@ void ExportDialog::showEvent(QShowEvent* event)
         m_written.clear();
     }
     followJob();
+    fitScreen();
     emit shownChanged(true);
+}
+
+void ExportDialog::fitScreen()
+{
+    constexpr int kWidth = 440;
+    constexpr int kDecoration = 48; // of the window
+    const int rest = sizeHint().height() - m_scroll->sizeHint().height();
+    const int wanted = rest + m_scroll->widget()->sizeHint().height();
+    resize(kWidth, std::min(wanted, screen()->availableGeometry().height() - kDecoration));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)

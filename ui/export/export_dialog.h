@@ -17,6 +17,7 @@ class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 class QSpinBox;
 
 namespace fumage::ui {
@@ -52,6 +53,8 @@ private:
     void buildProgress();
     void connectPlan();
     void connectJob();
+    /// As high as its contents, as far as the screen allows.
+    void fitScreen();
     void followKind();
     void followFormat();
     /// A person has named the file; its ending may name another format.
@@ -71,6 +74,7 @@ private:
     const AskForChoice m_askForChoice;
     QComboBox* m_kind;
     QComboBox* m_format;
+    QScrollArea* m_scroll; ///< a small screen may not hold it all
     QLineEdit* m_path;
     QSpinBox* m_first;
     QSpinBox* m_last;
