@@ -414,6 +414,30 @@ private slots:
         QVERIFY(nothing->isVisible() && nothing->text().contains(u"zebra"_q));
     }
 
+    void aLockHasAMarkThatUnlocks()
+    {
+        const Parameter& gravity = *findParameter("motion.gravity");
+        auto* mark = m_panel->findChild<QToolButton*>(u"motion.gravity.locked"_q);
+        QVERIFY(!mark->isVisible());
+        m_locks->set(gravity, true);
+        QVERIFY(mark->isVisible() && !mark->icon().isNull());
+        QCOMPARE(m_panel->findChild<QLabel*>(u"motion.gravity.label"_q)->text(), u"Gravity"_q);
+        QTest::mouseClick(mark, Qt::LeftButton);
+        QVERIFY(!m_locks->contains(gravity) && !mark->isVisible());
+    }
+
+    void numbersOfAColourAreNotCutOff()
+    {
+        m_panel->setOpenGroups({u"look"_q});
+        m_panel->resize(m_panel->sizeHint());
+        m_document->edit(*findParameter("look.colour"), glm::vec3(0.12345F, 0.98765F, 0.45678F));
+        for (const QString& channel : {u"r"_q, u"g"_q, u"b"_q}) {
+            const auto* field = m_panel->findChild<NumberField*>(u"look.colour."_q + channel);
+            constexpr int kPadding = 18; // of the style
+            QVERIFY2(field->fontMetrics().horizontalAdvance(field->text()) + kPadding <= field->width(), qPrintable(field->text()));
+        }
+    }
+
     void theEssentialsStandOnTopOnceMore()
     {
         auto* group = m_panel->findChild<ParameterGroup*>(u"group.essentials"_q);

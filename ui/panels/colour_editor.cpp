@@ -16,6 +16,9 @@
 
 namespace fumage::ui {
 
+/// As many digits as three fields beside one another have room for; a channel of a screen has 256 steps.
+static constexpr double kShown = 1e3;
+
 QColor screenColour(const glm::vec3& linear)
 {
     const auto channel = [](float value) { return std::clamp(srgbFromLinear(std::max(0.0F, value)), 0.0F, 1.0F); };
@@ -80,7 +83,7 @@ void ColourEditor::showValue()
     swatch.fill(screenColour(m_value));
     m_swatch->setIcon(swatch);
     for (int i = 0; i < 3; ++i) {
-        m_fields[static_cast<std::size_t>(i)]->setValue(std::round(static_cast<double>(m_value[i]) * 1e4) / 1e4);
+        m_fields[static_cast<std::size_t>(i)]->setValue(std::round(static_cast<double>(m_value[i]) * kShown) / kShown);
     }
 }
 

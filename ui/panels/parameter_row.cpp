@@ -2,6 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
+#include "ui/face/icons.h"
 #include "ui/face/message_box.h"
 
 #include "core/effect/value.h"
@@ -14,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QStyle>
+#include <QToolButton>
 
 namespace fumage::ui {
 
@@ -32,6 +34,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     , m_document(document)
     , m_locks(locks)
     , m_label(new QLabel(labelOf(parameter), this))
+    , m_lock(makeIconButton(m_label, toQString(parameter.key) + QStringLiteral(".locked"), QStringLiteral("lock"), tr("Locked against randomising; press to unlock")))
     , m_editor(makeEditor(parameter, this))
 {
     setObjectName(toQString(parameter.key) + QStringLiteral(".row"));
@@ -41,6 +44,13 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     m_label->setToolTip(m_editor->toolTip());
     m_label->setBuddy(m_editor);
     m_label->installEventFilter(this);
+    constexpr QSize kMark(12, 12);
+    m_lock->setIconSize(kMark);
+    m_lock->hide();
+    auto* inside = new QHBoxLayout(m_label);
+    inside->setContentsMargins(0, 0, 2, 0);
+    inside->addStretch();
+    inside->addWidget(m_lock);
     auto* layout = new QBoxLayout(isTall(parameter) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
     layout->setContentsMargins(0, 1, 0, 1);
     layout->setSpacing(4);
@@ -50,6 +60,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     layout->addWidget(m_label);
     layout->addWidget(m_editor, 1);
     connect(m_editor, &ParameterEditor::edited, this, &ParameterRow::edit);
+    connect(m_lock, &QToolButton::clicked, this, [this] { m_locks.set(this->parameter(), false); });
     connect(&m_locks, &Locks::changed, this, &ParameterRow::showState);
 }
 
@@ -85,7 +96,8 @@ void ParameterRow::showState()
         return;
     }
     m_state = state;
-    m_label->setText((state.changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()) + (state.locked ? QStringLiteral(" 🔒") : QString()));
+    m_label->setText((state.changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()));
+    m_lock->setVisible(state.locked);
     m_label->setProperty("changed", state.changed);
     m_label->style()->unpolish(m_label);
     m_label->style()->polish(m_label);

@@ -6,6 +6,8 @@
 
 #include <QLabel>
 
+class QToolButton;
+
 namespace fumage::ui {
 
 /// One parameter in a panel: its label, a mark where it differs from the preset, and its editor, bound to the document.
@@ -46,6 +48,7 @@ private:
     Document& m_document;
     Locks& m_locks;
     QLabel* m_label;
+    QToolButton* m_lock; ///< the mark of a lock, inside the label
     ParameterEditor* m_editor;
     Gesture m_gesture; ///< of the edits since the last finished one
     Value m_shown;
