@@ -107,6 +107,16 @@ private slots:
         QCOMPARE(edits.size(), 1);
     }
 
+    void aSmallWindowShowsSeveralPresets()
+    {
+        m_window->resize(1280, 720);
+        QTRY_COMPARE(m_window->height(), 720);
+        trigger("view.resetLayout");
+        const auto* list = childOf<QListWidget>(*m_window, u"presetList"_q);
+        QTRY_VERIFY(list->viewport()->height() > 400);
+        QVERIFY(list->isVisible());
+    }
+
     void theDesktopsThemeIsFoundAgainAfterAnother()
     {
         const bool desktopIsDark = isDark(QApplication::palette());

@@ -83,7 +83,15 @@ void Docks::arrange()
     }
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_presets.get());
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_noise.get());
-    m_window.splitDockWidget(m_presets.get(), m_noise.get(), Qt::Vertical);
+    // Where there is no room for two, one lies behind the other.
+    constexpr int kLeastForBoth = 820;
+    const bool both = m_window.height() >= kLeastForBoth;
+    if (both) {
+        m_window.splitDockWidget(m_presets.get(), m_noise.get(), Qt::Vertical);
+    } else {
+        m_window.tabifyDockWidget(m_presets.get(), m_noise.get());
+        m_presets->raise();
+    }
     m_window.addDockWidget(Qt::RightDockWidgetArea, m_parameters.get());
     m_window.tabifyDockWidget(m_parameters.get(), m_variations.get());
     m_window.tabifyDockWidget(m_variations.get(), m_history.get());
@@ -91,8 +99,10 @@ void Docks::arrange()
     constexpr int kLeft = 316;
     constexpr int kRight = 376;
     m_window.resizeDocks({m_presets.get(), m_parameters.get()}, {kLeft, kRight}, Qt::Horizontal);
-    constexpr int kNoise = 470;
-    m_window.resizeDocks({m_presets.get(), m_noise.get()}, {std::max(kNoise / 2, m_window.height() - kNoise), kNoise}, Qt::Vertical);
+    if (both) {
+        constexpr int kNoise = 470;
+        m_window.resizeDocks({m_presets.get(), m_noise.get()}, {m_window.height() - kNoise, kNoise}, Qt::Vertical);
+    }
 }
 
 void Docks::showVariations()
