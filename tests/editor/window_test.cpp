@@ -84,6 +84,31 @@ private slots:
         QVERIFY(!m_window->isFullScreen());
     }
 
+    void onlyTheSmokeIsShownAndThePanelsComeBack()
+    {
+        childOf<QDockWidget>(*m_window, u"dock.history"_q)->close();
+        const auto shown = [this] {
+            QStringList names;
+            for (const QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+                names += dock->isHidden() ? QString() : dock->objectName();
+            }
+            return names;
+        };
+        const QStringList before = shown();
+        const int width = m_window->viewport().width();
+        trigger("view.smokeOnly");
+        QCOMPARE(shown().join(QString()), QString());
+        QTRY_COMPARE(m_window->viewport().width(), m_window->width());
+        QVERIFY(!childOf<QWidget>(*m_window, u"timeline"_q)->isVisible());
+        trigger("view.smokeOnly");
+        QCOMPARE(shown(), before);
+        QTRY_COMPARE(m_window->viewport().width(), width);
+        trigger("view.smokeOnly");
+        m_window->close();
+        m_window = m_session->openWindow();
+        QCOMPARE(shown(), before); // it is not remembered
+    }
+
     void aWindowGoesWhileOneTypes_data()
     {
         QTest::addColumn<bool>("floats");

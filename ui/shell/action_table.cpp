@@ -63,6 +63,7 @@ constexpr ActionSpec kSpecs[] = {
     {.id = "view.language", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Lan&guage"), .kind = Submenu},
     {.id = "view.theme", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "T&heme"), .kind = Submenu},
     {.id = "view.fullScreen", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "F&ull screen"), .keys = "F11", .kind = Switch, .lineAbove = true},
+    {.id = "view.smokeOnly", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "&Only the smoke"), .keys = "Shift+Space", .kind = Switch},
     {.id = "view.resetLayout", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Reset &layout")},
 
     {.id = "play.toggle", .menu = kPlay, .text = QT_TRANSLATE_NOOP("Actions", "&Play or pause"), .keys = "Space", .icon = "play"},

@@ -9,6 +9,7 @@
 #include "core/effect/known_parameter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QMainWindow>
 #include <QMenu>
@@ -102,6 +103,21 @@ void Docks::arrange()
     if (both) {
         constexpr int kNoise = 470;
         m_window.resizeDocks({m_presets.get(), m_noise.get()}, {m_window.height() - kNoise, kNoise}, Qt::Vertical);
+    }
+}
+
+void Docks::setPutAway(bool away)
+{
+    if (away == !m_before.isEmpty()) {
+        return;
+    }
+    if (!away) {
+        m_window.restoreState(std::exchange(m_before, {}));
+        return;
+    }
+    m_before = m_window.saveState();
+    for (QDockWidget* dock : all()) {
+        dock->hide();
     }
 }
 

@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 
+#include <QByteArray>
 #include <QDockWidget>
 
 #include <array>
@@ -35,6 +36,8 @@ public:
     void searchParameters();
     /// Goes to the editor of a parameter.
     void showParameter(const QString& key);
+    /// Puts all panels away, or back as they were.
+    void setPutAway(bool away);
     /// A switch for each panel.
     void fillMenu(QMenu& menu) const;
 
@@ -52,6 +55,7 @@ private:
     Dock m_noise;
     Dock m_history;
     Dock m_variations;
+    QByteArray m_before; ///< the layout before the panels were put away; empty: they are not
 };
 
 } // namespace fumage::ui

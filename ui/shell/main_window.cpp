@@ -18,6 +18,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -126,7 +127,15 @@ void MainWindow::connectWindowActions()
     m_actions.on("edit.variations", &m_docks, &Docks::showVariations);
     m_actions.on("edit.search", &m_docks, &Docks::searchParameters);
     m_actions.on("edit.commands", this, &MainWindow::searchCommands);
-    m_actions.on("view.resetLayout", &m_docks, &Docks::arrange);
+    connect(&m_actions.get("view.smokeOnly"), &QAction::toggled, &m_ear, [this](bool on) {
+        m_docks.setPutAway(on);
+        findChild<QToolBar*>(QStringLiteral("toolBar"))->setVisible(!on);
+        m_timeline->setVisible(!on);
+    });
+    m_actions.on("view.resetLayout", this, [this] {
+        m_actions.get("view.smokeOnly").setChecked(false);
+        m_docks.arrange();
+    });
     m_actions.on("help.reference", this, [this] { showReference(this); });
     m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
     m_actions.on("help.about", this, [this] { showAbout(this); });
@@ -204,6 +213,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (leaving == ExportDesk::Leaving::Finish && m_exports.job().isRunning()) {
         m_session.finish(m_exports.takeJob());
     }
+    m_actions.get("view.smokeOnly").setChecked(false); // is not remembered
     saveLayout(*this, m_docks, m_viewActions, m_session.settings());
     m_recovery.discard();
     event->accept();
