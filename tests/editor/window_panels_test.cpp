@@ -8,9 +8,13 @@
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/variations_panel.h"
 
+#include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
 
+#include <QDockWidget>
 #include <QLabel>
+#include <QPainter>
+#include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QToolButton>
@@ -112,6 +116,46 @@ private slots:
         emit list.itemActivated(campfire);
         QVERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.effect);
         QVERIFY(m_window->document().filePath().isEmpty());
+    }
+
+    void wildVariationsShowSomething()
+    {
+        // In this small picture of faint smoke most wild variations are empty, or full.
+        m_window->document().edit(knownParameter("look.opacity"), 0.3F);
+        trigger("edit.variations");
+        auto* variations = m_window->findChild<VariationsPanel*>();
+        QTRY_VERIFY(variations->isVisible());
+        childOf<QSlider>(*variations, u"variations.amount"_q)->setValue(40);
+        for (int i = 0; i < VariationsPanel::kCells; ++i) {
+            auto* cell = childOf<QToolButton>(*variations, u"variation.%1"_q.arg(i));
+            QTRY_VERIFY_WITH_TIMEOUT(!cell->icon().isNull() && showsSomething(cell->icon().pixmap(cell->iconSize()).toImage()), 60000);
+        }
+    }
+
+    void aPictureIsToldFromAnEmptyOne()
+    {
+        QImage image(64, 64, QImage::Format_RGB32);
+        image.fill(QColor(30, 32, 36));
+        QVERIFY(!showsSomething(image));
+        image.fill(Qt::white);
+        QVERIFY(!showsSomething(image));
+        QPainter(&image).fillRect(20, 20, 24, 24, Qt::gray);
+        QVERIFY(showsSomething(image));
+        QVERIFY(!showsSomething(QImage()));
+    }
+
+    void picturesOfVariationsGrowWithThePanel()
+    {
+        trigger("edit.variations");
+        auto* variations = m_window->findChild<VariationsPanel*>();
+        QTRY_VERIFY(variations->isVisible());
+        auto* dock = childOf<QDockWidget>(*m_window, u"dock.variations"_q);
+        const auto* cell = childOf<QToolButton>(*variations, u"variation.0"_q);
+        const int before = cell->iconSize().width();
+        dock->setFloating(true);
+        dock->resize(760, 860);
+        QTRY_VERIFY(cell->iconSize().width() > before + 80);
+        QVERIFY(cell->geometry().right() < variations->width());
     }
 
     void aVariationIsAdoptedAndUndone()

@@ -38,6 +38,24 @@ QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& st
     return picture ? picture->image : QImage();
 }
 
+bool showsSomething(const QImage& image)
+{
+    double sum = 0.0;
+    double squares = 0.0;
+    const QImage grey = image.convertToFormat(QImage::Format_Grayscale8);
+    for (int y = 0; y < grey.height(); ++y) {
+        for (int x = 0; x < grey.width(); ++x) {
+            const double value = grey.constScanLine(y)[x];
+            sum += value;
+            squares += value * value;
+        }
+    }
+    const double count = std::max(1.0, static_cast<double>(grey.width()) * grey.height());
+    const double mean = sum / count;
+    constexpr double kLeastDeviation = 3.0; // of 255: less is not seen at this size
+    return squares / count - mean * mean > kLeastDeviation * kLeastDeviation;
+}
+
 Thumbnailer::Thumbnailer(QObject* parent)
     : QObject(parent)
     , m_thread([this](const std::stop_token& stop) { run(stop); })

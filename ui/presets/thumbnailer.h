@@ -47,4 +47,7 @@ private:
 /// A small picture of an effect at its most telling frame, over the dark of the viewport.
 [[nodiscard]] QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop = {});
 
+/// Whether a picture shows something: it is neither empty nor full of one colour.
+[[nodiscard]] bool showsSomething(const QImage& image);
+
 } // namespace fumage::ui

@@ -5,6 +5,9 @@
 #include "core/effect/parameter_table.h"
 #include "core/effect/variation.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,7 +20,9 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr int kEdge = 88;
+constexpr int kLeastEdge = 88;
+constexpr int kLargestEdge = 256;
+constexpr int kAttempts = 5; ///< for a cell; the last goes a 16th of the way
 constexpr int kLargestAmount = 40; ///< percent of the soft range
 constexpr int kUsualAmount = 10;
 constexpr int kColumns = 3;
@@ -54,7 +59,6 @@ QGridLayout* VariationsPanel::makeGrid()
         cell->setObjectName(QStringLiteral("variation.%1").arg(i));
         cell->setAccessibleName(i == kMiddle ? tr("The present smoke") : tr("Variation %1").arg(i + 1));
         cell->setToolTip(i == kMiddle ? tr("The smoke as it is") : tr("Click to adopt this variation"));
-        cell->setIconSize({kEdge, kEdge});
         cell->setCheckable(i == kMiddle);
         cell->setChecked(i == kMiddle);
         m_cells[static_cast<std::size_t>(i)] = cell;
@@ -110,9 +114,25 @@ void VariationsPanel::showEvent(QShowEvent* event)
     fill();
 }
 
+void VariationsPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    constexpr int kAround = 16; // a picture: frame and gap
+    constexpr int kOther = 110; // above and below all of them
+    const int edge = std::clamp(std::min((width() - kAround) / kColumns, (height() - kOther) / kColumns) - kAround, kLeastEdge, kLargestEdge);
+    if (edge == m_edge) {
+        return;
+    }
+    m_edge = edge;
+    for (QToolButton* cell : m_cells) {
+        cell->setIconSize({edge, edge});
+    }
+    m_settle.start();
+}
+
 int VariationsPanel::thumbnailEdge() const
 {
-    return static_cast<int>(kEdge * devicePixelRatioF());
+    return static_cast<int>(m_edge * devicePixelRatioF());
 }
 
 void VariationsPanel::throwDice()
@@ -134,15 +154,22 @@ void VariationsPanel::fill()
         locked += m_locks.contains(parameter) ? 1 : 0;
     }
     m_locked->setText(locked == 0 ? tr("Lock parameters in their context menu to keep them as they are.") : tr("Locked parameters, which stay as they are: %1").arg(locked));
-    const float amount = static_cast<float>(m_amount->value()) / 100.0F;
     for (int i = 0; i < kCells; ++i) {
-        Effect& effect = m_effects[static_cast<std::size_t>(i)];
-        effect = m_document.effect();
-        if (i != kMiddle) {
-            effect = vary(effect, amount, m_seed + static_cast<quint32>(i), [this](const Parameter& parameter) { return m_locks.mayVary(parameter); });
-        }
-        m_thumbnailer.request(QStringLiteral("%1/%2").arg(m_generation).arg(i), effect, thumbnailEdge());
+        propose(i, 0);
     }
+}
+
+void VariationsPanel::propose(int cell, int attempt)
+{
+    Effect& effect = m_effects[static_cast<std::size_t>(cell)];
+    effect = m_document.effect();
+    if (cell != kMiddle) {
+        // Nearer to the smoke as it is, which shows something, with each attempt.
+        const float amount = std::ldexp(static_cast<float>(m_amount->value()) / 100.0F, -attempt);
+        const auto seed = m_seed + static_cast<quint32>(cell + attempt * kCells);
+        effect = vary(effect, amount, seed, [this](const Parameter& parameter) { return m_locks.mayVary(parameter); });
+    }
+    m_thumbnailer.request(QStringLiteral("%1/%2/%3").arg(m_generation).arg(cell).arg(attempt), effect, thumbnailEdge());
 }
 
 void VariationsPanel::receive(const QString& name, const QImage& image)
@@ -151,9 +178,15 @@ void VariationsPanel::receive(const QString& name, const QImage& image)
     if (parts[0].toULongLong() != m_generation) {
         return;
     }
+    const int cell = parts[1].toInt();
+    const int attempt = parts[2].toInt();
+    if (cell != kMiddle && attempt + 1 < kAttempts && !showsSomething(image)) {
+        propose(cell, attempt + 1);
+        return;
+    }
     QPixmap pixmap = QPixmap::fromImage(image);
     pixmap.setDevicePixelRatio(devicePixelRatioF());
-    m_cells[static_cast<std::size_t>(parts[1].toInt())]->setIcon(pixmap);
+    m_cells[static_cast<std::size_t>(cell)]->setIcon(pixmap);
 }
 
 void VariationsPanel::adopt(int cell)

@@ -36,6 +36,7 @@ public:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     [[nodiscard]] QGridLayout* makeGrid();
@@ -46,6 +47,8 @@ private:
     void adopt(int cell);
     void goBack();
     void follow();
+    /// @param attempt 0, or how many candidates for this cell have shown nothing
+    void propose(int cell, int attempt);
     void receive(const QString& name, const QImage& image);
     [[nodiscard]] int thumbnailEdge() const;
 
@@ -59,6 +62,7 @@ private:
     QToolButton* m_back;
     QLabel* m_locked;
     QTimer m_settle; ///< the smoke is changing: wait until it is still
+    int m_edge = 0; ///< of a picture, in pixels of the desktop
     quint32 m_seed = 1;
     quint64 m_generation = 0;
 };
