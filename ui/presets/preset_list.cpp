@@ -23,6 +23,7 @@ QString idOfEntry(const LibraryEntry& entry)
 
 PresetList::PresetList(int edge, QWidget* parent)
     : QListWidget(parent)
+    , m_thumbnailer(ThumbnailStore(ThumbnailStore::usualFolder()))
     , m_edge(edge)
 {
     setObjectName(QStringLiteral("presetList"));

@@ -56,8 +56,9 @@ bool showsSomething(const QImage& image)
     return squares / count - mean * mean > kLeastDeviation * kLeastDeviation;
 }
 
-Thumbnailer::Thumbnailer(QObject* parent)
+Thumbnailer::Thumbnailer(std::optional<ThumbnailStore> store, QObject* parent)
     : QObject(parent)
+    , m_store(std::move(store))
     , m_thread([this](const std::stop_token& stop) { run(stop); })
 {
 }
@@ -85,17 +86,28 @@ void Thumbnailer::clear()
     m_jobs.clear();
 }
 
-QImage Thumbnailer::imageOf(const Job& job, const std::stop_token& stop)
+QImage Thumbnailer::pictureOf(const Job& job, const std::stop_token& stop) const
 {
+    QImage image = m_store ? m_store->find(job.effect, job.edge) : QImage();
+    if (!image.isNull()) {
+        return image;
+    }
     try {
-        return renderThumbnail(job.effect, job.edge, stop);
+        image = renderThumbnail(job.effect, job.edge, stop);
     } catch (const std::bad_alloc&) {
         return {}; // the list shows it without a picture
     }
+    if (m_store && !image.isNull()) {
+        m_store->put(job.effect, job.edge, image);
+    }
+    return image;
 }
 
 void Thumbnailer::run(const std::stop_token& stop)
 {
+    if (m_store) {
+        m_store->prune();
+    }
     while (!stop.stop_requested()) {
         Job job;
         {
@@ -106,7 +118,7 @@ void Thumbnailer::run(const std::stop_token& stop)
             job = std::move(m_jobs.front());
             m_jobs.pop_front();
         }
-        const QImage image = imageOf(job, stop);
+        const QImage image = pictureOf(job, stop);
         if (!image.isNull()) {
             QMetaObject::invokeMethod(
                 this, [this, name = job.name, image] { emit ready(name, image); }, Qt::QueuedConnection);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "ui/presets/thumbnail_store.h"
 
 #include <QImage>
 #include <QObject>
@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace fumage::ui {
@@ -17,7 +18,8 @@ class Thumbnailer : public QObject {
     Q_OBJECT
 
 public:
-    explicit Thumbnailer(QObject* parent = nullptr);
+    /// @param store where pictures are kept from one start to the next; nothing: they are not
+    explicit Thumbnailer(std::optional<ThumbnailStore> store = std::nullopt, QObject* parent = nullptr);
     ~Thumbnailer() override;
 
     /// Asks for a picture; one that was asked for under the same name and has not begun is replaced.
@@ -36,7 +38,9 @@ private:
         int edge = 0;
     };
     void run(const std::stop_token& stop);
-    [[nodiscard]] static QImage imageOf(const Job& job, const std::stop_token& stop);
+    [[nodiscard]] QImage pictureOf(const Job& job, const std::stop_token& stop) const;
+
+    const std::optional<ThumbnailStore> m_store;
 
     std::mutex m_mutex;
     std::condition_variable_any m_wake;

@@ -1,0 +1,96 @@
+// Small pictures that are kept from one start to the next.
+#include "editor_helpers.h"
+
+#include "ui/presets/thumbnailer.h"
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+constexpr int kEdge = 24;
+
+Effect smallEffect()
+{
+    Effect effect;
+    effect.emitter.count = 200;
+    effect.noise.resolution = 16;
+    effect.noise.slices = 2;
+    effect.light.resolution = 8;
+    return effect;
+}
+
+QImage mark()
+{
+    QImage image(kEdge, kEdge, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    return image;
+}
+
+} // namespace
+
+class ThumbnailTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { QDir(m_folder.path()).removeRecursively(); }
+
+    void aPictureOfTheSameContentIsNotRenderedAgain()
+    {
+        store().put(smallEffect(), kEdge, mark());
+        QCOMPARE(picture(smallEffect()), mark());
+    }
+
+    void anotherEffectOrSizeIsAnotherPicture()
+    {
+        store().put(smallEffect(), kEdge, mark());
+        Effect other = smallEffect();
+        other.look.opacity *= 2.0F;
+        QVERIFY(picture(other) != mark());
+        QVERIFY(store().find(smallEffect(), 2 * kEdge).isNull());
+    }
+
+    void whatWasRenderedIsKept()
+    {
+        const QImage first = picture(smallEffect());
+        QCOMPARE(store().find(smallEffect(), kEdge), first);
+    }
+
+    void aBrokenFileIsRenderedAnew()
+    {
+        const QImage first = picture(smallEffect());
+        const QFileInfoList files = QDir(m_folder.path()).entryInfoList(QDir::Files);
+        QCOMPARE(files.size(), 1);
+        QVERIFY(QFile::resize(files[0].filePath(), 40));
+        QCOMPARE(picture(smallEffect()), first);
+    }
+
+    void theFolderDoesNotGrowForEver()
+    {
+        QVERIFY(QDir().mkpath(m_folder.path()));
+        constexpr int kMany = 450;
+        for (int i = 0; i < kMany; ++i) {
+            QFile file(m_folder.filePath(u"%1.png"_q.arg(i)));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        store().prune();
+        QCOMPARE(QDir(m_folder.path()).entryList(QDir::Files).size(), 400);
+    }
+
+private:
+    [[nodiscard]] ThumbnailStore store() const { return ThumbnailStore(QDir(m_folder.path())); }
+
+    /// What a thumbnailer of its own makes, as that of the next start would be.
+    QImage picture(const Effect& effect)
+    {
+        Thumbnailer thumbnailer(store());
+        QSignalSpy ready(&thumbnailer, &Thumbnailer::ready);
+        thumbnailer.request(u"it"_q, effect, kEdge);
+        return ready.wait(20000) ? ready[0][1].value<QImage>() : QImage();
+    }
+
+    QTemporaryDir m_folder;
+};
+
+FUMAGE_TEST_MAIN(ThumbnailTest)
+#include "thumbnail_test.moc"
