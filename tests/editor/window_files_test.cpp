@@ -144,6 +144,18 @@ private slots:
         QCOMPARE(m_session->settings().recentFiles().constFirst(), m_chosenFile);
     }
 
+    void fileDialogsBeginWhereTheUserLastWas()
+    {
+        m_chosenFile = m_folder.filePath(u"first.json"_q);
+        trigger("file.saveAs");
+        m_window->document().load(smallPreset(), {}); // has no file
+        m_chosenFile.clear();
+        trigger("file.open");
+        QCOMPARE(m_fileQuestions[1].start, m_folder.path());
+        trigger("file.saveAs");
+        QCOMPARE(m_fileQuestions[2].start, m_folder.filePath(u"Small.json"_q));
+    }
+
     void nothingIsSavedWhereNoFileIsChosen()
     {
         m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
@@ -178,7 +190,7 @@ private slots:
         preset.name = "Smoke / thin";
         m_window->document().load(preset, {});
         trigger("file.saveAs");
-        QCOMPARE(m_fileQuestions[0].start, libraryFile(u"Smoke - thin"_q));
+        QCOMPARE(QFileInfo(m_fileQuestions[0].start).fileName(), u"Smoke - thin.json"_q);
     }
 
     void savingToTheLibraryAddsAPresetToTheBrowser()

@@ -112,9 +112,10 @@ void DocumentFiles::newDocument()
 
 void DocumentFiles::open()
 {
-    const QString folder = m_document.filePath().isEmpty() ? libraryFolder() : QFileInfo(m_document.filePath()).path();
+    const QString folder = m_document.filePath().isEmpty() ? m_settings.lastFolder() : QFileInfo(m_document.filePath()).path();
     const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Open, .title = tr("Open"), .start = folder, .filter = presetFilter(), .ending = kEnding});
     if (!path.isEmpty()) {
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
         openFile(path);
     }
 }
@@ -182,15 +183,17 @@ QString DocumentFiles::suggestedPath() const
     if (!m_document.filePath().isEmpty()) {
         return m_document.filePath();
     }
-    const QString folder = libraryFolder().isEmpty() ? QDir::homePath() : libraryFolder();
-    QDir().mkpath(folder);
-    return presetFile(folder, m_document.displayName());
+    return presetFile(m_settings.lastFolder(), m_document.displayName());
 }
 
 bool DocumentFiles::saveAs()
 {
     const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Save, .title = tr("Save as"), .start = suggestedPath(), .filter = presetFilter(), .ending = kEnding});
-    return !path.isEmpty() && saveTo(path);
+    if (path.isEmpty()) {
+        return false;
+    }
+    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    return saveTo(path);
 }
 
 QString DocumentFiles::askForName() const

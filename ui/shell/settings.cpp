@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int kMostRecent = 10;
 const QString kRecent = QStringLiteral("files/recent");
+const QString kLastFolder = QStringLiteral("files/folder");
 const QString kFavourites = QStringLiteral("presets/favourites");
 const QString kTheme = QStringLiteral("face/theme");
 const QString kLanguage = QStringLiteral("face/language");
@@ -53,6 +55,17 @@ void Settings::removeRecentFile(const QString& path)
     files.removeAll(path);
     m_settings.setValue(kRecent, files);
     emit recentFilesChanged();
+}
+
+QString Settings::lastFolder() const
+{
+    const QString folder = m_settings.value(kLastFolder).toString();
+    return QDir(folder).exists() && !folder.isEmpty() ? folder : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void Settings::setLastFolder(const QString& folder)
+{
+    m_settings.setValue(kLastFolder, folder);
 }
 
 QStringList Settings::favourites() const

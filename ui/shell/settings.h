@@ -19,6 +19,10 @@ public:
     void addRecentFile(const QString& path);
     void removeRecentFile(const QString& path);
 
+    /// Where the user last opened or saved a file; that of documents before the first time.
+    [[nodiscard]] QString lastFolder() const;
+    void setLastFolder(const QString& folder);
+
     [[nodiscard]] QStringList favourites() const;
     void setFavourite(const QString& preset, bool favourite);
 
