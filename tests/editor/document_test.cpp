@@ -38,6 +38,27 @@ class DocumentTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void historyTellsTheNewValue()
+    {
+        Document document;
+        const auto last = [&] { return document.undoStack()->text(document.undoStack()->count() - 1); };
+        const Gesture drag = document.beginGesture();
+        document.edit(knownParameter("motion.gravity"), 2.0F, drag);
+        document.edit(knownParameter("motion.gravity"), 3.5F, drag);
+        QCOMPARE(document.undoStack()->count(), 1);
+        QCOMPARE(last(), u"Motion: Gravity 3.5 m/s\u00b2"_q);
+        document.edit(knownParameter("timeline.loop"), true);
+        QVERIFY(last().endsWith(u" on"_q));
+        document.edit(knownParameter("camera.mode"), static_cast<int>(CameraMode::Fixed));
+        QVERIFY(last().endsWith(u" Fixed"_q));
+        document.edit(knownParameter("camera.target"), glm::vec3(1.0F, 2.0F, 0.5F));
+        QVERIFY(last().endsWith(u" 1, 2, 0.5"_q));
+        document.edit(knownParameter("look.colour"), glm::vec3(0.1F));
+        QCOMPARE(last(), u"Look: Colour"_q);
+        document.reset(knownParameter("look.colour"));
+        QCOMPARE(last(), u"Reset Look: Colour"_q);
+    }
+
     void aDragIsOneUndoStep()
     {
         Document document;

@@ -130,6 +130,7 @@ private slots:
         add("150cm", Unit::Metres, 1.5);
         add("500 ms", Unit::Seconds, 0.5);
         add("36 km/h", Unit::MetresPerSecond, 10.0);
+        add("150 cm/s²", Unit::MetresPerSecond2, 1.5);
         add("\u22123", Unit::None, -3.0);
         add("1e3", Unit::None, 1000.0);
         add("50%", Unit::None, 0.5);

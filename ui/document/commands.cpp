@@ -1,5 +1,7 @@
 #include "ui/document/commands.h"
 
+#include "ui/document/parameter_text.h"
+
 #include "core/effect/value.h"
 
 #include <algorithm>
@@ -19,8 +21,22 @@ EditCommand::EditCommand(Document& document, std::vector<Change> changes, const 
     : QUndoCommand(text)
     , m_document(document)
     , m_changes(std::move(changes))
+    , m_isNamed(!text.isEmpty())
     , m_gesture(gesture)
 {
+    describe();
+}
+
+void EditCommand::describe()
+{
+    if (m_isNamed) {
+        return;
+    }
+    QStringList parts;
+    for (const Change& change : m_changes) {
+        parts += (fullLabelOf(*change.parameter) + QLatin1Char(' ') + valueTextOf(*change.parameter, change.after)).trimmed();
+    }
+    setText(parts.join(QStringLiteral(", ")));
 }
 
 void EditCommand::undo()
@@ -63,6 +79,7 @@ bool EditCommand::mergeWith(const QUndoCommand* other)
             mine->after = change.after;
         }
     }
+    describe();
     // A drag back to where it began leaves no trace.
     setObsolete(std::all_of(m_changes.begin(), m_changes.end(), [](const Change& c) { return c.before == c.after; }));
     return true;

@@ -15,6 +15,7 @@ public:
         Value after;
     };
 
+    /// @param text empty: names and new values of what is changed
     EditCommand(Document& document, std::vector<Change> changes, const QString& text, Gesture gesture);
 
     void undo() override;
@@ -24,9 +25,11 @@ public:
 
 private:
     void write(Value Change::*value);
+    void describe();
 
     Document& m_document;
     std::vector<Change> m_changes;
+    bool m_isNamed; ///< by whoever made it
     Gesture m_gesture;
 };
 

@@ -15,15 +15,6 @@ namespace fumage::ui {
 
 namespace {
 
-QString namesOf(const std::vector<EditCommand::Change>& changes)
-{
-    QStringList names;
-    for (const EditCommand::Change& change : changes) {
-        names += fullLabelOf(*change.parameter);
-    }
-    return names.join(QStringLiteral(", "));
-}
-
 std::vector<const Parameter*> allParameters()
 {
     std::vector<const Parameter*> all;
@@ -75,8 +66,7 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
         }
     }
     if (!changes.empty()) {
-        const QString name = text.isEmpty() ? namesOf(changes) : text;
-        m_undo.push(new EditCommand(*this, std::move(changes), name, gesture));
+        m_undo.push(new EditCommand(*this, std::move(changes), text, gesture));
     }
 }
 

@@ -54,7 +54,7 @@ public:
     /// Clamps, compares and pushes one undo step; nothing happens where the value stays what it is.
     void edit(const Parameter& parameter, const Value& value, Gesture gesture = {});
     /// Several parameters in one step.
-    /// @param text of the undo step; empty: the parameters' names
+    /// @param text of the undo step; empty: the parameters' names and their new values
     void edit(const std::vector<Assignment>& assignments, const QString& text, Gesture gesture = {});
     void replaceEffect(const Effect& effect, const QString& text, Gesture gesture = {});
     void reset(const Parameter& parameter);

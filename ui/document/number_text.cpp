@@ -31,6 +31,9 @@ constexpr std::array kAliases{
     Alias{Unit::MetresPerSecond, u"cm/s", 0.01},
     Alias{Unit::MetresPerSecond2, u"m/s2", 1.0},
     Alias{Unit::MetresPerSecond2, u"m/s^2", 1.0},
+    Alias{Unit::MetresPerSecond2, u"cm/s\u00b2", 0.01},
+    Alias{Unit::MetresPerSecond2, u"cm/s2", 0.01},
+    Alias{Unit::MetresPerSecond2, u"cm/s^2", 0.01},
     Alias{Unit::Degrees, u"deg", 1.0},
     Alias{Unit::Degrees, u"rad", glm::degrees(1.0)},
     Alias{Unit::DegreesPerSecond, u"deg/s", 1.0},
@@ -65,6 +68,14 @@ QString formatNumber(double value)
         return QString::number(static_cast<qint64>(value));
     }
     return QLocale::c().toString(value, 'g', kDigits);
+}
+
+QString formatNumber(double value, Unit unit)
+{
+    const QString number = formatNumber(value);
+    const QString symbol = toQString(unitSymbol(unit));
+    const bool attached = unit == Unit::Degrees;
+    return symbol.isEmpty() ? number : number + (attached ? QString() : QStringLiteral(" ")) + symbol;
 }
 
 std::optional<double> parseNumber(const QString& text, Unit unit)

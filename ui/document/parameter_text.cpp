@@ -52,6 +52,26 @@ QString fullLabelOf(const Parameter& parameter)
     return QStringLiteral("%1: %2").arg(groupLabelOf(parameter.group()), labelOf(parameter));
 }
 
+QString valueTextOf(const Parameter& parameter, const Value& value)
+{
+    switch (parameter.kind) {
+    case Kind::Bool: return std::get<bool>(value) ? QCoreApplication::translate("Parameters", "on") : QCoreApplication::translate("Parameters", "off");
+    case Kind::Int: return formatNumber(std::get<int>(value), parameter.unit);
+    case Kind::Float: return formatNumber(static_cast<double>(std::get<float>(value)), parameter.unit);
+    case Kind::Choice: return choiceLabelOf(parameter.choices[static_cast<std::size_t>(std::get<int>(value))]);
+    case Kind::Seed: return formatNumber(std::get<std::uint32_t>(value));
+    case Kind::Direction:
+    case Kind::Vector: {
+        const auto& v = std::get<glm::vec3>(value);
+        return QStringLiteral("%1, %2, %3").arg(formatNumber(static_cast<double>(v.x)), formatNumber(static_cast<double>(v.y)), formatNumber(static_cast<double>(v.z)));
+    }
+    case Kind::Colour:
+    case Kind::Curve:
+    case Kind::Gradient: break;
+    }
+    return {};
+}
+
 QString searchTextOf(const Parameter& parameter)
 {
     QStringList words{fullLabelOf(parameter), translated(parameter.tip)};

@@ -12,6 +12,9 @@ namespace fumage::ui {
 [[nodiscard]] QString groupLabelOf(std::string_view group);
 [[nodiscard]] QString choiceLabelOf(std::string_view choice);
 
+/// A value as history and lists show it; empty where it needs a picture: colours, curves and gradients.
+[[nodiscard]] QString valueTextOf(const Parameter& parameter, const Value& value);
+
 /// "Motion: Wind angle", as undo steps and lists name a parameter outside of its panel.
 [[nodiscard]] QString fullLabelOf(const Parameter& parameter);
 

@@ -52,10 +52,7 @@ void NumberField::setValue(double value)
 
 void NumberField::showValue()
 {
-    const QString unit = toQString(unitSymbol(m_scale.unit));
-    const bool attached = unit == QStringLiteral("°");
-    const QString number = formatNumber(m_value);
-    setText(unit.isEmpty() ? number : number + (attached ? QString() : QStringLiteral(" ")) + unit);
+    setText(formatNumber(m_value, m_scale.unit));
     setCursorPosition(0);
     if (hasFocus()) {
         selectAll();
@@ -80,6 +77,9 @@ void NumberField::commitText()
     const double inside = std::clamp(*number, m_scale.hard.low, m_scale.hard.high);
     m_value = m_scale.whole ? std::round(inside) : inside;
     showValue();
+    if (inside != *number) {
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), (inside < *number ? tr("%1 is the largest.") : tr("%1 is the smallest.")).arg(formatNumber(m_value, m_scale.unit)), this);
+    }
     emit edited(m_value, true);
 }
 
