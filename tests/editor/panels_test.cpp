@@ -17,7 +17,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QClipboard>
 #include <QLabel>
+#include <QToolTip>
 #include <QTranslator>
 #include <QtMath>
 
@@ -203,6 +205,16 @@ private slots:
         typeInto(*field, u"windy"_q);
         QCOMPARE(field->text(), before);
         QVERIFY(m_document->effect() == Effect());
+    }
+
+    void aNumberThatIsTooLargeIsTheLargestAndSaysSo()
+    {
+        NumberField* field = this->field("motion.wind.field");
+        const double largest = findParameter("motion.wind")->hard.high;
+        typeInto(*field, u"1e9"_q);
+        QCOMPARE(field->value(), largest);
+        QTRY_VERIFY(QToolTip::isVisible());
+        QVERIFY(QToolTip::text().contains(formatNumber(largest)));
     }
 
     void escapePutsBackWhatWasThere()
@@ -413,6 +425,55 @@ private slots:
         m_panel->findChild<QLineEdit*>(u"parameterSearch"_q)->setText(u"zebra"_q);
         const auto* nothing = m_panel->findChild<QLabel*>(u"parameterSearch.nothing"_q);
         QVERIFY(nothing->isVisible() && nothing->text().contains(u"zebra"_q));
+    }
+
+    void aFoldedGroupTellsThatSomethingInItIsChanged()
+    {
+        m_panel->setOpenGroups({});
+        const auto* heading = m_panel->findChild<QToolButton*>(u"group.motion.heading"_q);
+        QCOMPARE(heading->text(), u"Motion"_q);
+        m_document->edit(*findParameter("motion.gravity"), 3.0F);
+        QCOMPARE(heading->text(), u"• Motion"_q);
+        m_document->undoStack()->undo();
+        QCOMPARE(heading->text(), u"Motion"_q);
+    }
+
+    void onlyWhatIsChangedIsShown()
+    {
+        m_panel->setOpenGroups({});
+        m_document->edit(*findParameter("motion.gravity"), 3.0F);
+        auto* only = m_panel->findChild<QToolButton*>(u"onlyChanged"_q);
+        only->click();
+        QVERIFY(row("motion.gravity")->isVisible());
+        QVERIFY(!row("motion.wind")->isVisible());
+        QVERIFY(!row("look.size")->isVisible());
+        m_document->edit(*findParameter("look.size"), 0.7F);
+        QVERIFY(row("look.size")->isVisible());
+        m_document->undoStack()->setIndex(0);
+        QVERIFY(m_panel->findChild<QLabel*>(u"parameterSearch.nothing"_q)->isVisible());
+        only->click();
+        QVERIFY(m_panel->findChild<ParameterGroup*>(u"group.motion"_q)->isVisible());
+    }
+
+    void aGroupIsCopiedPastedAndResetInOneStep()
+    {
+        auto* group = m_panel->findChild<ParameterGroup*>(u"group.motion"_q);
+        m_document->edit(*findParameter("motion.gravity"), 3.0F);
+        m_document->edit(*findParameter("motion.wind"), 1.25F);
+        m_document->edit(*findParameter("look.size"), 0.7F);
+        group->copy();
+        const int steps = m_document->undoStack()->count();
+        group->reset();
+        QCOMPARE(m_document->undoStack()->count(), steps + 1);
+        QCOMPARE(m_document->effect().motion.gravity, Effect().motion.gravity);
+        QCOMPARE(m_document->effect().look.size, 0.7F); // is of another group
+        group->paste();
+        QCOMPARE(m_document->undoStack()->count(), steps + 2);
+        QCOMPARE(m_document->effect().motion.gravity, 3.0F);
+        QCOMPARE(m_document->effect().motion.wind, 1.25F);
+        QApplication::clipboard()->setText(u"look.size=2\nmotion.gravity=oops\nhello"_q);
+        group->paste();
+        QCOMPARE(m_document->undoStack()->count(), steps + 2);
     }
 
     void aLockHasAMarkThatUnlocks()

@@ -5,12 +5,18 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
 
 #include <algorithm>
 #include <array>
 
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -55,11 +61,11 @@ ParameterGroup::ParameterGroup(const QString& name, const QString& label, std::v
     , m_heading(new QToolButton(this))
     , m_content(new QWidget(this))
     , m_rows(std::move(rows))
+    , m_label(label)
 {
     setObjectName(QStringLiteral("group.") + name);
     m_heading->setObjectName(objectName() + QStringLiteral(".heading"));
     m_heading->setProperty("role", QStringLiteral("heading"));
-    m_heading->setText(label);
     m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_heading->setCheckable(true);
     m_heading->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -74,6 +80,7 @@ ParameterGroup::ParameterGroup(const QString& name, const QString& label, std::v
     for (ParameterRow* row : m_rows) {
         list->addWidget(row);
     }
+    showMark();
     connect(m_heading, &QToolButton::toggled, this, &ParameterGroup::setOpen);
     setOpen(false);
 }
@@ -111,25 +118,91 @@ void ParameterGroup::sync(const std::vector<const Parameter*>& changed)
 void ParameterGroup::showRows()
 {
     // While something is searched for, what is found is seen, folded or not.
-    m_content->setVisible(isOpen() || !m_words.isEmpty());
+    m_content->setVisible(isOpen() || !m_words.isEmpty() || m_onlyChanged);
     for (ParameterRow* row : m_rows) {
-        row->setVisible(fumage::isVisible(row->parameter(), m_document.effect()) && row->matches(m_words));
+        row->setVisible(fumage::isVisible(row->parameter(), m_document.effect()) && isWanted(*row));
     }
+    showMark();
 }
 
-bool ParameterGroup::filter(const QStringList& words)
+void ParameterGroup::showMark()
+{
+    const bool changed = std::any_of(m_rows.begin(), m_rows.end(), [](const ParameterRow* row) { return row->isChanged(); });
+    m_heading->setText((changed ? QStringLiteral("• ") : QString()) + m_label);
+}
+
+bool ParameterGroup::isWanted(const ParameterRow& row) const
+{
+    return row.matches(m_words) && (row.isChanged() || !m_onlyChanged);
+}
+
+bool ParameterGroup::filter(const QStringList& words, bool onlyChanged)
 {
     m_words = words;
+    m_onlyChanged = onlyChanged;
     showRows();
-    const bool any = std::any_of(m_rows.begin(), m_rows.end(), [&](const ParameterRow* row) { return row->matches(words); });
+    const bool any = std::any_of(m_rows.begin(), m_rows.end(), [this](const ParameterRow* row) { return isWanted(*row); });
     setVisible(any);
     return any;
+}
+
+void ParameterGroup::copy() const
+{
+    QStringList lines;
+    for (const ParameterRow* row : m_rows) {
+        const Parameter& parameter = row->parameter();
+        lines += toQString(parameter.key) + QLatin1Char('=') + toQString(formatText(parameter, parameter.get(m_document.effect())));
+    }
+    QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+std::vector<Assignment> ParameterGroup::pasted() const
+{
+    std::vector<Assignment> found;
+    for (const QString& line : QApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        const QString key = line.section(QLatin1Char('='), 0, 0).trimmed();
+        const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const ParameterRow* r) { return toQString(r->parameter().key) == key; });
+        if (row == m_rows.end()) {
+            continue;
+        }
+        Effect read = m_document.effect();
+        if (applyAssignment(read, line.trimmed().toStdString())) {
+            found.push_back({&(*row)->parameter(), (*row)->parameter().get(read)});
+        }
+    }
+    return found;
+}
+
+void ParameterGroup::paste()
+{
+    m_document.edit(pasted(), tr("Paste into “%1”").arg(m_label));
+}
+
+void ParameterGroup::reset()
+{
+    std::vector<Assignment> before;
+    for (const ParameterRow* row : m_rows) {
+        before.push_back({&row->parameter(), row->parameter().get(m_document.reference())});
+    }
+    m_document.edit(before, tr("Reset “%1”").arg(m_label));
+}
+
+void ParameterGroup::contextMenuEvent(QContextMenuEvent* event)
+{
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("groupMenu"));
+    menu.addAction(tr("Reset the group"), this, &ParameterGroup::reset);
+    menu.addSeparator();
+    menu.addAction(tr("Copy the group"), this, &ParameterGroup::copy);
+    menu.addAction(tr("Paste into the group"), this, &ParameterGroup::paste)->setEnabled(!pasted().empty());
+    menu.exec(event->globalPos());
 }
 
 EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_search(new QLineEdit(this))
+    , m_onlyChanged(new QToolButton(this))
     , m_nothing(new QLabel(this))
     , m_scroll(new QScrollArea(this))
 {
@@ -138,6 +211,11 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     m_search->setAccessibleName(tr("Search parameters"));
     m_search->setPlaceholderText(tr("Search parameters"));
     m_search->setClearButtonEnabled(true);
+    m_onlyChanged->setObjectName(QStringLiteral("onlyChanged"));
+    m_onlyChanged->setText(QStringLiteral("•"));
+    m_onlyChanged->setCheckable(true);
+    m_onlyChanged->setToolTip(tr("Only the parameters that differ from the preset"));
+    m_onlyChanged->setAccessibleName(m_onlyChanged->toolTip());
     m_nothing->setObjectName(QStringLiteral("parameterSearch.nothing"));
     m_nothing->setProperty("role", QStringLiteral("secondary"));
     m_nothing->setWordWrap(true);
@@ -152,11 +230,15 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     layout->setSpacing(4);
     auto* top = new QVBoxLayout;
     top->setContentsMargins(kMargin, kMargin, kMargin, 0);
-    top->addWidget(m_search);
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(m_search, 1);
+    bar->addWidget(m_onlyChanged);
+    top->addLayout(bar);
     top->addWidget(m_nothing);
     layout->addLayout(top);
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);
+    connect(m_onlyChanged, &QToolButton::toggled, this, &EffectPanel::filter);
     connect(&document, &Document::effectChanged, this, &EffectPanel::follow);
     connect(&document, &Document::titleChanged, this, &EffectPanel::sync);
     sync();
@@ -209,19 +291,24 @@ void EffectPanel::follow(const EffectChange& change)
     for (ParameterGroup* group : m_groups) {
         group->sync(change.parameters);
     }
+    if (m_onlyChanged->isChecked()) {
+        filter();
+    }
 }
 
-void EffectPanel::filter(const QString& text)
+void EffectPanel::filter()
 {
+    const QString text = m_search->text();
     const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const bool onlyChanged = m_onlyChanged->isChecked();
     bool any = false;
     for (ParameterGroup* group : m_groups) {
-        any = group->filter(words) || any;
+        any = group->filter(words, onlyChanged) || any;
     }
     // What stands there once more is not to be found twice.
-    m_groups.front()->setVisible(words.isEmpty());
+    m_groups.front()->setVisible(words.isEmpty() && !onlyChanged);
     m_nothing->setVisible(!any);
-    m_nothing->setText(tr("No parameter is found by “%1”. Try a part of a word, or another word.").arg(text));
+    m_nothing->setText(words.isEmpty() ? tr("Nothing differs from the preset.") : tr("No parameter is found by “%1”. Try a part of a word, or another word.").arg(text));
 }
 
 void EffectPanel::showGroup(std::string_view name)
@@ -229,6 +316,7 @@ void EffectPanel::showGroup(std::string_view name)
     auto* group = findChild<ParameterGroup*>(QStringLiteral("group.") + toQString(name));
     if (group != nullptr) {
         m_search->clear();
+        m_onlyChanged->setChecked(false);
         group->setOpen(true);
         // The layout has to know how tall the group is now before the bar can go there.
         m_scroll->widget()->layout()->activate();

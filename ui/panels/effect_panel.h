@@ -26,16 +26,31 @@ public:
     /// The rows of some parameters.
     void sync(const std::vector<const Parameter*>& changed);
     /// Shows the rows that match and are of use as the effect stands. @return whether there is one
-    bool filter(const QStringList& words);
+    bool filter(const QStringList& words, bool onlyChanged);
+
+    /// All values as lines of "key=value", on the clipboard.
+    void copy() const;
+    /// Takes over those lines of the clipboard that are of this group, in one step; without one nothing happens.
+    void paste();
+    /// Puts all back to what the preset says, in one step.
+    void reset();
+
+protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void showRows();
+    void showMark();
+    [[nodiscard]] bool isWanted(const ParameterRow& row) const;
+    [[nodiscard]] std::vector<Assignment> pasted() const;
 
     Document& m_document;
     QToolButton* m_heading;
     QWidget* m_content;
     std::vector<ParameterRow*> m_rows;
+    QString m_label;
     QStringList m_words;
+    bool m_onlyChanged = false;
 };
 
 /// All parameters of the effect, generated from the parameter table: a search field above groups that fold. On top those that an artist needs
@@ -62,11 +77,12 @@ public:
 private:
     void sync();
     void follow(const EffectChange& change);
-    void filter(const QString& text);
+    void filter();
     [[nodiscard]] QWidget* makeGroups(Locks& locks);
 
     Document& m_document;
     QLineEdit* m_search;
+    QToolButton* m_onlyChanged;
     QLabel* m_nothing; ///< says that nothing was found
     QScrollArea* m_scroll;
     std::vector<ParameterGroup*> m_groups;

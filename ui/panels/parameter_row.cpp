@@ -158,7 +158,7 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
     menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(parameter(), parameter().get(Effect())); });
     menu.addSeparator();
     menu.addAction(tr("Copy"), this, [this] { copy(false); });
-    menu.addAction(tr("Paste"), this, &ParameterRow::paste);
+    menu.addAction(tr("Paste"), this, &ParameterRow::paste)->setEnabled(!QApplication::clipboard()->text().trimmed().isEmpty());
     menu.addAction(tr("Copy as --set"), this, [this] { copy(true); });
     menu.addSeparator();
     QAction* lock = menu.addAction(tr("Lock against randomising"));

@@ -26,6 +26,8 @@ public:
     void sync();
     /// Puts something before all objectNames, where the same parameter has another row elsewhere.
     void prefixNames(const QString& prefix);
+    /// Whether the document differs from the preset here.
+    [[nodiscard]] bool isChanged() const { return m_state.changed; }
     /// @param words all of which have to be found; see searchTextOf()
     [[nodiscard]] bool matches(const QStringList& words) const;
 
