@@ -259,6 +259,10 @@
         <source>Frame the &amp;whole animation</source>
         <translation>Visa &amp;hela animationen</translation>
     </message>
+    <message>
+        <source>&amp;Only the smoke</source>
+        <translation>&amp;Bara röken</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -289,12 +293,20 @@
         <translation>Sök kommandon</translation>
     </message>
     <message>
-        <source>A command or a parameter</source>
-        <translation>Ett kommando eller en parameter</translation>
-    </message>
-    <message>
         <source>Commands</source>
         <translation>Kommandon</translation>
+    </message>
+    <message>
+        <source>A command, a choice, a parameter or a preset</source>
+        <translation>Ett kommando, ett val, en parameter eller en förinställning</translation>
+    </message>
+    <message>
+        <source>Preset: %1</source>
+        <translation>Förinställning: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is found by “%1”. Try a part of a word, or another word.</source>
+        <translation>Inget hittas med ”%1”. Prova en del av ett ord eller ett annat ord.</translation>
     </message>
 </context>
 <context>
@@ -302,6 +314,13 @@
     <message>
         <source>Adopt B</source>
         <translation>Ta över B</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::CurveEditor</name>
+    <message>
+        <source>Press to add, drag to move, Delete or right click to take away</source>
+        <translation>Tryck för att lägga till, dra för att flytta, Delete eller högerklick för att ta bort</translation>
     </message>
 </context>
 <context>
@@ -465,6 +484,22 @@
         <source>Search parameters</source>
         <translation>Sök parametrar</translation>
     </message>
+    <message>
+        <source>Only the parameters that differ from the preset</source>
+        <translation>Bara de parametrar som skiljer sig från förinställningen</translation>
+    </message>
+    <message>
+        <source>Essentials</source>
+        <translation>Det viktigaste</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the preset.</source>
+        <translation>Inget skiljer sig från förinställningen.</translation>
+    </message>
+    <message>
+        <source>No parameter is found by “%1”. Try a part of a word, or another word.</source>
+        <translation>Ingen parameter hittas med ”%1”. Prova en del av ett ord eller ett annat ord.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportDesk</name>
@@ -483,6 +518,26 @@
     <message>
         <source>Export failed: %1</source>
         <translation>Exporten misslyckades: %1</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>An export is being written.</source>
+        <translation>En export skrivs just nu.</translation>
+    </message>
+    <message>
+        <source>Finish in the background and close</source>
+        <translation>Slutför i bakgrunden och stäng</translation>
+    </message>
+    <message>
+        <source>Stop the export and close</source>
+        <translation>Stoppa exporten och stäng</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
     </message>
 </context>
 <context>
@@ -564,14 +619,6 @@
         <translation>Stäng</translation>
     </message>
     <message>
-        <source>Done: %1</source>
-        <translation>Klart: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Files that were complete are kept.</source>
-        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
-    </message>
-    <message>
         <source>CSV, one particle a line</source>
         <translation>CSV, en partikel per rad</translation>
     </message>
@@ -624,10 +671,6 @@
         <translation>Kolumner × rader</translation>
     </message>
     <message>
-        <source>%1 of %2, %3 s left</source>
-        <translation>%1 av %2, %3 s kvar</translation>
-    </message>
-    <message>
         <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
         <translation>%1 bildrutor fyller inte %2 rutor: välj fler bildrutor eller färre kolumner och rader.</translation>
     </message>
@@ -642,6 +685,38 @@
     <message>
         <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
         <translation>Bilderna tas därifrån all rök syns och fyller dem; vyn förblir som den är</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already.</source>
+        <translation>Det finns redan en fil %1.</translation>
+    </message>
+    <message>
+        <source>%1 of the files are there already; the first is %2.</source>
+        <translation>%1 av filerna finns redan; den första är %2.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Skriv över</translation>
+    </message>
+    <message>
+        <source>Number on</source>
+        <translation>Numrera vidare</translation>
+    </message>
+    <message>
+        <source>Size of the noise texture</source>
+        <translation>Brustexturens storlek</translation>
+    </message>
+    <message>
+        <source>as in the effect</source>
+        <translation>som i effekten</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> bildpunkter</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Storlek</translation>
     </message>
 </context>
 <context>
@@ -669,6 +744,21 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
         <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportProgress</name>
+    <message>
+        <source>Done: %1</source>
+        <translation>Klart: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 s left</source>
+        <translation>%1 av %2, %3 s kvar</translation>
     </message>
 </context>
 <context>
@@ -710,6 +800,13 @@
     <message>
         <source>Colour of the stop</source>
         <translation>Stoppets färg</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::GradientEditor</name>
+    <message>
+        <source>Press to add, drag to move, double click for the colour, right click for more</source>
+        <translation>Tryck för att lägga till, dra för att flytta, dubbelklicka för färgen, högerklicka för mer</translation>
     </message>
 </context>
 <context>
@@ -891,6 +988,37 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>“%1” is not a number in %2.</source>
         <translation>”%1” är inget tal i %2.</translation>
     </message>
+    <message>
+        <source>%1 is the largest.</source>
+        <translation>%1 är det största.</translation>
+    </message>
+    <message>
+        <source>%1 is the smallest.</source>
+        <translation>%1 är det minsta.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ParameterGroup</name>
+    <message>
+        <source>Paste into “%1”</source>
+        <translation>Klistra in i ”%1”</translation>
+    </message>
+    <message>
+        <source>Reset “%1”</source>
+        <translation>Återställ ”%1”</translation>
+    </message>
+    <message>
+        <source>Reset the group</source>
+        <translation>Återställ gruppen</translation>
+    </message>
+    <message>
+        <source>Copy the group</source>
+        <translation>Kopiera gruppen</translation>
+    </message>
+    <message>
+        <source>Paste into the group</source>
+        <translation>Klistra in i gruppen</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ParameterRow</name>
@@ -917,6 +1045,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Lock against randomising</source>
         <translation>Lås mot slumpen</translation>
+    </message>
+    <message>
+        <source>Locked against randomising; press to unlock</source>
+        <translation>Låst mot slumpning; tryck för att låsa upp</translation>
     </message>
 </context>
 <context>
@@ -1794,10 +1926,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Bildrutor från den första till den sista; också slingans längd.</translation>
     </message>
     <message>
-        <source>Loop</source>
-        <translation>Slinga</translation>
-    </message>
-    <message>
         <source>The frame after the last is the first again, to the bit.</source>
         <translation>Bildrutan efter den sista är den första igen, på biten när.</translation>
     </message>
@@ -2125,6 +2253,25 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Turner 1962, the starting plume</source>
         <translation>Turner 1962, den begynnande plymen</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>på</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>av</translation>
+    </message>
+    <message>
+        <source>Seamless loop</source>
+        <translation>Sömlös slinga</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PointStrip</name>
+    <message>
+        <source>Delete the point</source>
+        <translation>Ta bort punkten</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PresetBrowser</name>
@@ -2236,6 +2383,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>The program ended twice while it opened unsaved work. It stays where it is: %1</source>
         <translation>Programmet tog slut två gånger medan det öppnade osparat arbete. Arbetet ligger kvar: %1</translation>
     </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>Export failed: %1</source>
+        <translation>Exporten misslyckades: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::StartDialog</name>
@@ -2287,10 +2446,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Till sista bildrutan (End)</translation>
     </message>
     <message>
-        <source>Start again after the last frame</source>
-        <translation>Börja om efter sista bildrutan</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>Bildruta</translation>
     </message>
@@ -2325,6 +2480,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Repeat playback: start again after the last frame, whether it fits the first or not</source>
+        <translation>Upprepa uppspelningen: börja om efter den sista bilden, vare sig den passar till den första eller inte</translation>
     </message>
 </context>
 <context>
@@ -2428,6 +2587,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Zoom</source>
         <translation>Zooma</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Se dig om</translation>
     </message>
 </context>
 <context>

@@ -259,6 +259,10 @@
         <source>Frame the &amp;whole animation</source>
         <translation>显示整个动画(&amp;W)</translation>
     </message>
+    <message>
+        <source>&amp;Only the smoke</source>
+        <translation>只显示烟雾(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -289,12 +293,20 @@
         <translation>搜索命令</translation>
     </message>
     <message>
-        <source>A command or a parameter</source>
-        <translation>命令或参数</translation>
-    </message>
-    <message>
         <source>Commands</source>
         <translation>命令</translation>
+    </message>
+    <message>
+        <source>A command, a choice, a parameter or a preset</source>
+        <translation>命令、选项、参数或预设</translation>
+    </message>
+    <message>
+        <source>Preset: %1</source>
+        <translation>预设：%1</translation>
+    </message>
+    <message>
+        <source>Nothing is found by “%1”. Try a part of a word, or another word.</source>
+        <translation>没有找到“%1”。请试试词的一部分或另一个词。</translation>
     </message>
 </context>
 <context>
@@ -302,6 +314,13 @@
     <message>
         <source>Adopt B</source>
         <translation>采用 B</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::CurveEditor</name>
+    <message>
+        <source>Press to add, drag to move, Delete or right click to take away</source>
+        <translation>按下添加，拖动移动，按 Delete 或右键删除</translation>
     </message>
 </context>
 <context>
@@ -465,6 +484,22 @@
         <source>Search parameters</source>
         <translation>搜索参数</translation>
     </message>
+    <message>
+        <source>Only the parameters that differ from the preset</source>
+        <translation>只显示与预设不同的参数</translation>
+    </message>
+    <message>
+        <source>Essentials</source>
+        <translation>常用</translation>
+    </message>
+    <message>
+        <source>Nothing differs from the preset.</source>
+        <translation>与预设没有不同。</translation>
+    </message>
+    <message>
+        <source>No parameter is found by “%1”. Try a part of a word, or another word.</source>
+        <translation>没有参数与“%1”匹配。请试试词的一部分或另一个词。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportDesk</name>
@@ -483,6 +518,26 @@
     <message>
         <source>Export failed: %1</source>
         <translation>导出失败：%1</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>An export is being written.</source>
+        <translation>正在写出一次导出。</translation>
+    </message>
+    <message>
+        <source>Finish in the background and close</source>
+        <translation>在后台完成并关闭</translation>
+    </message>
+    <message>
+        <source>Stop the export and close</source>
+        <translation>停止导出并关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -564,14 +619,6 @@
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Done: %1</source>
-        <translation>完成：%1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Files that were complete are kept.</source>
-        <translation>已取消。已完成的文件会保留。</translation>
-    </message>
-    <message>
         <source>CSV, one particle a line</source>
         <translation>CSV，每行一个粒子</translation>
     </message>
@@ -624,10 +671,6 @@
         <translation>列 × 行</translation>
     </message>
     <message>
-        <source>%1 of %2, %3 s left</source>
-        <translation>%1 / %2，剩余 %3 秒</translation>
-    </message>
-    <message>
         <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
         <translation>%1 帧无法填满 %2 个格子：请选择更多帧，或减少列数和行数。</translation>
     </message>
@@ -642,6 +685,38 @@
     <message>
         <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
         <translation>从能看到全部烟雾并使其充满画面的位置拍摄；视图保持不变</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already.</source>
+        <translation>文件 %1 已经存在。</translation>
+    </message>
+    <message>
+        <source>%1 of the files are there already; the first is %2.</source>
+        <translation>其中 %1 个文件已经存在；第一个是 %2。</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>Number on</source>
+        <translation>换用下一个编号</translation>
+    </message>
+    <message>
+        <source>Size of the noise texture</source>
+        <translation>噪声纹理的大小</translation>
+    </message>
+    <message>
+        <source>as in the effect</source>
+        <translation>与效果相同</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> 像素</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
     </message>
 </context>
 <context>
@@ -669,6 +744,21 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
         <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportProgress</name>
+    <message>
+        <source>Done: %1</source>
+        <translation>完成：%1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>已取消。已完成的文件会保留。</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 s left</source>
+        <translation>%1 / %2，剩余 %3 秒</translation>
     </message>
 </context>
 <context>
@@ -710,6 +800,13 @@
     <message>
         <source>Colour of the stop</source>
         <translation>色标的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::GradientEditor</name>
+    <message>
+        <source>Press to add, drag to move, double click for the colour, right click for more</source>
+        <translation>按下添加，拖动移动，双击选择颜色，右键显示更多</translation>
     </message>
 </context>
 <context>
@@ -891,6 +988,37 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>“%1” is not a number in %2.</source>
         <translation>“%1”不是以 %2 为单位的数字。</translation>
     </message>
+    <message>
+        <source>%1 is the largest.</source>
+        <translation>最大为 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is the smallest.</source>
+        <translation>最小为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ParameterGroup</name>
+    <message>
+        <source>Paste into “%1”</source>
+        <translation>粘贴到“%1”</translation>
+    </message>
+    <message>
+        <source>Reset “%1”</source>
+        <translation>重置“%1”</translation>
+    </message>
+    <message>
+        <source>Reset the group</source>
+        <translation>重置该组</translation>
+    </message>
+    <message>
+        <source>Copy the group</source>
+        <translation>复制该组</translation>
+    </message>
+    <message>
+        <source>Paste into the group</source>
+        <translation>粘贴到该组</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ParameterRow</name>
@@ -917,6 +1045,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Lock against randomising</source>
         <translation>锁定，不参与随机</translation>
+    </message>
+    <message>
+        <source>Locked against randomising; press to unlock</source>
+        <translation>已锁定，不会随机改变；按下解锁</translation>
     </message>
 </context>
 <context>
@@ -1794,10 +1926,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>从第一帧到最后一帧的帧数；也是循环的长度。</translation>
     </message>
     <message>
-        <source>Loop</source>
-        <translation>循环</translation>
-    </message>
-    <message>
         <source>The frame after the last is the first again, to the bit.</source>
         <translation>最后一帧之后又是第一帧，逐位相同。</translation>
     </message>
@@ -2125,6 +2253,25 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Turner 1962, the starting plume</source>
         <translation>Turner 1962，起始羽流</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Seamless loop</source>
+        <translation>无缝循环</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PointStrip</name>
+    <message>
+        <source>Delete the point</source>
+        <translation>删除该点</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PresetBrowser</name>
@@ -2236,6 +2383,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>The program ended twice while it opened unsaved work. It stays where it is: %1</source>
         <translation>程序两次在打开未保存的工作时意外结束。该工作仍在原处：%1</translation>
     </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Export failed: %1</source>
+        <translation>导出失败：%1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::StartDialog</name>
@@ -2287,10 +2446,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>到最后一帧 (End)</translation>
     </message>
     <message>
-        <source>Start again after the last frame</source>
-        <translation>最后一帧之后重新开始</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>帧</translation>
     </message>
@@ -2325,6 +2480,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Repeat playback: start again after the last frame, whether it fits the first or not</source>
+        <translation>重复播放：最后一帧之后从头开始，不管它是否与第一帧衔接</translation>
     </message>
 </context>
 <context>
@@ -2428,6 +2587,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Zoom</source>
         <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>环顾</translation>
     </message>
 </context>
 <context>
