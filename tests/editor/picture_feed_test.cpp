@@ -86,6 +86,22 @@ private slots:
         QVERIFY(cache.find(4) == nullptr);
     }
 
+    void ofThinnedPicturesTheOneWithMoreParticlesIsBetter()
+    {
+        PictureCache cache(10 * kBytes);
+        const auto thinned = [](int particles) {
+            auto picture = std::make_shared<Picture>(*pictureOf(3, false, true));
+            picture->particles = particles;
+            return picture;
+        };
+        const PicturePtr many = thinned(5000);
+        cache.keep(thinned(100));
+        cache.keep(many);
+        cache.keep(thinned(200));
+        QCOMPARE(cache.find(3), many);
+        QVERIFY(isBetter(*pictureOf(3, false), *many));
+    }
+
     void aFullCacheKeepsWhatIsThere()
     {
         PictureCache cache(2 * kBytes);
@@ -119,6 +135,18 @@ private slots:
         QVERIFY(!watched.feed.isSettled());
         QVERIFY(watched.settles());
         QCOMPARE(watched.pictures.last()->image, whole(largeEffect(), 0));
+    }
+
+    void somethingInBetweenComesBeforeAWholeThatTakesLong()
+    {
+        Effect effect = smallEffect();
+        effect.emitter.count = kMaxParticles;
+        Watched watched(effect);
+        constexpr int kPatienceMs = 30000;
+        QTRY_VERIFY_WITH_TIMEOUT(watched.pictures.size() >= 2, kPatienceMs);
+        QVERIFY(watched.pictures[0]->thinned);
+        QVERIFY(watched.pictures[1]->thinned);
+        QVERIFY(watched.pictures[1]->particles > watched.pictures[0]->particles);
     }
 
     void theNewestEffectIsTheOneThatIsShown()

@@ -28,6 +28,7 @@ enum class Haste {
     None, ///< all pixels and all particles; given up when something newer is asked for
     Playing, ///< fewer pixels where a frame would come late
     Dragging, ///< fewer pixels, and fewer but larger particles
+    Settling, ///< as many particles as come soon; given up when something newer is asked for
 };
 
 struct PictureRequest {

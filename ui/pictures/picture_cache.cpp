@@ -13,9 +13,9 @@ qint64 bytesOf(const Picture& picture)
 }
 
 /// Pictures that are compared are made for one size of the screen.
-std::tuple<bool, bool, int> gradeOf(const Picture& picture)
+std::tuple<bool, bool, int, int> gradeOf(const Picture& picture)
 {
-    return {picture.complete, !picture.thinned, picture.image.width()};
+    return {picture.complete, !picture.thinned, picture.thinned ? picture.particles : 0, picture.image.width()};
 }
 
 } // namespace

@@ -8,7 +8,8 @@
 
 namespace fumage::ui {
 
-/// Whether one picture of a frame gives up less than another of the same revision: nothing, or at least no particles, or fewer pixels.
+/// Whether one picture of a frame gives up less than another of the same revision: nothing, or at least no particles, or fewer of
+/// them, or fewer pixels.
 [[nodiscard]] bool isBetter(const Picture& picture, const Picture& other);
 
 /// The pictures of an effect by frame, the best of each, as many as there is room for.

@@ -153,7 +153,13 @@ void PictureFeed::rest()
         return;
     }
     m_moving = false;
-    refresh(usualHaste());
+    const PicturePtr known = m_cache.find(m_wanted.frame);
+    if (m_seen && known && known->thinned) {
+        // The whole may take seconds: something in between comes first.
+        request(Haste::Settling);
+    } else {
+        refresh(usualHaste());
+    }
 }
 
 /// Shows what is known of the present frame, or asks for it.
@@ -200,7 +206,8 @@ void PictureFeed::requestOther(Haste haste)
 
 void PictureFeed::receive(const PicturePtr& picture)
 {
-    if (m_asked && picture->frame == m_asked->frame) {
+    const bool settling = m_asked && m_asked->haste == Haste::Settling && picture->revision == m_asked->revision && picture->frame == m_asked->frame;
+    if (m_asked && picture->frame == m_asked->frame && !settling) {
         m_asked.reset();
         emit waitingChanged(false);
     }
@@ -209,6 +216,13 @@ void PictureFeed::receive(const PicturePtr& picture)
         emit cacheChanged();
     }
     show(picture);
+    if (settling) {
+        m_asked.reset();
+        refresh(usualHaste());
+        if (!m_asked) { // that was all there is
+            emit waitingChanged(false);
+        }
+    }
 }
 
 void PictureFeed::giveUp()

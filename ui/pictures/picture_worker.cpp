@@ -12,7 +12,7 @@ PictureWorker::PictureWorker(QObject* parent)
               }
           },
           // Hasty pictures are never given up: a hand that moves all the time would not see one.
-          [](const PictureRequest& request) { return request.haste == Haste::None; },
+          [](const PictureRequest& request) { return request.haste == Haste::None || request.haste == Haste::Settling; },
           [this] {
               m_studio = Studio(); // what it holds may be half done, and takes memory
               QMetaObject::invokeMethod(

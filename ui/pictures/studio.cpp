@@ -66,6 +66,22 @@ int Studio::particlesWhileDragging(const Plan& plan, double preRoll) const
     return std::max(1, count);
 }
 
+int Studio::particlesToSettle(int all, double preRoll) const
+{
+    constexpr qint64 kSoonNs = 400'000'000;
+    const int affordable = m_costs.particlesWithin(kSoonNs, preRoll);
+    // Where the whole is not far off, it comes at once.
+    constexpr int kNear = 3;
+    if (all / kNear <= affordable) {
+        return all;
+    }
+    int count = all;
+    while (count > affordable) {
+        count /= 2;
+    }
+    return std::max(1, count);
+}
+
 Studio::Plan Studio::planFor(const PictureRequest& request) const
 {
     Plan plan;
@@ -90,6 +106,14 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
         plan.keepsAll = count == plan.effect->emitter.count;
         plan.effect = thinned(plan.effect, count);
     }
+    if (request.haste == Haste::Settling) {
+        const int count = particlesToSettle(plan.effect->emitter.count, preRoll);
+        plan.keepsAll = count == plan.effect->emitter.count;
+        plan.settles = true;
+        plan.effect = thinned(plan.effect, count);
+        plan.complete = plan.keepsAll && asked.output.quality == request.effect->output.quality;
+        return plan;
+    }
     const double pixels = static_cast<double>(request.width) * request.height;
     plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
     plan.complete = plan.keepsAll && plan.scale == 1.0 && asked.output.quality == request.effect->output.quality;
@@ -98,7 +122,8 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
 
 Simulator& Studio::simulatorFor(const Plan& plan)
 {
-    std::optional<Running>& running = plan.keepsAll ? m_complete : m_thinned;
+    std::optional<Running>& running = plan.keepsAll ? m_complete : plan.settles ? m_settling
+                                                                                : m_thinned;
     if (!running || !running->isFor(plan)) {
         running.reset();
         // What cannot be seen needs no checkpoints to come back to.

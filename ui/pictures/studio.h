@@ -24,10 +24,12 @@ private:
         double scale = 1.0;
         double stepsEach = 1.0;
         bool keepsAll = true; ///< particles
+        bool settles = false; ///< see Haste::Settling
         bool complete = true; ///< and pixels
     };
     [[nodiscard]] Plan planFor(const PictureRequest& request) const;
     [[nodiscard]] int particlesWhileDragging(const Plan& plan, double preRoll) const;
+    [[nodiscard]] int particlesToSettle(int all, double preRoll) const;
     [[nodiscard]] std::shared_ptr<const Frame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
     [[nodiscard]] bool paint(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
     [[nodiscard]] std::shared_ptr<const SpriteScene> collectSprites() const;
@@ -43,6 +45,7 @@ private:
     };
     std::optional<Running> m_complete;
     std::optional<Running> m_thinned; ///< with fewer particles, while the hand drags
+    std::optional<Running> m_settling; ///< with more of them, when it rests
     int m_lastFrame = -1;
     Renderer m_renderer;
     Image m_image;
