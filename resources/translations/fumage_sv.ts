@@ -375,6 +375,10 @@
         <source>Reset %1</source>
         <translation>Återställ %1</translation>
     </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::DocumentFiles</name>

@@ -38,6 +38,29 @@ class DocumentTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void unsavedWorkOfAFileCanBeUndone()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"mine.json"_q);
+        Preset saved;
+        saved.effect.motion.gravity = 1.0F;
+        QVERIFY(writePresetFile(path.toStdString(), saved).ok());
+        Preset work = saved;
+        work.effect.motion.gravity = 6.5F;
+        Document document;
+        document.loadUnsaved(work, path);
+        QCOMPARE(document.effect().motion.gravity, 6.5F);
+        QVERIFY(document.isModified());
+        QCOMPARE(document.filePath(), path);
+        document.undoStack()->undo();
+        QCOMPARE(document.effect().motion.gravity, 1.0F);
+        QVERIFY(!document.isModified());
+        // Without its file there is nothing to go back to.
+        document.loadUnsaved(work, folder.filePath(u"gone.json"_q));
+        QVERIFY(document.isModified());
+        QCOMPARE(document.undoStack()->count(), 0);
+    }
+
     void historyTellsTheNewValue()
     {
         Document document;

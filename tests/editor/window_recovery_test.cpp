@@ -32,9 +32,12 @@ private slots:
         QVERIFY(victim.waitForFinished());
         QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
 
-        m_session->start({});
-        MainWindow* recovered = otherWindow();
-        QVERIFY(recovered != nullptr);
+        const QString asked = m_folder.filePath(u"asked.json"_q);
+        QVERIFY(writePresetFile(asked.toStdString(), smallPreset()).ok());
+        m_session->start({asked});
+        MainWindow* recovered = windowOn(u"/somewhere/mine.json"_q);
+        QVERIFY(recovered != nullptr && windowOn(asked) != nullptr);
+        QTRY_VERIFY(recovered->isActiveWindow()); // in front of the file
         QCOMPARE(recovered->document().effect().motion.gravity, 6.5F);
         QCOMPARE(recovered->document().filePath(), u"/somewhere/mine.json"_q);
         QVERIFY(recovered->isWindowModified());
@@ -55,6 +58,17 @@ private slots:
 
 private:
     static QDir recoveryFolder() { return QDir(Settings::recoveryFolder()); }
+
+    static MainWindow* windowOn(const QString& path)
+    {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            auto* window = qobject_cast<MainWindow*>(widget);
+            if (window != nullptr && window->document().filePath() == path) {
+                return window;
+            }
+        }
+        return nullptr;
+    }
 };
 
 /// The program that is killed while it has unsaved work.

@@ -93,6 +93,17 @@ void Document::load(const Preset& preset, const QString& path, bool modified)
     announce(allParameters());
 }
 
+void Document::loadUnsaved(const Preset& work, const QString& path)
+{
+    const Result<PresetReading> original = readPresetFile(path.toStdString());
+    if (path.isEmpty() || !original) {
+        load(work, path, true);
+        return;
+    }
+    load(original.value().preset, path);
+    replaceEffect(work.effect, tr("Unsaved work"));
+}
+
 Status Document::save(const QString& path)
 {
     Preset preset = m_preset;

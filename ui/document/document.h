@@ -63,6 +63,8 @@ public:
     /// @param path its file; empty where it has none, so that saving asks for one
     /// @param modified it is not in any file yet: recovered, or pasted
     void load(const Preset& preset, const QString& path, bool modified = false);
+    /// Shows work that was never saved: where its file can be read, as a step after what the file holds, so that it can be undone.
+    void loadUnsaved(const Preset& work, const QString& path);
     /// Writes the preset to a file, which becomes the document's own.
     /// @error those of writePresetFile(); nothing has changed then
     [[nodiscard]] Status save(const QString& path);

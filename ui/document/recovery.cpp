@@ -137,7 +137,7 @@ void Recovery::adopt(Work work)
     if (const Status trial = writeFileAtomically((m_copy.path + kTrial).toStdString(), trials, FileAccess::Private); !trial) {
         emit failed(toQString(trial.error().text()));
     }
-    m_document.load(work.preset, work.originalPath, true);
+    m_document.loadUnsaved(work.preset, work.originalPath);
 }
 
 void Recovery::proveHarmless()

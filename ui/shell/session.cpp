@@ -60,6 +60,8 @@ void Session::recover(std::vector<Recovery::Work>& works)
     for (Recovery::Work& work : works) {
         MainWindow* window = openWindow();
         window->recovery().adopt(std::move(work));
+        window->raise();
+        window->activateWindow();
         window->notify(tr("This is unsaved work from before the program ended unexpectedly. Save it to keep it."));
     }
 }
@@ -68,10 +70,10 @@ void Session::start(const QStringList& files)
 {
     Recovery::Leftovers left = Recovery::find(QDir(Settings::recoveryFolder()));
     const QString remark = remarkOn(left);
-    recover(left.works);
     for (const QString& file : files) {
         openWindow()->files().openFile(file);
     }
+    recover(left.works); // in front of the files
     if (left.works.empty() && files.isEmpty()) {
         openWindow()->begin();
     }
