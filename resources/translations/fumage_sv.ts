@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>Unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>Osparat arbete</translation>
     </message>
 </context>
 <context>
