@@ -27,4 +27,7 @@ done
 find "$root/usr/lib" -type l -lname '/*' | while read -r link; do
     ln -sfn "$(realpath -m --relative-to="$(dirname "$link")" "$root$(readlink "$link")")" "$link"
 done
+# Qt's own tools (moc) have to run here.
+rm -rf "$root/usr/lib/qt6/libexec"
+ln -s /usr/lib/qt6/libexec "$root/usr/lib/qt6/libexec"
 echo "$wanted" > "$root/packages"
