@@ -19,6 +19,7 @@
 #include <QComboBox>
 #include <QClipboard>
 #include <QLabel>
+#include <QToolButton>
 #include <QToolTip>
 #include <QTranslator>
 #include <QtMath>
@@ -285,6 +286,17 @@ private slots:
         const glm::vec3 normal = m_document->effect().emitter.normal;
         QVERIFY(glm::length(normal - glm::vec3(0.0F, 0.0F, 1.0F)) < 1e-5F);
         QCOMPARE(field("emitter.normal.z")->text(), u"1"_q);
+    }
+
+    void aVerticalNormalDoesNotKeepTheYawOfTheDocumentBefore()
+    {
+        Preset oblique;
+        oblique.effect.emitter.normal = glm::normalize(glm::vec3(0.0F, 1.0F, 1.0F));
+        m_document->load(oblique, {});
+        QCOMPARE(field("emitter.normal.yaw.field")->value(), 90.0);
+        m_document->load(Preset(), {});
+        QCOMPARE(field("emitter.normal.pitch.field")->value(), 90.0);
+        QCOMPARE(field("emitter.normal.yaw.field")->value(), 0.0);
     }
 
     void aComponentCanBeSetWhereTheOthersAreNothing()

@@ -174,7 +174,12 @@ void DirectionEditor::showValue()
 
 void DirectionEditor::setValue(const Value& value)
 {
-    m_value = std::get<glm::vec3>(value);
+    const auto& direction = std::get<glm::vec3>(value);
+    constexpr float kRounding = 1e-4F;
+    if (glm::distance(direction, m_value) > kRounding) {
+        m_lastYaw = 0.0; // that of another direction says nothing of a vertical one
+    }
+    m_value = direction;
     showValue();
 }
 

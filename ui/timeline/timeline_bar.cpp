@@ -166,6 +166,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     addLoop(*m_controls);
     addSpeedAndRate(*m_controls);
     auto* layout = new QVBoxLayout(this);
+    layout->setSizeConstraint(QLayout::SetNoConstraint); // minimumSizeHint() says what is needed
     layout->setContentsMargins(8, 4, 8, 6);
     layout->setSpacing(4);
     layout->addLayout(m_controls);
@@ -260,10 +261,15 @@ void TimelineBar::followDocument()
     sync();
 }
 
+std::array<QWidget*, 4> TimelineBar::dispensable() const
+{
+    return {m_rate, m_speed, m_time, m_loop};
+}
+
 QSize TimelineBar::minimumSizeHint() const
 {
     int needed = QWidget::minimumSizeHint().width();
-    for (const QWidget* first : {static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_speed), static_cast<QWidget*>(m_time)}) {
+    for (const QWidget* first : dispensable()) {
         needed -= first->isHidden() ? 0 : first->minimumSizeHint().width() + m_controls->spacing();
     }
     return {needed, QWidget::minimumSizeHint().height()};
@@ -284,7 +290,7 @@ void TimelineBar::giveWay()
         const QLayoutItem& item = *m_controls->itemAt(i);
         needed += m_controls->spacing() + (item.widget() != nullptr ? item.widget()->sizeHint().width() : item.sizeHint().width());
     }
-    for (QWidget* first : {static_cast<QWidget*>(m_rate), static_cast<QWidget*>(m_speed), static_cast<QWidget*>(m_time)}) {
+    for (QWidget* first : dispensable()) {
         const bool fits = needed <= width();
         first->setVisible(fits);
         needed -= fits ? 0 : first->sizeHint().width() + m_controls->spacing();

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <array>
+
 class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
@@ -64,6 +66,8 @@ protected:
 
 private:
     void giveWay();
+    /// What goes on a narrow screen, the first of them first.
+    [[nodiscard]] std::array<QWidget*, 4> dispensable() const;
     void addButtons(QHBoxLayout& controls);
     void addFrameAndTime(QHBoxLayout& controls);
     void addLoop(QHBoxLayout& controls);
