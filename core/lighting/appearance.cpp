@@ -50,17 +50,18 @@ void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes&
     out.alpha.resize(padded);
     out.life.resize(padded);
     const AppearanceJob job = makeJob(frame, effect, axes);
-    std::vector<Bounds> bounds(particles.chunks());
-    parallelFor(particles.chunks(), [&](std::size_t chunk) { bounds[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });
+    std::vector<ChunkExtent> extents(particles.chunks());
+    parallelFor(particles.chunks(), [&](std::size_t chunk) { extents[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });
     Bounds all;
-    for (const Bounds& each : bounds) {
-        all.low = glm::min(all.low, each.low);
-        all.high = glm::max(all.high, each.high);
+    out.largestMass = 0.0F;
+    for (const ChunkExtent& each : extents) {
+        all.low = glm::min(all.low, each.centres.low);
+        all.high = glm::max(all.high, each.centres.high);
+        out.largestMass = std::max(out.largestMass, each.largestMass);
     }
     out.low = all.low;
     out.high = all.high;
     out.empty = !(all.low.x <= all.high.x);
-    out.largestMass = kPi * job.radius * job.radius;
 }
 
 } // namespace fumage

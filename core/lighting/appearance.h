@@ -14,7 +14,7 @@ struct Appearance {
     AlignedArray<float> life; ///< share of its life that has passed, in [0, 1)
     glm::vec3 low{0.0F}; ///< bounds of living centres in the axes that were asked for, m
     glm::vec3 high{0.0F};
-    float largestMass = 0.0F; ///< upper bound of alpha * area, m^2
+    float largestMass = 0.0F; ///< of alpha * radius^2, m^2
     bool empty = true;
 };
 

@@ -40,7 +40,7 @@ struct LaneBounds {
     }
 };
 
-Bounds appearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out)
+ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out)
 {
     const D d;
     const hn::RebindToSigned<D> di;
@@ -49,6 +49,7 @@ Bounds appearanceOfChunk(const AppearanceJob& job, const Particles& particles, s
     const V zero = hn::Zero(d);
     const Bounds nothing;
     LaneBounds bounds{broadcast(d, nothing.low), broadcast(d, nothing.high)};
+    V largest = zero;
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
         const auto key = hn::Load(du, particles.key.data() + i);
@@ -63,12 +64,13 @@ Bounds appearanceOfChunk(const AppearanceJob& job, const Particles& particles, s
         const V varied = 1.0F - job.sizeVariance * unitStream(d, key, kSizeStream);
         const V radius = job.radius * hn::GatherIndex(d, job.size.data(), entry) * varied;
         const auto visible = hn::And(alive, hn::Gt(alpha, zero));
+        largest = hn::Max(largest, hn::IfThenElseZero(visible, alpha * (radius * radius)));
         hn::Store(hn::IfThenElseZero(visible, radius), d, out.radius.data() + i);
         hn::Store(hn::IfThenElseZero(visible, alpha), d, out.alpha.data() + i);
         hn::Store(life, d, out.life.data() + i);
         bounds.add(inAxes(job.axes, load(d, particles.x, particles.y, particles.z, i)), visible);
     }
-    return bounds.ofAll(d);
+    return {bounds.ofAll(d), hn::GetLane(hn::MaxOfLanes(d, largest))};
 }
 
 } // namespace fumage::HWY_NAMESPACE
@@ -79,7 +81,7 @@ namespace fumage {
 
 HWY_EXPORT(appearanceOfChunk);
 
-Bounds findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out)
+ChunkExtent findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out)
 {
     return HWY_DYNAMIC_DISPATCH(appearanceOfChunk)(job, particles, chunk, out);
 }

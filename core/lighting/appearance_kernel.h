@@ -31,9 +31,14 @@ struct Bounds {
     glm::vec3 high{std::numeric_limits<float>::lowest()};
 };
 
+/// How far the visible particles of a chunk reach.
+struct ChunkExtent {
+    Bounds centres; ///< in the job's axes
+    float largestMass = 0.0F; ///< alpha * radius^2, m^2
+};
+
 /// Fills the appearance of one chunk.
 /// @param out with room for all particles
-/// @return bounds of the visible centres in the job's axes
-[[nodiscard]] Bounds findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out);
+[[nodiscard]] ChunkExtent findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out);
 
 } // namespace fumage

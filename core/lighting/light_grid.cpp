@@ -40,7 +40,8 @@ void splatAll(const Frame& frame, const Appearance& appearance, LightWorkspace& 
     const std::size_t chunks = frame.particles.chunks();
     // The sum over all particles must fit into 32 bits, whatever cell they meet in.
     constexpr float kMostUnits = 0x1p31F;
-    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, 1e-20F) / kPi * static_cast<float>(chunks * Particles::kChunk));
+    constexpr float kSmallestMass = 1e-20F;
+    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(chunks * Particles::kChunk));
     const auto workers = std::min(chunks, parallelThreads());
     room.partial.resize(workers);
     parallelFor(workers, [&](std::size_t worker) {

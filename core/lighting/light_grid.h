@@ -43,7 +43,8 @@ struct LightWorkspace {
 /// volume is its extinction. Sun: optical depth tau by summing along w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum
 /// of s^i (Wrenninge, Kulla, Lundqvist, "Oz: The Great and Volumetric", 2013), p the Henyey-Greenstein phase function relative to an
 /// isotropic one. Sky and ground: transmittance along the six axis directions, weighted by how much they face up or down.
-/// Sums are of whole numbers, so that their order does not matter: the same bits for any thread count.
+/// Sums are of whole numbers, so that their order does not matter: the same bits for any thread count. Shares of a particle are rounded up or
+/// down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
 /// O(particles + resolution^3).

@@ -4,12 +4,14 @@
 //
 #include <hwy/highway.h>
 
+#include "core/base/hash-inl.h"
 #include "core/base/math-inl.h"
 #include "core/lighting/grid_cell-inl.h"
 #include "core/lighting/light_kernel.h"
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -20,57 +22,86 @@ using V = hn::Vec<D>;
 /// Some particles in the grid, between the vector and the scalar half of the work.
 struct SplatBlock {
     static constexpr std::size_t kSize = 128;
+    static constexpr std::size_t kPairs = 4;
     HWY_ALIGN std::int32_t corner[kSize];
-    HWY_ALIGN float u[kSize];
-    HWY_ALIGN float v[kSize];
-    HWY_ALIGN float w[kSize];
-    HWY_ALIGN float mass[kSize];
+    HWY_ALIGN std::int32_t all[kSize]; ///< units of the particle in all eight cells
+    HWY_ALIGN std::int32_t pairs[kPairs][2 * kSize]; ///< units for a cell and the next along u
+};
+
+/// Makes whole numbers of amounts so that their sum is the whole part of the amounts' sum, from a start in [0, 1) on. With random starts the mean
+/// of every whole number is its amount, however small: rounding loses nothing.
+struct SharedRounding {
+    V sum;
+    hn::Vec<hn::RebindToSigned<D>> given = hn::Zero(hn::RebindToSigned<D>());
+
+    HWY_INLINE auto take(V amount)
+    {
+        sum = sum + amount;
+        const auto total = hn::ConvertTo(hn::RebindToSigned<D>(), sum);
+        const auto units = total - given;
+        given = total;
+        return units;
+    }
 };
 
 HWY_INLINE void placeBlock(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t begin, SplatBlock& block)
 {
     const D d;
+    const hn::RebindToSigned<D> di;
     for (std::size_t i = 0; i < SplatBlock::kSize; i += hn::Lanes(d)) {
         const std::size_t at = begin + i;
         const V radius = hn::Load(d, appearance.radius.data() + at);
         const V alpha = hn::Load(d, appearance.alpha.data() + at);
+        const auto key = hn::Load(hn::RebindToUnsigned<D>(), particles.key.data() + at);
         const GridCell<D> cell = gridCellAt(d, shape, load(d, particles.x, particles.y, particles.z, at));
-        hn::Store(cell.corner, hn::RebindToSigned<D>(), block.corner + i);
-        store(cell.fraction, block.u, block.v, block.w, i);
-        hn::Store(alpha * (radius * radius) * unitsPerMass, d, block.mass + i);
+        const V mass = alpha * (radius * radius) * unitsPerMass;
+        const V back = mass * cell.fraction.z;
+        const V front = mass - back;
+        const V frontTop = front * cell.fraction.y;
+        const V backTop = back * cell.fraction.y;
+        SharedRounding rounding{signedValue(d, hn::ShiftRight<8>(key)) * 0x1p-24F};
+        const auto share = [&](std::size_t pair, V amount) HWY_ATTR {
+            const V right = amount * cell.fraction.x;
+            const auto units = rounding.take(amount - right);
+            hn::StoreInterleaved2(units, rounding.take(right), di, block.pairs[pair] + 2 * i);
+        };
+        share(0, front - frontTop);
+        share(1, frontTop);
+        share(2, back - backTop);
+        share(3, backTop);
+        hn::Store(cell.corner, di, block.corner + i);
+        hn::Store(rounding.given, di, block.all + i);
     }
 }
 
-/// Shares an amount between a cell and the next along u.
-HWY_INLINE void addToPair(std::uint32_t* pair, float amount, float fraction)
+/// Adds to two cells at once: sums stay below 2^32, so that nothing is carried from one to the other.
+HWY_INLINE void addToPair(std::uint32_t* cells, const std::int32_t* units)
 {
-    const float right = amount * fraction;
-    pair[0] += static_cast<std::uint32_t>(static_cast<std::int32_t>(amount - right));
-    pair[1] += static_cast<std::uint32_t>(static_cast<std::int32_t>(right));
+    std::uint64_t sum = 0;
+    std::uint64_t added = 0;
+    std::memcpy(&sum, cells, sizeof(sum));
+    std::memcpy(&added, units, sizeof(added));
+    sum += added;
+    std::memcpy(cells, &sum, sizeof(sum));
 }
 
-/// Grid coordinates and masses of a chunk first, with vectors, then the scattered additions one by one.
+/// Cells and units of some particles first, with vectors, then the scattered additions one by one.
 void splat(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density)
 {
     const auto nu = static_cast<std::size_t>(shape.nu);
     const std::size_t plane = nu * static_cast<std::size_t>(shape.nv);
+    const std::array<std::size_t, SplatBlock::kPairs> offsets{0, nu, plane, plane + nu};
     const std::size_t end = (chunk + 1) * Particles::kChunk;
     SplatBlock block;
     for (std::size_t begin = chunk * Particles::kChunk; begin < end; begin += SplatBlock::kSize) {
         placeBlock(particles, appearance, shape, unitsPerMass, begin, block);
         for (std::size_t i = 0; i < SplatBlock::kSize; ++i) {
-            if (block.mass[i] <= 0.0F) {
+            if (block.all[i] == 0) {
                 continue;
             }
-            std::uint32_t* at = density + block.corner[i];
-            const float back = block.mass[i] * block.w[i];
-            const float front = block.mass[i] - back;
-            const float frontTop = front * block.v[i];
-            const float backTop = back * block.v[i];
-            addToPair(at, front - frontTop, block.u[i]);
-            addToPair(at + nu, frontTop, block.u[i]);
-            addToPair(at + plane, back - backTop, block.u[i]);
-            addToPair(at + plane + nu, backTop, block.u[i]);
+            for (std::size_t pair = 0; pair < SplatBlock::kPairs; ++pair) {
+                addToPair(density + block.corner[i] + offsets[pair], block.pairs[pair] + 2 * i);
+            }
         }
     }
 }

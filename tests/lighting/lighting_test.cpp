@@ -1,5 +1,6 @@
 #include "tests/helpers.h"
 
+#include "core/base/hash.h"
 #include "core/effect/sampling.h"
 #include "core/lighting/black_body.h"
 #include "core/lighting/light_grid.h"
@@ -23,6 +24,7 @@ Frame cloud(const Effect& effect, const std::vector<glm::vec3>& places)
         frame.particles.y[i] = places[i].y;
         frame.particles.z[i] = places[i].z;
         frame.particles.birthStep[i] = 0;
+        frame.particles.key[i] = keyOf(1, i);
     }
     return frame;
 }
@@ -58,6 +60,24 @@ std::vector<glm::vec3> box(int n)
         }
     }
     return places;
+}
+
+/// Moves every particle but the first on to this share of its life.
+void age(Frame& frame, float life)
+{
+    const auto steps = static_cast<std::int32_t>(life * static_cast<float>(frame.model->schedule().lifetimeSteps));
+    frame.step = steps;
+    frame.particles.birthStep[0] = steps;
+}
+
+/// Extinction times volume, summed over the grid.
+double crossSection(const LightGrid& grid)
+{
+    double sum = 0.0;
+    for (const float density : grid.density) {
+        sum += static_cast<double>(density);
+    }
+    return sum * std::pow(static_cast<double>(grid.shape.cell), 3.0);
 }
 
 struct Lit {
@@ -119,13 +139,35 @@ private slots:
     {
         const Effect effect = evenLook();
         const Lit lit(cloud(effect, box(12)), effect);
-        double sum = 0.0;
-        for (const float density : lit.grid.density) {
-            sum += static_cast<double>(density);
-        }
-        const double volume = std::pow(static_cast<double>(lit.grid.shape.cell), 3.0);
         const double mass = 12.0 * 12.0 * 12.0 * 0.5 * M_PI * 0.01 / 3.0;
-        QVERIFY2(std::abs(sum * volume / mass - 1.0) < 1e-3, qPrintable(QString::number(sum * volume / mass)));
+        QVERIFY(near(crossSection(lit.grid) / mass, 1.0, 1e-3));
+    }
+
+    void thinParticlesLeaveAsMuchSmokeAsDenseOnes()
+    {
+        // A hundredth of the size and of the alpha that the look allows at most.
+        Effect effect = evenLook();
+        effect.life.sizeCurve = Curve{{0.0F, 0.1F}, {1.0F, 1.0F}};
+        effect.look.opacity = 0.05F;
+        const double mass = 24.0 * 24.0 * 24.0 * 0.005 * M_PI * 0.0001 / 3.0;
+        QVERIFY(near(crossSection(Lit(cloud(effect, box(24)), effect).grid) / mass, 1.0, 1e-3));
+    }
+
+    void aHeavyParticleTakesNothingFromLightOnes()
+    {
+        // One newborn of the full alpha, and others of a hundred-thousandth of it, a fraction of a unit each.
+        Effect effect = evenLook();
+        effect.life.alphaCurve = Curve{{0.0F, 1.0F}, {0.1F, 0.00002F}, {1.0F, 0.00002F}};
+        Frame frame = cloud(effect, box(32));
+        age(frame, 0.5F);
+        const Lit lit(frame, effect);
+        double mass = 0.0;
+        for (std::size_t i = 0; i < frame.particles.capacity; ++i) {
+            mass += static_cast<double>(lit.appearance.alpha[i]) * M_PI * 0.01 / 3.0;
+        }
+        const double heavy = 0.5 * M_PI * 0.01 / 3.0;
+        const double light = (crossSection(lit.grid) - heavy) / (mass - heavy);
+        QVERIFY(near(light, 1.0, 0.02));
     }
 
     void lightFallsOffExponentiallyThroughABox()
