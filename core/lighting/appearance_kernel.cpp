@@ -50,6 +50,7 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
     const Bounds nothing;
     LaneBounds bounds{broadcast(d, nothing.low), broadcast(d, nothing.high)};
     V largest = zero;
+    std::size_t count = 0;
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
         const auto key = hn::Load(du, particles.key.data() + i);
@@ -68,9 +69,10 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         hn::Store(hn::IfThenElseZero(visible, radius), d, out.radius.data() + i);
         hn::Store(hn::IfThenElseZero(visible, alpha), d, out.alpha.data() + i);
         hn::Store(life, d, out.life.data() + i);
+        count += hn::CountTrue(d, visible);
         bounds.add(inAxes(job.axes, load(d, particles.x, particles.y, particles.z, i)), visible);
     }
-    return {bounds.ofAll(d), hn::GetLane(hn::MaxOfLanes(d, largest))};
+    return {bounds.ofAll(d), hn::GetLane(hn::MaxOfLanes(d, largest)), count};
 }
 
 } // namespace fumage::HWY_NAMESPACE

@@ -35,6 +35,7 @@ struct Bounds {
 struct ChunkExtent {
     Bounds centres; ///< in the job's axes
     float largestMass = 0.0F; ///< alpha * radius^2, m^2
+    std::size_t count = 0;
 };
 
 /// Fills the appearance of one chunk.

@@ -11,6 +11,12 @@
 
 namespace fumage {
 
+Axes lightAxes(const glm::vec3& direction)
+{
+    const PlaneBasis plane = planeBasis(direction);
+    return {plane.across, plane.along, direction};
+}
+
 namespace {
 
 /// Mean over a disc of the soft profile (1 - r^2)^2.
@@ -18,13 +24,55 @@ constexpr float kProfileMean = 1.0F / 3.0F;
 
 constexpr std::size_t kPadding = kAlignment / sizeof(float);
 
-GridShape gridShape(const Appearance& appearance, const Axes& axes, int resolution)
+/// Whether anything that is seen depends on the density.
+bool needsDensity(const Effect& effect)
 {
+    const Light& light = effect.light;
+    const bool shadows = light.intensity > 0.0F && light.shadow > 0.0F;
+    const bool glowsByOpenness = light.emission > 0.0F && light.hotCore > 0.0F;
+    const bool occludes = light.occlusion > 0.0F && (light.ambient > 0.0F || glowsByOpenness);
+    return shadows || occludes;
+}
+
+/// The most cells that the longest edge of the cloud is worth.
+int finestResolution(const Light& light, bool dense)
+{
+    if (dense) {
+        return light.resolution;
+    }
+    // The scattering of clear air changes with the angle between sun and eye alone: smoothly, or not at all.
+    constexpr int kOfAngles = 16;
+    return light.intensity > 0.0F && light.anisotropy != 0.0F ? std::min(light.resolution, kOfAngles) : 1;
+}
+
+/// The smallest edge of a cell that shadows are worth. In finer ones particles would shadow themselves more than one another, so that the
+/// same smoke cut into fewer particles would look darker; and few particles need few cells.
+float smallestCell(const Appearance& appearance, const Light& light)
+{
+    constexpr float kCellsAParticle = 16.0F;
+    constexpr float kThird = 1.0F / 3.0F;
+    constexpr float kNoVolume = 1e-30F;
+    const glm::vec3 extent = appearance.high - appearance.low;
+    const float volume = std::max(kNoVolume, extent.x * extent.y * extent.z);
+    const float filled = portablePow(volume / (kCellsAParticle * static_cast<float>(appearance.count)), kThird);
+    constexpr float kTypical = 0.4F; // a particle's mass over the largest; of the built-in presets 0.32 to 0.58
+    constexpr float kMostOwnDepth = 0.3F; // optical depth of one particle spread over a cell
+    const float crossSection = kTypical * kPi * kProfileMean * appearance.largestMass * std::max(light.shadow, light.occlusion);
+    return std::max(filled, std::sqrt(crossSection / kMostOwnDepth));
+}
+
+GridShape gridShape(const Appearance& appearance, const Light& light, int resolution)
+{
+    GridShape shape;
+    shape.axes = lightAxes(light.direction);
+    if (resolution == 1) {
+        return shape;
+    }
     constexpr float kSmallestCloud = 1e-3F;
     const glm::vec3 extent = appearance.high - appearance.low;
-    GridShape shape;
-    shape.axes = axes;
-    shape.cell = std::max({extent.x, extent.y, extent.z, kSmallestCloud}) / static_cast<float>(std::max(1, resolution - 2));
+    const float longest = std::max({extent.x, extent.y, extent.z, kSmallestCloud});
+    constexpr float kFewestCells = 6.0F; // along the longest edge: less shows no shadow
+    shape.cell = std::max(longest / static_cast<float>(resolution - 2), std::min(longest / kFewestCells, smallestCell(appearance, light)));
     shape.origin = appearance.low - glm::vec3(0.5F * shape.cell);
     // One cell of air on every side, so that bounds never cut a particle in half.
     const auto count = [&](float length) { return std::min(resolution, static_cast<int>(std::ceil(length / shape.cell)) + 2); };
@@ -41,7 +89,7 @@ void splatAll(const Frame& frame, const Appearance& appearance, LightWorkspace& 
     // The sum over all particles must fit into 32 bits, whatever cell they meet in.
     constexpr float kMostUnits = 0x1p31F;
     constexpr float kSmallestMass = 1e-20F;
-    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(chunks * Particles::kChunk));
+    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(appearance.count));
     const auto workers = std::min(chunks, parallelThreads());
     room.partial.resize(workers);
     parallelFor(workers, [&](std::size_t worker) {
@@ -84,41 +132,50 @@ std::array<AmbientDirection, 6> ambientDirections(const Axes& axes)
     return out;
 }
 
-} // namespace
-
-Axes lightAxes(const glm::vec3& direction)
+void addAmbientLight(const Effect& effect, LightWorkspace& room, LightGrid& out)
 {
-    const PlaneBasis plane = planeBasis(direction);
-    return {plane.across, plane.along, direction};
+    // Directions follow one another for every cell, so that sums have one order; lines of one direction are independent.
+    for (const AmbientDirection& direction : ambientDirections(out.shape.axes)) {
+        const int lines = direction.axis == 2 ? out.shape.nv : out.shape.nw;
+        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect.light.occlusion, static_cast<int>(line), room); });
+    }
 }
+
+void addSunLight(const Effect& effect, const glm::vec3& eye, const LightWorkspace& room, LightGrid& out)
+{
+    const Axes& axes = out.shape.axes;
+    SunJob job;
+    job.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
+    job.intensity = effect.light.intensity;
+    job.shadow = effect.light.shadow;
+    job.scattering = effect.light.scattering;
+    job.anisotropy = effect.light.anisotropy;
+    parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
+}
+
+} // namespace
 
 void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out)
 {
-    const Axes axes = lightAxes(effect->light.direction);
-    if (appearance.empty) {
+    if (appearance.count == 0) {
         out.shape = {};
         out.light.assign(4, 0.0F);
         return;
     }
-    out.shape = gridShape(appearance, axes, effect->light.resolution);
-    splatAll(frame, appearance, room, out);
-    out.light.resize(out.shape.cells() * 4);
-    room.sky.assign(out.shape.cells(), 0.0F);
-    room.ground.assign(out.shape.cells(), 0.0F);
-    room.air.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
-
-    SunJob job;
-    job.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
-    job.intensity = effect->light.intensity;
-    job.shadow = effect->light.shadow;
-    job.scattering = effect->light.scattering;
-    job.anisotropy = effect->light.anisotropy;
-    // Directions follow one another for every cell, so that sums have one order; lines of one direction are independent.
-    for (const AmbientDirection& direction : ambientDirections(axes)) {
-        const int lines = direction.axis == 2 ? out.shape.nv : out.shape.nw;
-        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect->light.occlusion, static_cast<int>(line), room); });
+    const bool dense = needsDensity(effect);
+    out.shape = gridShape(appearance, effect->light, finestResolution(effect->light, dense));
+    const std::size_t cells = out.shape.cells();
+    if (dense) {
+        splatAll(frame, appearance, room, out);
+    } else {
+        out.density.assign(cells + kPadding, 0.0F);
     }
-    parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
+    out.light.resize(cells * 4);
+    room.air.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
+    room.sky.assign(cells, 0.0F);
+    room.ground.assign(cells, 0.0F);
+    addAmbientLight(effect, room, out);
+    addSunLight(effect, eye, room, out);
 }
 
 } // namespace fumage

@@ -47,7 +47,8 @@ struct LightWorkspace {
 /// down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
-/// O(particles + resolution^3).
+/// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.
+/// Where nothing shadows or occludes, no particle is looked at.
 void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out);
 
 } // namespace fumage

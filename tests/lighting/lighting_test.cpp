@@ -80,6 +80,22 @@ double crossSection(const LightGrid& grid)
     return sum * std::pow(static_cast<double>(grid.shape.cell), 3.0);
 }
 
+/// Luminance of a picture over its alpha.
+double lightOfSmoke(const Effect& effect)
+{
+    const Image image = render(effect, 30);
+    double light = 0.0;
+    double alpha = 0.0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const glm::vec4 pixel = image.at(x, y);
+            light += static_cast<double>(0.2126F * pixel.r + 0.7152F * pixel.g + 0.0722F * pixel.b);
+            alpha += static_cast<double>(pixel.a);
+        }
+    }
+    return light / alpha;
+}
+
 struct Lit {
     Appearance appearance;
     LightGrid grid;
@@ -170,6 +186,78 @@ private slots:
         QVERIFY(near(light, 1.0, 0.02));
     }
 
+    void smokeIsAsBrightInFewParticlesAsInMany()
+    {
+        Effect effect;
+        effect.emitter.count = 64000;
+        effect.look.opacity *= 0.25F;
+        effect.light.shadow = 6.0F;
+        effect.output.width = 64;
+        effect.output.height = 64;
+        const double many = lightOfSmoke(effect);
+        for (const int share : {2, 8, 16}) {
+            Effect fewer = effect;
+            fewer.emitter.count = effect.emitter.count / share;
+            fewer.look.opacity = effect.look.opacity * static_cast<float>(share);
+            QVERIFY(near(lightOfSmoke(fewer) / many, 1.0, 0.02));
+        }
+    }
+
+    void aFewParticlesHaveAFewCells()
+    {
+        Effect effect = evenLook();
+        effect.look.opacity = 0.05F;
+        const Lit lit(cloud(effect, box(10)), effect);
+        const GridShape& shape = lit.grid.shape;
+        const int inside = (shape.nu - 2) * (shape.nv - 2) * (shape.nw - 2);
+        QVERIFY2(inside > 4 * 1000 && inside <= 20 * 1000, qPrintable(QString::number(inside)));
+    }
+
+    void denseParticlesHaveLargeCells()
+    {
+        // In its own cell a particle has an optical depth of alpha pi r^2 / (3 cell^2).
+        Effect effect = evenLook();
+        effect.light.shadow = 5.0F;
+        const Lit lit(cloud(effect, box(10)), effect);
+        const double cell = static_cast<double>(lit.grid.shape.cell);
+        QVERIFY(5.0 * 0.5 * M_PI * 0.01 / (3.0 * cell * cell) < 1.0);
+    }
+
+    void smokeThatNothingShadowsNeedsNoGrid()
+    {
+        Effect effect = evenLook();
+        const Frame frame = cloud(effect, box(10));
+        const auto cells = [&] { return Lit(frame, effect).grid.shape.cells(); };
+        effect.light.shadow = 0.0F;
+        QVERIFY(cells() > 1000);
+        effect.light.ambient = 0.0F;
+        QCOMPARE(cells(), std::size_t(1));
+        effect.light.ambient = 1.0F;
+        effect.light.occlusion = 0.0F;
+        QCOMPARE(cells(), std::size_t(1));
+        effect.light.anisotropy = 0.5F;
+        QVERIFY(cells() > 1 && cells() <= 16 * 16 * 16);
+    }
+
+    void smokeWithoutAGridLooksAsWithOne()
+    {
+        Effect effect;
+        effect.emitter.count = 2000;
+        effect.output.width = 64;
+        effect.output.height = 64;
+        effect.light.occlusion = 0.0F;
+        for (const float anisotropy : {0.0F, 0.6F}) {
+            effect.light.anisotropy = anisotropy;
+            effect.light.shadow = 1e-6F;
+            const Image with = render(effect, 30);
+            effect.light.shadow = 0.0F;
+            const Image without = render(effect, 30);
+            for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+                QVERIFY(std::abs(with.pixels[i] - without.pixels[i]) < 1e-3F);
+            }
+        }
+    }
+
     void lightFallsOffExponentiallyThroughABox()
     {
         // A box of even extinction: behind a depth s of it, light is exp(-sigma s).
@@ -239,7 +327,7 @@ private slots:
         Frame frame = cloud(effect, {{0.0F, 0.0F, 0.0F}});
         frame.particles.birthStep[0] = Particles::kUnborn;
         const Lit lit(frame, effect);
-        QVERIFY(lit.appearance.empty);
+        QCOMPARE(lit.appearance.count, std::size_t(0));
     }
 
     void blackBodyHasTheChromaticityOfIlluminantA()
