@@ -18,7 +18,6 @@ SampledEffect sampled(const Effect& effect)
     const bool fine = effect.output.quality == Quality::Final;
     constexpr int kFiner = 8;
     constexpr int kCoarser = 4;
-    constexpr float kTimesShadow = 1.5F;
     const int count = effect.emitter.count;
     out.emitter.count = fine ? (count > kMaxParticles / kFiner ? kMaxParticles : count * kFiner) : std::max(1, count / kCoarser);
     // What makes smoke dense is count * size^2 * opacity.
@@ -26,8 +25,6 @@ SampledEffect sampled(const Effect& effect)
     const float root = std::sqrt(ratio);
     setClamped(out, knownParameter("look.size"), effect.look.size * std::sqrt(root));
     setClamped(out, knownParameter("look.opacity"), effect.look.opacity * root);
-    const auto cells = static_cast<float>(effect.light.resolution);
-    setClamped(out, knownParameter("light.resolution"), static_cast<int>(fine ? cells * kTimesShadow : cells / kTimesShadow));
     return SampledEffect(std::move(out));
 }
 

@@ -28,7 +28,8 @@ private:
 };
 
 /// Works output.quality into the numbers and leaves it good: draft has a quarter of the particles, final eight times as many (kMaxParticles at most),
-/// larger or smaller and denser or thinner so that the smoke covers as much and is as dense; shadows are coarser or finer.
+/// larger or smaller and denser or thinner so that the smoke covers as much and is as dense.
+/// Shadows keep their resolution: thin threads are as dark as their cells are fine, and light must not change with the quality.
 /// Half of what the number changes goes into the size and half into the opacity: finer detail with less noise.
 [[nodiscard]] SampledEffect sampled(const Effect& effect);
 SampledEffect sampled(const SampledEffect& effect) = delete;

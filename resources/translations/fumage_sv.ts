@@ -2230,8 +2230,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Kvalitet</translation>
     </message>
     <message>
-        <source>Draft: a quarter of the particles. Final: eight times as many, and finer shadows. The smoke keeps its form and density.</source>
-        <translation>Utkast: en fjärdedel av partiklarna. Slutlig: åtta gånger så många och finare skuggor. Röken behåller sin form och täthet.</translation>
+        <source>Draft: a quarter of the particles. Final: eight times as many. The smoke keeps its form and density.</source>
+        <translation>Utkast: en fjärdedel av partiklarna. Slutlig: åtta gånger så många. Röken behåller sin form och täthet.</translation>
     </message>
     <message>
         <source>black-body</source>

@@ -2230,8 +2230,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>质量</translation>
     </message>
     <message>
-        <source>Draft: a quarter of the particles. Final: eight times as many, and finer shadows. The smoke keeps its form and density.</source>
-        <translation>草稿：四分之一的粒子。最终：八倍的粒子和更细的阴影。烟的形状和密度不变。</translation>
+        <source>Draft: a quarter of the particles. Final: eight times as many. The smoke keeps its form and density.</source>
+        <translation>草稿：四分之一的粒子。最终：八倍的粒子。烟的形状和密度不变。</translation>
     </message>
     <message>
         <source>black-body</source>

@@ -68,6 +68,15 @@ private slots:
         }
     }
 
+    void lightKeepsItsCells()
+    {
+        Effect effect;
+        for (const Quality quality : {Quality::Draft, Quality::Final}) {
+            effect.output.quality = quality;
+            QVERIFY(sampled(effect)->light == effect.light);
+        }
+    }
+
     void countsStayInTheirRange()
     {
         Effect effect;

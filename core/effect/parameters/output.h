@@ -39,8 +39,7 @@ inline constexpr std::array kRows<Output>{
         .key = "output.quality",
         .label = "Quality",
         .synonyms = "draft final preview particles",
-        .tip = "Draft: a quarter of the particles. Final: eight times as many, and finer shadows. The smoke keeps "
-               "its form and density.",
+        .tip = "Draft: a quarter of the particles. Final: eight times as many. The smoke keeps its form and density.",
         .choices = kQualities,
     }),
     row<&Output::supersample>({
