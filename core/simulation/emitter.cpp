@@ -47,10 +47,12 @@ HWY_INLINE Vec3<V> birthVelocity(D d, const BirthPlace& place, VU key)
 {
     const Emitter& emitter = place.emitter;
     Vec3<V> n = broadcast(d, emitter.normal);
-    if (place.spread > 0.0F) {
-        const SineCosine<V> tilt = sinCos(d, place.spread * hn::Sqrt(unitStream(d, key, kBirthConeAngle)));
+    if (place.coneHeight > 0.0F) {
+        // Equal heights of a sphere have equal areas (Archimedes).
+        const V below = place.coneHeight * unitStream(d, key, kBirthConeAngle);
+        const V sine = hn::Sqrt(below * (2.0F - below));
         const SineCosine<V> turn = sinCos(d, kPi * signedStream(d, key, kBirthConeTurn));
-        n = n * tilt.cosine + tilt.sine * turn.cosine * place.basis.across + tilt.sine * turn.sine * place.basis.along;
+        n = n * (1.0F - below) + sine * turn.cosine * place.basis.across + sine * turn.sine * place.basis.along;
     }
     const Vec3<V> random{signedStream(d, key, kBirthVelocityX), unitStream(d, key, kBirthVelocityY), signedStream(d, key, kBirthVelocityZ)};
     return n * (random * emitter.velocityRandomness + glm::vec3(1.0F - emitter.velocityRandomness)) * emitter.speed;
@@ -108,9 +110,10 @@ HWY_EXPORT(bear);
 BirthPlace::BirthPlace(const Emitter& from, float effectDt)
     : emitter(from)
     , basis(planeBasis(from.normal))
-    , spread(radians(from.spread))
     , dt(effectDt)
 {
+    const float half = portableSin(0.5F * radians(from.spread));
+    coneHeight = 2.0F * half * half; // 1 - cos(spread), without its cancellation
 }
 
 void bearParticles(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)

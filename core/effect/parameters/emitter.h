@@ -117,7 +117,7 @@ inline constexpr std::array kRows<Emitter>{
         .soft = {0, 90},
         .step = 0.5,
         .unit = Unit::Degrees,
-        .tip = "Half angle of the cone in which particles leave.",
+        .tip = "Half angle of the cone in which particles leave, evenly over its directions; 180 is all around.",
     }),
     row<&Emitter::mode>({
         .key = "emitter.mode",

@@ -1,0 +1,75 @@
+// The laws of motion beyond the 2012 model, held against closed forms and exact distributions.
+
+#include "tests/helpers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// Particles that are all born at once, between no steps.
+Effect burstOf(int count)
+{
+    Effect effect = thesisEffect(count);
+    effect.emitter.mode = EmissionMode::Burst;
+    effect.emitter.burstDuration = 0.0F;
+    return effect;
+}
+
+/// The largest distance between the distribution of a sample and the uniform one on [low, high] (Kolmogorov and Smirnov).
+double distanceFromUniform(std::vector<double> sample, double low, double high)
+{
+    std::sort(sample.begin(), sample.end());
+    const auto n = static_cast<double>(sample.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const double expected = (sample[i] - low) / (high - low);
+        largest = std::max({largest, std::abs(static_cast<double>(i + 1) / n - expected), std::abs(static_cast<double>(i) / n - expected)});
+    }
+    return largest;
+}
+
+glm::dvec3 velocityOf(const Frame& frame, std::size_t i)
+{
+    return {frame.particles.vx[i], frame.particles.vy[i], frame.particles.vz[i]};
+}
+
+} // namespace
+
+class MotionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void directionsAreSpreadEvenlyOverTheCone_data()
+    {
+        QTest::addColumn<float>("spread");
+        for (const float spread : {1.0F, 30.0F, 90.0F, 180.0F}) {
+            QTest::addRow("%g", static_cast<double>(spread)) << spread;
+        }
+    }
+    void directionsAreSpreadEvenlyOverTheCone()
+    {
+        QFETCH(float, spread);
+        constexpr int kMany = 40000;
+        Effect effect = burstOf(kMany);
+        effect.emitter.normal = glm::normalize(glm::vec3(0.3F, -0.8F, 0.5F));
+        effect.emitter.spread = spread;
+        const auto frame = frameOf(effect, 0);
+        std::vector<double> heights; // 1 - cos(angle), from the chord so that small angles keep their digits
+        for (std::size_t i = 0; i < kMany; ++i) {
+            const double chord = glm::length(velocityOf(*frame, i) - glm::dvec3(effect.emitter.normal));
+            heights.push_back(0.5 * chord * chord);
+        }
+        constexpr double kOnePercent = 1.63; // the critical value at this level, times sqrt(n)
+        const double distance = distanceFromUniform(heights, 0.0, 1.0 - std::cos(static_cast<double>(spread) * M_PI / 180.0));
+        QVERIFY2(distance < kOnePercent / std::sqrt(kMany), qPrintable(QString::number(distance)));
+    }
+};
+
+QTEST_GUILESS_MAIN(MotionTest)
+#include "motion_test.moc"
