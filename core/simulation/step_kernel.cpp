@@ -112,6 +112,9 @@ HWY_INLINE void stepWholeWith(const StepConstants& constants, Particles& particl
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
         const V age = hn::ConvertTo(d, constants.step - hn::Load(di, particles.birthStep.data() + i)) * constants.dt;
         Vec3<V> p = load(d, particles.x, particles.y, particles.z, i);
+        if (constants.vortexStrength != 0.0F) {
+            p = turnedByVortex(d, constants, p);
+        }
         Vec3<V> v = load(d, particles.vx, particles.vy, particles.vz, i);
         v = accelerated(d, constants, hn::Load(du, particles.key.data() + i), age, p, v);
 
@@ -122,9 +125,6 @@ HWY_INLINE void stepWholeWith(const StepConstants& constants, Particles& particl
         }
         if (constants.ringStrength != 0.0F) {
             addRings<kTurns>(d, constants, p, carried, vorticity);
-        }
-        if (constants.vortexStrength != 0.0F) {
-            addVortex(d, constants, p, carried);
         }
         if constexpr (kTurns) {
             turnParticles(d, constants, vorticity, particles, i);

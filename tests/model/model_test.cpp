@@ -497,9 +497,10 @@ private slots:
         effect.vortex.radius = 0.5F;
         const std::vector<glm::dvec3> v = carriedBy(effect, 1, {glm::vec3(0.25F, 0.0F, 0.0F), glm::vec3(0.5F, 0.0F, 0.0F), glm::vec3(1.0F, 0.0F, 0.0F)});
         const double dt = 1.0 / 30.0;
-        QVERIFY(near(v[0].z * dt, -3.0 * 0.8 * dt, 1e-6)); // 2 s / (1 + s^2) at s = 1/2
-        QVERIFY(near(v[1].z * dt, -3.0 * dt, 1e-6));
-        QVERIFY(near(v[2].z * dt, -3.0 * 0.8 * dt, 1e-6));
+        const auto turned = [&](const glm::dvec3& moved, double radius) { return std::atan2(-moved.z * dt, radius + moved.x * dt) * radius / dt; };
+        QVERIFY(near(turned(v[0], 0.25), 3.0 * 0.8, 1e-5)); // 2 s / (1 + s^2) at s = 1/2
+        QVERIFY(near(turned(v[1], 0.5), 3.0, 1e-5));
+        QVERIFY(near(turned(v[2], 1.0), 3.0 * 0.8, 1e-5));
     }
 };
 

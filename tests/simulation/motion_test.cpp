@@ -39,6 +39,11 @@ glm::dvec3 velocityOf(const Frame& frame, std::size_t i)
     return {frame.particles.vx[i], frame.particles.vy[i], frame.particles.vz[i]};
 }
 
+glm::dvec3 positionOf(const Frame& frame, std::size_t i)
+{
+    return {frame.particles.x[i], frame.particles.y[i], frame.particles.z[i]};
+}
+
 } // namespace
 
 class MotionTest : public QObject {
@@ -68,6 +73,41 @@ private slots:
         constexpr double kOnePercent = 1.63; // the critical value at this level, times sqrt(n)
         const double distance = distanceFromUniform(heights, 0.0, 1.0 - std::cos(static_cast<double>(spread) * M_PI / 180.0));
         QVERIFY2(distance < kOnePercent / std::sqrt(kMany), qPrintable(QString::number(distance)));
+    }
+
+    void aVortexAloneTurnsEveryParticleOnItsCircle_data()
+    {
+        QTest::addColumn<glm::vec3>("axis");
+        QTest::addColumn<int>("stepsPerFrame");
+        QTest::newRow("upright") << glm::vec3(0.0F, 1.0F, 0.0F) << 1;
+        QTest::newRow("upright, in small steps") << glm::vec3(0.0F, 1.0F, 0.0F) << 4;
+        QTest::newRow("leaning") << glm::vec3(0.6F, 0.64F, 0.48F) << 1;
+    }
+    void aVortexAloneTurnsEveryParticleOnItsCircle()
+    {
+        QFETCH(glm::vec3, axis);
+        QFETCH(int, stepsPerFrame);
+        Effect effect = burstOf(500);
+        effect.emitter.speed = 0.0F;
+        effect.emitter.position = {0.3F, -0.2F, 0.7F};
+        effect.life.fadeRate = 0.005F; // 20 s
+        effect.vortex.strength = 1.0F;
+        effect.vortex.radius = 0.5F;
+        effect.vortex.axis = axis;
+        effect.timeline.stepsPerFrame = stepsPerFrame;
+        constexpr double kSeconds = 10.0;
+        const auto before = frameOf(effect, 0);
+        const auto after = frameOf(effect, static_cast<int>(kSeconds) * effect.timeline.frameRate);
+        const glm::dvec3 pivot(effect.emitter.position);
+        const glm::dvec3 n = glm::normalize(glm::dvec3(axis));
+        for (std::size_t i = 0; i < 500; ++i) {
+            const glm::dvec3 from = positionOf(*before, i) - pivot;
+            const glm::dvec3 along = n * glm::dot(n, from);
+            const double radius = glm::length(from - along);
+            const double angle = 2.0 * 1.0 * 0.5 / (0.25 + radius * radius) * kSeconds; // up to 40 radians
+            const glm::dvec3 expected = along + (from - along) * std::cos(angle) + glm::cross(n, from) * std::sin(angle);
+            QVERIFY(near(glm::distance(positionOf(*after, i) - pivot, expected), 0.0, 2e-3 * radius));
+        }
     }
 };
 
