@@ -37,6 +37,18 @@ float smoothStep(float t)
     return t * t * (3.0F - 2.0F * t);
 }
 
+/// tau = (1 - e^(-D dt)) / D, by which a step's acceleration is multiplied: the exact solution of V' = a - D V is V + (a - D V) tau.
+float draggedTime(float drag, float dt)
+{
+    const float x = drag * dt;
+    constexpr float kSmall = 0.1F;
+    if (x > kSmall) {
+        return (1.0F - portableExp(-x)) / drag;
+    }
+    // The difference would cancel; six terms leave x^6 / 5040, less than a float sees.
+    return dt * (1.0F - x / 2.0F * (1.0F - x / 3.0F * (1.0F - x / 4.0F * (1.0F - x / 5.0F * (1.0F - x / 6.0F)))));
+}
+
 /// A point in a periodic or endless row of random values: two neighbours and the way between them.
 struct RowPosition {
     std::int64_t before = 0;
@@ -172,20 +184,21 @@ StepConstants Model::constants(std::int64_t step) const
     const Turbulence& turbulence = m_effect->turbulence;
     const float dt = m_schedule.dt;
     const float r = motion.randomness;
+    const float tau = draggedTime(motion.drag, dt);
 
     StepConstants out;
     out.key = stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
     out.dt = dt;
     out.step = static_cast<std::int32_t>(step);
     const glm::vec3 acceleration = windAt(step) - glm::vec3(0.0F, motion.gravity / motion.mass, 0.0F);
-    out.steady = acceleration * ((1.0F - r) * dt);
-    out.random = acceleration * (r * dt * 0x1p-31F);
+    out.steady = acceleration * ((1.0F - r) * tau);
+    out.random = acceleration * (r * tau * 0x1p-31F);
     out.randomness = r;
-    out.buoyancy = motion.buoyancy * dt;
+    out.buoyancy = motion.buoyancy * tau;
     out.cooling = motion.cooling;
     out.heatVariance = motion.heatVariance;
-    out.pull = motion.pull * dt;
-    out.dragFactor = portableExp(-motion.drag * dt);
+    out.pull = motion.pull * tau;
+    out.drag = motion.drag * tau;
     out.pivot = m_effect->emitter.position;
     if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
         const float angle = rotationAt(step);

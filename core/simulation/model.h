@@ -26,15 +26,15 @@ struct StepConstants {
     std::int32_t step = 0;
 
     bool plain = true; ///< nothing but the terms of the 2012 model without rotation
-    glm::vec3 steady{0.0F}; ///< a (1 - r) dt of wind and gravity, m/s
-    glm::vec3 random{0.0F}; ///< a r dt, times 2^-31: multiplies a random int32
+    glm::vec3 steady{0.0F}; ///< a (1 - r) tau of wind and gravity, m/s, with tau the time for which acceleration lasts, see draggedTime()
+    glm::vec3 random{0.0F}; ///< a r tau, times 2^-31: multiplies a random int32
 
     float randomness = 0.0F;
-    float buoyancy = 0.0F; ///< times dt, m/s
+    float buoyancy = 0.0F; ///< times tau, m/s
     float cooling = 0.0F;
     float heatVariance = 0.0F;
-    float pull = 0.0F; ///< times dt, 1/s
-    float dragFactor = 1.0F;
+    float pull = 0.0F; ///< times tau, 1/s
+    float drag = 0.0F; ///< times tau: the share of its velocity that a particle loses
     glm::vec3 pivot{0.0F}; ///< the emitter
     float rotationSin = 0.0F;
     float rotationCos = 1.0F;

@@ -72,7 +72,7 @@ HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the same randomness.
+/// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the same randomness, and drag.
 HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, VU key, V age, const Vec3<V>& position, const Vec3<V>& velocity)
 {
     const V heat = 1.0F - constants.heatVariance * unitStream(d, key, kHeatStream);
@@ -82,7 +82,8 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, VU key, V ag
     const Vec3<V> draw = signedDraws(d, key, hn::Set(DU(), constants.key));
     const Vec3<V> common = draw * constants.random + constants.steady;
     const Vec3<V> share = draw * (constants.randomness * 0x1p-31F) + glm::vec3(1.0F - constants.randomness);
-    return (velocity + common + own * share) * constants.dragFactor;
+    const Vec3<V> kick = common + own * share;
+    return velocity + (constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
 }
 
 /// A small body in a flow turns at half its vorticity.

@@ -2,6 +2,8 @@
 
 #include "tests/helpers.h"
 
+#include "core/simulation/step.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -108,6 +110,55 @@ private slots:
             const glm::dvec3 expected = along + (from - along) * std::cos(angle) + glm::cross(n, from) * std::sin(angle);
             QVERIFY(near(glm::distance(positionOf(*after, i) - pivot, expected), 0.0, 2e-3 * radius));
         }
+    }
+
+    void dragIsExactWhateverTheStep_data()
+    {
+        QTest::addColumn<float>("drag");
+        QTest::addColumn<int>("frameRate");
+        for (const float drag : {1e-4F, 0.05F, 0.8F, 5.0F, 29.0F, 100.0F}) {
+            for (const int frameRate : {30, 240}) {
+                QTest::addRow("%g at %d", static_cast<double>(drag), frameRate) << drag << frameRate;
+            }
+        }
+    }
+    void dragIsExactWhateverTheStep()
+    {
+        // V' = a - D V: V = a / D + (V0 - a / D) e^(-D t).
+        QFETCH(float, drag);
+        QFETCH(int, frameRate);
+        Effect effect = burstOf(1);
+        effect.emitter.normal = {0.0F, 1.0F, 0.0F};
+        effect.emitter.speed = 1.0F;
+        effect.motion.gravity = 3.0F;
+        effect.motion.drag = drag;
+        effect.timeline.frameRate = frameRate;
+        const auto terminal = -3.0 / static_cast<double>(drag);
+        for (const int seconds : {0, 1, 4}) {
+            const int frame = seconds == 0 ? 1 : seconds * frameRate;
+            const double t = static_cast<double>(frame) / frameRate;
+            const double expected = 1.0 + (1.0 - terminal) * std::expm1(-static_cast<double>(drag) * t);
+            QVERIFY(near(velocityOf(*frameOf(effect, frame), 0).y, expected, 1e-5 * (1.0 + std::abs(expected)) * std::sqrt(t * frameRate / 30.0)));
+        }
+    }
+
+    void withoutDragTheWholeModelHasTheBitsOfThe2012Model()
+    {
+        Effect effect = thesisEffect(3000);
+        effect.emitter.velocityRandomness = 1.0F;
+        effect.motion.wind = 0.5F;
+        effect.motion.windAngle = 37.0F;
+        effect.motion.gravity = 0.5F;
+        effect.motion.randomness = 0.7F;
+        const auto start = frameOf(effect, 100);
+        StepConstants constants = start->model->constants(101);
+        QVERIFY(constants.plain);
+        Particles plain = start->particles;
+        stepChunk(constants, plain, 1);
+        constants.plain = false;
+        Particles whole = start->particles;
+        stepChunk(constants, whole, 1);
+        QVERIFY(sameBits(plain, whole));
     }
 };
 
