@@ -19,6 +19,7 @@ AppearanceJob makeJob(const Frame& frame, const Effect& effect, const Axes& axes
     AppearanceJob job;
     job.step = static_cast<std::int32_t>(frame.step);
     job.dt = schedule.dt;
+    job.bornBetweenSteps = schedule.betweenSteps;
     job.lifetimeSteps = static_cast<float>(schedule.lifetimeSteps);
     job.lifetimeVariance = effect.life.lifetimeVariance;
     job.initialAlpha = effect.life.initialAlpha;

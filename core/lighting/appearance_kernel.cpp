@@ -7,6 +7,7 @@
 #include "core/base/hash-inl.h"
 #include "core/lighting/appearance_kernel.h"
 #include "core/lighting/grid_cell-inl.h"
+#include "core/simulation/ages-inl.h"
 #include "core/simulation/streams.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -54,7 +55,7 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
         const auto key = hn::Load(du, particles.key.data() + i);
-        const V age = hn::ConvertTo(d, job.step - hn::Load(di, particles.birthStep.data() + i));
+        const V age = agesInSteps(d, particles, i, key, job.step, job.bornBetweenSteps);
         const V lifetime = job.lifetimeSteps * (1.0F - job.lifetimeVariance * unitStream(d, key, kLifetimeStream));
         const auto alive = hn::And(hn::Lt(age, lifetime), hn::Ge(age, zero));
         const V life = hn::IfThenElseZero(alive, age / lifetime);

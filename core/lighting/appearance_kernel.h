@@ -16,6 +16,7 @@ struct AppearanceJob {
     std::array<float, kLifeTableSize> alpha{}; ///< by life: factor of the fading alpha, opacity and dilution included
     std::int32_t step = 0;
     float dt = 0.0F;
+    bool bornBetweenSteps = false;
     float lifetimeSteps = 1.0F;
     float lifetimeVariance = 0.0F;
     float initialAlpha = 0.0F;

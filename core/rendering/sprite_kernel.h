@@ -30,6 +30,7 @@ struct SpriteJob {
 
     std::int32_t step = 0;
     float dt = 0.0F;
+    bool bornBetweenSteps = false;
     float rotationVariance = 0.0F; ///< radians
     float spin = 0.0F; ///< radians/s
     float spinVariance = 0.0F;

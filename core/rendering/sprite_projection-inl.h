@@ -12,6 +12,7 @@
 #include "core/base/math.h"
 #include "core/lighting/grid_cell-inl.h"
 #include "core/rendering/sprite_kernel.h"
+#include "core/simulation/ages-inl.h"
 #include "core/simulation/streams.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -90,7 +91,7 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
         hn::Store(hn::Load(d, job.appearance->radius.data() + at) * perMetre, d, block.radius + i);
 
         const auto key = hn::Load(du, particles.key.data() + at);
-        const V age = hn::ConvertTo(d, job.step - hn::Load(di, particles.birthStep.data() + at)) * job.dt;
+        const V age = agesInSteps(d, particles, at, key, job.step, job.bornBetweenSteps) * job.dt;
         const SineCosine<V> turn = sinCosOfTurns(d, angleOf(d, job, at, key, age));
         hn::Store(turn.sine, d, block.sine + i);
         hn::Store(turn.cosine, d, block.cosine + i);

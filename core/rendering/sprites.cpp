@@ -64,6 +64,7 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.view = view;
     job.step = static_cast<std::int32_t>(frame.step);
     job.dt = frame.model->schedule().dt;
+    job.bornBetweenSteps = frame.model->schedule().betweenSteps;
     job.rotationVariance = kPi * effect.look.rotationVariance;
     job.spin = radians(effect.look.spin);
     job.roll = effect.look.roll;

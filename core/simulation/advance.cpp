@@ -24,7 +24,7 @@ class ChunkRunner {
 public:
     ChunkRunner(const Model& model, Particles& particles)
         : m_schedule(model.schedule())
-        , m_birthPlace(model.effect()->emitter, m_schedule.dt)
+        , m_birthPlace(model.effect()->emitter)
         , m_particles(particles)
         , m_capacity(static_cast<std::int64_t>(particles.capacity))
     {
@@ -41,7 +41,7 @@ public:
                 stepChunk(step.constants, m_particles, chunk);
             }
             forSlots(step.firstBirth, step.endBirth, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                bear(low, high, lap, step.constants.step);
+                bear(low, high, lap, step.constants);
                 occupied = true;
             });
         }
@@ -91,14 +91,18 @@ private:
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.
-    void bear(std::int64_t first, std::int64_t last, std::int64_t lap, std::int32_t step) const
+    void bear(std::int64_t first, std::int64_t last, std::int64_t lap, const StepConstants& constants) const
     {
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
             const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
             const auto slot = static_cast<std::size_t>(first - lap);
-            m_particles.clearRoll(slot, slot + static_cast<std::size_t>(count));
-            bearParticles(m_birthPlace, random, step, slot, static_cast<std::size_t>(count), m_particles);
+            const std::size_t end = slot + static_cast<std::size_t>(count);
+            m_particles.clearRoll(slot, end);
+            bearParticles(m_birthPlace, random, constants.step, slot, end - slot, m_particles);
+            if (constants.betweenSteps) {
+                stepNewborns(constants, m_particles, slot, end);
+            }
             first += count;
         }
     }

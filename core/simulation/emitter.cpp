@@ -82,10 +82,7 @@ void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, 
         const VU high = static_cast<std::uint32_t>(index >> 32U) - carry;
         const VU key = keysOf(place.emitter.seed, low, high);
         const Vec3<V> v = birthVelocity(d, place, key);
-        Vec3<V> p = birthPosition(d, place, key);
-        if (place.emitter.subframe) {
-            p = p + v * (place.dt * unitStream(d, key, kBirthBetweenSteps));
-        }
+        const Vec3<V> p = birthPosition(d, place, key);
         const std::size_t n = std::min(lanes, count - done);
         const std::size_t to = slot + done;
         store(d, p.x, particles.x.data() + to, n);
@@ -107,10 +104,9 @@ namespace fumage {
 
 HWY_EXPORT(bear);
 
-BirthPlace::BirthPlace(const Emitter& from, float effectDt)
+BirthPlace::BirthPlace(const Emitter& from)
     : emitter(from)
     , basis(planeBasis(from.normal))
-    , dt(effectDt)
 {
     const float half = portableSin(0.5F * radians(from.spread));
     coneHeight = 2.0F * half * half; // 1 - cos(spread), without its cancellation

@@ -14,15 +14,13 @@ namespace fumage {
 ///
 /// I: P uniform on a rectangle (or disc, or in a ball) around the emitter, across its normal N.
 /// II: V = speed (Nx (1 - s + s rand()), Ny (1 - s + s positive(rand())), Nz (1 - s + s rand())), s the velocity randomness; s = 1 is the source.
-/// With a spread, N is first tilted to any direction of a cone with the same chance: the cosine of the angle is uniform. Between two steps, P moves on by a random part of V dt.
+/// With a spread, N is first tilted to any direction of a cone with the same chance: the cosine of the angle is uniform.
 struct BirthPlace {
-    /// @param effectDt seconds a step
-    BirthPlace(const Emitter& from, float effectDt);
+    explicit BirthPlace(const Emitter& from);
 
     Emitter emitter;
     PlaneBasis basis;
     float coneHeight = 0.0F; ///< 1 - cos(spread): of the cap that the cone cuts from a unit sphere
-    float dt = 0.0F;
 };
 
 /// Gives birth to particles of consecutive index in consecutive slots.

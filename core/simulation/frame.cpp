@@ -13,7 +13,8 @@ Lifecycle lifecycle(const Frame& frame, std::size_t slot)
     }
     const Effect& effect = frame.model->effect();
     const Schedule& schedule = frame.model->schedule();
-    const auto age = static_cast<float>(frame.step - birth);
+    const float beforeBirthStep = schedule.betweenSteps ? unitFloat(frame.particles.key[slot]) : 0.0F;
+    const float age = static_cast<float>(frame.step - birth) + beforeBirthStep;
     const float random = unitFloat(streamBits(frame.particles.key[slot], kLifetimeStream));
     const float lifetime = static_cast<float>(schedule.lifetimeSteps) * (1.0F - effect.life.lifetimeVariance * random);
     Lifecycle out;

@@ -190,6 +190,7 @@ StepConstants Model::constants(std::int64_t step) const
     out.key = stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
     out.dt = dt;
     out.step = static_cast<std::int32_t>(step);
+    out.betweenSteps = m_schedule.betweenSteps;
     const glm::vec3 acceleration = windAt(step) - glm::vec3(0.0F, motion.gravity / motion.mass, 0.0F);
     out.steady = acceleration * ((1.0F - r) * tau);
     out.random = acceleration * (r * tau * 0x1p-31F);
@@ -201,9 +202,9 @@ StepConstants Model::constants(std::int64_t step) const
     out.drag = motion.drag * tau;
     out.pivot = m_effect->emitter.position;
     if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
-        const float angle = rotationAt(step);
-        out.rotationSin = portableSin(angle);
-        out.rotationCos = portableCos(angle);
+        out.rotation = rotationAt(step);
+        out.rotationSin = portableSin(out.rotation);
+        out.rotationCos = portableCos(out.rotation);
     }
     out.vortexStrength = m_effect->vortex.strength;
     out.vortexRadius = m_effect->vortex.radius;

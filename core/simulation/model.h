@@ -24,6 +24,7 @@ struct StepConstants {
     std::uint32_t key = 0;
     float dt = 0.0F;
     std::int32_t step = 0;
+    bool betweenSteps = false; ///< whether particles are born between steps, see Schedule
 
     bool plain = true; ///< nothing but the terms of the 2012 model without rotation
     glm::vec3 steady{0.0F}; ///< a (1 - r) tau of wind and gravity, m/s, with tau the time for which acceleration lasts, see draggedTime()
@@ -36,6 +37,7 @@ struct StepConstants {
     float pull = 0.0F; ///< times tau, 1/s
     float drag = 0.0F; ///< times tau: the share of its velocity that a particle loses
     glm::vec3 pivot{0.0F}; ///< the emitter
+    float rotation = 0.0F; ///< of the whole cloud, radians
     float rotationSin = 0.0F;
     float rotationCos = 1.0F;
 

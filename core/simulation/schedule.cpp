@@ -50,6 +50,7 @@ Schedule makeSchedule(const SampledEffect& effect)
     Schedule schedule;
     schedule.dt = static_cast<float>(dt);
     schedule.stepsPerFrame = timeline.stepsPerFrame;
+    schedule.betweenSteps = effect->emitter.subframe;
     schedule.lifetimeSteps = wholeSteps(static_cast<double>(effect->life.initialAlpha) / static_cast<double>(effect->life.fadeRate), dt);
     schedule.loopSteps = timeline.loop ? static_cast<std::int64_t>(timeline.length) * timeline.stepsPerFrame : 0;
 

@@ -9,7 +9,7 @@ namespace fumage {
 /// When each particle is born and how long it lives, in whole steps: closed forms, so that any step can be reached at once.
 ///
 /// Births repeat with a period of periodSteps; each period has birthsPerPeriod of them, spread over its first windowSteps.
-/// A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1.
+/// A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1. Between steps, its birth is a random part of a step before b.
 struct Schedule {
     float dt = 0.0F; ///< seconds a step
     std::int64_t lifetimeSteps = 1; ///< L = ceil(Ai / (fade dt)), eq. XIII of the 2012 model
@@ -19,6 +19,7 @@ struct Schedule {
     std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it
     std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;
+    bool betweenSteps = false; ///< births are spread over the time between two steps, each by its own random part of it
 
     /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step 0.
     [[nodiscard]] std::int64_t birthsBefore(std::int64_t step) const;

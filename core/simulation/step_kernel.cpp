@@ -7,6 +7,7 @@
 #include "core/base/hash-inl.h"
 #include "core/base/math-inl.h"
 #include "core/base/vector-inl.h"
+#include "core/simulation/ages-inl.h"
 #include "core/simulation/step.h"
 #include "core/simulation/streams.h"
 #include "core/simulation/swirls-inl.h"
@@ -62,6 +63,26 @@ void stepPlain(const StepConstants& constants, Particles& particles, std::size_t
     }
 }
 
+/// The time of a step, for what lives through the whole of it.
+struct WholeStep {
+    template <class T>
+    HWY_INLINE T operator()(const T& amount) const
+    {
+        return amount;
+    }
+    [[nodiscard]] static HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) { return {hn::Set(d, constants.rotationSin), hn::Set(d, constants.rotationCos)}; }
+};
+
+/// The same for what was born during the step: each lane has a share of it.
+struct PartOfStep {
+    V share;
+
+    HWY_INLINE V operator()(V amount) const { return amount * share; }
+    HWY_INLINE V operator()(float amount) const { return amount * share; }
+    HWY_INLINE Vec3<V> operator()(const Vec3<V>& amount) const { return amount * share; }
+    [[nodiscard]] HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) const { return sinCos(d, constants.rotation * share); }
+};
+
 /// 0 at birth to 1 at the onset, smooth at both ends.
 HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
 {
@@ -73,7 +94,8 @@ HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
 }
 
 /// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the same randomness, and drag.
-HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, VU key, V age, const Vec3<V>& position, const Vec3<V>& velocity)
+template <class Time>
+HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V age, const Vec3<V>& position, const Vec3<V>& velocity)
 {
     const V heat = 1.0F - constants.heatVariance * unitStream(d, key, kHeatStream);
     const V cooled = exponential(d, -constants.cooling * age);
@@ -83,61 +105,102 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, VU key, V ag
     const Vec3<V> common = draw * constants.random + constants.steady;
     const Vec3<V> share = draw * (constants.randomness * 0x1p-31F) + glm::vec3(1.0F - constants.randomness);
     const Vec3<V> kick = common + own * share;
-    return velocity + (constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
+    return velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
 }
 
-/// A small body in a flow turns at half its vorticity.
-HWY_INLINE void turnParticles(D d, const StepConstants& constants, const Vec3<V>& vorticity, Particles& particles, std::size_t i)
+/// Turned about the vertical, from +z towards +x.
+HWY_INLINE Vec3<V> rotated(const SineCosine<V>& angle, const Vec3<V>& v)
 {
-    const Vec3<V> roll = load(d, particles.rollX, particles.rollY, particles.rollZ, i);
-    store(roll + vorticity * (0.5F * constants.dt), particles.rollX, particles.rollY, particles.rollZ, i);
+    return {angle.cosine * v.x + angle.sine * v.z, v.y, angle.cosine * v.z - angle.sine * v.x};
 }
 
-/// Turned about the vertical.
-HWY_INLINE Vec3<V> rotated(const StepConstants& constants, const Vec3<V>& v)
+/// The state of particles that a step changes.
+struct Moving {
+    Vec3<V> position;
+    Vec3<V> velocity;
+    Vec3<V> roll;
+
+    template <bool kTurns>
+    static HWY_INLINE Moving from(D d, const Particles& p, std::size_t i)
+    {
+        Moving out{load(d, p.x, p.y, p.z, i), load(d, p.vx, p.vy, p.vz, i), uniform(hn::Zero(d))};
+        if constexpr (kTurns) {
+            out.roll = load(d, p.rollX, p.rollY, p.rollZ, i);
+        }
+        return out;
+    }
+
+    template <bool kTurns>
+    HWY_INLINE void to(Particles& p, std::size_t i) const
+    {
+        store(position, p.x, p.y, p.z, i);
+        store(velocity, p.vx, p.vy, p.vz, i);
+        if constexpr (kTurns) {
+            store(roll, p.rollX, p.rollY, p.rollZ, i);
+        }
+    }
+};
+
+/// What a step, or the part of it that they have lived through, makes of particles.
+template <bool kTurns, class Time>
+HWY_INLINE Moving stepped(D d, const StepConstants& constants, const Time& time, VU key, V age, Moving at)
 {
-    const float s = constants.rotationSin;
-    const float c = constants.rotationCos;
-    return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+    Vec3<V>& p = at.position;
+    if (constants.vortexStrength != 0.0F) {
+        p = turnedByVortex(d, constants, time, p);
+    }
+    at.velocity = accelerated(d, constants, time, key, age, p, at.velocity);
+    Vec3<V> carried = at.velocity;
+    Vec3<V> vorticity = uniform(hn::Zero(d));
+    if (constants.octaves > 0) {
+        addTurbulence<kTurns>(d, constants, p, onsetRamp(d, constants, age), carried, vorticity);
+    }
+    if (constants.ringStrength != 0.0F) {
+        addRings<kTurns>(d, constants, p, carried, vorticity);
+    }
+    if constexpr (kTurns) {
+        at.roll = at.roll + vorticity * time(0.5F * constants.dt); // a small body in a flow turns at half its vorticity
+    }
+    p = p + carried * time(constants.dt);
+    if (constants.rotation != 0.0F) {
+        const SineCosine<V> angle = time.rotation(d, constants);
+        const Vec3<V> away = rotated(angle, p - constants.pivot);
+        p = {away.x + constants.pivot.x, p.y, away.z + constants.pivot.z};
+        at.velocity = rotated(angle, at.velocity);
+    }
+    return at;
 }
 
 template <bool kTurns>
 HWY_INLINE void stepWholeWith(const StepConstants& constants, Particles& particles, std::size_t chunk)
 {
     const D d;
-    const DU du;
-    const hn::RebindToSigned<D> di;
     const std::size_t begin = chunk * Particles::kChunk;
     const std::size_t end = begin + Particles::kChunk;
-    const bool rotates = constants.rotationSin != 0.0F;
     for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
-        const V age = hn::ConvertTo(d, constants.step - hn::Load(di, particles.birthStep.data() + i)) * constants.dt;
-        Vec3<V> p = load(d, particles.x, particles.y, particles.z, i);
-        if (constants.vortexStrength != 0.0F) {
-            p = turnedByVortex(d, constants, p);
-        }
-        Vec3<V> v = load(d, particles.vx, particles.vy, particles.vz, i);
-        v = accelerated(d, constants, hn::Load(du, particles.key.data() + i), age, p, v);
+        const VU key = hn::Load(DU(), particles.key.data() + i);
+        const V age = agesInSteps(d, particles, i, key, constants.step, constants.betweenSteps) * constants.dt;
+        const Moving before = Moving::from<kTurns>(d, particles, i);
+        stepped<kTurns>(d, constants, WholeStep(), key, age, before).template to<kTurns>(particles, i);
+    }
+}
 
-        Vec3<V> carried = v;
-        Vec3<V> vorticity = uniform(hn::Zero(d));
-        if (constants.octaves > 0) {
-            addTurbulence<kTurns>(d, constants, p, onsetRamp(d, constants, age), carried, vorticity);
-        }
-        if (constants.ringStrength != 0.0F) {
-            addRings<kTurns>(d, constants, p, carried, vorticity);
-        }
-        if constexpr (kTurns) {
-            turnParticles(d, constants, vorticity, particles, i);
-        }
-        p = p + carried * constants.dt;
-        if (rotates) {
-            const Vec3<V> away = rotated(constants, p - constants.pivot);
-            p = {away.x + constants.pivot.x, p.y, away.z + constants.pivot.z};
-            v = rotated(constants, v);
-        }
-        store(p, particles.x, particles.y, particles.z, i);
-        store(v, particles.vx, particles.vy, particles.vz, i);
+/// Slots [first, last); neighbours in the same vectors stay as they are.
+template <bool kTurns>
+HWY_INLINE void stepNewbornsWith(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+{
+    const D d;
+    for (std::size_t i = first / hn::Lanes(d) * hn::Lanes(d); i < last; i += hn::Lanes(d)) {
+        const VU key = hn::Load(DU(), particles.key.data() + i);
+        const V share = agesInSteps(d, particles, i, key, constants.step, true);
+        const Moving before = Moving::from<kTurns>(d, particles, i);
+        const Moving after = stepped<kTurns>(d, constants, PartOfStep{share}, key, share * constants.dt, before);
+        const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
+        const auto chosen = [&](const Vec3<V>& a, const Vec3<V>& b) HWY_ATTR {
+            return Vec3<V>{hn::IfThenElse(isNewborn, a.x, b.x), hn::IfThenElse(isNewborn, a.y, b.y), hn::IfThenElse(isNewborn, a.z, b.z)};
+        };
+        const Moving kept{chosen(after.position, before.position), chosen(after.velocity, before.velocity), chosen(after.roll, before.roll)};
+        kept.to<kTurns>(particles, i);
     }
 }
 
@@ -147,6 +210,15 @@ void stepWhole(const StepConstants& constants, Particles& particles, std::size_t
         stepWholeWith<true>(constants, particles, chunk);
     } else {
         stepWholeWith<false>(constants, particles, chunk);
+    }
+}
+
+void stepJustBorn(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+{
+    if (particles.rolls()) {
+        stepNewbornsWith<true>(constants, particles, first, last);
+    } else {
+        stepNewbornsWith<false>(constants, particles, first, last);
     }
 }
 
@@ -179,12 +251,19 @@ namespace fumage {
 
 HWY_EXPORT(stepPlain);
 HWY_EXPORT(stepWhole);
+HWY_EXPORT(stepJustBorn);
 HWY_EXPORT(evaluateTurbulence);
 
 void stepChunk(const StepConstants& constants, Particles& particles, std::size_t chunk)
 {
     const auto step = constants.plain ? HWY_DYNAMIC_DISPATCH(stepPlain) : HWY_DYNAMIC_DISPATCH(stepWhole);
     step(constants, particles, chunk);
+}
+
+void stepNewborns(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+{
+    const auto step = HWY_DYNAMIC_DISPATCH(stepJustBorn);
+    step(constants, particles, first, last);
 }
 
 void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y, std::span<const float> z,

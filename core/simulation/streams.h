@@ -14,7 +14,6 @@ enum ParticleStream : std::uint32_t {
     kBirthVelocityZ = 5,
     kBirthConeAngle = 6,
     kBirthConeTurn = 7,
-    kBirthBetweenSteps = 8,
     kHeatStream = 20,
     kLifetimeStream = 21,
     kSizeStream = 22,

@@ -36,6 +36,9 @@ double distanceFromUniform(std::vector<double> sample, double low, double high)
     return largest;
 }
 
+/// Critical value of that distance at this level, times the square root of the sample's size.
+constexpr double kOnePercent = 1.63;
+
 glm::dvec3 velocityOf(const Frame& frame, std::size_t i)
 {
     return {frame.particles.vx[i], frame.particles.vy[i], frame.particles.vz[i]};
@@ -72,7 +75,6 @@ private slots:
             const double chord = glm::length(velocityOf(*frame, i) - glm::dvec3(effect.emitter.normal));
             heights.push_back(0.5 * chord * chord);
         }
-        constexpr double kOnePercent = 1.63; // the critical value at this level, times sqrt(n)
         const double distance = distanceFromUniform(heights, 0.0, 1.0 - std::cos(static_cast<double>(spread) * M_PI / 180.0));
         QVERIFY2(distance < kOnePercent / std::sqrt(kMany), qPrintable(QString::number(distance)));
     }
@@ -159,6 +161,90 @@ private slots:
         Particles whole = start->particles;
         stepChunk(constants, whole, 1);
         QVERIFY(sameBits(plain, whole));
+    }
+
+    void particlesAreAsOldAsTheirWayIsLong()
+    {
+        // Nothing but the velocity of birth: what was born between two steps has lived, faded and moved for the same time.
+        Effect effect = thesisEffect(6000);
+        effect.emitter.subframe = true;
+        effect.emitter.speed = 3.0F;
+        effect.life.lifetimeVariance = 0.5F;
+        const auto frame = frameOf(effect, 170);
+        std::vector<double> partsOfAStep;
+        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+            const Lifecycle cycle = lifecycle(*frame, i);
+            if (cycle.alive) {
+                const double age = positionOf(*frame, i).y / 3.0;
+                QVERIFY(near(cycle.age, age, 1e-5));
+                QVERIFY(near(cycle.alpha, 0.1 * (1.0 - static_cast<double>(cycle.life)), 1e-6));
+                partsOfAStep.push_back(age * 30.0 - std::floor(age * 30.0));
+            }
+        }
+        const double distance = distanceFromUniform(partsOfAStep, 0.0, 1.0);
+        QVERIFY2(distance < kOnePercent / std::sqrt(static_cast<double>(partsOfAStep.size())), qPrintable(QString::number(distance)));
+    }
+
+    void particlesBornBetweenStepsTurnForAsLongAsTheyHaveLived_data()
+    {
+        QTest::addColumn<float>("rotation");
+        QTest::addColumn<float>("vortex");
+        QTest::newRow("rotation of the whole cloud") << 90.0F << 0.0F;
+        QTest::newRow("vortex") << 0.0F << 1.0F;
+    }
+    void particlesBornBetweenStepsTurnForAsLongAsTheyHaveLived()
+    {
+        QFETCH(float, rotation);
+        QFETCH(float, vortex);
+        Effect effect = thesisEffect(3000);
+        effect.emitter.subframe = true;
+        effect.emitter.speed = 0.0F;
+        effect.emitter.depth = 0.0F; // born on a line along x
+        effect.motion.rotation = rotation;
+        effect.vortex.strength = vortex;
+        const auto frame = frameOf(effect, 20);
+        int seen = 0;
+        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+            const Lifecycle cycle = lifecycle(*frame, i);
+            if (cycle.alive) {
+                ++seen;
+                const glm::dvec3 p = positionOf(*frame, i);
+                const double radius = glm::length(p);
+                const auto rate = static_cast<double>(rotation) * M_PI / 180.0 + static_cast<double>(vortex) / (0.25 + radius * radius);
+                const double angle = rate * static_cast<double>(cycle.age);
+                QVERIFY(near(p.x * std::sin(angle) + p.z * std::cos(angle), 0.0, 1e-5 + 1e-4 * radius)); // turned back onto the line
+            }
+        }
+        QVERIFY(seen > 400);
+    }
+
+    void smokeLeavesAsAStreamAndNotInPlates()
+    {
+        // A point from which the flow of rings alone carries the smoke, 0.1 m and 600 particles a step.
+        Effect effect = thesisEffect(90000);
+        effect.emitter.subframe = true;
+        effect.emitter.speed = 0.0F;
+        effect.emitter.width = 0.0F;
+        effect.emitter.depth = 0.0F;
+        effect.rings.strength = 3.0F;
+        effect.rings.spacing = 5.0F;
+        effect.rings.radius = 0.9F;
+        effect.rings.variance = 0.0F;
+        effect.rings.speed = 0.8F;
+        const auto frame = frameOf(effect, 30);
+        std::vector<double> heights;
+        for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
+            if (lifecycle(*frame, i).alive) {
+                heights.push_back(positionOf(*frame, i).y);
+            }
+        }
+        std::sort(heights.begin(), heights.end());
+        QVERIFY(heights.back() > 0.5);
+        double gap = 0.0;
+        for (std::size_t i = 1; i < heights.size(); ++i) {
+            gap = std::max(gap, heights[i] - heights[i - 1]);
+        }
+        QVERIFY2(gap < 0.005, qPrintable(QString::number(gap)));
     }
 };
 
