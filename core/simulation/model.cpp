@@ -127,7 +127,9 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
     const auto now = static_cast<double>(m_schedule.randomStep(step));
     const double drifted = row.cells == 0 ? driftPerStep * now : driftInLoop * now / loop;
     const double whole = std::floor(drifted);
-    out.offset = static_cast<float>(whole - drifted);
+    // Random, or a corner of every octave's lattice would stand in the emitter's centre, where all gradients are 0: as one body it would move.
+    out.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
+    out.shift.y += static_cast<float>(whole - drifted);
 
     const bool evolves = turbulence.evolution > 0.0F || (row.cells != 0 && turbulence.drift != 0.0F);
     if (!evolves) {

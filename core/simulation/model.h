@@ -14,7 +14,7 @@ namespace fumage {
 /// One octave of turbulence at one step: two slices of time that cross-fade and drift together.
 struct OctaveAtStep {
     float frequency = 1.0F; ///< relative to the first octave
-    float offset = 0.0F; ///< along y, in lattice units: the part of the drift that is no whole number of them
+    glm::vec3 shift{0.0F}; ///< of places against its lattice, in units of it; along y less the part of the drift that is no whole number of them
     CurlSlices slices; ///< weights in m/s, with the normalisation of the noise
     bool turns = false; ///< whether its swirls turn particles
 };

@@ -38,8 +38,7 @@ HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Vec3<V>
     Vec3<V> turn = sum;
     for (int octave = 0; octave < constants.octaves; ++octave) {
         const OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
-        Vec3<V> place = q * at.frequency;
-        place.y = place.y + at.offset;
+        const Vec3<V> place = q * at.frequency + at.shift;
         const auto add = [&](auto turns, Vec3<V>& turned) HWY_ATTR {
             if (at.slices.weight[1] != 0.0F) {
                 addCurlNoise<turns.value, 2>(d, place, at.slices, sum, turned);

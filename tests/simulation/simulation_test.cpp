@@ -191,6 +191,24 @@ private slots:
         QVERIFY2(std::sqrt(divergence / gradient) < 0.01, qPrintable(QString::number(std::sqrt(divergence / gradient))));
     }
 
+    void airAroundTheEmitterShearsLikeAirElsewhere()
+    {
+        Effect effect = turbulent();
+        effect.turbulence.octaves = 4;
+        effect.turbulence.evolution = 0.0F;
+        constexpr float h = 1e-2F;
+        double here = 0.0;
+        double elsewhere = 0.0;
+        for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+            effect.emitter.seed = seed;
+            const float far = 3.0F + signedFloat(mixBits(seed));
+            const Velocities v = turbulenceOf(Model(sampled(effect)).constants(7), {h, -h, far + h, far - h}, {0.0F, 0.0F, far, far}, {0.0F, 0.0F, -far, -far});
+            here += std::pow(static_cast<double>(v.y[0] - v.y[1]), 2.0);
+            elsewhere += std::pow(static_cast<double>(v.y[2] - v.y[3]), 2.0);
+        }
+        QVERIFY2(std::abs(std::log(here / elsewhere)) < 0.3, qPrintable(QString::number(here / elsewhere)));
+    }
+
     void curlNoiseHasTheStrengthThatIsAsked()
     {
         const StepConstants constants = Model(sampled(turbulent())).constants(11);
