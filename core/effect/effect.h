@@ -95,7 +95,7 @@ struct Motion {
 };
 
 struct Turbulence {
-    float strength = 0.26F;
+    float strength = 0.65F;
     float scale = 0.8F;
     int octaves = 4;
     float roughness = 0.75F;

@@ -32,6 +32,19 @@ constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
 /// Rates of eddies grow with the 2/3 power of their wave number (Kolmogorov 1941).
 constexpr float kTurnoverExponent = 2.0F / 3.0F;
 
+/// Of the first octave, per component, so that all octaves together have the root mean square speed that is asked: their squares add.
+float firstAmplitude(const Turbulence& turbulence)
+{
+    float squares = 0.0F;
+    float square = 1.0F;
+    for (int octave = 0; octave < turbulence.octaves; ++octave) {
+        squares += square;
+        square *= turbulence.roughness * turbulence.roughness;
+    }
+    constexpr float kComponents = 3.0F;
+    return turbulence.strength / std::sqrt(kComponents * squares);
+}
+
 float smoothStep(float t)
 {
     return t * t * (3.0F - 2.0F * t);
@@ -111,7 +124,7 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
     const auto order = static_cast<float>(octave);
     OctaveAtStep out;
     out.frequency = portablePow(turbulence.lacunarity, order);
-    const float amplitude = turbulence.strength * portablePow(turbulence.roughness, order) * kCurlNormalisation;
+    const float amplitude = firstAmplitude(turbulence) * portablePow(turbulence.roughness, order) * kCurlNormalisation;
     const std::uint32_t seed = streamBits(m_effect->emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
     const float latticePerMetre = out.frequency / turbulence.scale;
     constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it

@@ -17,7 +17,7 @@ inline constexpr std::array kRows<Turbulence>{
         .soft = {0, 5},
         .step = 0.02,
         .unit = Unit::MetresPerSecond,
-        .tip = "Typical speed of the swirls that carry the particles.",
+        .tip = "Speed of the swirls that carry the particles: its root mean square over space, all layers together.",
         .source = "Bridson et al. 2007, curl noise",
     }),
     row<&Turbulence::scale>({
