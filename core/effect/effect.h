@@ -85,9 +85,9 @@ struct Motion {
     float mass = 1.0F;
     float randomness = 0.0F;
     float drag = 0.8F;
-    float buoyancy = 1.3F;
+    float buoyancy = 1.1F;
     float cooling = 0.25F;
-    float heatVariance = 0.3F;
+    float heatVariance = 0.35F;
     float rotation = 0.0F;
     float rotationJitter = 0.0F;
     float pull = 0.05F;

@@ -97,7 +97,7 @@ HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
 template <class Time>
 HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V age, const Vec3<V>& position, const Vec3<V>& velocity)
 {
-    const V heat = 1.0F - constants.heatVariance * unitStream(d, key, kHeatStream);
+    const V heat = 1.0F + constants.heatVariance * (0.5F - unitStream(d, key, kHeatStream));
     const V cooled = exponential(d, -constants.cooling * age);
     const Vec3<V> away = position - constants.pivot;
     const Vec3<V> own{-constants.pull * away.x, constants.buoyancy * heat * cooled, -constants.pull * away.z};

@@ -37,7 +37,7 @@ double distanceFromUniform(std::vector<double> sample, double low, double high)
 }
 
 /// Critical value of that distance at this level, times the square root of the sample's size.
-constexpr double kOnePercent = 1.63;
+constexpr double kOneInTenThousand = 2.23;
 
 glm::dvec3 velocityOf(const Frame& frame, std::size_t i)
 {
@@ -76,7 +76,7 @@ private slots:
             heights.push_back(0.5 * chord * chord);
         }
         const double distance = distanceFromUniform(heights, 0.0, 1.0 - std::cos(static_cast<double>(spread) * M_PI / 180.0));
-        QVERIFY2(distance < kOnePercent / std::sqrt(kMany), qPrintable(QString::number(distance)));
+        QVERIFY2(distance < kOneInTenThousand / std::sqrt(kMany), qPrintable(QString::number(distance)));
     }
 
     void aVortexAloneTurnsEveryParticleOnItsCircle_data()
@@ -144,6 +144,23 @@ private slots:
         }
     }
 
+    void heatVariesAroundItsMean()
+    {
+        constexpr int kMany = 40000;
+        Effect effect = burstOf(kMany);
+        effect.emitter.speed = 0.0F;
+        effect.motion.buoyancy = 3.0F;
+        effect.motion.cooling = 0.0F;
+        effect.motion.heatVariance = 0.6F;
+        const auto frame = frameOf(effect, 1);
+        std::vector<double> heats;
+        for (std::size_t i = 0; i < kMany; ++i) {
+            heats.push_back(velocityOf(*frame, i).y * 30.0 / 3.0);
+        }
+        const double distance = distanceFromUniform(heats, 0.7, 1.3); // 1 - v/2 to 1 + v/2
+        QVERIFY2(distance < kOneInTenThousand / std::sqrt(kMany), qPrintable(QString::number(distance)));
+    }
+
     void withoutDragTheWholeModelHasTheBitsOfThe2012Model()
     {
         Effect effect = thesisEffect(3000);
@@ -182,7 +199,7 @@ private slots:
             }
         }
         const double distance = distanceFromUniform(partsOfAStep, 0.0, 1.0);
-        QVERIFY2(distance < kOnePercent / std::sqrt(static_cast<double>(partsOfAStep.size())), qPrintable(QString::number(distance)));
+        QVERIFY2(distance < kOneInTenThousand / std::sqrt(static_cast<double>(partsOfAStep.size())), qPrintable(QString::number(distance)));
     }
 
     void particlesBornBetweenStepsTurnForAsLongAsTheyHaveLived_data()

@@ -107,7 +107,7 @@ inline constexpr std::array kRows<Motion>{
         .synonyms = "random hot rise",
         .hard = kUnit,
         .step = 0.01,
-        .tip = "How much the heat at birth differs from one particle to the next; hot ones run ahead.",
+        .tip = "How much the heat at birth differs from one particle to the next, around the same mean; hot ones run ahead.",
     }),
     row<&Motion::pull>({
         .key = "motion.pull",
