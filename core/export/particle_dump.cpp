@@ -28,13 +28,13 @@ struct Row {
     glm::vec3 colour{1.0F};
 };
 
-/// The number of a particle among all births: slots are a ring that births go round.
-std::int32_t birthNumber(const Frame& frame, std::size_t slot)
+/// Counts births, so that importers can join the particles of successive frames. Not the key of a particle: where a loop is shorter than a
+/// life, several are alive that have the same. Stays the same through a loop; at its start the particles that lived through its end count anew.
+std::int32_t idOf(const Frame& frame, std::size_t slot)
 {
     constexpr std::int64_t kSigned = std::int64_t{1} << 31U; // many programs read no more
-    const auto capacity = static_cast<std::int64_t>(frame.particles.capacity);
-    const std::int64_t last = frame.model->schedule().birthsBefore(frame.step + 1) - 1;
-    return static_cast<std::int32_t>((last - (last - static_cast<std::int64_t>(slot)) % capacity) % kSigned);
+    const auto slots = static_cast<std::int64_t>(frame.particles.capacity);
+    return static_cast<std::int32_t>(frame.model->schedule().birthIndex(frame.step, static_cast<std::int64_t>(slot), slots) % kSigned);
 }
 
 glm::vec3 turned(const glm::vec3& v, UpAxis up)
@@ -53,7 +53,7 @@ std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect, UpA
         if (cycle.alive) {
             const glm::vec3 at = turned({p.x[i], p.y[i], p.z[i]}, up);
             const glm::vec3 velocity = turned({p.vx[i], p.vy[i], p.vz[i]}, up);
-            rows.push_back({birthNumber(frame, i), {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i], appearance.radius[i]},
+            rows.push_back({idOf(frame, i), {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i], appearance.radius[i]},
                 effect->look.colour * effect->look.colourGradient.at(cycle.life)});
         }
     }

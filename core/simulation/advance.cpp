@@ -35,7 +35,7 @@ public:
     {
         const Slots slots = slotsOf(chunk);
         bool occupied = false;
-        forSlots(firstAlive(from), firstUnborn(from), slots, [&](std::int64_t, std::int64_t, std::int64_t) { occupied = true; });
+        forSlots(m_schedule.firstAlive(from), firstUnborn(from), slots, [&](std::int64_t, std::int64_t, std::int64_t) { occupied = true; });
         for (const PlannedStep& step : steps) {
             if (occupied) {
                 stepChunk(step.constants, m_particles, chunk);
@@ -50,7 +50,7 @@ public:
     /// Empties the slots of a chunk whose particles are not alive at a step.
     void bury(std::size_t chunk, std::int64_t step) const
     {
-        const std::int64_t first = firstAlive(step);
+        const std::int64_t first = m_schedule.firstAlive(step);
         const std::int64_t last = firstUnborn(step);
         const Slots slots = slotsOf(chunk);
         if (last - first < m_capacity) {
@@ -87,7 +87,6 @@ private:
         }
     }
 
-    [[nodiscard]] std::int64_t firstAlive(std::int64_t step) const { return m_schedule.birthsBefore(step - m_schedule.lifetimeSteps + 1); }
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.

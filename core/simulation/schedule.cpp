@@ -34,6 +34,12 @@ std::int64_t Schedule::birthsBefore(std::int64_t step) const
     return period * birthsPerPeriod + ceilDivide(within * birthsPerPeriod, windowSteps);
 }
 
+std::int64_t Schedule::birthIndex(std::int64_t step, std::int64_t slot, std::int64_t slots) const
+{
+    const std::int64_t first = firstAlive(step);
+    return first + (slot + slots - first % slots) % slots;
+}
+
 std::int64_t Schedule::capacity() const
 {
     const std::int64_t rest = lifetimeSteps % periodSteps;

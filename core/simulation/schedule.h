@@ -24,6 +24,14 @@ struct Schedule {
     /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step 0.
     [[nodiscard]] std::int64_t birthsBefore(std::int64_t step) const;
 
+    /// Index of the first particle that may be alive at a step.
+    [[nodiscard]] std::int64_t firstAlive(std::int64_t step) const { return birthsBefore(step - lifetimeSteps + 1); }
+
+    /// The birth index of the particle in a slot at a step: slots are birth indices modulo the capacity.
+    /// @param slot of a particle that is alive, below slots
+    /// @param slots capacity of the particles
+    [[nodiscard]] std::int64_t birthIndex(std::int64_t step, std::int64_t slot, std::int64_t slots) const;
+
     /// Most particles that are ever alive at once.
     [[nodiscard]] std::int64_t capacity() const;
 
