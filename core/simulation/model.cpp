@@ -112,10 +112,15 @@ glm::vec3 Model::windAt(std::int64_t step) const
     return {strength * portableCos(angle), 0.0F, strength * portableSin(angle)};
 }
 
+float Model::drawScale() const
+{
+    return std::sqrt(static_cast<float>(m_schedule.stepsPerFrame));
+}
+
 float Model::rotationAt(std::int64_t step) const
 {
     const std::uint32_t bits = streamBits(stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step))), kRotation);
-    return radians(m_effect->motion.rotation + m_effect->motion.rotationJitter * signedFloat(bits)) * m_schedule.dt;
+    return radians(m_effect->motion.rotation + m_effect->motion.rotationJitter * drawScale() * signedFloat(bits)) * m_schedule.dt;
 }
 
 OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
@@ -208,8 +213,9 @@ StepConstants Model::constants(std::int64_t step) const
     out.betweenSteps = m_schedule.betweenSteps;
     const glm::vec3 acceleration = windAt(step) - glm::vec3(0.0F, motion.gravity / motion.mass, 0.0F);
     out.steady = acceleration * ((1.0F - r) * tau);
-    out.random = acceleration * (r * tau * 0x1p-31F);
-    out.randomness = r;
+    out.random = acceleration * (r * drawScale() * tau * 0x1p-31F);
+    out.steadyShare = 1.0F - r;
+    out.randomShare = r * drawScale() * 0x1p-31F;
     out.buoyancy = motion.buoyancy * tau;
     out.cooling = motion.cooling;
     out.heatVariance = motion.heatVariance;

@@ -28,9 +28,10 @@ struct StepConstants {
 
     bool plain = true; ///< nothing but the terms of the 2012 model without rotation
     glm::vec3 steady{0.0F}; ///< a (1 - r) tau of wind and gravity, m/s, with tau the time for which acceleration lasts, see draggedTime()
-    glm::vec3 random{0.0F}; ///< a r tau, times 2^-31: multiplies a random int32
+    glm::vec3 random{0.0F}; ///< a r tau, times sqrt(steps a frame) 2^-31: multiplies a random int32
 
-    float randomness = 0.0F;
+    float steadyShare = 1.0F; ///< 1 - r
+    float randomShare = 0.0F; ///< r, times sqrt(steps a frame) 2^-31
     float buoyancy = 0.0F; ///< times tau, m/s
     float cooling = 0.0F;
     float heatVariance = 0.0F;
@@ -81,12 +82,16 @@ public:
     /// Wind acceleration with its gusts at a step, m/s^2: (Vw cos theta, 0, Vw sin theta), eq. III and V.
     [[nodiscard]] glm::vec3 windAt(std::int64_t step) const;
 
-    /// Angle by which the whole cloud turns in one step, radians.
+    /// Angle by which the whole cloud turns in one step, radians: particles and their velocities, not the emitter. The emitter is the ground that
+    /// smoke rises from; and its angle would be the sum of all draws since step 0, so that no frame could be had without those before it.
     [[nodiscard]] float rotationAt(std::int64_t step) const;
 
 private:
     /// Smooth random value in [-1, 1] of time; whole in a loop.
     [[nodiscard]] float wander(std::int64_t step, float rate, std::uint32_t stream) const;
+    /// What random numbers that are drawn anew every step are multiplied by. The source draws once a frame; the sum of n draws in a frame spreads
+    /// as far as one of them times sqrt(n), and n steps of a frame are each n times shorter.
+    [[nodiscard]] float drawScale() const;
     [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
     void placeRings(std::int64_t step, StepConstants& out) const;
 

@@ -103,7 +103,7 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& 
     const Vec3<V> own{-constants.pull * away.x, constants.buoyancy * heat * cooled, -constants.pull * away.z};
     const Vec3<V> draw = signedDraws(d, key, hn::Set(DU(), constants.key));
     const Vec3<V> common = draw * constants.random + constants.steady;
-    const Vec3<V> share = draw * (constants.randomness * 0x1p-31F) + glm::vec3(1.0F - constants.randomness);
+    const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
     const Vec3<V> kick = common + own * share;
     return velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
 }

@@ -144,6 +144,45 @@ private slots:
         }
     }
 
+    void stepsOfAFrameDoNotChangeTheRandomWalk()
+    {
+        // The source's draw a frame: after n frames each component has the variance n (a T)^2 / 3.
+        constexpr int kMany = 20000;
+        for (const int steps : {1, 2, 8}) {
+            Effect effect = burstOf(kMany);
+            effect.motion.randomness = 1.0F;
+            effect.motion.wind = 3.0F;
+            effect.motion.buoyancy = 2.0F;
+            effect.motion.cooling = 0.0F;
+            effect.timeline.stepsPerFrame = steps;
+            const auto frame = frameOf(effect, 10);
+            const std::vector<float> vx(frame->particles.vx.begin(), frame->particles.vx.begin() + kMany);
+            const std::vector<float> vy(frame->particles.vy.begin(), frame->particles.vy.begin() + kMany);
+            const double error = 5.0 * std::sqrt(2.0 / kMany);
+            QVERIFY(near(Moments::of(vx).variance / (10.0 * 0.1 * 0.1 / 3.0), 1.0, error));
+            QVERIFY(near(Moments::of(vy).variance / (10.0 * std::pow(2.0 / 30.0, 2.0) / 3.0), 1.0, error));
+        }
+    }
+
+    void stepsOfAFrameDoNotChangeTheRotationJitter()
+    {
+        for (const int steps : {1, 4}) {
+            Effect effect = thesisEffect(1);
+            effect.motion.rotationJitter = 90.0F;
+            effect.timeline.stepsPerFrame = steps;
+            const Model model(sampled(effect));
+            std::vector<double> angles; // of frames, degrees
+            for (int frame = 0; frame < 20000; ++frame) {
+                double sum = 0.0;
+                for (int step = 0; step < steps; ++step) {
+                    sum += static_cast<double>(model.rotationAt(static_cast<std::int64_t>(frame) * steps + step)) * 180.0 / M_PI;
+                }
+                angles.push_back(sum);
+            }
+            QVERIFY(near(Moments::of(angles).variance / (3.0 * 3.0 / 3.0), 1.0, 5.0 * std::sqrt(2.0 / 20000)));
+        }
+    }
+
     void heatVariesAroundItsMean()
     {
         constexpr int kMany = 40000;

@@ -39,7 +39,8 @@ inline constexpr std::array kRows<Motion>{
         .soft = {-180, 180},
         .step = 1,
         .unit = Unit::Degrees,
-        .tip = "Angle \u03b8 of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z.",
+        .tip = "Angle \u03b8 of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z, "
+               "against the sense of the rotation.",
         .source = "2012 model, eq. III and V",
     }),
     row<&Motion::gravity>({
@@ -79,8 +80,8 @@ inline constexpr std::array kRows<Motion>{
         .synonyms = "chaos jitter random noise",
         .hard = kUnit,
         .step = 0.01,
-        .tip = "0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random "
-               "walk.",
+        .tip = "0: forces act steadily. 1: each is multiplied by a new random number every frame and acts as a random "
+               "walk. Steps per frame do not change how far it leads; a higher frame rate shortens it.",
         .source = "2012 model, eq. XI and XII (1 there)",
     }),
     row<&Motion::gust>({
@@ -128,7 +129,8 @@ inline constexpr std::array kRows<Motion>{
         .soft = {-180, 180},
         .step = 1,
         .unit = Unit::DegreesPerSecond,
-        .tip = "Mean rate at which the whole cloud turns about the vertical line through the emitter.",
+        .tip = "Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, "
+               "against the sense of the wind's angle. The emitter does not turn.",
         .source = "2012 model, whole-body rotation (0 there)",
     }),
     row<&Motion::rotationJitter>({
@@ -139,7 +141,8 @@ inline constexpr std::array kRows<Motion>{
         .soft = {0, 180},
         .step = 1,
         .unit = Unit::DegreesPerSecond,
-        .tip = "Random part of that rate, drawn anew every step.",
+        .tip = "Random part of that rate, drawn anew every frame. Steps per frame do not change how far it turns; a higher "
+               "frame rate does.",
         .source = "2012 model, whole-body rotation",
     }),
     row<&Motion::mass>({

@@ -17,7 +17,8 @@ inline constexpr std::array kRows<Vortex>{
         .soft = {-5, 5},
         .step = 0.05,
         .unit = Unit::MetresPerSecond,
-        .tip = "Speed of the swirl at its radius; negative turns the other way.",
+        .tip = "Speed of the swirl at its radius. About an upright axis it turns from +X towards -Z; negative turns the other "
+               "way.",
         .source = "Scully 1975, vortex profile",
     }),
     row<&Vortex::radius>({
