@@ -11,6 +11,9 @@
 
 namespace fumage {
 
+/// Fastest that a particle may be in each component, m/s: forces that grow with distance would else end in infinity, and then in no number.
+inline constexpr float kMaxSpeed = 1e6F;
+
 /// One octave of turbulence at one step: two slices of time that cross-fade and drift together.
 struct OctaveAtStep {
     float frequency = 1.0F; ///< relative to the first octave

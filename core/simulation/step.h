@@ -11,7 +11,7 @@ namespace fumage {
 ///
 /// The vortex turns P about its axis; then acc = a (1 - r + r rand() sqrt(n)) for each component, n the steps of a frame, V += (acc - D V) tau, then P += (V + u) dt, with u
 /// the velocity of turbulence and rings at P, then the rotation of the whole cloud. tau = (1 - e^(-D dt)) / D, which makes V' = acc - D V exact
-/// whatever the step, is dt without drag. With everything of part 2 at zero this is eq. III to V and IX to XII of the 2012 model.
+/// whatever the step, is dt without drag. V stays within kMaxSpeed. With everything of part 2 at zero this is eq. III to V and IX to XII of the 2012 model.
 /// @param chunk index below particles.chunks()
 /// Thread-safe for different chunks. The same bits on every instruction set.
 void stepChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);

@@ -105,7 +105,10 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& 
     const Vec3<V> common = draw * constants.random + constants.steady;
     const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
     const Vec3<V> kick = common + own * share;
-    return velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
+    const Vec3<V> v = velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
+    const V most = hn::Set(d, kMaxSpeed);
+    const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
+    return {bounded(v.x), bounded(v.y), bounded(v.z)};
 }
 
 /// Turned about the vertical, from +z towards +x.

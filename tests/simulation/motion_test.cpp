@@ -200,6 +200,26 @@ private slots:
         QVERIFY2(distance < kOneInTenThousand / std::sqrt(kMany), qPrintable(QString::number(distance)));
     }
 
+    void forcesThatRunAwayEndInABound()
+    {
+        Effect effect = thesisEffect(200);
+        effect.motion.pull = -100.0F; // e^(10 t) for 10 s
+        effect.turbulence.strength = 1.0F;
+        effect.rings.strength = 1.0F;
+        effect.vortex.strength = 1.0F;
+        effect.life.fadeRate = 0.01F;
+        const auto frame = frameOf(effect, 299);
+        double fastest = 0.0;
+        for (std::size_t i = 0; i < 200; ++i) {
+            const glm::dvec3 v = velocityOf(*frame, i);
+            const glm::dvec3 p = positionOf(*frame, i);
+            QVERIFY(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+            QVERIFY(std::abs(v.x) <= 1e6 && std::abs(v.y) <= 1e6 && std::abs(v.z) <= 1e6);
+            fastest = std::max(fastest, std::abs(v.x));
+        }
+        QCOMPARE(fastest, 1e6);
+    }
+
     void withoutDragTheWholeModelHasTheBitsOfThe2012Model()
     {
         Effect effect = thesisEffect(3000);
