@@ -1154,8 +1154,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Spridning</translation>
     </message>
     <message>
-        <source>Half angle of the cone in which particles leave.</source>
-        <translation>Halva vinkeln på konen som partiklarna lämnar i.</translation>
+        <source>Half angle of the cone in which particles leave, evenly over its directions; 180 is all around.</source>
+        <translation>Halva vinkeln på konen som partiklarna lämnar i, jämnt över dess riktningar; 180 är åt alla håll.</translation>
     </message>
     <message>
         <source>Emission</source>
@@ -1218,8 +1218,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Vindvinkel</translation>
     </message>
     <message>
-        <source>Angle θ of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z.</source>
-        <translation>Vindens vinkel θ i det vågräta X-Z-planet; 0 blåser längs +X, 90 längs +Z.</translation>
+        <source>Angle θ of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z, against the sense of the rotation.</source>
+        <translation>Vindens vinkel θ i det vågräta X-Z-planet; 0 blåser längs +X, 90 längs +Z, mot rotationens riktning.</translation>
     </message>
     <message>
         <source>Gravity</source>
@@ -1254,8 +1254,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Slumpmässighet</translation>
     </message>
     <message>
-        <source>0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random walk.</source>
-        <translation>0: krafterna verkar stadigt. 1: var och en multipliceras med ett nytt slumptal varje steg och verkar som en slumpvandring.</translation>
+        <source>0: forces act steadily. 1: each is multiplied by a new random number every frame and acts as a random walk. Steps per frame do not change how far it leads; a higher frame rate shortens it.</source>
+        <translation>0: krafterna verkar stadigt. 1: var och en multipliceras med ett nytt slumptal varje bildruta och verkar som en slumpvandring. Steg per bildruta ändrar inte hur långt den leder; en högre bildfrekvens förkortar den.</translation>
     </message>
     <message>
         <source>2012 model, eq. XI and XII (1 there)</source>
@@ -1282,8 +1282,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Värmevariation</translation>
     </message>
     <message>
-        <source>How much the heat at birth differs from one particle to the next; hot ones run ahead.</source>
-        <translation>Hur mycket värmen vid födseln skiljer mellan partiklar; de heta springer före.</translation>
+        <source>How much the heat at birth differs from one particle to the next, around the same mean; hot ones run ahead.</source>
+        <translation>Hur mycket värmen vid födseln skiljer mellan partiklar, kring samma medelvärde; de heta springer före.</translation>
     </message>
     <message>
         <source>Pull to axis</source>
@@ -1298,8 +1298,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Rotation</translation>
     </message>
     <message>
-        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter.</source>
-        <translation>Medeltakt som hela molnet vrids med kring den lodräta linjen genom utsändaren.</translation>
+        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
+        <translation>Medeltakt som hela molnet vrids med kring den lodräta linjen genom utsändaren: från +X mot -Z, mot vindvinkelns riktning. Utsändaren vrids inte.</translation>
     </message>
     <message>
         <source>2012 model, whole-body rotation (0 there)</source>
@@ -1310,8 +1310,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Rotationsjitter</translation>
     </message>
     <message>
-        <source>Random part of that rate, drawn anew every step.</source>
-        <translation>Slumpdelen av takten, dragen på nytt varje steg.</translation>
+        <source>Random part of that rate, drawn anew every frame. Steps per frame do not change how far it turns; a higher frame rate does.</source>
+        <translation>Slumpdelen av takten, dragen på nytt varje bildruta. Steg per bildruta ändrar inte hur långt den vrider; en högre bildfrekvens gör det.</translation>
     </message>
     <message>
         <source>2012 model, whole-body rotation</source>
@@ -1330,8 +1330,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Styrka</translation>
     </message>
     <message>
-        <source>Typical speed of the swirls that carry the particles.</source>
-        <translation>Typisk fart hos virvlarna som bär partiklarna.</translation>
+        <source>Speed of the swirls that carry the particles: its root mean square over space, all layers together.</source>
+        <translation>Farten hos virvlarna som bär partiklarna: dess kvadratiska medelvärde över rummet, alla lager tillsammans.</translation>
     </message>
     <message>
         <source>Bridson et al. 2007, curl noise</source>
@@ -1402,8 +1402,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur många gånger mindre varje virvellager är än det föregående.</translation>
     </message>
     <message>
-        <source>Speed of the swirl at its radius; negative turns the other way.</source>
-        <translation>Virvelns fart vid sin radie; negativ vrider åt andra hållet.</translation>
+        <source>Speed of the swirl at its radius. About an upright axis it turns from +X towards -Z; negative turns the other way.</source>
+        <translation>Virvelns fart vid sin radie. Kring en upprätt axel vrider den från +X mot -Z; negativ vrider åt andra hållet.</translation>
     </message>
     <message>
         <source>Scully 1975, vortex profile</source>

@@ -1154,8 +1154,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>扩散</translation>
     </message>
     <message>
-        <source>Half angle of the cone in which particles leave.</source>
-        <translation>粒子离开时所在圆锥的半角。</translation>
+        <source>Half angle of the cone in which particles leave, evenly over its directions; 180 is all around.</source>
+        <translation>粒子离开时所在圆锥的半角，各方向均匀；180 为四面八方。</translation>
     </message>
     <message>
         <source>Emission</source>
@@ -1218,8 +1218,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>风向角</translation>
     </message>
     <message>
-        <source>Angle θ of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z.</source>
-        <translation>风在水平 X-Z 平面内的角度 θ；0 沿 +X 吹，90 沿 +Z 吹。</translation>
+        <source>Angle θ of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z, against the sense of the rotation.</source>
+        <translation>风在水平 X-Z 平面内的角度 θ；0 沿 +X 吹，90 沿 +Z 吹，与旋转的方向相反。</translation>
     </message>
     <message>
         <source>Gravity</source>
@@ -1254,8 +1254,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>随机性</translation>
     </message>
     <message>
-        <source>0: forces act steadily. 1: each is multiplied by a new random number every step and acts as a random walk.</source>
-        <translation>0：力稳定作用。1：每一步都乘以新的随机数，如同随机游走。</translation>
+        <source>0: forces act steadily. 1: each is multiplied by a new random number every frame and acts as a random walk. Steps per frame do not change how far it leads; a higher frame rate shortens it.</source>
+        <translation>0：力稳定作用。1：每一帧都乘以新的随机数，如同随机游走。每帧步数不改变它走多远；更高的帧率使它变短。</translation>
     </message>
     <message>
         <source>2012 model, eq. XI and XII (1 there)</source>
@@ -1282,8 +1282,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>热量差异</translation>
     </message>
     <message>
-        <source>How much the heat at birth differs from one particle to the next; hot ones run ahead.</source>
-        <translation>各粒子诞生时热量的差别；热的跑在前面。</translation>
+        <source>How much the heat at birth differs from one particle to the next, around the same mean; hot ones run ahead.</source>
+        <translation>各粒子诞生时热量的差别，平均值不变；热的跑在前面。</translation>
     </message>
     <message>
         <source>Pull to axis</source>
@@ -1298,8 +1298,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>旋转</translation>
     </message>
     <message>
-        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter.</source>
-        <translation>整团烟绕过发射器竖直线转动的平均速率。</translation>
+        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
+        <translation>整团烟绕过发射器竖直线转动的平均速率：从 +X 转向 -Z，与风角度的方向相反。发射器不转动。</translation>
     </message>
     <message>
         <source>2012 model, whole-body rotation (0 there)</source>
@@ -1310,8 +1310,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>旋转抖动</translation>
     </message>
     <message>
-        <source>Random part of that rate, drawn anew every step.</source>
-        <translation>该速率的随机部分，每步重新抽取。</translation>
+        <source>Random part of that rate, drawn anew every frame. Steps per frame do not change how far it turns; a higher frame rate does.</source>
+        <translation>该速率的随机部分，每帧重新抽取。每帧步数不改变它转多远；更高的帧率会改变。</translation>
     </message>
     <message>
         <source>2012 model, whole-body rotation</source>
@@ -1330,8 +1330,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>强度</translation>
     </message>
     <message>
-        <source>Typical speed of the swirls that carry the particles.</source>
-        <translation>带动粒子的涡流的典型速度。</translation>
+        <source>Speed of the swirls that carry the particles: its root mean square over space, all layers together.</source>
+        <translation>带动粒子的涡流的速度：所有层合计在空间上的均方根。</translation>
     </message>
     <message>
         <source>Bridson et al. 2007, curl noise</source>
@@ -1402,8 +1402,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>每层涡流比前一层小多少倍。</translation>
     </message>
     <message>
-        <source>Speed of the swirl at its radius; negative turns the other way.</source>
-        <translation>涡旋在其半径处的速度；负值反向旋转。</translation>
+        <source>Speed of the swirl at its radius. About an upright axis it turns from +X towards -Z; negative turns the other way.</source>
+        <translation>涡旋在其半径处的速度。绕竖直轴时从 +X 转向 -Z；负值反向旋转。</translation>
     </message>
     <message>
         <source>Scully 1975, vortex profile</source>
