@@ -26,6 +26,27 @@ Noise latticeNoise(Interpolation kind)
     return noise;
 }
 
+/// Standard deviation over some slices.
+double deviation(const Noise& noise, int size)
+{
+    std::vector<float> all;
+    for (const float depth : {0.05F, 0.3F, 0.55F, 0.8F}) {
+        const NoiseTile tile = bakeFractal(noise, size, depth).value();
+        all.insert(all.end(), tile.values.begin(), tile.values.end());
+    }
+    return std::sqrt(Moments::of(all).variance);
+}
+
+/// Root of the mean square difference of two tiles.
+double difference(const NoiseTile& a, const NoiseTile& b)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        sum += std::pow(static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]), 2.0);
+    }
+    return std::sqrt(sum / static_cast<double>(a.values.size()));
+}
+
 } // namespace
 
 class ModelNoiseTest : public QObject {
@@ -148,6 +169,96 @@ private slots:
         noise.octaves = 8;
         noise.wavelength = 0.25F;
         QCOMPARE(fractalOctaves(noise, 16).size(), std::size_t(3)); // 4, 8 and 16 cells
+    }
+
+    void contrastDoesNotDependOnTheSize_data()
+    {
+        QTest::addColumn<int>("basis");
+        QTest::newRow("lattice") << int(NoiseBasis::Lattice);
+        QTest::newRow("gradient") << int(NoiseBasis::Gradient);
+        QTest::newRow("simplex") << int(NoiseBasis::Simplex);
+    }
+    void contrastDoesNotDependOnTheSize()
+    {
+        QFETCH(int, basis);
+        Noise noise = latticeNoise(Interpolation::Quintic);
+        noise.basis = static_cast<NoiseBasis>(basis);
+        noise.octaves = 6;
+        noise.wavelength = 0.05F; // 20 cells, and 640 in the last octave: a tile of 64 pixels shows two of six
+        const double expected = deviation(noise, 1024);
+        for (const int size : {64, 100, 128, 256, 512}) {
+            const double seen = deviation(noise, size);
+            QVERIFY2(std::abs(seen / expected - 1.0) < 0.03, qPrintable(QString("%1 at %2 pixels, %3 at 1024").arg(seen).arg(size).arg(expected)));
+        }
+    }
+
+    void everyStepOfTheWavelengthChangesTheTile()
+    {
+        Noise noise = latticeNoise(Interpolation::Quintic);
+        for (int percent = 100; percent > 10; --percent) {
+            noise.wavelength = static_cast<float>(percent) / 100.0F;
+            const NoiseTile tile = bakeFractal(noise, 48, 0.3F).value();
+            noise.wavelength = static_cast<float>(percent - 1) / 100.0F;
+            const double step = difference(tile, bakeFractal(noise, 48, 0.3F).value());
+            QVERIFY2(step > 0.003, qPrintable(QString("%1 from %2 %").arg(step).arg(percent)));
+        }
+    }
+
+    void smallStepsChangeTheTileALittle_data()
+    {
+        QTest::addColumn<int>("basis");
+        QTest::newRow("lattice") << int(NoiseBasis::Lattice);
+        QTest::newRow("gradient") << int(NoiseBasis::Gradient);
+        QTest::newRow("simplex") << int(NoiseBasis::Simplex);
+    }
+    void smallStepsChangeTheTileALittle()
+    {
+        QFETCH(int, basis);
+        constexpr float kStep = 1.0005F;
+        Noise noise = latticeNoise(Interpolation::Quintic);
+        noise.basis = static_cast<NoiseBasis>(basis);
+        noise.octaves = 4;
+        // Every member on its way past whole frequencies, also of octaves that become too fine for the tile.
+        const auto sweep = [&](float Noise::*member, float from, float to) {
+            Noise at = noise;
+            for (at.*member = from; at.*member < to; at.*member *= kStep) {
+                const NoiseTile tile = bakeFractal(at, 32, 0.3F).value();
+                Noise next = at;
+                next.*member *= kStep;
+                const double step = difference(tile, bakeFractal(next, 32, 0.3F).value());
+                if (step > 0.02) {
+                    qWarning("%g at %g", step, static_cast<double>(at.*member));
+                    return false;
+                }
+            }
+            return true;
+        };
+        QVERIFY(sweep(&Noise::wavelength, 0.1F, 1.0F));
+        QVERIFY(sweep(&Noise::lacunarity, 1.5F, 3.0F));
+        QVERIFY(sweep(&Noise::depth, 1.0F, 5.0F));
+    }
+
+    void betweenWholeFrequenciesContrastIsTheSameEverywhere()
+    {
+        // Were the two lattices of a blend alike near the origin, the first quarter would have more contrast than the last.
+        Noise noise = latticeNoise(Interpolation::Quintic);
+        noise.basis = NoiseBasis::Gradient;
+        noise.depth = 2.5F;
+        noise.wavelength = 1.0F / 4.5F;
+        constexpr int kEdge = 32;
+        double first = 0.0;
+        double last = 0.0;
+        for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+            noise.seed = seed;
+            const NoiseTile tile = bakeFractal(noise, kEdge, 0.05F).value();
+            for (int y = 0; y < kEdge / 2; ++y) {
+                for (int x = 0; x < kEdge / 2; ++x) {
+                    first += std::pow(static_cast<double>(tile.at(x, y)), 2.0);
+                    last += std::pow(static_cast<double>(tile.at(x + kEdge / 2, y + kEdge / 2)), 2.0);
+                }
+            }
+        }
+        QVERIFY2(std::abs(std::sqrt(first / last) - 1.0) < 0.05, qPrintable(QString::number(std::sqrt(first / last))));
     }
 
     void tileIsTheWeightedSumOfItsOctaves()

@@ -58,11 +58,14 @@ private slots:
         QFETCH(int, basis);
         QFETCH(int, size);
         Noise noise = plain(static_cast<NoiseBasis>(basis));
-        for (const float warp : {0.0F, 0.3F}) {
-            noise.warp = warp;
-            const Steps steps(bakeNoise(noise, size, 0.3F).value());
-            QVERIFY(steps.inside > 0.0F);
-            QVERIFY2(steps.seam <= steps.inside * 1.05F, qPrintable(QString("seam %1 inside %2").arg(steps.seam).arg(steps.inside)));
+        for (const float wavelength : {0.25F, 0.29F}) {
+            for (const float warp : {0.0F, 0.3F}) {
+                noise.wavelength = wavelength;
+                noise.warp = warp;
+                const Steps steps(bakeNoise(noise, size, 0.3F).value());
+                QVERIFY(steps.inside > 0.0F);
+                QVERIFY2(steps.seam <= steps.inside * 1.05F, qPrintable(QString("seam %1 inside %2").arg(steps.seam).arg(steps.inside)));
+            }
         }
     }
 
