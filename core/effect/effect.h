@@ -204,8 +204,8 @@ struct Light {
 
 struct Camera {
     CameraMode mode = CameraMode::Orbit;
-    glm::vec3 target{0.0F, 1.7F, 0.0F};
-    float distance = 6.0F;
+    glm::vec3 target{0.44F, 2.81F, -0.14F};
+    float distance = 8.46F;
     float yaw = 0.0F;
     float pitch = 4.0F;
     float turntable = 0.0F;

@@ -2,6 +2,7 @@
 
 #include "tests/helpers.h"
 
+#include "core/base/hash.h"
 #include "core/simulation/step.h"
 
 #include <algorithm>
@@ -47,6 +48,49 @@ glm::dvec3 velocityOf(const Frame& frame, std::size_t i)
 glm::dvec3 positionOf(const Frame& frame, std::size_t i)
 {
     return {frame.particles.x[i], frame.particles.y[i], frame.particles.z[i]};
+}
+
+/// The divergence of the air that carries particles, as a share of its gradient: both root mean square in a box above the emitter, by central
+/// differences between particles that take one step.
+double divergenceOfAir(const Effect& effect)
+{
+    constexpr std::size_t kPlaces = 3000;
+    constexpr float kHalf = 0.004F;
+    const Model model(sampled(effect));
+    Particles before;
+    before.reset(6 * kPlaces);
+    for (std::uint32_t i = 0; i < kPlaces; ++i) {
+        const glm::vec3 place(signedFloat(mixBits(3 * i)), 1.6F + 1.4F * signedFloat(mixBits(3 * i + 1)), signedFloat(mixBits(3 * i + 2)));
+        for (int side = 0; side < 6; ++side) {
+            glm::vec3 at = place;
+            at[side / 2] += side % 2 == 0 ? kHalf : -kHalf;
+            const std::size_t slot = 6 * std::size_t(i) + static_cast<std::size_t>(side);
+            before.x[slot] = at.x;
+            before.y[slot] = at.y;
+            before.z[slot] = at.z;
+            before.birthStep[slot] = 0;
+        }
+    }
+    Particles after = before;
+    for (std::size_t chunk = 0; chunk < after.chunks(); ++chunk) {
+        stepChunk(model.constants(model.schedule().firstStep + 3), after, chunk);
+    }
+    const auto moved = [&](std::size_t i) {
+        return glm::dvec3(after.x[i], after.y[i], after.z[i]) - glm::dvec3(before.x[i], before.y[i], before.z[i]);
+    };
+    double divergence = 0.0;
+    double gradient = 0.0;
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+        double trace = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::size_t slot = 6 * i + 2 * static_cast<std::size_t>(axis);
+            const glm::dvec3 slope = moved(slot) - moved(slot + 1);
+            trace += slope[axis];
+            gradient += glm::dot(slope, slope);
+        }
+        divergence += trace * trace;
+    }
+    return std::sqrt(divergence / gradient);
 }
 
 } // namespace
@@ -237,6 +281,42 @@ private slots:
         Particles whole = start->particles;
         stepChunk(constants, whole, 1);
         QVERIFY(sameBits(plain, whole));
+    }
+
+    void airHasNoMoreDivergenceThanIsSaid_data()
+    {
+        QTest::addColumn<float>("growth");
+        QTest::addColumn<float>("rings");
+        QTest::addColumn<float>("widening");
+        QTest::addColumn<float>("variance");
+        QTest::addColumn<double>("most"); // of the gradient, root mean square
+        QTest::newRow("turbulence") << 0.0F << 0.0F << 0.0F << 0.0F << 1e-3;
+        QTest::newRow("swirls that grow") << 0.5F << 0.0F << 0.0F << 0.0F << 0.12;
+        QTest::newRow("swirls that grow fast") << 2.0F << 0.0F << 0.0F << 0.0F << 0.3;
+        QTest::newRow("rings") << 0.0F << 1.0F << 0.0F << 0.0F << 1e-3;
+        QTest::newRow("rings that widen") << 0.0F << 1.0F << 0.3F << 0.0F << 0.1;
+        QTest::newRow("rings that vary") << 0.0F << 1.0F << 0.0F << 0.6F << 0.085;
+    }
+    void airHasNoMoreDivergenceThanIsSaid()
+    {
+        QFETCH(float, growth);
+        QFETCH(float, rings);
+        QFETCH(float, widening);
+        QFETCH(float, variance);
+        QFETCH(double, most);
+        Effect effect = thesisEffect(1);
+        effect.timeline.frameRate = 1;
+        effect.timeline.prewarm = true;
+        effect.turbulence.strength = 1.0F - rings;
+        effect.turbulence.onset = 0.0F;
+        effect.turbulence.octaves = 3;
+        effect.turbulence.growth = growth;
+        effect.rings.strength = rings;
+        effect.rings.widening = widening;
+        effect.rings.variance = variance;
+        const double share = divergenceOfAir(effect);
+        QVERIFY2(share < most, qPrintable(QString::number(share)));
+        QVERIFY2(most < 0.01 || share > 0.3 * most, qPrintable(QString::number(share))); // what is said is not far from what is
     }
 
     void particlesAreAsOldAsTheirWayIsLong()
