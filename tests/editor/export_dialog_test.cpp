@@ -28,7 +28,8 @@ private slots:
         m_player->setTimeline(100, 30);
         m_locks = std::make_unique<Locks>();
         m_job = std::make_unique<ExportJob>();
-        m_dialog = std::make_unique<ExportDialog>(*m_document, *m_player, *m_locks, *m_job, askInDialog, askInBox, nullptr);
+        m_dialog = std::make_unique<ExportDialog>(
+            *m_document, *m_player, *m_locks, *m_job, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; }, nullptr);
         m_dialog->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
     }

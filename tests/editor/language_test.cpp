@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(NoisePane(document).findChild<QComboBox*>(u"noiseChannel"_q)->itemText(0), u"Textur"_q);
         QCOMPARE(panel.findChild<QWidget*>(u"emitter.seed.dice"_q)->accessibleName(), u"Utsändare: Frö tärning"_q);
         document.edit(knownParameter("motion.gravity"), 3.0F);
-        QCOMPARE(document.undoStack()->undoText(), u"Rörelse: Tyngdkraft"_q);
+        QVERIFY(document.undoStack()->undoText().startsWith(u"Rörelse: Tyngdkraft 3"_q));
     }
 
     void anUnknownLanguageIsRefused()

@@ -88,6 +88,7 @@ private slots:
         QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
         QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
         childOf<QCheckBox>(*dialog, u"export.fit"_q)->setChecked(true);
+        m_chosenAnswer = 0; // overwrite
         QTest::mouseClick(begin, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, 60000);
         QVERIFY(!childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q));

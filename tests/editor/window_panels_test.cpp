@@ -90,7 +90,9 @@ private slots:
         QVERIFY(!(written == before));
         QCOMPARE(document.undoStack()->count(), 1);
 
-        // The wheel, with the focus: one burst, one step.
+        // The wheel, with the focus, which Return has taken: one burst, one step.
+        field->setFocus();
+        QTRY_VERIFY(field->hasFocus());
         turnWheel(*field, -2);
         QVERIFY(!(parameter.get(document.effect()) == written));
         QCOMPARE(document.undoStack()->count(), 2);

@@ -90,14 +90,17 @@ private slots:
         const auto shown = [this] {
             QStringList names;
             for (const QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
-                names += dock->isHidden() ? QString() : dock->objectName();
+                if (!dock->isHidden()) {
+                    names += dock->objectName();
+                }
             }
+            names.sort();
             return names;
         };
         const QStringList before = shown();
         const int width = m_window->viewport().width();
         trigger("view.smokeOnly");
-        QCOMPARE(shown().join(QString()), QString());
+        QCOMPARE(shown(), QStringList());
         QTRY_COMPARE(m_window->viewport().width(), m_window->width());
         QVERIFY(!childOf<QWidget>(*m_window, u"timeline"_q)->isVisible());
         trigger("view.smokeOnly");

@@ -40,6 +40,8 @@ Value moved(const Parameter& p, const Effect& effect)
 Effect stageFor(const Parameter& p)
 {
     Effect effect = everythingOn();
+    effect.camera.target = {0.0F, 1.7F, 0.0F};
+    effect.camera.distance = 6.0F; // so near that sprites show their texture
     if (&p == &knownParameter("noise.smooth")) {
         effect.noise.basis = NoiseBasis::Lattice;
     }

@@ -355,6 +355,7 @@ void ExportDialog::browse()
 {
     const QString chosen = m_askForFile(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Export to"), .start = m_path->text(), .mayReplace = true});
     if (!chosen.isEmpty()) {
+        m_pathIsSuggested = false;
         m_path->setText(chosen);
         takePath(chosen);
     }

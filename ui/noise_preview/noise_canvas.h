@@ -18,7 +18,7 @@ public:
     void setLineShown(bool shown);
     [[nodiscard]] double line() const { return m_line; } ///< height of the line in the tile, from its top, in [0, 1)
 
-    QSize minimumSizeHint() const override { return {96, 96}; }
+    QSize minimumSizeHint() const override { return {96, 64}; }
     QSize sizeHint() const override { return {260, 260}; }
 
 signals:
@@ -55,7 +55,7 @@ public:
     void setProfileShown(bool shown);
 
     QSize sizeHint() const override { return {260, 96}; }
-    QSize minimumSizeHint() const override { return {96, 56}; }
+    QSize minimumSizeHint() const override { return {96, 32}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -52,9 +52,10 @@ ColourEditor::ColourEditor(const Parameter& parameter, QWidget* parent)
 {
     name(*m_swatch, QStringLiteral("swatch"), tr("swatch"));
     m_swatch->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    m_swatch->setIconSize({34, 16});
+    m_swatch->setIconSize({22, 16});
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(3); // room for the numbers
     row->addWidget(m_swatch);
     const std::array<QString, 3> names{QStringLiteral("r"), QStringLiteral("g"), QStringLiteral("b")};
     for (std::size_t i = 0; i < names.size(); ++i) {

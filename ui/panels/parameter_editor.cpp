@@ -39,7 +39,8 @@ NumberField* ParameterEditor::addField(const QString& suffix, const QString& spo
 QWidget* ParameterEditor::makeHint(const QString& text)
 {
     auto* hint = new QLabel(text, this);
-    hint->setObjectName(objectName() + QStringLiteral(".hint"));
+    name(*hint, QStringLiteral("hint"), {});
+    hint->setAccessibleName(text);
     hint->setProperty("role", QStringLiteral("hint"));
     hint->setWordWrap(true);
     return hint;

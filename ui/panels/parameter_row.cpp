@@ -34,7 +34,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     , m_document(document)
     , m_locks(locks)
     , m_label(new QLabel(labelOf(parameter), this))
-    , m_lock(makeIconButton(m_label, toQString(parameter.key) + QStringLiteral(".locked"), QStringLiteral("lock"), tr("Locked against randomising; press to unlock")))
     , m_editor(makeEditor(parameter, this))
 {
     setObjectName(toQString(parameter.key) + QStringLiteral(".row"));
@@ -44,13 +43,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     m_label->setToolTip(m_editor->toolTip());
     m_label->setBuddy(m_editor);
     m_label->installEventFilter(this);
-    constexpr QSize kMark(12, 12);
-    m_lock->setIconSize(kMark);
-    m_lock->hide();
-    auto* inside = new QHBoxLayout(m_label);
-    inside->setContentsMargins(0, 0, 2, 0);
-    inside->addStretch();
-    inside->addWidget(m_lock);
     auto* layout = new QBoxLayout(isTall(parameter) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);
     layout->setContentsMargins(0, 1, 0, 1);
     layout->setSpacing(4);
@@ -60,7 +52,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     layout->addWidget(m_label);
     layout->addWidget(m_editor, 1);
     connect(m_editor, &ParameterEditor::edited, this, &ParameterRow::edit);
-    connect(m_lock, &QToolButton::clicked, this, [this] { m_locks.set(this->parameter(), false); });
     connect(&m_locks, &Locks::changed, this, &ParameterRow::showState);
 }
 
@@ -97,10 +88,28 @@ void ParameterRow::showState()
     }
     m_state = state;
     m_label->setText((state.changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()));
-    m_lock->setVisible(state.locked);
+    showLock(state.locked);
     m_label->setProperty("changed", state.changed);
     m_label->style()->unpolish(m_label);
     m_label->style()->polish(m_label);
+}
+
+void ParameterRow::showLock(bool locked)
+{
+    // Few parameters are ever locked: the mark is made when it is needed.
+    if (m_lock == nullptr && locked) {
+        m_lock = makeIconButton(m_label, m_editor->objectName() + QStringLiteral(".locked"), QStringLiteral("lock"), tr("Locked against randomising; press to unlock"));
+        constexpr QSize kMark(12, 12);
+        m_lock->setIconSize(kMark);
+        auto* inside = new QHBoxLayout(m_label);
+        inside->setContentsMargins(0, 0, 2, 0);
+        inside->addStretch();
+        inside->addWidget(m_lock);
+        connect(m_lock, &QToolButton::clicked, this, [this] { m_locks.set(parameter(), false); });
+    }
+    if (m_lock != nullptr) {
+        m_lock->setVisible(locked);
+    }
 }
 
 void ParameterRow::prefixNames(const QString& prefix)

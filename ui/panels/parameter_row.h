@@ -44,13 +44,14 @@ private:
     };
     void edit(const Value& value, bool finished);
     void showState();
+    void showLock(bool locked);
     void copy(bool asAssignment) const;
     void paste();
 
     Document& m_document;
     Locks& m_locks;
     QLabel* m_label;
-    QToolButton* m_lock; ///< the mark of a lock, inside the label
+    QToolButton* m_lock = nullptr; ///< the mark of a lock, inside the label; null until there was one
     ParameterEditor* m_editor;
     Gesture m_gesture; ///< of the edits since the last finished one
     Value m_shown;
