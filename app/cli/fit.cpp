@@ -43,8 +43,7 @@ Status fit(const PictureOptions& options)
         if (!job) {
             return job.error();
         }
-        const FrameRange frames = options.frames.empty() ? framesToFit(job.value().effect, {}) : job.value().plan.frames;
-        const Result<std::string> text = optionsFor(job.value().effect, frames);
+        const Result<std::string> text = optionsFor(job.value().effect, job.value().plan.frames);
         return text ? print(text.value()) : Status(text.error());
     });
 }

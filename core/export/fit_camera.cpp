@@ -1,5 +1,6 @@
 #include "core/export/fit_camera.h"
 
+#include "core/base/memory.h"
 #include "core/rendering/framing.h"
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
@@ -46,7 +47,7 @@ public:
                 return frame.error();
             }
             findAppearance(*frame.value(), m_smoke, Axes{}, m_appearance);
-            guess.addParticles(frame.value()->particles, m_appearance, secondsOf(*frame.value()));
+            guess.addParticles(frame.value()->particles, m_appearance, secondsOf(m_smoke->timeline, frame.value()->number));
             tell();
         }
         Camera camera = guess.camera();
@@ -74,8 +75,6 @@ private:
         return sampled(effect);
     }
 
-    [[nodiscard]] float secondsOf(const Frame& frame) const { return static_cast<float>(frame.number) / static_cast<float>(m_smoke->timeline.frameRate); }
-
     void tell()
     {
         const int total = m_guesses + kRounds * m_frames.count();
@@ -92,7 +91,7 @@ private:
             if (!frame) {
                 return frame.error();
             }
-            const float seconds = secondsOf(*frame.value());
+            const float seconds = secondsOf(m_smoke->timeline, frame.value()->number);
             const View view = makeView(camera, seconds, m_width, m_height);
             if (Status status = m_renderer.prepare(*frame.value(), m_smoke, view, m_stop); !status) {
                 return status;
@@ -148,7 +147,7 @@ FrameRange framesToFit(const Effect& effect, const FrameRange& asked)
 
 Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const SequenceProgress& progress, const std::stop_token& stop)
 {
-    return Fitting(effect, frames, progress, stop).run();
+    return withinMemory([&] { return Fitting(effect, frames, progress, stop).run(); });
 }
 
 } // namespace fumage

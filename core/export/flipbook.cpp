@@ -60,13 +60,12 @@ public:
     {
     }
 
-    void look(const Image& cell, const Frame& frame)
+    void look(const Image& cell, const Frame& frame, const Appearance& appearance)
     {
         if (m_smoke->output.background != Background::Transparent) {
             return;
         }
-        findAppearance(frame, m_smoke, Axes{}, m_appearance);
-        m_framing.addParticles(frame.particles, m_appearance, static_cast<float>(frame.number) / static_cast<float>(m_smoke->timeline.frameRate));
+        m_framing.addParticles(frame.particles, appearance, secondsOf(m_smoke->timeline, frame.number));
         const float alpha = mostAlphaOnTheBorder(cell);
         m_alpha = std::max(m_alpha, alpha);
         constexpr float kSeen = 1.0F / 255.0F;
@@ -98,7 +97,6 @@ public:
 private:
     const SampledEffect& m_smoke;
     Framing m_framing;
-    Appearance m_appearance;
     float m_alpha = 0.0F;
     std::optional<CutOff> m_cutOff;
 };
@@ -142,7 +140,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& 
         if (Status status = renderer.render(*frame.value(), smoke, output.width, output.height, cell, stop); !status) {
             return status.error();
         }
-        borders.look(cell, *frame.value());
+        borders.look(cell, *frame.value(), renderer.appearance());
         place(cell, sheet, number % options.columns * cell.width, number / options.columns * cell.height);
         progress(number + 1, cells);
     }

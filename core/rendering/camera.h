@@ -20,6 +20,12 @@ struct View {
     int height = 1;
 };
 
+/// Time of a frame since frame 0, as cameras and framings take it.
+[[nodiscard]] inline float secondsOf(const Timeline& timeline, int frame)
+{
+    return static_cast<float>(frame) / static_cast<float>(timeline.frameRate);
+}
+
 /// @param seconds time since frame 0, for the turntable
 /// @param width,height picture in pixels; the shorter side sees the whole sensor, so that a picture of any shape shows at least what a square one does
 [[nodiscard]] View makeView(const Camera& camera, float seconds, int width, int height);

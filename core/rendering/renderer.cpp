@@ -63,8 +63,7 @@ Status Renderer::composite(Image& image, const std::stop_token& stop)
 Status Renderer::render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop)
 {
     const int factor = effect->output.supersample;
-    const float seconds = static_cast<float>(frame.number) / static_cast<float>(effect->timeline.frameRate);
-    if (Status status = prepare(frame, effect, makeView(effect->camera, seconds, width * factor, height * factor), stop); !status) {
+    if (Status status = prepare(frame, effect, makeView(effect->camera, secondsOf(effect->timeline, frame.number), width * factor, height * factor), stop); !status) {
         return status;
     }
     if (Status status = composite(factor == 1 ? image : m_large, stop); !status) {

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] const SpriteBatch& batch() const { return m_batch; }
     /// The noise that the sprites of batch() show; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const SpriteTexture>& texture() const { return m_texture; }
+    /// What the look has made of the particles; valid as batch() is, with bounds in the axes of the light.
+    [[nodiscard]] const Appearance& appearance() const { return m_appearance; }
     /// How long the parts of the last picture took.
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 

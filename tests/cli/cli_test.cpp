@@ -39,6 +39,11 @@ Outcome run(const QStringList& arguments, const QString& wrapper = {})
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
+Outcome runIn(const QTemporaryDir& folder, const QStringList& arguments)
+{
+    return run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
+}
+
 const QStringList kSmall{"--size", "48", "--set", "emitter.count=500", "--set", "noise.slices=4", "--set", "noise.resolution=16"};
 
 /// Hash of everything in a folder.
@@ -111,7 +116,7 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, says);
         const QTemporaryDir folder;
-        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
+        const Outcome outcome = runIn(folder, arguments);
         QCOMPARE(outcome.code, 3);
         QVERIFY2(outcome.error.contains(says), outcome.error.constData());
         QCOMPARE(outcome.error.count('\n'), 1);
@@ -386,7 +391,7 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, says);
         const QTemporaryDir folder;
-        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
+        const Outcome outcome = runIn(folder, arguments);
         QCOMPARE(outcome.code, 3);
         QVERIFY2(outcome.error.contains(says), outcome.error.constData());
         QVERIFY(QDir(folder.path()).isEmpty());
@@ -433,7 +438,7 @@ private slots:
         QVERIFY(writePresetFile(preset.toStdString(), Preset()).ok());
         QVERIFY(QFile::link(preset, folder.filePath("link.csv")));
         const QByteArray before = contents(folder.path());
-        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
+        const Outcome outcome = runIn(folder, arguments);
         QCOMPARE(outcome.code, 3);
         QVERIFY2(outcome.error.contains("overwrite the preset"), outcome.error.constData());
         QVERIFY(contents(folder.path()) == before);

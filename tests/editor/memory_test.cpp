@@ -1,5 +1,6 @@
 // Memory that runs out costs what was being made, not the program.
 #include "editor_helpers.h"
+#include "picture_helpers.h"
 
 #include "ui/export/export_job.h"
 #include "ui/noise_preview/noise_picture.h"
@@ -41,16 +42,6 @@ private:
 
 constexpr rlim_t kLittle = rlim_t{400} << 20U;
 
-Effect smallEffect()
-{
-    Effect effect;
-    effect.emitter.count = 200;
-    effect.noise.resolution = 16;
-    effect.noise.slices = 2;
-    effect.light.resolution = 8;
-    return effect;
-}
-
 class Explosive : public QObject {
 public:
     bool event(QEvent* event) override
@@ -71,7 +62,7 @@ private slots:
     void anExportThatIsTooLargeFailsWithAMessage()
     {
         const QTemporaryDir folder;
-        Effect effect = smallEffect();
+        Effect effect = tinyEffect();
         effect.output.width = 8192;
         effect.output.height = 8192;
         ExportPlan plan;
@@ -96,7 +87,7 @@ private slots:
     void aPictureThatIsTooLargeIsGivenUpAndTheNextOneComes()
     {
         PictureFeed feed;
-        feed.setEffect(smallEffect(), Stage::Simulate);
+        feed.setEffect(tinyEffect(), Stage::Simulate);
         QSignalSpy exhausted(&feed, &PictureFeed::exhausted);
         QSignalSpy ready(&feed, &PictureFeed::ready);
         {

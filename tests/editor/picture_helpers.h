@@ -16,6 +16,17 @@ inline Effect smallEffect()
     return effect;
 }
 
+/// An effect that takes hardly any time or memory.
+inline Effect tinyEffect()
+{
+    Effect effect;
+    effect.emitter.count = 200;
+    effect.noise.resolution = 16;
+    effect.noise.slices = 2;
+    effect.light.resolution = 8;
+    return effect;
+}
+
 inline ui::PictureRequest requestFor(const Effect& effect, int frame = 20)
 {
     ui::PictureRequest request;

@@ -1,5 +1,6 @@
 // Small pictures that are kept from one start to the next.
 #include "editor_helpers.h"
+#include "picture_helpers.h"
 
 #include "ui/presets/thumbnailer.h"
 
@@ -9,16 +10,6 @@ using namespace fumage::tests;
 namespace {
 
 constexpr int kEdge = 24;
-
-Effect smallEffect()
-{
-    Effect effect;
-    effect.emitter.count = 200;
-    effect.noise.resolution = 16;
-    effect.noise.slices = 2;
-    effect.light.resolution = 8;
-    return effect;
-}
 
 QImage mark()
 {
@@ -37,32 +28,32 @@ private slots:
 
     void aPictureOfTheSameContentIsNotRenderedAgain()
     {
-        store().put(smallEffect(), kEdge, mark());
-        QCOMPARE(picture(smallEffect()), mark());
+        store().put(tinyEffect(), kEdge, mark());
+        QCOMPARE(picture(tinyEffect()), mark());
     }
 
     void anotherEffectOrSizeIsAnotherPicture()
     {
-        store().put(smallEffect(), kEdge, mark());
-        Effect other = smallEffect();
+        store().put(tinyEffect(), kEdge, mark());
+        Effect other = tinyEffect();
         other.look.opacity *= 2.0F;
         QVERIFY(picture(other) != mark());
-        QVERIFY(store().find(smallEffect(), 2 * kEdge).isNull());
+        QVERIFY(store().find(tinyEffect(), 2 * kEdge).isNull());
     }
 
     void whatWasRenderedIsKept()
     {
-        const QImage first = picture(smallEffect());
-        QCOMPARE(store().find(smallEffect(), kEdge), first);
+        const QImage first = picture(tinyEffect());
+        QCOMPARE(store().find(tinyEffect(), kEdge), first);
     }
 
     void aBrokenFileIsRenderedAnew()
     {
-        const QImage first = picture(smallEffect());
+        const QImage first = picture(tinyEffect());
         const QFileInfoList files = QDir(m_folder.path()).entryInfoList(QDir::Files);
         QCOMPARE(files.size(), 1);
         QVERIFY(QFile::resize(files[0].filePath(), 40));
-        QCOMPARE(picture(smallEffect()), first);
+        QCOMPARE(picture(tinyEffect()), first);
     }
 
     void theFolderDoesNotGrowForEver()

@@ -53,7 +53,7 @@ QStringList filesThere(const ExportPlan& plan)
     const std::filesystem::path picture = firstFile(plan);
     addIfThere(there, picture);
     if (plan.kind == ExportKind::Flipbook) {
-        addIfThere(there, std::filesystem::path(picture).replace_extension(".flipbook.json"));
+        addIfThere(there, descriptionOf(picture));
     }
     return there;
 }

@@ -15,8 +15,7 @@ QRectF exportFrame(const Effect& effect, int width, int height)
 
 View windowView(const Effect& effect, int frame, int width, int height)
 {
-    const float seconds = static_cast<float>(frame) / static_cast<float>(effect.timeline.frameRate);
-    View view = makeView(effect.camera, seconds, width, height);
+    View view = makeView(effect.camera, secondsOf(effect.timeline, frame), width, height);
     const QRectF inside = exportFrame(effect, width, height);
     const double shorter = std::min(inside.width(), inside.height());
     view.focal *= static_cast<float>(shorter / std::min(width, height));
