@@ -24,7 +24,7 @@ bool isIgnored(int number)
     std::abort();
 }
 
-void takeSignals(std::stop_source stop, sigset_t signals)
+void takeSignals(const std::stop_source& stop, const sigset_t& signals)
 {
     int number = 0;
     sigwait(&signals, &number);

@@ -30,7 +30,7 @@ Status validate(const ValidateOptions& options)
         }
         if (options.strict && !reading.value().warnings.empty()) {
             result = Error{ErrorCode::OutOfRange, "there were warnings", "", "Leave out --strict to accept them"};
-        } else if (const Status status = print(printable(name) + ": valid\n"); !status) {
+        } else if (Status status = print(printable(name) + ": valid\n"); !status) {
             return status;
         }
     }

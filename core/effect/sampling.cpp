@@ -13,7 +13,7 @@ SampledEffect sampled(const Effect& effect)
     Effect out = effect;
     out.output.quality = Quality::Good;
     if (effect.output.quality == Quality::Good) {
-        return SampledEffect(std::move(out));
+        return SampledEffect(out);
     }
     const bool fine = effect.output.quality == Quality::Final;
     constexpr int kFiner = 8;
@@ -25,7 +25,7 @@ SampledEffect sampled(const Effect& effect)
     const float root = std::sqrt(ratio);
     setClamped(out, knownParameter("look.size"), effect.look.size * std::sqrt(root));
     setClamped(out, knownParameter("look.opacity"), effect.look.opacity * root);
-    return SampledEffect(std::move(out));
+    return SampledEffect(out);
 }
 
 SampledEffect thinned(const SampledEffect& effect, int most)
@@ -37,7 +37,7 @@ SampledEffect thinned(const SampledEffect& effect, int most)
         out.emitter.count = most;
         setClamped(out, knownParameter("look.size"), out.look.size * std::sqrt(ratio));
     }
-    return SampledEffect(std::move(out));
+    return SampledEffect(out);
 }
 
 } // namespace fumage
