@@ -1,6 +1,9 @@
 #include "app/cli/command.h"
 
+#include "core/base/text.h"
 #include "core/effect/value.h"
+
+#include <set>
 
 namespace fumage::cli {
 
@@ -35,6 +38,18 @@ Result<NamedEffect> load(const std::string& preset, const std::vector<std::strin
     return named;
 }
 
+/// Presets of one name in different folders would be written to the same files.
+Status refuseSameNames(const std::vector<NamedEffect>& effects)
+{
+    std::set<std::string> names;
+    for (const NamedEffect& named : effects) {
+        if (!names.insert(named.name).second) {
+            return Error{ErrorCode::OutOfRange, "two presets are called " + inQuotes(named.name) + ", and one's files would overwrite the other's", named.file.string(), "Write them to different folders"};
+        }
+    }
+    return Done{};
+}
+
 } // namespace
 
 void EffectOptions::addTo(CLI::App& command)
@@ -50,16 +65,28 @@ Status EffectOptions::forEach(const std::string& output, const std::function<Sta
     if (presets.size() > 1 && !isFolder) {
         return Error{ErrorCode::OutOfRange, "several presets cannot be written to one file", output, "Name a folder, as in --output out/"};
     }
+    std::vector<NamedEffect> effects;
     for (const std::string& preset : presets) {
-        const Result<NamedEffect> named = load(preset, assignments);
+        Result<NamedEffect> named = load(preset, assignments);
         if (!named) {
             return named.error();
         }
-        if (Status status = work(named.value()); !status) {
+        effects.push_back(std::move(named.value()));
+    }
+    if (Status status = refuseSameNames(effects); !status) {
+        return status;
+    }
+    for (const NamedEffect& named : effects) {
+        if (Status status = work(named); !status) {
             return status;
         }
     }
     return Done{};
+}
+
+void addJson(CLI::App& command, bool& asJson)
+{
+    command.add_flag("--json", asJson, "Answer in JSON, for programs to read");
 }
 
 Result<PresetReading> readPreset(const std::string& name)

@@ -43,10 +43,13 @@ struct EffectOptions {
     /// Adds PRESET and --set to a subcommand.
     void addTo(CLI::App& command);
 
-    /// Loads each preset, applies --set in order, and does the work; warnings go to standard error.
+    /// Loads all presets and applies --set in order, then does the work for each; warnings go to standard error.
     /// @param output what the user named for what is written: with several presets only a folder will do
     [[nodiscard]] Status forEach(const std::string& output, const std::function<Status(const NamedEffect&)>& work) const;
 };
+
+/// Adds --json to a subcommand whose answer a program may want to read.
+void addJson(CLI::App& command, bool& asJson);
 
 /// Reads a preset that a person names; "-" is standard input.
 [[nodiscard]] Result<PresetReading> readPreset(const std::string& name);

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json_answer.h"
 
 #include "core/base/simd.h"
 #include "core/base/text.h"
@@ -38,6 +39,31 @@ Status info(const std::string& name)
     return print(out.str());
 }
 
+Status infoAsJson(const std::string& name)
+{
+    const Result<PresetReading> reading = readPreset(name);
+    if (!reading) {
+        return reading.error();
+    }
+    const Preset& preset = reading.value().preset;
+    const Effect& effect = preset.effect;
+    const Schedule schedule = makeSchedule(sampled(effect));
+    const auto values = nlohmann::ordered_json::parse(formatPreset(preset));
+    auto changed = nlohmann::ordered_json::object();
+    for (const Parameter* parameter : differences(effect, Effect{})) {
+        const std::string key(parameter->key);
+        const std::size_t dot = key.find('.');
+        changed[key] = values.at(key.substr(0, dot)).at(key.substr(dot + 1));
+    }
+    return printJson({{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()}, {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt},
+        {"frames", effect.timeline.length}, {"frameRate", effect.timeline.frameRate}, {"loop", effect.timeline.loop}, {"width", effect.output.width}, {"height", effect.output.height}, {"changed", changed}});
+}
+
+Status machineAsJson()
+{
+    return printJson({{"version", FUMAGE_VERSION}, {"instructionSets", availableSimdTargets()}, {"userPresets", userPresetFolder().string()}});
+}
+
 Status machine()
 {
     std::ostringstream out;
@@ -53,10 +79,22 @@ Status machine()
 
 void addInfo(CLI::App& program, Action& action)
 {
-    auto preset = std::make_shared<std::string>();
+    struct Options {
+        std::string preset;
+        bool json = false;
+    };
+    auto options = std::make_shared<Options>();
     CLI::App* command = program.add_subcommand("info", "Show what a preset is, or without one what this machine has");
-    command->add_option("preset", *preset, "Name or file")->type_name("PRESET");
-    command->callback([preset, &action] { action = [preset] { return preset->empty() ? machine() : info(*preset); }; });
+    command->add_option("preset", options->preset, "Name or file")->type_name("PRESET");
+    addJson(*command, options->json);
+    command->callback([options, &action] {
+        action = [options] {
+            if (options->preset.empty()) {
+                return options->json ? machineAsJson() : machine();
+            }
+            return options->json ? infoAsJson(options->preset) : info(options->preset);
+        };
+    });
 }
 
 } // namespace fumage::cli

@@ -1,8 +1,10 @@
 #include "app/cli/command.h"
+#include "app/cli/json_answer.h"
 
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
+#include "core/preset/preset.h"
 
 #include <memory>
 #include <sstream>
@@ -56,14 +58,51 @@ Status markdown()
     return print(out.str());
 }
 
+Status json()
+{
+    const Effect defaults;
+    const auto values = nlohmann::ordered_json::parse(formatPreset({"", "", defaults, {}}));
+    auto all = nlohmann::ordered_json::array();
+    for (const Parameter& parameter : parameterTable()) {
+        const std::string key(parameter.key);
+        nlohmann::ordered_json& one = all.emplace_back(nlohmann::ordered_json{{"key", key}, {"label", parameter.label}, {"group", parameter.group()}});
+        one["default"] = values.at(std::string(parameter.group())).at(key.substr(key.find('.') + 1));
+        if (parameter.kind == Kind::Choice) {
+            one["choices"] = std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end());
+        } else if (parameter.kind != Kind::Bool) {
+            one["minimum"] = parameter.hard.low;
+            one["maximum"] = parameter.hard.high;
+        }
+        one["unit"] = unitSymbol(parameter.unit);
+        one["tip"] = parameter.tip;
+        one["source"] = parameter.source;
+    }
+    return printJson(all);
+}
+
+struct ParameterOptions {
+    bool markdown = false;
+    bool json = false;
+};
+
+Status run(const ParameterOptions& options)
+{
+    if (options.json) {
+        return json();
+    }
+    return options.markdown ? markdown() : plain();
+}
+
 } // namespace
 
 void addParameters(CLI::App& program, Action& action)
 {
-    auto asMarkdown = std::make_shared<bool>(false);
+    auto options = std::make_shared<ParameterOptions>();
     CLI::App* command = program.add_subcommand("parameters", "List all parameters with defaults, ranges and what they do");
-    command->add_flag("--markdown", *asMarkdown, "As tables for documentation");
-    command->callback([asMarkdown, &action] { action = [asMarkdown] { return *asMarkdown ? markdown() : plain(); }; });
+    CLI::Option* asMarkdown = command->add_flag("--markdown", options->markdown, "As tables for documentation");
+    addJson(*command, options->json);
+    command->get_option("--json")->excludes(asMarkdown);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 } // namespace fumage::cli

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json_answer.h"
 
 #include "core/base/text.h"
 #include "core/preset/library.h"
@@ -42,6 +43,28 @@ Status presets()
     return print(out.str());
 }
 
+void listInto(nlohmann::ordered_json& all, const std::vector<LibraryEntry>& entries)
+{
+    for (const LibraryEntry& entry : entries) {
+        const Result<PresetReading> reading = loadPreset(entry);
+        nlohmann::ordered_json& one = all.emplace_back(nlohmann::ordered_json{{"id", entry.id}, {"file", entry.path.string()}, {"builtin", entry.path.empty()}});
+        if (reading) {
+            const Preset& preset = reading.value().preset;
+            one.update({{"name", preset.name}, {"description", preset.description}, {"loop", preset.effect.timeline.loop}});
+        } else {
+            one["error"] = reading.error().text();
+        }
+    }
+}
+
+Status presetsAsJson()
+{
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    listInto(all, builtinPresets());
+    listInto(all, presetsIn(userPresetFolder()));
+    return printJson(all);
+}
+
 /// Prints the preset as canonical JSON: a start for one's own.
 Status show(const std::string& name, const std::string& output)
 {
@@ -52,7 +75,16 @@ Status show(const std::string& name, const std::string& output)
 struct PresetOptions {
     std::string show;
     std::string output = "-";
+    bool json = false;
 };
+
+Status run(const PresetOptions& options)
+{
+    if (!options.show.empty()) {
+        return show(options.show, options.output);
+    }
+    return options.json ? presetsAsJson() : presets();
+}
 
 } // namespace
 
@@ -62,7 +94,8 @@ void addPresets(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("presets", "List the presets, or print one as JSON");
     command->add_option("--show", options->show, "Print this preset as canonical JSON")->type_name("PRESET");
     command->add_option("-o,--output", options->output, "File for --show; - is standard output")->type_name("FILE")->capture_default_str();
-    command->callback([options, &action] { action = [options] { return options->show.empty() ? presets() : show(options->show, options->output); }; });
+    addJson(*command, options->json);
+    command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
 } // namespace fumage::cli

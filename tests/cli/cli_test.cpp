@@ -3,9 +3,13 @@
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
+#include "core/effect/parameter_table.h"
 #include "core/preset/preset.h"
 
 #include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 
@@ -402,6 +406,36 @@ private slots:
         const Outcome outcome = run({"render", "default", "-f", "0", "-o", "/dev/stdout"});
         QCOMPARE(outcome.code, 1);
         QVERIFY2(outcome.error.contains("- for standard output"), outcome.error.constData());
+    }
+
+    void presetsOfOneNameAreNotWrittenOverEachOther()
+    {
+        const QTemporaryDir folder;
+        for (const QString& place : {QStringLiteral("a"), QStringLiteral("b")}) {
+            QVERIFY(QDir(folder.path()).mkdir(place));
+            QVERIFY(writePresetFile((folder.path() + "/" + place + "/mine.json").toStdString(), Preset()).ok());
+        }
+        const Outcome outcome = runIn(folder, {"bake-noise", "a/mine.json", "b/mine.json", "-o", "out/"});
+        QCOMPARE(outcome.code, 3);
+        QVERIFY2(outcome.error.contains("two presets are called \"mine\""), outcome.error.constData());
+        QVERIFY(!QDir(folder.filePath("out")).exists());
+    }
+
+    void answersCanBeReadByPrograms()
+    {
+        const auto answer = [](const QStringList& arguments) { return QJsonDocument::fromJson(run(arguments).out); };
+        const auto hasOne = [](const QJsonArray& all, const auto& isIt) { return std::any_of(all.begin(), all.end(), isIt); };
+        const QJsonArray presets = answer({"presets", "--json"}).array();
+        QVERIFY(presets.size() >= 16);
+        QVERIFY(hasOne(presets, [](const QJsonValue& one) { return one["id"].toString() == "campfire" && one["builtin"].toBool() && one["loop"].toBool(); }));
+        const QJsonObject info = answer({"info", "default", "--json"}).object();
+        QCOMPARE(info["frames"].toInt(), Effect().timeline.length);
+        QVERIFY(info.contains("changed") && info["changed"].toObject().isEmpty());
+        QCOMPARE(answer({"info", "dust", "--json"})["changed"]["emitter.mode"].toString(), QString("burst"));
+        QVERIFY(!answer({"info", "--json"})["instructionSets"].toArray().isEmpty());
+        const QJsonArray parameters = answer({"parameters", "--json"}).array();
+        QCOMPARE(static_cast<std::size_t>(parameters.size()), parameterTable().size());
+        QVERIFY(hasOne(parameters, [](const QJsonValue& one) { return one["key"].toString() == "motion.wind" && one["maximum"].toDouble() > 0.0; }));
     }
 
     void standardStreamsAreADash()
