@@ -1,5 +1,6 @@
 #include "ui/export/export_summary.h"
 
+#include "core/export/output_name.h"
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 
@@ -7,7 +8,20 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace fumage::ui {
+
+namespace {
+
+template <class Format>
+std::optional<int> withEnding(std::string_view ending, std::initializer_list<Format> formats)
+{
+    const auto* const found = std::ranges::find(formats, ending, [](Format format) { return fileEnding(format); });
+    return found == formats.end() ? std::nullopt : std::optional(static_cast<int>(*found));
+}
+
+} // namespace
 
 bool isPossible(const ExportPlan& plan)
 {
@@ -23,7 +37,7 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
     if (!isPossible(plan)) {
         return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
-    const QString first = toQString(firstFile(plan).filename().string());
+    QString first = toQString(firstFile(plan).filename().string());
     if (plan.kind == ExportKind::Sequence) {
         return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, toQString(lastFile(plan).filename().string()));
     }
@@ -50,31 +64,16 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
 
 std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 {
-    const QString ending = QFileInfo(path).suffix().toLower();
-    const bool particles = kind == ExportKind::Particles;
-    if (ending == QStringLiteral("png") && !particles) {
-        return static_cast<int>(ImageFormat::Png8);
-    }
-    if (ending == QStringLiteral("exr") && !particles) {
-        return static_cast<int>(ImageFormat::ExrHalf);
-    }
-    if (ending == QStringLiteral("csv") && particles) {
-        return static_cast<int>(ParticleFormat::Csv);
-    }
-    if (ending == QStringLiteral("ply") && particles) {
-        return static_cast<int>(ParticleFormat::Ply);
-    }
-    return std::nullopt;
+    const std::string ending = endingOf(path.toStdString());
+    return kind == ExportKind::Particles ? withEnding(ending, {ParticleFormat::Csv, ParticleFormat::Ply}) : withEnding(ending, {ImageFormat::Png8, ImageFormat::ExrHalf});
 }
 
 QString withEndingOf(const ExportPlan& plan, const QString& path)
 {
-    for (const QString& ending : {QStringLiteral(".png"), QStringLiteral(".exr"), QStringLiteral(".csv"), QStringLiteral(".ply")}) {
-        if (path.endsWith(ending, Qt::CaseInsensitive)) {
-            return path.chopped(ending.size()) + toQString(fileEnding(plan));
-        }
+    if (!formatNamedBy(path, ExportKind::Picture) && !formatNamedBy(path, ExportKind::Particles)) {
+        return path;
     }
-    return path;
+    return path.left(path.lastIndexOf(QLatin1Char('.'))) + toQString(fileEnding(plan));
 }
 
 } // namespace fumage::ui
