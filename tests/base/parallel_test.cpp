@@ -58,7 +58,7 @@ private slots:
                 --running;
             });
         };
-        QVERIFY_EXCEPTION_THROWN(loop(), std::runtime_error);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, loop());
         QCOMPARE(running.load(), 0);
         std::atomic<int> after{0};
         parallelFor(100, [&](std::size_t) { ++after; });
