@@ -42,7 +42,11 @@ Status dumpToStandardOutput(const DumpOptions& options, const NamedEffect& named
         return Error{ErrorCode::OutOfRange, "several frames are several files", "--frames " + options.frames, "Name a file for them, as in --output smoke_####.csv"};
     }
     const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
-    const Result<std::string> text = dumpParticles(named.effect, sequence.frames.first, format, interruption(), sequence.up);
+    Result<std::string> text = std::string();
+    {
+        ProgressBar bar("Writing");
+        text = dumpParticles(named.effect, sequence.frames.first, format, interruption(), sequence.up, bar.listener());
+    }
     return text ? print(text.value()) : Status(text.error());
 }
 
@@ -52,9 +56,7 @@ Status dumpToFiles(const NamedEffect& named, const ParticleSequenceOptions& sequ
     const int count = sequence.frames.count();
     {
         ProgressBar bar("Writing");
-        if (Status status = dumpSequence(
-                named.effect, sequence, [&](int done, int total) { bar.show(done, total); }, interruption());
-            !status) {
+        if (Status status = dumpSequence(named.effect, sequence, bar.listener(), interruption()); !status) {
             return status;
         }
     }

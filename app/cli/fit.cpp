@@ -18,8 +18,7 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
     Effect fitted = effect;
     {
         ProgressBar bar("Looking");
-        const Result<Camera> camera = fitCamera(
-            effect, frames, [&](int done, int total) { bar.show(done, total); }, interruption());
+        const Result<Camera> camera = fitCamera(effect, frames, bar.listener(), interruption());
         if (!camera) {
             return camera.error();
         }

@@ -96,15 +96,14 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
 Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
 {
     if (job.plan.output == kStandardStream) {
-        const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, interruption());
+        const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, interruption(), ProgressBar("Rendering").listener());
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
     Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
     {
         ProgressBar bar("Rendering");
-        done = runExport(
-            job.effect, job.plan, [&](int count, int total) { bar.show(count, total); }, interruption());
+        done = runExport(job.effect, job.plan, bar.listener(), interruption());
     }
     if (done) {
         const bool one = job.plan.kind != ExportKind::Sequence;

@@ -7,6 +7,20 @@
 
 namespace fumage::cli {
 
+namespace {
+
+std::string nameOf(Work work, const std::string& frames)
+{
+    switch (work) {
+    case Work::PreRoll: return "Simulating steps before";
+    case Work::Fitting: return "Looking";
+    case Work::Frames: return frames;
+    }
+    return frames;
+}
+
+} // namespace
+
 ProgressBar::ProgressBar(std::string what)
     : m_what(std::move(what))
     , m_terminal(::isatty(STDERR_FILENO) != 0 && std::clog.rdbuf() != nullptr)
@@ -20,17 +34,28 @@ ProgressBar::~ProgressBar()
     }
 }
 
-void ProgressBar::show(int done, int total)
+Progress ProgressBar::listener()
 {
-    if (!m_terminal) {
+    return [this](Work work, int done, int total) { show(work, done, total); };
+}
+
+void ProgressBar::show(Work work, int done, int total)
+{
+    const bool between = m_work == Work::Frames && work == Work::PreRoll;
+    if (!m_terminal || between) {
         return;
+    }
+    if (m_work != work) {
+        // What one part took says nothing of the next.
+        m_start = m_work ? std::chrono::steady_clock::now() : m_start;
+        m_work = work;
     }
     constexpr int kWidth = 30;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
     const double left = seconds / done * (total - done);
     const std::string bar = std::string(static_cast<std::size_t>(kWidth * done / total), '#');
     // \033[K clears what a longer line left behind.
-    std::fprintf(stderr, "\r%s [%-*s] %d/%d  %.1f/s  %.0f s left\033[K", m_what.c_str(), kWidth, bar.c_str(), done, total, done / seconds, left);
+    std::fprintf(stderr, "\r%s [%-*s] %d/%d  %.1f/s  %.0f s left\033[K", nameOf(work, m_what).c_str(), kWidth, bar.c_str(), done, total, done / seconds, left);
     std::fflush(stderr);
     m_shown = true;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/base/progress.h"
+
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace fumage::cli {
@@ -8,17 +11,22 @@ namespace fumage::cli {
 /// A bar with the time left on standard error; nothing where that is not a terminal.
 class ProgressBar {
 public:
+    /// @param what is being done to the frames: "Rendering"
     explicit ProgressBar(std::string what);
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    void show(int done, int total);
+    /// Shows here what it hears; no longer than the bar lives.
+    [[nodiscard]] Progress listener();
 
 private:
+    void show(Work work, int done, int total);
+
     std::string m_what;
     bool m_terminal;
     bool m_shown = false;
+    std::optional<Work> m_work;
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 

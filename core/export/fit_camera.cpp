@@ -24,7 +24,7 @@ constexpr float kSeen = 0.5F / 255.0F;
 /// Looks at all frames of an effect, from a camera that comes nearer to what is wanted each time.
 class Fitting {
 public:
-    Fitting(const Effect& effect, const FrameRange& frames, const SequenceProgress& progress, const std::stop_token& stop)
+    Fitting(const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
         : m_smoke(smokeOf(effect))
         , m_simulator(m_smoke)
         , m_frames(frames)
@@ -42,7 +42,7 @@ public:
         const Camera& asked = m_smoke->camera;
         Framing guess(asked, m_width, m_height);
         for (int index = 0; index < m_frames.count(); index += kStride) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_stop);
+            const auto frame = m_simulator.frame(m_frames.at(index), m_stop, m_progress);
             if (!frame) {
                 return frame.error();
             }
@@ -79,7 +79,7 @@ private:
     {
         const int total = m_guesses + kRounds * m_frames.count();
         m_done = std::min(m_done + 1, total);
-        m_progress(m_done, total);
+        m_progress(Work::Fitting, m_done, total);
     }
 
     /// Renders every frame through a camera, and adds where smoke was seen.
@@ -87,7 +87,7 @@ private:
     {
         m_touches = false;
         for (int index = 0; index < m_frames.count(); ++index) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_stop);
+            const auto frame = m_simulator.frame(m_frames.at(index), m_stop, m_progress);
             if (!frame) {
                 return frame.error();
             }
@@ -129,7 +129,7 @@ private:
     Appearance m_appearance;
     Image m_image;
     FrameRange m_frames;
-    const SequenceProgress& m_progress;
+    const Progress& m_progress;
     std::stop_token m_stop;
     int m_width = 1;
     int m_height = 1;
@@ -145,7 +145,7 @@ FrameRange framesToFit(const Effect& effect, const FrameRange& asked)
     return {std::min(0, asked.first), std::max(effect.timeline.length - 1, asked.last), 1};
 }
 
-Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const SequenceProgress& progress, const std::stop_token& stop)
+Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
 {
     return withinMemory([&] { return Fitting(effect, frames, progress, stop).run(); });
 }

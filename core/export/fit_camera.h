@@ -16,6 +16,6 @@ namespace fumage {
 /// @param progress called after each frame that was looked at; each is looked at several times
 /// @error Cancelled, OutOfMemory; OutOfRange where no frame has smoke
 /// O(frames), each as a frame of a sequence at a small size, three times.
-[[nodiscard]] Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const SequenceProgress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -122,7 +122,7 @@ std::string describe(const Effect& effect, const FlipbookOptions& options, const
 }
 
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
-Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& sheet, Flipbook& flipbook, const SequenceProgress& progress, const std::stop_token& stop)
+Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& sheet, Flipbook& flipbook, const Progress& progress, const std::stop_token& stop)
 {
     const Output& output = effect.output;
     const SampledEffect smoke = sampled(effect);
@@ -133,7 +133,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& 
     const int cells = options.columns * options.rows;
     sheet.resize(output.width * options.columns, output.height * options.rows);
     for (int number = 0; number < cells; ++number) {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(frameOfCell(options, number), stop);
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(frameOfCell(options, number), stop, progress);
         if (!frame) {
             return frame.error();
         }
@@ -142,7 +142,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& 
         }
         borders.look(cell, *frame.value(), renderer.appearance());
         place(cell, sheet, number % options.columns * cell.width, number / options.columns * cell.height);
-        progress(number + 1, cells);
+        progress(Work::Frames, number + 1, cells);
     }
     borders.tell(flipbook);
     return Done{};
@@ -161,7 +161,7 @@ std::filesystem::path descriptionOf(const std::filesystem::path& picture)
     return std::filesystem::path(picture).replace_extension(".flipbook.json");
 }
 
-Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
+Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = check(effect, options); !status) {
         return status.error();

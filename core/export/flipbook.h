@@ -48,6 +48,6 @@ struct Flipbook {
 /// Godot and Effekseer read them. PNG: straight alpha in which transparent pixels have the colour of the smoke next to them, so that filtering and
 /// mipmaps bring no dark rims. Beside it NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). Both are written whole or not at all.
 /// @error TooLarge, OutOfRange, those of renderSequence()
-[[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const SequenceProgress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -132,9 +132,9 @@ std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
 
 namespace {
 
-Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up, const std::stop_token& stop)
+Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up, const std::stop_token& stop, const Progress& progress)
 {
-    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, stop);
+    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, stop, progress);
     if (!simulated) {
         return simulated.error();
     }
@@ -145,13 +145,13 @@ Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat fo
 
 } // namespace
 
-Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop, UpAxis up)
+Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop, UpAxis up, const Progress& progress)
 {
     Simulator simulator(sampled(effect));
-    return dumpFrame(simulator, frame, format, up, stop);
+    return dumpFrame(simulator, frame, format, up, stop, progress);
 }
 
-Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
+Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (isFileOfAFrame(options.source, options.output, options.frames, fileEnding(options.format))) {
         return wouldOverwrite(options.source);
@@ -162,14 +162,14 @@ Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options
     Simulator simulator(sampled(effect));
     for (int done = 0; done < options.frames.count(); ++done) {
         const int number = options.frames.at(done);
-        const Result<std::string> text = dumpFrame(simulator, number, options.format, options.up, stop);
+        const Result<std::string> text = dumpFrame(simulator, number, options.format, options.up, stop, progress);
         if (!text) {
             return text.error();
         }
         if (Status status = writeFileAtomically(framePath(options.output, options.frames, fileEnding(options.format), number), text.value()); !status) {
             return status;
         }
-        progress(done + 1, options.frames.count());
+        progress(Work::Frames, done + 1, options.frames.count());
     }
     return Done{};
 }

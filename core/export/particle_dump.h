@@ -34,7 +34,7 @@ enum class UpAxis {
 
 /// Simulates up to a frame and returns its particles as the bytes of a file.
 /// @error those of Simulator::frame()
-[[nodiscard]] Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop = {}, UpAxis up = UpAxis::Y);
+[[nodiscard]] Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop = {}, UpAxis up = UpAxis::Y, const Progress& progress = {});
 
 struct ParticleSequenceOptions {
     std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
@@ -46,6 +46,6 @@ struct ParticleSequenceOptions {
 
 /// Writes the particles of frames into numbered files, each whole or not at all.
 /// @error WouldOverwrite; that of the first frame that fails: files before it stay
-[[nodiscard]] Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

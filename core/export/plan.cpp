@@ -25,9 +25,9 @@ Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
-Result<std::vector<std::byte>> particleBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+Result<std::vector<std::byte>> particleBytes(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
-    const Result<std::string> text = dumpParticles(effect, plan.frames.first, plan.particles, stop);
+    const Result<std::string> text = dumpParticles(effect, plan.frames.first, plan.particles, stop, UpAxis::Y, progress);
     if (!text) {
         return text.error();
     }
@@ -35,7 +35,7 @@ Result<std::vector<std::byte>> particleBytes(const Effect& effect, const ExportP
     return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
-Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     switch (plan.kind) {
     case ExportKind::Sequence:
@@ -44,19 +44,19 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
             return Error{ErrorCode::OutOfRange, "these are several files", "", "Name a file, or one frame"};
         }
         [[fallthrough]];
-    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, plan.format, stop);
+    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, plan.format, stop, progress);
     case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
-    case ExportKind::Particles: return particleBytes(effect, plan, stop);
+    case ExportKind::Particles: return particleBytes(effect, plan, progress, stop);
     }
     return std::vector<std::byte>();
 }
 
-Status writeOne(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+Status writeOne(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = makeFolderOf(plan.output); !status) {
         return status;
     }
-    const Result<std::vector<std::byte>> bytes = bytesOf(effect, plan, stop);
+    const Result<std::vector<std::byte>> bytes = bytesOf(effect, plan, progress, stop);
     return bytes ? writeFileAtomically(plan.output, bytes.value()) : Status(bytes.error());
 }
 
@@ -77,7 +77,7 @@ bool overwritesSource(const ExportPlan& plan)
     return isSameFile(plan.output, plan.source);
 }
 
-Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     const Result<Flipbook> flipbook = renderFlipbook(effect, {plan.output, plan.columns, plan.rows, plan.frames, plan.format}, progress, stop);
     return flipbook ? Result<std::optional<Flipbook>>(flipbook.value()) : flipbook.error();
@@ -115,7 +115,7 @@ std::filesystem::path lastFile(const ExportPlan& plan)
 namespace {
 
 /// The effect as the plan's camera sees it.
-Result<Effect> fitted(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+Result<Effect> fitted(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     Effect out = effect;
     if (plan.fitCamera && isPicture(plan.kind)) {
@@ -128,7 +128,7 @@ Result<Effect> fitted(const Effect& effect, const ExportPlan& plan, const Sequen
     return out;
 }
 
-Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     const auto plainly = [](const Status& status) { return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error(); };
     switch (plan.kind) {
@@ -136,14 +136,14 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     case ExportKind::Picture: return plainly(renderSequence(effect, sequenceOf(plan), progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
     case ExportKind::NoiseTexture:
-    case ExportKind::Particles: return plainly(writeOne(effect, plan, stop));
+    case ExportKind::Particles: return plainly(writeOne(effect, plan, progress, stop));
     }
     return std::optional<Flipbook>();
 }
 
 } // namespace
 
-Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     if (overwritesSource(plan)) {
         return wouldOverwrite(plan.source);
@@ -154,12 +154,11 @@ Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan
     });
 }
 
-Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop, const Progress& progress)
 {
     return withinMemory([&]() -> Result<std::vector<std::byte>> {
-        const Result<Effect> seen = fitted(
-            effect, plan, [](int, int) {}, stop);
-        return seen ? bytesOf(seen.value(), plan, stop) : seen.error();
+        const Result<Effect> seen = fitted(effect, plan, progress, stop);
+        return seen ? bytesOf(seen.value(), plan, progress, stop) : seen.error();
     });
 }
 

@@ -42,13 +42,13 @@ struct ExportPlan {
 [[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
-/// @param progress called after each picture of a sequence and each cell of a flipbook; before them, after each frame that a fit of the camera looked at
+/// @param progress hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit of the camera looked at
 /// @return         the flipbook, where that is what was made
 /// @error          WouldOverwrite where a file that the plan names is the source; those of fitCamera(), renderSequence(), renderFlipbook(), bakeNoise() writeFileAtomically(), and OutOfMemory
-[[nodiscard]] Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const SequenceProgress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
 
 /// The bytes of the one file of a plan, without writing it.
 /// @error OutOfRange where there are several files; those of runExport()
-[[nodiscard]] Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop = {}, const Progress& progress = {});
 
 } // namespace fumage

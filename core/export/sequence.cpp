@@ -78,10 +78,10 @@ std::filesystem::path framePath(const SequenceOptions& options, int frame)
     return framePath(options.output, options.frames, fileEnding(options.format), frame);
 }
 
-Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop, const Progress& progress)
 {
     const SampledEffect smoke = sampled(effect);
-    const Result<std::shared_ptr<const Frame>> simulated = Simulator(smoke).frame(frame, stop);
+    const Result<std::shared_ptr<const Frame>> simulated = Simulator(smoke).frame(frame, stop, progress);
     if (!simulated) {
         return simulated.error();
     }
@@ -92,7 +92,7 @@ Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, Imag
     return encodeImage(image, effect.output, format, effect.timeline.frameRate, stop);
 }
 
-Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop)
+Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
@@ -106,7 +106,7 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
     const auto finishWriting = [&]() -> Status { return writing.valid() ? writing.get() : Status(Done{}); };
     for (int done = 0; done < total; ++done) {
         const int number = options.frames.at(done);
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop);
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
         if (!frame) {
             return frame.error();
         }
@@ -118,14 +118,14 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
             return status;
         }
         if (done > 0) {
-            progress(done, total);
+            progress(Work::Frames, done, total);
         }
         writing = std::async(std::launch::async, [&image, &effect, &stop, format = options.format, path = framePath(options, number)] { return writeImage(image, effect, format, path, stop); });
     }
     if (Status status = finishWriting(); !status) {
         return status;
     }
-    progress(total, total);
+    progress(Work::Frames, total, total);
     return Done{};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/effect/effect.h"
 #include "core/export/image_file.h"
 
@@ -49,14 +50,12 @@ struct SequenceOptions {
 
 /// Renders one frame into the bytes of a file.
 /// @error those of renderSequence()
-[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop = {});
-
-/// Called after each frame with how many are done; on the calling thread.
-using SequenceProgress = std::function<void(int done, int total)>;
+[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop = {}, const Progress& progress = {});
 
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
 /// A file is encoded and written while the next frame is simulated.
+/// @param progress hears of Work::Frames after each, and of what leads to them
 /// @error that of the first frame that fails; files before it stay
-[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const SequenceProgress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

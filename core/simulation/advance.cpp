@@ -116,7 +116,7 @@ private:
 
 /// @param prepare called for a chunk before its first step
 template <class Prepare>
-Status run(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Prepare& prepare)
+Status run(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress, const Prepare& prepare)
 {
     const ChunkRunner runner(model, particles);
     std::vector<PlannedStep> steps;
@@ -145,31 +145,34 @@ Status run(const Model& model, Particles& particles, std::int64_t from, std::int
         }
         first = false;
         done = last;
+        if (to - from > kStepsAtOnce) {
+            progress(Work::PreRoll, static_cast<int>(done - from), static_cast<int>(to - from));
+        }
     } while (done < to);
     return Done{};
 }
 
 } // namespace
 
-Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop)
+Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
-    return run(model, particles, from, to, stop, [](std::size_t) {});
+    return run(model, particles, from, to, stop, progress, [](std::size_t) {});
 }
 
-Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop)
+Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
     if (after.x.size() != before.x.size() || after.rolls() != before.rolls()) {
         after.reset(before.capacity, before.rolls());
     }
     after.capacity = before.capacity;
-    return run(model, after, from, to, stop, [&](std::size_t chunk) { after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk); });
+    return run(model, after, from, to, stop, progress, [&](std::size_t chunk) { after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk); });
 }
 
-Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop)
+Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
     particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect()->look.roll > 0.0F);
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
-    return run(model, particles, from, to, stop, [](std::size_t) {});
+    return run(model, particles, from, to, stop, progress, [](std::size_t) {});
 }
 
 } // namespace fumage

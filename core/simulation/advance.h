@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/simulation/emitter.h"
 #include "core/simulation/model.h"
@@ -14,14 +15,15 @@ namespace fumage {
 /// Particles never act on one another, so each chunk runs through many steps at once while it is in the cache, and chunks run in parallel.
 /// @param particles the state at step from; for a later one, empty (see Particles::reset()) where from is before every living birth
 /// @param from,to   steps, from <= to
+/// @param progress hears of Work::PreRoll where there are hundreds of steps
 /// @error Cancelled; the particles are then between steps and must be thrown away
 /// O(particles * steps). The same bits for any number of threads, and for any way to split [from, to].
-[[nodiscard]] Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop = {});
+[[nodiscard]] Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
 
 /// The same out of place: the state at step from is read, the one at step to written into another.
-[[nodiscard]] Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop = {});
+[[nodiscard]] Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
 
 /// Fills the state at a step from nothing, through a pre-roll of at most one lifetime.
-[[nodiscard]] Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop = {});
+[[nodiscard]] Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
 
 } // namespace fumage

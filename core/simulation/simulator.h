@@ -19,8 +19,9 @@ public:
     explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes);
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
+    /// @param progress hears of Work::PreRoll where many steps lead to the frame
     /// @error Cancelled
-    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const std::stop_token& stop = {});
+    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const std::stop_token& stop = {}, const Progress& progress = {});
 
     /// The constants and the schedule that the effect came to.
     [[nodiscard]] const Model& model() const { return *m_model; }

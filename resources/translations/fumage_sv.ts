@@ -543,6 +543,10 @@
         <source>Cancel</source>
         <translation>Avbryt</translation>
     </message>
+    <message>
+        <source>Exporting. %1</source>
+        <translation>Exporterar. %1</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportDialog</name>
@@ -748,6 +752,14 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
         <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas.</translation>
+    </message>
+    <message>
+        <source>Looking where the smoke is: %1 %</source>
+        <translation>Letar efter röken: %1 %</translation>
+    </message>
+    <message>
+        <source>Simulating what comes before: %1 %</source>
+        <translation>Simulerar det som kommer före: %1 %</translation>
     </message>
 </context>
 <context>

@@ -543,6 +543,10 @@
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>Exporting. %1</source>
+        <translation>正在导出。%1</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportDialog</name>
@@ -748,6 +752,14 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
         <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应。</translation>
+    </message>
+    <message>
+        <source>Looking where the smoke is: %1 %</source>
+        <translation>正在查找烟雾的位置：%1 %</translation>
+    </message>
+    <message>
+        <source>Simulating what comes before: %1 %</source>
+        <translation>正在模拟之前的部分：%1 %</translation>
     </message>
 </context>
 <context>

@@ -380,6 +380,28 @@ private slots:
         QCOMPARE(simulator.frame(3, stop.get_token()).error().code, ErrorCode::Cancelled);
         QVERIFY(simulator.frame(3).ok());
     }
+
+    void aLongWayToAFrameTellsHowFarItIs()
+    {
+        Effect effect;
+        effect.emitter.count = 10;
+        effect.timeline.stepsPerFrame = 32;
+        Simulator simulator(sampled(effect));
+        int told = 0;
+        int all = 0;
+        const Progress progress([&](Work work, int done, int total) {
+            QCOMPARE(work, Work::PreRoll);
+            QVERIFY(done > told && done <= total);
+            told = done;
+            all = total;
+        });
+        QVERIFY(simulator.frame(60, {}, progress).ok());
+        QVERIFY(told > 128);
+        QCOMPARE(told, all);
+        told = 0;
+        QVERIFY(simulator.frame(61, {}, progress).ok());
+        QCOMPARE(told, 0);
+    }
 };
 
 QTEST_GUILESS_MAIN(SimulationTest)

@@ -22,16 +22,12 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
     m_running = true;
     m_lastPlan = plan;
     m_timer.start();
+    m_hasBegun = false;
     emit started();
     const auto work = [this, effect, plan](const std::stop_token& stop) {
-        const auto report = [this](int done, int total) {
+        const auto report = [this](Work part, int done, int total) {
             QMetaObject::invokeMethod(
-                this, [this, done, total] {
-                    constexpr double kMillisecondsASecond = 1000.0;
-                    const double elapsed = static_cast<double>(m_timer.elapsed()) / kMillisecondsASecond;
-                    emit progressed(done, total, done > 0 ? elapsed / done * (total - done) : -1.0);
-                },
-                Qt::QueuedConnection);
+                this, [this, part, done, total] { tell(part, done, total); }, Qt::QueuedConnection);
         };
         const Result<std::optional<Flipbook>> result = runExport(effect, plan, report, stop);
         QMetaObject::invokeMethod(
@@ -41,6 +37,20 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
         m_thread = std::jthread(work);
     } catch (const std::system_error&) {
         end(Error{ErrorCode::OutOfMemory, "the export cannot be started: there are not enough memory or threads", "", "Close other programs"});
+    }
+}
+
+void ExportJob::tell(Work work, int done, int total)
+{
+    if (work == Work::Frames) {
+        m_hasBegun = true;
+        constexpr double kMillisecondsASecond = 1000.0;
+        const double elapsed = static_cast<double>(m_timer.elapsed()) / kMillisecondsASecond;
+        emit progressed(done, total, done > 0 ? elapsed / done * (total - done) : -1.0);
+    } else if (!m_hasBegun) {
+        m_timer.restart();
+        const int percent = static_cast<int>(100.0 * done / total);
+        emit preparing(work == Work::Fitting ? tr("Looking where the smoke is: %1 %").arg(percent) : tr("Simulating what comes before: %1 %").arg(percent));
     }
 }
 

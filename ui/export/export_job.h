@@ -30,6 +30,8 @@ signals:
     void started();
     /// @param secondsLeft less than 0 while it cannot be told
     void progressed(int done, int total, double secondsLeft);
+    /// What leads to the first picture, in words.
+    void preparing(const QString& what);
     /// @param remark what the artist should know of the result; empty: nothing
     void finished(const QString& firstFile, const QString& remark);
     void cancelled();
@@ -37,11 +39,13 @@ signals:
 
 private:
     [[nodiscard]] static QString complaint(const CutOff& cut);
+    void tell(Work work, int done, int total);
     void end(const Result<std::optional<Flipbook>>& result);
 
     std::optional<ExportPlan> m_lastPlan;
-    QElapsedTimer m_timer;
+    QElapsedTimer m_timer; ///< since the first picture was begun
     bool m_running = false;
+    bool m_hasBegun = false; ///< whether a picture is done
     std::jthread m_thread;
 };
 

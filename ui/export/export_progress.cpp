@@ -26,6 +26,7 @@ ExportProgress::ExportProgress(const ExportJob& job, QWidget* parent)
     layout->addWidget(m_state);
     connect(&job, &ExportJob::started, this, &ExportProgress::begin);
     connect(&job, &ExportJob::progressed, this, &ExportProgress::follow);
+    connect(&job, &ExportJob::preparing, this, &ExportProgress::say);
     connect(&job, &ExportJob::finished, this, [this](const QString& firstFile, const QString& remark) {
         const QString done = tr("Done: %1").arg(QDir::toNativeSeparators(firstFile));
         end(remark.isEmpty() ? done : done + QLatin1Char('\n') + remark);

@@ -109,6 +109,7 @@ void ExportDesk::connectNews()
     connect(m_job.get(), &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
         emit news(tr("Exporting: %1 of %2 files, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)), 0);
     });
+    connect(m_job.get(), &ExportJob::preparing, this, [this](const QString& what) { emit news(tr("Exporting. %1").arg(what), 0); });
     connect(m_job.get(), &ExportJob::finished, this, [this](const QString& file) { emit news(tr("Exported %1").arg(file), kShownMs); });
     connect(m_job.get(), &ExportJob::cancelled, this, [this] { emit news(tr("Export cancelled"), kShownMs); });
     connect(m_job.get(), &ExportJob::failed, this, [this](const QString& message) { emit news(tr("Export failed: %1").arg(message), 0); });
