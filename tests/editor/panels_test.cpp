@@ -147,6 +147,19 @@ private slots:
         add("five", Unit::Metres, qQNaN());
         add("", Unit::Metres, qQNaN());
         add("1.2.3", Unit::Metres, qQNaN());
+        add("2*3", Unit::None, 6.0);
+        add("1/3", Unit::None, 1.0 / 3.0);
+        add("2 + 3 * 4 m", Unit::Metres, 14.0);
+        add("(2 + 3) * 40 cm", Unit::Metres, 2.0);
+        add("1,5 - 2,5 - 1", Unit::None, -2.0);
+        add("-(1 - -2)", Unit::None, -3.0);
+        add("8 / 2 / 2", Unit::None, 2.0);
+        add("3 / 0", Unit::None, qQNaN());
+        add("(2", Unit::None, qQNaN());
+        add("2)", Unit::None, qQNaN());
+        add("2 *", Unit::None, qQNaN());
+        add("2 3", Unit::None, qQNaN());
+        add(QByteArray(100, '(') + "1" + QByteArray(100, ')'), Unit::None, qQNaN());
     }
     void numbersAreReadWithUnitsAndBothDecimalSigns()
     {
@@ -158,6 +171,20 @@ private slots:
         if (number) {
             QVERIFY(qAbs(*number - expected) <= 1e-12 * qMax(1.0, qAbs(expected)));
         }
+    }
+
+    void theDecimalSignIsThatOfTheLanguage()
+    {
+        const QLocale before;
+        QLocale::setDefault(QLocale(QLocale::Swedish));
+        const QString swedish = formatNumber(1234.5, Unit::Metres);
+        const QString several = formatNumbers({0.5, 1.0});
+        const std::optional<double> again = parseNumber(swedish, Unit::Metres);
+        QLocale::setDefault(before);
+        QCOMPARE(swedish, u"1234,5 m"_q);
+        QCOMPARE(several, u"0,5; 1"_q);
+        QCOMPARE(*again, 1234.5);
+        QCOMPARE(formatNumber(1234.5, Unit::Metres), u"1234.5 m"_q);
     }
 
     void radiansBecomeDegrees()

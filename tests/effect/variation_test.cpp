@@ -63,17 +63,17 @@ private slots:
         // Drag goes from 0 to 5 with 0.8 in the middle of neither end: mean and deviation over many seeds.
         const Parameter& drag = knownParameter("motion.drag");
         const auto mayVary = [&](const Parameter& parameter) { return parameter.key == drag.key; };
-        constexpr int kSeeds = 4000;
+        constexpr int kTrials = 4000;
         double sum = 0.0;
         double squares = 0.0;
-        for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+        for (std::uint32_t seed = 0; seed < kTrials; ++seed) {
             const double way = static_cast<double>(vary(Effect(), 0.02F, seed, mayVary).motion.drag - Effect().motion.drag);
             sum += way;
             squares += way * way;
         }
         const double span = std::min(5.0, 4.0 * 0.8 + 0.5);
-        const double deviation = std::sqrt(squares / kSeeds);
-        QVERIFY(std::abs(sum / kSeeds) < 4.0 * 0.02 * span / std::sqrt(kSeeds)); // four standard errors
+        const double deviation = std::sqrt(squares / kTrials);
+        QVERIFY(std::abs(sum / kTrials) < 4.0 * 0.02 * span / std::sqrt(kTrials)); // four standard errors
         QVERIFY(std::abs(deviation / (0.02 * span) - 1.0) < 0.05);
     }
 };

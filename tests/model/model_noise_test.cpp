@@ -204,6 +204,19 @@ private slots:
         }
     }
 
+    void everyStepOfTheLacunarityChangesTheTile()
+    {
+        Noise noise = latticeNoise(Interpolation::Quintic);
+        noise.octaves = 3;
+        for (int percent = 150; percent < 300; ++percent) {
+            noise.lacunarity = static_cast<float>(percent) / 100.0F;
+            const NoiseTile tile = bakeFractal(noise, 48, 0.3F).value();
+            noise.lacunarity = static_cast<float>(percent + 1) / 100.0F;
+            const double step = difference(tile, bakeFractal(noise, 48, 0.3F).value());
+            QVERIFY2(step > 0.001, qPrintable(QString("%1 from %2 %").arg(step).arg(percent)));
+        }
+    }
+
     void smallStepsChangeTheTileALittle_data()
     {
         QTest::addColumn<int>("basis");

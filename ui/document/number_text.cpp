@@ -1,12 +1,12 @@
 #include "ui/document/number_text.h"
 
+#include "ui/document/arithmetic.h"
 #include "ui/document/text.h"
 
 #include <array>
 #include <cmath>
 
 #include <QLocale>
-#include <QRegularExpression>
 
 #include <glm/trigonometric.hpp>
 
@@ -58,6 +58,12 @@ std::optional<double> factorOf(const QString& name, Unit unit)
     return std::nullopt;
 }
 
+/// Of a language only its decimal sign is used: grouped or other digits could not be typed in again everywhere.
+bool hasDecimalComma()
+{
+    return QLocale().decimalPoint() == QStringLiteral(",");
+}
+
 } // namespace
 
 QString formatNumber(double value)
@@ -67,7 +73,17 @@ QString formatNumber(double value)
     if (value == std::round(value) && std::abs(value) <= kLargestWhole) {
         return QString::number(static_cast<qint64>(value));
     }
-    return QLocale::c().toString(value, 'g', kDigits);
+    QString text = QLocale::c().toString(value, 'g', kDigits);
+    return hasDecimalComma() ? text.replace(QLatin1Char('.'), QLatin1Char(',')) : text;
+}
+
+QString formatNumbers(std::initializer_list<double> values)
+{
+    QStringList texts;
+    for (const double value : values) {
+        texts << formatNumber(value);
+    }
+    return texts.join(hasDecimalComma() ? QStringLiteral("; ") : QStringLiteral(", "));
 }
 
 QString formatNumber(double value, Unit unit)
@@ -80,20 +96,12 @@ QString formatNumber(double value, Unit unit)
 
 std::optional<double> parseNumber(const QString& text, Unit unit)
 {
-    static const QRegularExpression pattern(QStringLiteral(R"(^\s*([+\-\x{2212}]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+\-]?\d+)?)\s*(.*?)\s*$)"));
-    const QRegularExpressionMatch match = pattern.match(text);
-    if (!match.hasMatch()) {
+    const std::optional<Calculation> calculation = calculate(text);
+    const std::optional<double> factor = calculation ? factorOf(calculation->rest.toString(), unit) : std::nullopt;
+    if (!factor || !std::isfinite(calculation->value * *factor)) {
         return std::nullopt;
     }
-    QString digits = match.captured(1);
-    digits.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
-    bool ok = false;
-    const double number = QLocale::c().toDouble(digits, &ok);
-    const std::optional<double> factor = factorOf(match.captured(2), unit);
-    if (!ok || !std::isfinite(number) || !factor) {
-        return std::nullopt;
-    }
-    return number * *factor;
+    return calculation->value * *factor;
 }
 
 } // namespace fumage::ui

@@ -63,7 +63,7 @@ QString valueTextOf(const Parameter& parameter, const Value& value)
     case Kind::Direction:
     case Kind::Vector: {
         const auto& v = std::get<glm::vec3>(value);
-        return QStringLiteral("%1, %2, %3").arg(formatNumber(static_cast<double>(v.x)), formatNumber(static_cast<double>(v.y)), formatNumber(static_cast<double>(v.z)));
+        return formatNumbers({static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)});
     }
     case Kind::Colour:
     case Kind::Curve:

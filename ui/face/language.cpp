@@ -16,6 +16,7 @@ const QList<Language>& languages()
 bool applyLanguage(QCoreApplication& application, const QString& code)
 {
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
+    QLocale::setDefault(locale);
     if (locale.language() == QLocale::English) {
         return true;
     }
