@@ -2342,6 +2342,145 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source> (broken)</source>
         <translation> (trasig)</translation>
     </message>
+    <message>
+        <source>There are no favourites yet: the menu of a preset makes it one.</source>
+        <translation>Det finns inga favoriter än: en förinställnings meny gör den till en.</translation>
+    </message>
+    <message>
+        <source>No preset speaks of “%1”.</source>
+        <translation>Ingen förinställning handlar om ”%1”.</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Campfire</source>
+        <translation>Lägereld</translation>
+    </message>
+    <message>
+        <source>Flames that turn into dark smoke.</source>
+        <translation>Lågor som övergår i mörk rök.</translation>
+    </message>
+    <message>
+        <source>Chimney</source>
+        <translation>Skorsten</translation>
+    </message>
+    <message>
+        <source>Grey smoke from a stack, bent by a steady wind.</source>
+        <translation>Grå rök ur en skorsten, böjd av en stadig vind.</translation>
+    </message>
+    <message>
+        <source>Cigarette</source>
+        <translation>Cigarett</translation>
+    </message>
+    <message>
+        <source>A thin thread of smoke that breaks into curls.</source>
+        <translation>En tunn rökslinga som bryts upp i krullar.</translation>
+    </message>
+    <message>
+        <source>Cloud</source>
+        <translation>Moln</translation>
+    </message>
+    <message>
+        <source>A cumulus that boils slowly in the sun.</source>
+        <translation>Ett stackmoln som sakta sjuder i solen.</translation>
+    </message>
+    <message>
+        <source>Coloured smoke</source>
+        <translation>Färgad rök</translation>
+    </message>
+    <message>
+        <source>A dense magenta canister, as at parades.</source>
+        <translation>Tät magentafärgad rök ur en burk, som vid parader.</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>What a new document shows: a white plume in a light breeze.</source>
+        <translation>Det som ett nytt dokument visar: en vit rökpelare i lätt bris.</translation>
+    </message>
+    <message>
+        <source>Dust</source>
+        <translation>Damm</translation>
+    </message>
+    <message>
+        <source>A brown puff kicked up from dry ground that sinks back.</source>
+        <translation>En brun puff som rivs upp från torr mark och sjunker tillbaka.</translation>
+    </message>
+    <message>
+        <source>Explosion</source>
+        <translation>Explosion</translation>
+    </message>
+    <message>
+        <source>A fireball that rolls up into a dark mushroom.</source>
+        <translation>Ett eldklot som rullar upp till en mörk svamp.</translation>
+    </message>
+    <message>
+        <source>Ground fog</source>
+        <translation>Markdimma</translation>
+    </message>
+    <message>
+        <source>A low bank that creeps over the ground.</source>
+        <translation>En låg bank som kryper över marken.</translation>
+    </message>
+    <message>
+        <source>Magic</source>
+        <translation>Magi</translation>
+    </message>
+    <message>
+        <source>A glowing spiral that winds around its axis.</source>
+        <translation>En glödande spiral som slingrar sig runt sin axel.</translation>
+    </message>
+    <message>
+        <source>Plume</source>
+        <translation>Rökpelare</translation>
+    </message>
+    <message>
+        <source>A dense, billowing column of grey smoke, as from a great fire.</source>
+        <translation>En tät, bolmande pelare av grå rök, som från en stor brand.</translation>
+    </message>
+    <message>
+        <source>Steam</source>
+        <translation>Ånga</translation>
+    </message>
+    <message>
+        <source>White jets from a vent, gone within a metre or two.</source>
+        <translation>Vita strålar ur en ventil, borta inom någon meter.</translation>
+    </message>
+    <message>
+        <source>Thesis 2012</source>
+        <translation>Uppsatsen 2012</translation>
+    </message>
+    <message>
+        <source>The model of the 2012 thesis as its equations say: 5000 particles on a plane, wind, gravity, fading, lattice noise.</source>
+        <translation>Modellen i uppsatsen från 2012, precis som dess ekvationer: 5000 partiklar på ett plan, vind, tyngdkraft, uttoning, gitterbrus.</translation>
+    </message>
+    <message>
+        <source>Tornado</source>
+        <translation>Tromb</translation>
+    </message>
+    <message>
+        <source>A funnel that tightens towards the ground.</source>
+        <translation>En tratt som smalnar av mot marken.</translation>
+    </message>
+    <message>
+        <source>Tyre fire</source>
+        <translation>Däckbrand</translation>
+    </message>
+    <message>
+        <source>Thick black smoke that billows from a hidden fire.</source>
+        <translation>Tjock svart rök som väller fram ur en dold brand.</translation>
+    </message>
+    <message>
+        <source>Volcano</source>
+        <translation>Vulkan</translation>
+    </message>
+    <message>
+        <source>A column of dark ash that boils up, spreads and leans with the wind.</source>
+        <translation>En pelare av mörk aska som väller upp, breder ut sig och lutar med vinden.</translation>
+    </message>
 </context>
 <context>
     <name>Readout</name>

@@ -2342,6 +2342,145 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source> (broken)</source>
         <translation>（已损坏）</translation>
     </message>
+    <message>
+        <source>There are no favourites yet: the menu of a preset makes it one.</source>
+        <translation>还没有收藏：可在预设的菜单中将其设为收藏。</translation>
+    </message>
+    <message>
+        <source>No preset speaks of “%1”.</source>
+        <translation>没有与“%1”相关的预设。</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Campfire</source>
+        <translation>篝火</translation>
+    </message>
+    <message>
+        <source>Flames that turn into dark smoke.</source>
+        <translation>火焰化为浓黑的烟。</translation>
+    </message>
+    <message>
+        <source>Chimney</source>
+        <translation>烟囱</translation>
+    </message>
+    <message>
+        <source>Grey smoke from a stack, bent by a steady wind.</source>
+        <translation>烟囱冒出的灰烟，被稳定的风吹弯。</translation>
+    </message>
+    <message>
+        <source>Cigarette</source>
+        <translation>香烟</translation>
+    </message>
+    <message>
+        <source>A thin thread of smoke that breaks into curls.</source>
+        <translation>一缕细烟，散成卷曲的涡旋。</translation>
+    </message>
+    <message>
+        <source>Cloud</source>
+        <translation>云</translation>
+    </message>
+    <message>
+        <source>A cumulus that boils slowly in the sun.</source>
+        <translation>阳光下缓缓翻腾的积云。</translation>
+    </message>
+    <message>
+        <source>Coloured smoke</source>
+        <translation>彩色烟雾</translation>
+    </message>
+    <message>
+        <source>A dense magenta canister, as at parades.</source>
+        <translation>浓密的洋红色烟雾罐，如庆典所用。</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>What a new document shows: a white plume in a light breeze.</source>
+        <translation>新建文档所显示的内容：微风中的白色烟柱。</translation>
+    </message>
+    <message>
+        <source>Dust</source>
+        <translation>尘土</translation>
+    </message>
+    <message>
+        <source>A brown puff kicked up from dry ground that sinks back.</source>
+        <translation>从干燥地面扬起又落回的褐色尘团。</translation>
+    </message>
+    <message>
+        <source>Explosion</source>
+        <translation>爆炸</translation>
+    </message>
+    <message>
+        <source>A fireball that rolls up into a dark mushroom.</source>
+        <translation>火球翻卷成黑色蘑菇云。</translation>
+    </message>
+    <message>
+        <source>Ground fog</source>
+        <translation>地面雾</translation>
+    </message>
+    <message>
+        <source>A low bank that creeps over the ground.</source>
+        <translation>贴着地面缓缓爬行的低雾。</translation>
+    </message>
+    <message>
+        <source>Magic</source>
+        <translation>魔法</translation>
+    </message>
+    <message>
+        <source>A glowing spiral that winds around its axis.</source>
+        <translation>绕轴盘旋的发光螺旋。</translation>
+    </message>
+    <message>
+        <source>Plume</source>
+        <translation>烟柱</translation>
+    </message>
+    <message>
+        <source>A dense, billowing column of grey smoke, as from a great fire.</source>
+        <translation>浓密翻滚的灰色烟柱，如大火所生。</translation>
+    </message>
+    <message>
+        <source>Steam</source>
+        <translation>蒸汽</translation>
+    </message>
+    <message>
+        <source>White jets from a vent, gone within a metre or two.</source>
+        <translation>从排气口喷出的白色汽流，一两米内消散。</translation>
+    </message>
+    <message>
+        <source>Thesis 2012</source>
+        <translation>2012 年论文</translation>
+    </message>
+    <message>
+        <source>The model of the 2012 thesis as its equations say: 5000 particles on a plane, wind, gravity, fading, lattice noise.</source>
+        <translation>2012 年论文的模型，严格按其方程：平面上的 5000 个粒子、风、重力、淡出、晶格噪声。</translation>
+    </message>
+    <message>
+        <source>Tornado</source>
+        <translation>龙卷风</translation>
+    </message>
+    <message>
+        <source>A funnel that tightens towards the ground.</source>
+        <translation>向地面收紧的漏斗。</translation>
+    </message>
+    <message>
+        <source>Tyre fire</source>
+        <translation>轮胎火灾</translation>
+    </message>
+    <message>
+        <source>Thick black smoke that billows from a hidden fire.</source>
+        <translation>从隐蔽的火中涌出的浓厚黑烟。</translation>
+    </message>
+    <message>
+        <source>Volcano</source>
+        <translation>火山</translation>
+    </message>
+    <message>
+        <source>A column of dark ash that boils up, spreads and leans with the wind.</source>
+        <translation>翻腾上升、扩散并随风倾斜的黑色火山灰柱。</translation>
+    </message>
 </context>
 <context>
     <name>Readout</name>

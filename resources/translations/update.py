@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Brings the translation files up to date with the texts of the program: `./dev translations`.
 
-Texts of the editor are found by lupdate; those of the parameter table, which the core keeps in plain English, are read from its source.
+Texts of the editor are found by lupdate; those of the parameter table and of the presets, which the core keeps in plain English, are read from there.
 """
 
+import json
 import pathlib
 import re
 import subprocess
@@ -12,7 +13,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Parameters", "Help", "Menus", "Gizmos", "GlSprites", "Readout", "main"]
+PLAIN_CONTEXTS = ["Actions", "Parameters", "Presets", "Help", "Menus", "Gizmos", "GlSprites", "Readout", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 
@@ -28,6 +29,12 @@ def table_texts() -> list[str]:
         headings += re.findall(rf"kGroup<\w+>\{{.*, ({literal})\}};", source)
     texts = ["".join(part[1:-1] for part in re.findall(literal, text)) for text in rows + choices + headings]
     return list(dict.fromkeys(texts))
+
+
+def preset_texts() -> list[str]:
+    """Names and descriptions of the built-in presets."""
+    presets = [json.loads(file.read_text()) for file in sorted((ROOT / "resources/presets").glob("*.json"))]
+    return [json.dumps(preset[member], ensure_ascii=False)[1:-1] for preset in presets for member in ("name", "description")]
 
 
 def rename_contexts(path: pathlib.Path, qualified: bool) -> None:
@@ -46,7 +53,8 @@ def main() -> None:
         rename_contexts(file, qualified=False)
     with tempfile.TemporaryDirectory(dir=ROOT / "build") as folder:
         stub = pathlib.Path(folder) / "parameter_texts.cpp"
-        stub.write_text("".join(f'QT_TRANSLATE_NOOP("Parameters", "{text}");\n' for text in table_texts()))
+        texts = [("Parameters", text) for text in table_texts()] + [("Presets", text) for text in preset_texts()]
+        stub.write_text("".join(f'QT_TRANSLATE_NOOP("{context}", "{text}");\n' for context, text in texts))
         subprocess.run([lupdate, str(ROOT / "ui"), str(stub), "-locations", "none", "-no-obsolete", "-ts", *map(str, files)], check=True)
     for file in files:
         rename_contexts(file, qualified=True)

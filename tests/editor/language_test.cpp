@@ -7,6 +7,7 @@
 #include "ui/shell/action_table.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/preset/library.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -66,6 +67,20 @@ private slots:
         }
         for (const ActionSpec& spec : actionSpecs()) {
             QVERIFY2(!translator.translate("Actions", spec.text).isEmpty(), spec.id);
+        }
+    }
+
+    void thePresetsAreTranslated_data() { addLanguages(); }
+    void thePresetsAreTranslated()
+    {
+        QFETCH(QString, code);
+        QTranslator translator;
+        QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
+        for (const LibraryEntry& entry : builtinPresets()) {
+            const Preset preset = loadPreset(entry).value().preset;
+            for (const std::string& text : {preset.name, preset.description}) {
+                QVERIFY2(!translator.translate("Presets", text.c_str()).isEmpty(), text.c_str());
+            }
         }
     }
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QMimeData>
+#include <QPainter>
 #include <QTimer>
 
 namespace fumage::ui {
@@ -17,6 +19,17 @@ constexpr int kShelfRole = Qt::UserRole;
 QString idOfEntry(const LibraryEntry& entry)
 {
     return entry.path.empty() ? toQString(entry.id) : toQString(entry.path.string());
+}
+
+/// A text of a preset; those of built-in ones in the language of the user.
+QString textOf(const LibraryPreset& shelf, const std::string& text)
+{
+    return shelf.entry.path.empty() && !text.empty() ? QCoreApplication::translate("Presets", text.c_str()) : toQString(text);
+}
+
+QString nameOf(const LibraryPreset& shelf)
+{
+    return shelf.preset.name.empty() ? toQString(shelf.entry.id) : textOf(shelf, shelf.preset.name);
 }
 
 } // namespace
@@ -94,7 +107,7 @@ void PresetList::add(const LibraryPreset& shelf)
         return;
     }
     constexpr qsizetype kLongestTip = 400;
-    item->setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(shortened(toQString(preset.name)).toHtmlEscaped(), shortened(toQString(preset.description), kLongestTip).toHtmlEscaped()));
+    item->setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(shortened(nameOf(shelf)).toHtmlEscaped(), shortened(textOf(shelf, preset.description), kLongestTip).toHtmlEscaped()));
     QPixmap blank(m_edge, m_edge);
     blank.fill(QColor(30, 34, 40));
     item->setIcon(blank);
@@ -104,7 +117,7 @@ void PresetList::add(const LibraryPreset& shelf)
 void PresetList::label(QListWidgetItem& item) const
 {
     const LibraryPreset* shelf = shelfOf(&item);
-    const QString name = shortened(toQString(shelf->preset.name.empty() ? shelf->entry.id : shelf->preset.name));
+    const QString name = shortened(nameOf(*shelf));
     const bool favourite = m_favourites.contains(idOf(&item));
     item.setText((favourite ? QStringLiteral("★ ") : QString()) + name + (shelf->trouble.isEmpty() ? QString() : tr(" (broken)")));
 }
@@ -158,11 +171,42 @@ void PresetList::filter(const QString& words, bool onlyFavourites)
     for (int i = 0; i < count(); ++i) {
         item(i)->setHidden(!isWanted(*item(i)));
     }
+    setAccessibleDescription(emptyRemark());
+    viewport()->update();
+}
+
+void PresetList::paintEvent(QPaintEvent* event)
+{
+    QListWidget::paintEvent(event);
+    const QString remark = emptyRemark();
+    if (!remark.isEmpty()) {
+        constexpr int kMargin = 12;
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(viewport()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, remark);
+    }
+}
+
+QString PresetList::emptyRemark() const
+{
+    for (int i = 0; i < count(); ++i) {
+        if (!item(i)->isHidden()) {
+            return {};
+        }
+    }
+    if (count() == 0) {
+        return {};
+    }
+    if (m_onlyFavourites && m_favourites.isEmpty()) {
+        return tr("There are no favourites yet: the menu of a preset makes it one.");
+    }
+    return tr("No preset speaks of “%1”.").arg(shortened(m_words.join(QLatin1Char(' '))));
 }
 
 bool PresetList::isWanted(const QListWidgetItem& item) const
 {
-    const QString text = item.text() + QLatin1Char(' ') + toQString(shelfOf(&item)->preset.description);
+    const LibraryPreset& shelf = *shelfOf(&item);
+    const QString text = item.text() + QLatin1Char(' ') + textOf(shelf, shelf.preset.description) + QLatin1Char(' ') + toQString(shelf.preset.name + ' ' + shelf.preset.description);
     const bool found = std::all_of(m_words.begin(), m_words.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
     return found && (!m_onlyFavourites || m_favourites.contains(idOf(&item)));
 }

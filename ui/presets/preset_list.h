@@ -38,9 +38,12 @@ signals:
 protected:
     QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
     void showEvent(QShowEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     [[nodiscard]] const LibraryPreset* shelfOf(const QListWidgetItem* item) const;
+    /// What is said where nothing is wanted.
+    [[nodiscard]] QString emptyRemark() const;
     [[nodiscard]] bool isWanted(const QListWidgetItem& item) const;
     void add(const std::vector<LibraryPreset>& presets, bool first);
     void add(const LibraryPreset& preset);
