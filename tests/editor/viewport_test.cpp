@@ -127,6 +127,21 @@ private slots:
 
     // --- gizmos -----------------------------------------------------------------------------------------------------
 
+    void labelsDoNotLieOverEachOther()
+    {
+        std::vector<QRectF> taken;
+        for (int i = 0; i < 6; ++i) {
+            const QRectF wanted(10.0 + i, 20.0 + 3.0 * i, 60.0, 15.0);
+            const QRectF place = freePlace(wanted, taken);
+            QCOMPARE(place.size(), wanted.size());
+            QCOMPARE(place.left(), wanted.left());
+            QVERIFY(std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); }));
+            taken.push_back(place);
+        }
+        const QRectF alone(200.0, 20.0, 60.0, 15.0);
+        QCOMPARE(freePlace(alone, taken), alone);
+    }
+
     void aGizmoIsFoundUnderTheMouse()
     {
         Effect effect;

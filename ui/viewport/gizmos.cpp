@@ -264,11 +264,16 @@ void paintSun(QPainter& painter, QPointF at, const QColor& colour, bool hot)
 }
 
 /// Writes beyond the end of a line, so that the line does not cross the text.
-void paintLabel(QPainter& painter, const QLineF& line, const QString& text, const QColor& colour)
+/// @param taken labels before this one; it is added
+void paintLabel(QPainter& painter, const QLineF& line, const QString& text, const QColor& colour, std::vector<QRectF>& taken)
 {
     constexpr double kGap = 14.0;
-    const double beside = line.dx() < -0.5 * line.length() ? -kGap - painter.fontMetrics().horizontalAdvance(text) : kGap;
-    const QPointF at = line.p2() + QPointF(beside, 4.0);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double width = metrics.horizontalAdvance(text);
+    const double beside = line.dx() < -0.5 * line.length() ? -kGap - width : kGap;
+    const QPointF wanted = line.p2() + QPointF(beside, 4.0);
+    taken.push_back(freePlace({wanted.x(), wanted.y() - metrics.ascent(), width, static_cast<double>(metrics.height())}, taken));
+    const QPointF at = taken.back().topLeft() + QPointF(0.0, metrics.ascent());
     painter.setPen(QColor(0, 0, 0, 160));
     painter.drawText(at + QPointF(1.0, 1.0), text);
     painter.setPen(colour);
@@ -277,8 +282,22 @@ void paintLabel(QPainter& painter, const QLineF& line, const QString& text, cons
 
 } // namespace
 
+QRectF freePlace(QRectF wanted, const std::vector<QRectF>& taken)
+{
+    for (std::size_t tries = 0; tries < taken.size(); ++tries) {
+        const auto meets = [&](const QRectF& other) { return other.intersects(wanted); };
+        const auto other = std::find_if(taken.begin(), taken.end(), meets);
+        if (other == taken.end()) {
+            break;
+        }
+        wanted.moveTop(other->bottom());
+    }
+    return wanted;
+}
+
 void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot)
 {
+    std::vector<QRectF> labels;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Gizmo& gizmo : gizmosOf(effect, view)) {
@@ -301,7 +320,7 @@ void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std:
         } else {
             paintArrow(painter, *line, gizmo.colour, isHot);
         }
-        paintLabel(painter, *line, gizmo.label, gizmo.colour);
+        paintLabel(painter, *line, gizmo.label, gizmo.colour, labels);
     }
     painter.restore();
 }

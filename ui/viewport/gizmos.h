@@ -6,6 +6,7 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QRectF>
 
 #include <optional>
 #include <vector>
@@ -42,6 +43,9 @@ struct Gizmo {
 /// @param effect as it was when the drag began
 /// @param snap   angles to 15 degrees, positions to 0.1 m
 [[nodiscard]] std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap);
+
+/// Where a label finds room: at its place, or under what stands there already.
+[[nodiscard]] QRectF freePlace(QRectF wanted, const std::vector<QRectF>& taken);
 
 void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot);
 
