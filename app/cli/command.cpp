@@ -15,8 +15,8 @@ Result<NamedEffect> load(const std::string& preset, const std::vector<std::strin
     if (!reading) {
         return reading.error();
     }
-    for (const std::string& warning : reading.value().warnings) {
-        warn(warning);
+    for (const Message& warning : reading.value().warnings) {
+        warn(warning.text());
     }
     NamedEffect named{reading.value().preset.effect, "smoke", {}};
     if (preset != kStandardStream) {
@@ -44,7 +44,7 @@ Status refuseSameNames(const std::vector<NamedEffect>& effects)
     std::set<std::string> names;
     for (const NamedEffect& named : effects) {
         if (!names.insert(named.name).second) {
-            return Error{ErrorCode::OutOfRange, "two presets are called " + inQuotes(named.name) + ", and one's files would overwrite the other's", named.file.string(), "Write them to different folders"};
+            return Error{ErrorCode::OutOfRange, said("two presets are called %1, and one's files would overwrite the other's", inQuotes(named.name)), named.file.string(), said("Write them to different folders")};
         }
     }
     return Done{};
@@ -63,7 +63,7 @@ Status EffectOptions::forEach(const std::string& output, const std::function<Sta
     std::error_code missing;
     const bool isFolder = output.empty() || output.ends_with('/') || std::filesystem::is_directory(output, missing);
     if (presets.size() > 1 && !isFolder) {
-        return Error{ErrorCode::OutOfRange, "several presets cannot be written to one file", output, "Name a folder, as in --output out/"};
+        return Error{ErrorCode::OutOfRange, said("several presets cannot be written to one file"), output, said("Name a folder, as in --output out/")};
     }
     std::vector<NamedEffect> effects;
     for (const std::string& preset : presets) {

@@ -39,7 +39,7 @@ Status chooseOutput(const DumpOptions& options, const std::string& name, Particl
 Status dumpToStandardOutput(const DumpOptions& options, const NamedEffect& named, const ParticleSequenceOptions& sequence)
 {
     if (sequence.frames.count() > 1) {
-        return Error{ErrorCode::OutOfRange, "several frames are several files", "--frames " + options.frames, "Name a file for them, as in --output smoke_####.csv"};
+        return Error{ErrorCode::OutOfRange, said("several frames are several files"), "--frames " + options.frames, said("Name a file for them, as in --output smoke_####.csv")};
     }
     const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
     Result<std::string> text = std::string();

@@ -45,7 +45,7 @@ Status renderOne(const FlipbookArguments& arguments, const NamedEffect& named)
     ExportPlan& plan = job.value().plan;
     plan.kind = ExportKind::Flipbook;
     if (!parseTwo(arguments.grid, kMaxSheetCells, plan.columns, plan.rows)) {
-        return Error{ErrorCode::OutOfRange, "the grid " + inQuotes(arguments.grid) + " is not understood", "--grid", "Write 8 or 8x4: columns and rows from 1 to " + std::to_string(kMaxSheetCells)};
+        return Error{ErrorCode::OutOfRange, said("the grid %1 is not understood", inQuotes(arguments.grid)), std::string("--grid"), said("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
     }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());
     if (!done) {

@@ -76,7 +76,7 @@ Status checkCommand(const CLI::App& program, const std::vector<std::string>& wor
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     const std::string_view near = nearestName(*word, candidates);
-    return Error{ErrorCode::UnknownName, "there is no command " + inQuotes(*word), "", near.empty() ? "List them with: fumage-cli --help" : "Did you mean " + inQuotes(near) + "?"};
+    return Error{ErrorCode::UnknownName, said("there is no command %1", inQuotes(*word)), {}, near.empty() ? said("List them with: fumage-cli --help") : said("Did you mean %1?", inQuotes(near))};
 }
 
 /// Options that come before or after any command.

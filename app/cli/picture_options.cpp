@@ -50,7 +50,7 @@ Result<PictureJob> PictureOptions::jobFor(const NamedEffect& named) const
     job.effect = named.effect;
     job.plan.source = named.file;
     if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
-        return Error{ErrorCode::OutOfRange, "the size " + inQuotes(size) + " is not understood", "--size", "Write 512 or 640x360, with edges from 1 to " + std::to_string(kMaxOutputEdge)};
+        return Error{ErrorCode::OutOfRange, said("the size %1 is not understood", inQuotes(size)), std::string("--size"), said("Write 512 or 640x360, with edges from 1 to %1", kMaxOutputEdge)};
     }
     if (supersample > 0) {
         job.effect.output.supersample = supersample;

@@ -35,7 +35,7 @@ bool waitFor(int descriptor, short event)
 
 Error interrupted()
 {
-    return {ErrorCode::Cancelled, "interrupted", "", ""};
+    return {ErrorCode::Cancelled, said("interrupted"), {}, {}};
 }
 
 bool passes(int number)
@@ -78,11 +78,11 @@ Result<std::string> readStandardInput(std::size_t mostBytes)
             return text;
         }
         if (count < 0 && !passes(errno)) {
-            return Error{ErrorCode::ReadFailed, std::string("standard input cannot be read: ") + std::strerror(errno), "", ""};
+            return Error{ErrorCode::ReadFailed, said("standard input cannot be read: %1", std::strerror(errno)), {}, {}};
         }
         text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }
-    return Error{ErrorCode::TooLarge, "standard input has more than the " + std::to_string(mostBytes) + " bytes that are read", "", ""};
+    return Error{ErrorCode::TooLarge, said("standard input has more than the %1 bytes that are read", mostBytes), {}, {}};
 }
 
 Status print(std::string_view text)
@@ -94,7 +94,7 @@ Status print(std::string_view text)
         // A pipe that can be written takes this much without making us wait for its reader.
         const ssize_t count = ::write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
         if (count < 0 && !passes(errno)) {
-            return Error{ErrorCode::WriteFailed, std::string("standard output cannot be written: ") + std::strerror(errno), "", ""};
+            return Error{ErrorCode::WriteFailed, said("standard output cannot be written: %1", std::strerror(errno)), {}, {}};
         }
         text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }

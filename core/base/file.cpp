@@ -14,20 +14,20 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
 {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.get() < 0) {
-        return fileError(errno, path, ErrorCode::ReadFailed, "read");
+        return fileError(errno, path, ErrorCode::ReadFailed, FileUse::Read);
     }
     struct stat information { };
     if (::fstat(file.get(), &information) != 0) {
-        return fileError(errno, path, ErrorCode::ReadFailed, "read");
+        return fileError(errno, path, ErrorCode::ReadFailed, FileUse::Read);
     }
     if (S_ISDIR(information.st_mode)) {
-        return fileError(EISDIR, path, ErrorCode::ReadFailed, "read");
+        return fileError(EISDIR, path, ErrorCode::ReadFailed, FileUse::Read);
     }
     if (!S_ISREG(information.st_mode)) {
-        return Error{ErrorCode::NotAFile, "cannot read: it is not a regular file", path.string(), "Name a file"};
+        return Error{ErrorCode::NotAFile, said("cannot read: %1", said("it is not a regular file")), path.string(), said("Name a file")};
     }
     if (static_cast<std::size_t>(information.st_size) > mostBytes) {
-        return Error{ErrorCode::TooLarge, "the file has " + std::to_string(information.st_size) + " bytes, more than the " + std::to_string(mostBytes) + " that are read", path.string(), "Choose another file"};
+        return Error{ErrorCode::TooLarge, said("the file has %1 bytes, more than the %2 that are read", information.st_size, mostBytes), path.string(), said("Choose another file")};
     }
     std::string text(static_cast<std::size_t>(information.st_size), '\0');
     std::size_t done = 0;
@@ -37,7 +37,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
             continue;
         }
         if (count < 0) {
-            return fileError(errno, path, ErrorCode::ReadFailed, "read");
+            return fileError(errno, path, ErrorCode::ReadFailed, FileUse::Read);
         }
         if (count == 0) {
             text.resize(done);
@@ -54,7 +54,7 @@ Status makeFolderOf(const std::filesystem::path& file)
     if (!folder.empty() && !std::filesystem::is_directory(folder, failure)) {
         std::filesystem::create_directories(folder, failure);
         if (failure) {
-            return Error{ErrorCode::PermissionDenied, "the folder cannot be made: " + failure.message(), folder.string(), "Choose another place"};
+            return Error{ErrorCode::PermissionDenied, said("the folder cannot be made: %1", failure.message()), folder.string(), said("Choose another place")};
         }
     }
     clearLeftovers(folder);

@@ -49,7 +49,7 @@ Result<std::filesystem::path> followLinks(std::filesystem::path path)
         // An absolute target replaces the folder.
         path = path.parent_path() / std::filesystem::read_symlink(path, failure);
     }
-    return fileError(ELOOP, named, ErrorCode::WriteFailed, "write");
+    return fileError(ELOOP, named, ErrorCode::WriteFailed, FileUse::Write);
 }
 
 /// @return a folder whose entries can be used; one that may not be listed cannot be flushed
@@ -106,7 +106,7 @@ Result<FileDraft> FileDraft::make(const std::filesystem::path& path, std::span<c
         return draft.error(EISDIR);
     }
     if (exists && !S_ISREG(information.st_mode)) {
-        return Error{ErrorCode::NotAFile, "cannot write: it is not a regular file", path.string(), "Name a file"};
+        return Error{ErrorCode::NotAFile, said("cannot write: %1", said("it is not a regular file")), path.string(), said("Name a file")};
     }
     if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
         return draft.error(errno);
@@ -223,7 +223,7 @@ void FileDraft::lockFolder() const
 
 Error FileDraft::error(int number) const
 {
-    return fileError(number, m_blame, ErrorCode::WriteFailed, "write");
+    return fileError(number, m_blame, ErrorCode::WriteFailed, FileUse::Write);
 }
 
 void clearLeftovers(const std::filesystem::path& folder)

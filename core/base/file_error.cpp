@@ -6,23 +6,23 @@
 
 namespace fumage {
 
-Error fileError(int number, const std::filesystem::path& path, ErrorCode otherwise, std::string_view doing)
+Error fileError(int number, const std::filesystem::path& path, ErrorCode otherwise, FileUse doing)
 {
     const std::string place = path.string();
-    const std::string cannot = "cannot " + std::string(doing) + ": ";
+    const auto cannot = [doing](const Message& why) { return doing == FileUse::Read ? said("cannot read: %1", why) : said("cannot write: %1", why); };
     switch (number) {
-    case ENOENT: return {ErrorCode::FileNotFound, cannot + "there is no such file or folder", place, "Check the spelling of the path"};
+    case ENOENT: return {ErrorCode::FileNotFound, cannot(said("there is no such file or folder")), place, said("Check the spelling of the path")};
     case EACCES:
-    case EPERM: return {ErrorCode::PermissionDenied, cannot + "permission denied", place, "Choose a place that you may use, or change its permissions"};
-    case EROFS: return {ErrorCode::PermissionDenied, cannot + "the disk is read-only", place, "Choose another disk"};
-    case EISDIR: return {ErrorCode::NotAFile, cannot + "it is a folder", place, "Name a file"};
-    case ENOTDIR: return {ErrorCode::NotAFile, cannot + "a part of the path is not a folder", place, "Check the path"};
-    case ELOOP: return {ErrorCode::NotAFile, cannot + "its symbolic links lead in a circle", place, "Remove the link or name another file"};
-    case ENAMETOOLONG: return {ErrorCode::WriteFailed, cannot + "the name is too long", place, "Choose a shorter name"};
+    case EPERM: return {ErrorCode::PermissionDenied, cannot(said("permission denied")), place, said("Choose a place that you may use, or change its permissions")};
+    case EROFS: return {ErrorCode::PermissionDenied, cannot(said("the disk is read-only")), place, said("Choose another disk")};
+    case EISDIR: return {ErrorCode::NotAFile, cannot(said("it is a folder")), place, said("Name a file")};
+    case ENOTDIR: return {ErrorCode::NotAFile, cannot(said("a part of the path is not a folder")), place, said("Check the path")};
+    case ELOOP: return {ErrorCode::NotAFile, cannot(said("its symbolic links lead in a circle")), place, said("Remove the link or name another file")};
+    case ENAMETOOLONG: return {ErrorCode::WriteFailed, cannot(said("the name is too long")), place, said("Choose a shorter name")};
     case ENOSPC:
-    case EDQUOT: return {ErrorCode::DiskFull, cannot + "the disk is full", place, "Free some space or choose another disk"};
-    case EFBIG: return {ErrorCode::DiskFull, cannot + "the file is larger than may be written here", place, "Choose another disk or a smaller size"};
-    default: return {otherwise, cannot + std::strerror(number), place, ""};
+    case EDQUOT: return {ErrorCode::DiskFull, cannot(said("the disk is full")), place, said("Free some space or choose another disk")};
+    case EFBIG: return {ErrorCode::DiskFull, cannot(said("the file is larger than may be written here")), place, said("Choose another disk or a smaller size")};
+    default: return {otherwise, cannot(std::string(std::strerror(number))), place, {}};
     }
 }
 

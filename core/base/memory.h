@@ -15,7 +15,7 @@ auto withinMemory(const Work& work) -> decltype(work())
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::OutOfMemory, "there is not enough memory", "", "Use a smaller picture or fewer particles"};
+        return Error{ErrorCode::OutOfMemory, said("there is not enough memory"), {}, said("Use a smaller picture or fewer particles")};
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/message.h"
+
 #include <cassert>
 #include <string>
 #include <utility>
@@ -33,16 +35,19 @@ enum class ErrorCode {
 /// An expected failure: what happened, where, and what the user can do about it.
 struct Error {
     ErrorCode code = ErrorCode::ReadFailed;
-    std::string message; ///< what happened, naming the thing
-    std::string place; ///< file, line and column, or key; empty where there is none
-    std::string remedy; ///< what to do, as an imperative; empty where the message says it
+    Message message; ///< what happened, naming the thing
+    Message place; ///< file, line and column, or key; empty where there is none
+    Message remedy; ///< what to do, as an imperative; empty where the message says it
 
-    /// @return "place: message. remedy" on one line.
-    [[nodiscard]] std::string text() const
+    /// "place: message. remedy".
+    [[nodiscard]] Message whole() const
     {
-        std::string line = place.empty() ? message : place + ": " + message;
-        return remedy.empty() ? line : line + ". " + remedy;
+        const Message line = place.empty() ? message : said("%1: %2", place, message);
+        return remedy.empty() ? line : said("%1. %2", line, remedy);
     }
+
+    /// whole() in English, on one line.
+    [[nodiscard]] std::string text() const { return whole().text(); }
 };
 
 /// Either a value or an Error. No exception crosses a library border; this does.

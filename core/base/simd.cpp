@@ -57,7 +57,7 @@ Status forceSimdTarget(std::string_view name)
         for (const std::string& each : availableSimdTargets()) {
             all += (all.empty() ? "" : ", ") + each;
         }
-        return Error{ErrorCode::UnknownName, "this machine has no instruction set " + inQuotes(name), "", "Choose one of " + all};
+        return Error{ErrorCode::UnknownName, said("this machine has no instruction set %1", inQuotes(name)), {}, said("Choose one of %1", all)};
     }
     hwy::SetSupportedTargetsForTest(chosen);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -27,21 +27,21 @@ std::string_view unitSymbol(Unit unit)
     return "";
 }
 
-std::string_view kindName(Kind kind)
+Message kindName(Kind kind)
 {
     switch (kind) {
-    case Kind::Bool: return "true or false";
-    case Kind::Int: return "a whole number";
-    case Kind::Float: return "a number";
-    case Kind::Choice: return "one of its names";
-    case Kind::Seed: return "a whole number from 0 to 4294967295";
+    case Kind::Bool: return said("true or false");
+    case Kind::Int: return said("a whole number");
+    case Kind::Float: return said("a number");
+    case Kind::Choice: return said("one of its names");
+    case Kind::Seed: return said("a whole number from 0 to 4294967295");
     case Kind::Direction:
-    case Kind::Vector: return "three numbers [x, y, z]";
-    case Kind::Colour: return "three numbers [red, green, blue]";
-    case Kind::Curve: return "a list of 1 to 16 points [x, y]";
-    case Kind::Gradient: return "a list of 1 to 16 stops [at, red, green, blue]";
+    case Kind::Vector: return said("three numbers [x, y, z]");
+    case Kind::Colour: return said("three numbers [red, green, blue]");
+    case Kind::Curve: return said("a list of 1 to 16 points [x, y]");
+    case Kind::Gradient: return said("a list of 1 to 16 stops [at, red, green, blue]");
     }
-    return "";
+    return {};
 }
 
 } // namespace fumage

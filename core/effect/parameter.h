@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/effect/effect.h"
 
 #include <span>
@@ -99,6 +100,6 @@ struct Parameter {
 [[nodiscard]] std::string_view unitSymbol(Unit unit);
 
 /// The name of a kind in messages: "a number", "true or false".
-[[nodiscard]] std::string_view kindName(Kind kind);
+[[nodiscard]] Message kindName(Kind kind);
 
 } // namespace fumage

@@ -17,7 +17,7 @@ constexpr std::size_t kNumbersAStop = 4;
 
 Error wrongType(const Parameter& parameter, std::string_view found)
 {
-    return {ErrorCode::WrongType, "expected " + std::string(kindName(parameter.kind)) + ", found " + inQuotes(found), std::string(parameter.key), ""};
+    return {ErrorCode::WrongType, said("expected %1, found %2", kindName(parameter.kind), inQuotes(found)), std::string(parameter.key), {}};
 }
 
 std::string join(std::initializer_list<float> numbers)
@@ -58,7 +58,7 @@ Result<Clamped> parseChoice(const Parameter& parameter, std::string_view text)
     for (const std::string_view choice : parameter.choices) {
         all += (all.empty() ? "" : ", ") + std::string(choice);
     }
-    return Error{ErrorCode::UnknownName, "there is no " + inQuotes(text), std::string(parameter.key), "Choose one of " + all};
+    return Error{ErrorCode::UnknownName, said("there is no %1", inQuotes(text)), std::string(parameter.key), said("Choose one of %1", all)};
 }
 
 Result<Clamped> parseBool(const Parameter& parameter, std::string_view text)
@@ -248,7 +248,7 @@ Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const dou
     constexpr double kLargestFloat = 3.4028234e38;
     for (const double number : numbers) {
         if (!(std::abs(number) <= kLargestFloat)) {
-            return Error{ErrorCode::NotFinite, "the number is not finite", std::string(parameter.key), "Use a plain number such as 1.5"};
+            return Error{ErrorCode::NotFinite, said("the number is not finite"), std::string(parameter.key), said("Use a plain number such as 1.5")};
         }
     }
     const std::string found = std::to_string(numbers.size()) + " numbers";
@@ -316,14 +316,13 @@ Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
 {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos) {
-        return Error{ErrorCode::Syntax, inQuotes(assignment) + " has no \"=\"", "", "Write key=value, for example motion.wind=1.5"};
+        return Error{ErrorCode::Syntax, said("%1 has no \"=\"", inQuotes(assignment)), {}, said("Write key=value, for example motion.wind=1.5")};
     }
     const std::string_view key = trimmed(assignment.substr(0, equals));
     const Parameter* parameter = findParameter(key);
     if (parameter == nullptr) {
         const std::string_view near = nearestParameterKey(key);
-        return Error{ErrorCode::UnknownKey, "there is no parameter " + inQuotes(key), "",
-            near.empty() ? "List them with: fumage-cli parameters" : "Did you mean " + inQuotes(near) + "?"};
+        return Error{ErrorCode::UnknownKey, said("there is no parameter %1", inQuotes(key)), {}, near.empty() ? said("List them with: fumage-cli parameters") : said("Did you mean %1?", inQuotes(near))};
     }
     const Result<Clamped> value = parseValue(*parameter, assignment.substr(equals + 1));
     if (!value) {

@@ -94,11 +94,11 @@ Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::sto
             writeExr<float>(pixels, Imf::FLOAT, stream, stop);
         }
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, "the picture was cancelled", "", ""};
+            return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
         }
         return stream.take();
     } catch (const std::exception& cause) {
-        return Error{ErrorCode::WriteFailed, std::string("the picture cannot be written as EXR: ") + cause.what(), "", ""};
+        return Error{ErrorCode::WriteFailed, said("the picture cannot be written as EXR: %1", cause.what()), {}, {}};
     }
 }
 

@@ -57,8 +57,7 @@ public:
                 return status.error();
             }
             if (seen.isEmpty()) {
-                return Error{ErrorCode::OutOfRange, "no smoke is to be seen in frames " + std::to_string(m_frames.first) + " to " + std::to_string(m_frames.last), "",
-                    "Choose other frames, or make the smoke denser"};
+                return Error{ErrorCode::OutOfRange, said("no smoke is to be seen in frames %1 to %2", m_frames.first, m_frames.last), {}, said("Choose other frames, or make the smoke denser")};
             }
             camera = seen.camera();
         }

@@ -17,17 +17,16 @@ Status check(const Effect& effect, const FlipbookOptions& options)
 {
     const auto inRange = [](int count) { return count >= 1 && count <= kMaxSheetCells; };
     if (!inRange(options.columns) || !inRange(options.rows)) {
-        return Error{ErrorCode::OutOfRange, "a flipbook of " + std::to_string(options.columns) + " x " + std::to_string(options.rows) + " cells", "", "Use 1 to " + std::to_string(kMaxSheetCells) + " columns and rows"};
+        return Error{ErrorCode::OutOfRange, said("a flipbook of %1 x %2 cells", options.columns, options.rows), {}, said("Use 1 to %1 columns and rows", kMaxSheetCells)};
     }
     const int cells = options.columns * options.rows;
     if (options.frames.count() < cells) {
-        return Error{ErrorCode::OutOfRange, std::to_string(options.frames.count()) + " frames do not fill " + std::to_string(cells) + " cells", "", "Choose more frames or fewer columns and rows"};
+        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", options.frames.count(), cells), {}, said("Choose more frames or fewer columns and rows")};
     }
     const std::int64_t width = static_cast<std::int64_t>(effect.output.width) * options.columns;
     const std::int64_t height = static_cast<std::int64_t>(effect.output.height) * options.rows;
     if (width > kMaxSheetEdge || height > kMaxSheetEdge || width * height > static_cast<std::int64_t>(kMaxSheetPixels)) {
-        return Error{ErrorCode::TooLarge, "a flipbook of " + std::to_string(width) + " x " + std::to_string(height) + " pixels", "",
-            "Choose smaller or fewer cells: edges up to " + std::to_string(kMaxSheetEdge) + " pixels, at most " + std::to_string(kMaxSheetPixels >> 20U) + " million in all"};
+        return Error{ErrorCode::TooLarge, said("a flipbook of %1 x %2 pixels", width, height), {}, said("Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all", kMaxSheetEdge, kMaxSheetPixels >> 20U)};
     }
     return Done{};
 }

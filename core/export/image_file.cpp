@@ -31,7 +31,7 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& outp
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels, frameRate}, stop);
     }
-    return Error{ErrorCode::WriteFailed, "unknown image format", "", ""};
+    return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
 }
 
 template <class Channel>

@@ -47,7 +47,7 @@ std::string endingOf(const std::filesystem::path& path)
 
 Error wouldOverwrite(const std::filesystem::path& source)
 {
-    return {ErrorCode::WouldOverwrite, "this would overwrite the preset that it is made of", source.string(), "Choose another name"};
+    return {ErrorCode::WouldOverwrite, said("this would overwrite the preset that it is made of"), source.string(), said("Choose another name")};
 }
 
 Result<std::filesystem::path> outputPath(const std::string& named, const OutputNames& names)
@@ -59,12 +59,12 @@ Result<std::filesystem::path> outputPath(const std::string& named, const OutputN
         return path / (names.fallback + std::string(names.endings.front()));
     }
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
-        return Error{ErrorCode::NotAFile, "cannot write: it is not a regular file", named, "Name a file, or - for standard output"};
+        return Error{ErrorCode::NotAFile, said("cannot write: %1", said("it is not a regular file")), named, said("Name a file, or - for standard output")};
     }
     path.replace_filename(withHashes(path.filename().string()));
     const std::string ending = endingOf(path);
     if (!ending.empty() && std::find(names.endings.begin(), names.endings.end(), ending) == names.endings.end()) {
-        return Error{ErrorCode::UnknownName, "the ending " + inQuotes(ending) + " does not fit", named, "Use " + listOf(names.endings)};
+        return Error{ErrorCode::UnknownName, said("the ending %1 does not fit", inQuotes(ending)), named, said("Use %1", listOf(names.endings))};
     }
     return path;
 }

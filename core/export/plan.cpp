@@ -41,7 +41,7 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
     case ExportKind::Sequence:
     case ExportKind::Flipbook:
         if (plan.kind == ExportKind::Flipbook || plan.frames.count() > 1) {
-            return Error{ErrorCode::OutOfRange, "these are several files", "", "Name a file, or one frame"};
+            return Error{ErrorCode::OutOfRange, said("these are several files"), {}, said("Name a file, or one frame")};
         }
         [[fallthrough]];
     case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, plan.format, stop, progress);

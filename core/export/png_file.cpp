@@ -78,16 +78,16 @@ Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::sto
     png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
     if (info == nullptr) {
         png_destroy_write_struct(&png, nullptr);
-        return Error{ErrorCode::WriteFailed, "the PNG library could not be started", "", ""};
+        return Error{ErrorCode::WriteFailed, said("the PNG library could not be started"), {}, {}};
     }
     png_set_write_fn(png, &sink, append, flush);
     const bool written = writePng(png, info, pixels, stop);
     png_destroy_write_struct(&png, &info);
     if (stop.stop_requested()) {
-        return Error{ErrorCode::Cancelled, "the picture was cancelled", "", ""};
+        return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
     }
     if (!written) {
-        return Error{ErrorCode::WriteFailed, "the picture cannot be written as PNG: " + sink.message, "", ""};
+        return Error{ErrorCode::WriteFailed, said("the picture cannot be written as PNG: %1", sink.message), {}, {}};
     }
     return std::move(sink.bytes);
 }

@@ -33,7 +33,7 @@ std::string padded(int number, std::size_t digits)
 
 Result<FrameRange> parseFrameRange(std::string_view text)
 {
-    const Error malformed{ErrorCode::Syntax, "frames " + inQuotes(text) + " are not understood", "", "Write 7, 0-119 or 0-119:2"};
+    const Error malformed{ErrorCode::Syntax, said("frames %1 are not understood", inQuotes(text)), {}, said("Write 7, 0-119 or 0-119:2")};
     const std::string_view range = text.substr(0, text.find(':'));
     const std::string_view step = text.size() > range.size() ? text.substr(range.size() + 1) : "1";
     const std::size_t dash = range.find('-');
@@ -44,7 +44,7 @@ Result<FrameRange> parseFrameRange(std::string_view text)
         return malformed;
     }
     if (*first < 0 || *last < *first || *last > kMaxFrame || *every < 1 || *every > kMaxFrame) {
-        return Error{ErrorCode::OutOfRange, "frames " + inQuotes(text) + " run backwards or out of range", "", "Use numbers from 0 to " + std::to_string(kMaxFrame) + ", the smaller first"};
+        return Error{ErrorCode::OutOfRange, said("frames %1 run backwards or out of range", inQuotes(text)), {}, said("Use numbers from 0 to %1, the smaller first", kMaxFrame)};
     }
     return FrameRange{static_cast<int>(*first), static_cast<int>(*last), static_cast<int>(*every)};
 }

@@ -17,7 +17,7 @@ constexpr int kRowsATask = 128;
 
 Error cancelled()
 {
-    return {ErrorCode::Cancelled, "baking the noise was cancelled", "", ""};
+    return {ErrorCode::Cancelled, said("baking the noise was cancelled"), {}, {}};
 }
 
 /// Calls body(row) for all rows of a tile in parallel blocks, each of which has its own state from makeState().
@@ -101,7 +101,7 @@ Result<NoiseTile> bakeBend(const Noise& noise, std::uint32_t stream, int size, f
 Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, const std::stop_token& stop)
 {
     if (size < 1 || size > kMaxTextureSize) {
-        return Error{ErrorCode::TooLarge, "a noise tile of " + std::to_string(size) + " pixels", "", "Choose 1 to " + std::to_string(kMaxTextureSize)};
+        return Error{ErrorCode::TooLarge, said("a noise tile of %1 pixels", size), {}, said("Choose 1 to %1", kMaxTextureSize)};
     }
     const auto edge = static_cast<std::size_t>(size);
     NoiseTile tile;

@@ -99,15 +99,15 @@ public:
         const std::size_t wordStart = m_text.substr(0, at).find_last_of(" \t\r\n,:[{") + 1;
         const std::string_view word = m_text.substr(wordStart);
         if (cause.id == kNumberOverflow || word.starts_with("NaN") || word.starts_with("Inf") || word.starts_with("-Inf")) {
-            return fail(ErrorCode::NotFinite, "the number is not finite", wordStart, "Use a plain number such as 1.5");
+            return fail(ErrorCode::NotFinite, said("the number is not finite"), wordStart, said("Use a plain number such as 1.5"));
         }
         if (what.find("UTF-8") != std::string::npos) {
-            return fail(ErrorCode::NotUtf8, "the text is not UTF-8", at, "Save the file as UTF-8");
+            return fail(ErrorCode::NotUtf8, said("the text is not UTF-8"), at, said("Save the file as UTF-8"));
         }
         if (at >= m_text.size()) {
-            return fail(ErrorCode::Syntax, "the file ends in the middle", m_text.size(), "It may have been cut off; use a copy of it");
+            return fail(ErrorCode::Syntax, said("the file ends in the middle"), m_text.size(), said("It may have been cut off; use a copy of it"));
         }
-        return fail(ErrorCode::Syntax, "this is not JSON: " + reason(what), at, "");
+        return fail(ErrorCode::Syntax, said("this is not JSON: %1", reason(what)), at, {});
     }
 
     [[nodiscard]] JsonNode& root() { return m_root; }
@@ -128,7 +128,7 @@ private:
         return tail.substr(0, tail.find("; last read"));
     }
 
-    bool fail(ErrorCode code, std::string message, std::size_t offset, std::string remedy)
+    bool fail(ErrorCode code, Message message, std::size_t offset, Message remedy)
     {
         m_error = {code, std::move(message), placeInText(m_text, offset), std::move(remedy)};
         return false;
@@ -184,7 +184,7 @@ private:
     bool open(JsonNode::Type type)
     {
         if (m_open.size() == kDeepest) {
-            return fail(ErrorCode::TooDeep, "brackets are nested more than " + std::to_string(kDeepest) + " deep", m_consumed - 1, "This is not a preset");
+            return fail(ErrorCode::TooDeep, said("brackets are nested more than %1 deep", kDeepest), m_consumed - 1, said("This is not a preset"));
         }
         Container container;
         container.node.type = type;
@@ -205,7 +205,7 @@ private:
             return true;
         }
         const std::size_t second = *(twice + 1);
-        return fail(ErrorCode::Syntax, "the key " + inQuotes(keys[second]) + " is there twice", m_open.back().keyPlaces[second], "Remove one of them");
+        return fail(ErrorCode::Syntax, said("the key %1 is there twice", inQuotes(keys[second])), m_open.back().keyPlaces[second], said("Remove one of them"));
     }
 
     bool close()
@@ -255,11 +255,11 @@ const JsonNode* JsonNode::find(std::string_view key) const
 Result<JsonNode> parseJson(std::string_view text)
 {
     if (isUtf16(text)) {
-        return Error{ErrorCode::NotUtf8, "the text is UTF-16", placeInText(text, 0), "Save the file as UTF-8"};
+        return Error{ErrorCode::NotUtf8, said("the text is UTF-16"), placeInText(text, 0), said("Save the file as UTF-8")};
     }
     // The parser would take a zero byte for the end of the text.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-        return Error{ErrorCode::Syntax, "this is not JSON: there is a zero byte", placeInText(text, zero), "It may be a binary file or a damaged one"};
+        return Error{ErrorCode::Syntax, said("this is not JSON: there is a zero byte"), placeInText(text, zero), said("It may be a binary file or a damaged one")};
     }
     std::size_t consumed = 0;
     TreeBuilder builder(text, consumed);
@@ -271,7 +271,7 @@ Result<JsonNode> parseJson(std::string_view text)
     return std::move(builder.root());
 }
 
-std::string placeInText(std::string_view text, std::size_t offset)
+Message placeInText(std::string_view text, std::size_t offset)
 {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -281,7 +281,7 @@ std::string placeInText(std::string_view text, std::size_t offset)
     const auto column = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(),
                             [](char c) { return (static_cast<unsigned char>(c) & kContinuationMask) != kContinuation; })
         + 1;
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+    return said("line %1, column %2", line, column);
 }
 
 std::string quoteJson(std::string_view text)

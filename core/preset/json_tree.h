@@ -40,7 +40,7 @@ struct JsonNode {
 [[nodiscard]] Result<JsonNode> parseJson(std::string_view text);
 
 /// @return "line L, column C" of a byte, both from 1; columns count characters, not bytes. O(offset)
-[[nodiscard]] std::string placeInText(std::string_view text, std::size_t offset);
+[[nodiscard]] Message placeInText(std::string_view text, std::size_t offset);
 
 /// @return the text as a JSON string with its quotes
 [[nodiscard]] std::string quoteJson(std::string_view text);

@@ -76,7 +76,7 @@ Result<PresetReading> loadPreset(const LibraryEntry& entry)
             return parsePreset(file.contents, entry.id);
         }
     }
-    return Error{ErrorCode::UnknownName, "there is no built-in preset " + inQuotes(entry.id), "", ""};
+    return Error{ErrorCode::UnknownName, said("there is no built-in preset %1", inQuotes(entry.id)), {}, {}};
 }
 
 Result<LibraryEntry> findPreset(const std::string& nameOrPath)
@@ -95,8 +95,7 @@ Result<LibraryEntry> findPreset(const std::string& nameOrPath)
     const bool looksLikeName = nameOrPath.find('/') == std::string::npos && nameOrPath.find('.') == std::string::npos;
     if (looksLikeName && !std::filesystem::exists(std::filesystem::symlink_status(nameOrPath, ignored))) {
         const std::string_view near = nearestName(nameOrPath, names);
-        return Error{ErrorCode::UnknownName, "there is no preset or file " + inQuotes(nameOrPath), "",
-            near.empty() ? "List the presets with: fumage-cli presets" : "Did you mean " + inQuotes(near) + "?"};
+        return Error{ErrorCode::UnknownName, said("there is no preset or file %1", inQuotes(nameOrPath)), {}, near.empty() ? said("List the presets with: fumage-cli presets") : said("Did you mean %1?", inQuotes(near))};
     }
     return LibraryEntry{std::filesystem::path(nameOrPath).stem().string(), nameOrPath};
 }

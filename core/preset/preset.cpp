@@ -30,7 +30,7 @@ public:
     Result<PresetReading> read()
     {
         if (m_text.size() > kMaxPresetBytes) {
-            return Error{ErrorCode::TooLarge, "a preset of " + std::to_string(m_text.size()) + " bytes", m_place, "Presets have at most " + std::to_string(kMaxPresetBytes)};
+            return Error{ErrorCode::TooLarge, said("a preset of %1 bytes", m_text.size()), m_place, said("Presets have at most %1", kMaxPresetBytes)};
         }
         const Result<JsonNode> root = parseJson(m_text);
         if (!root) {
@@ -47,29 +47,29 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string placed(const std::string& inText) const { return m_place.empty() ? inText : m_place + ", " + inText; }
+    [[nodiscard]] Message placed(const Message& inText) const { return m_place.empty() ? inText : said("%1, %2", m_place, inText); }
 
-    [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, std::string message, std::string remedy) const
+    [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
     {
         return {code, std::move(message), placed(placeInText(m_text, node.begin)), std::move(remedy)};
     }
 
     /// @param message called only where there is room for it: a place and a suggestion cost far more than reading what they are about
-    template <class Message>
-    void warn(const JsonNode& node, const Message& message)
+    template <class Say>
+    void warn(const JsonNode& node, const Say& message)
     {
         ++m_warnings;
         if (m_warnings <= kMostWarnings) {
-            m_reading.warnings.push_back(placed(placeInText(m_text, node.begin)) + ": " + message());
+            m_reading.warnings.push_back(said("%1: %2", placed(placeInText(m_text, node.begin)), message()));
         }
     }
 
-    void warnOfFile(const std::string& message) { m_reading.warnings.push_back((m_place.empty() ? "" : m_place + ": ") + message); }
+    void warnOfFile(const Message& message) { m_reading.warnings.push_back(m_place.empty() ? message : said("%1: %2", m_place, message)); }
 
     Status readRoot(const JsonNode& root)
     {
         if (root.type != JsonNode::Type::Object) {
-            return errorAt(root, ErrorCode::WrongType, "a preset is an object in braces { }", "");
+            return errorAt(root, ErrorCode::WrongType, said("a preset is an object in braces { }"), {});
         }
         if (Status status = readHeader(root); !status) {
             return status;
@@ -91,21 +91,20 @@ private:
     {
         const JsonNode* format = root.find("format");
         if (format == nullptr || format->string != kPresetFormat) {
-            return errorAt(format == nullptr ? root : *format, ErrorCode::WrongType, "this JSON is not a Fumage preset", "A preset begins with \"format\": \"fumage-preset\"");
+            return errorAt(format == nullptr ? root : *format, ErrorCode::WrongType, said("this JSON is not a Fumage preset"), said("A preset begins with \"format\": \"fumage-preset\""));
         }
         const JsonNode* version = root.find("version");
         if (version == nullptr || version->type != JsonNode::Type::Number || !version->isWhole || version->number < 1.0) {
-            return errorAt(version == nullptr ? root : *version, ErrorCode::WrongVersion, "the version of the preset is missing or not a whole number from 1", "");
+            return errorAt(version == nullptr ? root : *version, ErrorCode::WrongVersion, said("the version of the preset is missing or not a whole number from 1"), {});
         }
         if (version->number > kPresetVersion) {
             return errorAt(*version, ErrorCode::WrongVersion,
-                "the preset has version " + std::string(m_text.substr(version->begin, version->end - version->begin)) + ", this program reads up to " + std::to_string(kPresetVersion),
-                "Open it with a newer Fumage");
+                said("the preset has version %1, this program reads up to %2", m_text.substr(version->begin, version->end - version->begin), kPresetVersion), said("Open it with a newer Fumage"));
         }
         for (const auto& [key, to] : {std::pair{"name", &m_reading.preset.name}, std::pair{"description", &m_reading.preset.description}}) {
             const JsonNode* node = root.find(key);
             if (node != nullptr && node->type != JsonNode::Type::String) {
-                return errorAt(*node, ErrorCode::WrongType, std::string(key) + ": expected a text in quotes", "");
+                return errorAt(*node, ErrorCode::WrongType, said("%1: expected a text in quotes", key), {});
             }
             *to = node == nullptr ? "" : node->string;
         }
@@ -115,7 +114,7 @@ private:
     Status readGroup(const std::string& group, const JsonNode& node)
     {
         if (node.type != JsonNode::Type::Object) {
-            return errorAt(node, ErrorCode::WrongType, group + ": expected an object in braces { }", "");
+            return errorAt(node, ErrorCode::WrongType, said("%1: expected an object in braces { }", group), {});
         }
         for (std::size_t i = 0; i < node.items.size(); ++i) {
             const std::string& name = node.keys[i];
@@ -134,7 +133,7 @@ private:
         if (path != kSchemaKey) {
             warn(node, [&] {
                 const std::string_view near = nearestParameterKey(path);
-                return "unknown key " + inQuotes(path) + " is kept but has no effect" + (near.empty() ? "" : "; did you mean " + inQuotes(near) + "?");
+                return near.empty() ? said("unknown key %1 is kept but has no effect", inQuotes(path)) : said("unknown key %1 is kept but has no effect; did you mean %2?", inQuotes(path), inQuotes(near));
             });
         }
         m_reading.preset.unknown.push_back({group, key, std::string(m_text.substr(node.begin, node.end - node.begin))});
@@ -145,10 +144,10 @@ private:
     {
         const Result<Clamped> value = valueOf(parameter, node);
         if (!value) {
-            return errorAt(node, value.error().code, value.error().place + ": " + value.error().message, value.error().remedy);
+            return errorAt(node, value.error().code, said("%1: %2", value.error().place, value.error().message), value.error().remedy);
         }
         if (setClamped(m_reading.preset.effect, parameter, value.value())) {
-            warn(node, [&] { return std::string(parameter.key) + " was out of range and is now " + formatText(parameter, parameter.get(m_reading.preset.effect), true); });
+            warn(node, [&] { return said("%1 was out of range and is now %2", parameter.key, formatText(parameter, parameter.get(m_reading.preset.effect), true)); });
         }
         m_seen.push_back(parameter.key);
         return Done{};
@@ -166,7 +165,7 @@ private:
         }
         std::vector<double> numbers;
         if (!collectNumbers(parameter, node, numbers)) {
-            return Error{ErrorCode::WrongType, "expected " + std::string(kindName(parameter.kind)) + ", found " + inQuotes(m_text.substr(node.begin, node.end - node.begin)), std::string(parameter.key), ""};
+            return Error{ErrorCode::WrongType, said("expected %1, found %2", kindName(parameter.kind), inQuotes(m_text.substr(node.begin, node.end - node.begin))), std::string(parameter.key), {}};
         }
         return valueFromNumbers(parameter, numbers);
     }
@@ -201,7 +200,7 @@ private:
     void reportHidden()
     {
         if (m_warnings > kMostWarnings) {
-            warnOfFile("and " + std::to_string(m_warnings - kMostWarnings) + " more warnings");
+            warnOfFile(said("and %1 more warnings", m_warnings - kMostWarnings));
         }
     }
 
@@ -216,7 +215,7 @@ private:
             }
         }
         if (missing > 0) {
-            warnOfFile(std::to_string(missing) + " parameters are not in the preset and keep their defaults, the first is " + first);
+            warnOfFile(said("%1 parameters are not in the preset and keep their defaults, the first is %2", missing, first));
         }
     }
 

@@ -32,7 +32,7 @@ struct Preset {
 /// A preset that was read, and what the reader had to put right.
 struct PresetReading {
     Preset preset;
-    std::vector<std::string> warnings; ///< unknown keys with the nearest known one, clamped values, missing parameters; the first 20, then how many more
+    std::vector<Message> warnings; ///< unknown keys with the nearest known one, clamped values, missing parameters; the first 20, then how many more
 };
 
 /// O(n log n) in the text.

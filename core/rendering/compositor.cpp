@@ -95,7 +95,7 @@ Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& textur
     const int width = batch.view.width;
     const int height = batch.view.height;
     if (width < 1 || height < 1 || width > kMaxImageEdge || height > kMaxImageEdge || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
-        return Error{ErrorCode::TooLarge, "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels", "", "Choose a smaller size or less supersampling"};
+        return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", width, height), {}, said("Choose a smaller size or less supersampling")};
     }
     image.resize(width, height);
     const int columns = tilesAcross(width, kTileWidth);
@@ -127,7 +127,7 @@ Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& textur
             paintTile(batch, texture, list, workspace.tile, image);
         });
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, "painting was cancelled", "", ""};
+            return Error{ErrorCode::Cancelled, said("painting was cancelled"), {}, {}};
         }
         first = last;
     }

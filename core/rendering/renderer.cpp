@@ -73,7 +73,7 @@ Status Renderer::render(const Frame& frame, const SampledEffect& effect, int wid
         image = downsample(m_large, factor, stop);
     }
     if (stop.stop_requested()) {
-        return Error{ErrorCode::Cancelled, "the picture was cancelled", "", ""};
+        return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
     }
     if (effect->output.background == Background::Colour) {
         fillBackground(image, effect->output.backgroundColour);

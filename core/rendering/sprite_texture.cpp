@@ -82,7 +82,7 @@ Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_to
         }
     });
     if (failed) {
-        return Error{ErrorCode::Cancelled, "baking the noise texture was cancelled", "", ""};
+        return Error{ErrorCode::Cancelled, said("baking the noise texture was cancelled"), {}, {}};
     }
     return texture;
 }

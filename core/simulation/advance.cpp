@@ -141,7 +141,7 @@ Status run(const Model& model, Particles& particles, std::int64_t from, std::int
             }
         });
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, "the simulation was cancelled", "", ""};
+            return Error{ErrorCode::Cancelled, said("the simulation was cancelled"), {}, {}};
         }
         first = false;
         done = last;

@@ -906,6 +906,469 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>Messages</name>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>det finns inte tillräckligt med minne</translation>
+    </message>
+    <message>
+        <source>Use a smaller picture or fewer particles</source>
+        <translation>Använd en mindre bild eller färre partiklar</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>cannot read: %1</source>
+        <translation>kan inte läsas: %1</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>det är ingen vanlig fil</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>Ange en fil</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes, more than the %2 that are read</source>
+        <translation>filen har %1 byte, fler än de %2 som läses</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Välj en annan fil</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>mappen kan inte skapas: %1</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Välj en annan plats</translation>
+    </message>
+    <message>
+        <source>cannot write: %1</source>
+        <translation>kan inte skrivas: %1</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>det finns ingen sådan fil eller mapp</translation>
+    </message>
+    <message>
+        <source>Check the spelling of the path</source>
+        <translation>Kontrollera stavningen av sökvägen</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>åtkomst nekad</translation>
+    </message>
+    <message>
+        <source>Choose a place that you may use, or change its permissions</source>
+        <translation>Välj en plats som du får använda, eller ändra dess rättigheter</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>disken är skrivskyddad</translation>
+    </message>
+    <message>
+        <source>Choose another disk</source>
+        <translation>Välj en annan disk</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>det är en mapp</translation>
+    </message>
+    <message>
+        <source>a part of the path is not a folder</source>
+        <translation>en del av sökvägen är ingen mapp</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Kontrollera sökvägen</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>dess symboliska länkar leder i en cirkel</translation>
+    </message>
+    <message>
+        <source>Remove the link or name another file</source>
+        <translation>Ta bort länken eller ange en annan fil</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>namnet är för långt</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name</source>
+        <translation>Välj ett kortare namn</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>disken är full</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk</source>
+        <translation>Frigör utrymme eller välj en annan disk</translation>
+    </message>
+    <message>
+        <source>the file is larger than may be written here</source>
+        <translation>filen är större än vad som får skrivas här</translation>
+    </message>
+    <message>
+        <source>Choose another disk or a smaller size</source>
+        <translation>Välj en annan disk eller en mindre storlek</translation>
+    </message>
+    <message>
+        <source>this machine has no instruction set %1</source>
+        <translation>den här datorn har ingen instruktionsuppsättning %1</translation>
+    </message>
+    <message>
+        <source>Choose one of %1</source>
+        <translation>Välj något av %1</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true eller false</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>ett heltal</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>ett tal</translation>
+    </message>
+    <message>
+        <source>one of its names</source>
+        <translation>något av dess namn</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 4294967295</source>
+        <translation>ett heltal från 0 till 4294967295</translation>
+    </message>
+    <message>
+        <source>three numbers [x, y, z]</source>
+        <translation>tre tal [x, y, z]</translation>
+    </message>
+    <message>
+        <source>three numbers [red, green, blue]</source>
+        <translation>tre tal [röd, grön, blå]</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 16 points [x, y]</source>
+        <translation>en lista med 1 till 16 punkter [x, y]</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 16 stops [at, red, green, blue]</source>
+        <translation>en lista med 1 till 16 steg [läge, röd, grön, blå]</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>väntade %1, fann %2</translation>
+    </message>
+    <message>
+        <source>there is no %1</source>
+        <translation>det finns inget %1</translation>
+    </message>
+    <message>
+        <source>the number is not finite</source>
+        <translation>talet är inte ändligt</translation>
+    </message>
+    <message>
+        <source>Use a plain number such as 1.5</source>
+        <translation>Använd ett vanligt tal, till exempel 1.5</translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;=&quot;</source>
+        <translation>%1 saknar &quot;=&quot;</translation>
+    </message>
+    <message>
+        <source>Write key=value, for example motion.wind=1.5</source>
+        <translation>Skriv nyckel=värde, till exempel motion.wind=1.5</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>det finns ingen parameter %1</translation>
+    </message>
+    <message>
+        <source>List them with: fumage-cli parameters</source>
+        <translation>Lista dem med: fumage-cli parameters</translation>
+    </message>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>Menade du %1?</translation>
+    </message>
+    <message>
+        <source>the picture was cancelled</source>
+        <translation>bilden avbröts</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written as EXR: %1</source>
+        <translation>bilden kan inte skrivas som EXR: %1</translation>
+    </message>
+    <message>
+        <source>no smoke is to be seen in frames %1 to %2</source>
+        <translation>ingen rök syns i bildruta %1 till %2</translation>
+    </message>
+    <message>
+        <source>Choose other frames, or make the smoke denser</source>
+        <translation>Välj andra bildrutor, eller gör röken tätare</translation>
+    </message>
+    <message>
+        <source>a flipbook of %1 x %2 cells</source>
+        <translation>en bildbok med %1 x %2 rutor</translation>
+    </message>
+    <message>
+        <source>Use 1 to %1 columns and rows</source>
+        <translation>Använd 1 till %1 kolumner och rader</translation>
+    </message>
+    <message>
+        <source>%1 frames do not fill %2 cells</source>
+        <translation>%1 bildrutor fyller inte %2 rutor</translation>
+    </message>
+    <message>
+        <source>Choose more frames or fewer columns and rows</source>
+        <translation>Välj fler bildrutor eller färre kolumner och rader</translation>
+    </message>
+    <message>
+        <source>a flipbook of %1 x %2 pixels</source>
+        <translation>en bildbok på %1 x %2 pixlar</translation>
+    </message>
+    <message>
+        <source>Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all</source>
+        <translation>Välj mindre eller färre rutor: kanter upp till %1 pixlar, högst %2 miljoner totalt</translation>
+    </message>
+    <message>
+        <source>unknown image format</source>
+        <translation>okänt bildformat</translation>
+    </message>
+    <message>
+        <source>this would overwrite the preset that it is made of</source>
+        <translation>detta skulle skriva över förinställningen som det görs av</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Välj ett annat namn</translation>
+    </message>
+    <message>
+        <source>Name a file, or - for standard output</source>
+        <translation>Ange en fil, eller - för standard ut</translation>
+    </message>
+    <message>
+        <source>the ending %1 does not fit</source>
+        <translation>ändelsen %1 passar inte</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Använd %1</translation>
+    </message>
+    <message>
+        <source>these are several files</source>
+        <translation>det här är flera filer</translation>
+    </message>
+    <message>
+        <source>Name a file, or one frame</source>
+        <translation>Ange en fil, eller en bildruta</translation>
+    </message>
+    <message>
+        <source>the PNG library could not be started</source>
+        <translation>PNG-biblioteket kunde inte startas</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written as PNG: %1</source>
+        <translation>bilden kan inte skrivas som PNG: %1</translation>
+    </message>
+    <message>
+        <source>frames %1 are not understood</source>
+        <translation>bildrutorna %1 går inte att förstå</translation>
+    </message>
+    <message>
+        <source>Write 7, 0-119 or 0-119:2</source>
+        <translation>Skriv 7, 0-119 eller 0-119:2</translation>
+    </message>
+    <message>
+        <source>frames %1 run backwards or out of range</source>
+        <translation>bildrutorna %1 går baklänges eller utanför gränserna</translation>
+    </message>
+    <message>
+        <source>Use numbers from 0 to %1, the smaller first</source>
+        <translation>Använd tal från 0 till %1, det mindre först</translation>
+    </message>
+    <message>
+        <source>baking the noise was cancelled</source>
+        <translation>bakningen av bruset avbröts</translation>
+    </message>
+    <message>
+        <source>a noise tile of %1 pixels</source>
+        <translation>en brusplatta på %1 pixlar</translation>
+    </message>
+    <message>
+        <source>Choose 1 to %1</source>
+        <translation>Välj 1 till %1</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8</source>
+        <translation>texten är inte UTF-8</translation>
+    </message>
+    <message>
+        <source>Save the file as UTF-8</source>
+        <translation>Spara filen som UTF-8</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle</source>
+        <translation>filen slutar mitt i</translation>
+    </message>
+    <message>
+        <source>It may have been cut off; use a copy of it</source>
+        <translation>Den kan ha kapats; använd en kopia</translation>
+    </message>
+    <message>
+        <source>this is not JSON: %1</source>
+        <translation>detta är inte JSON: %1</translation>
+    </message>
+    <message>
+        <source>brackets are nested more than %1 deep</source>
+        <translation>parenteser är nästlade mer än %1 djupt</translation>
+    </message>
+    <message>
+        <source>This is not a preset</source>
+        <translation>Detta är ingen förinställning</translation>
+    </message>
+    <message>
+        <source>the key %1 is there twice</source>
+        <translation>nyckeln %1 finns två gånger</translation>
+    </message>
+    <message>
+        <source>Remove one of them</source>
+        <translation>Ta bort en av dem</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16</source>
+        <translation>texten är UTF-16</translation>
+    </message>
+    <message>
+        <source>this is not JSON: there is a zero byte</source>
+        <translation>detta är inte JSON: det finns en nollbyte</translation>
+    </message>
+    <message>
+        <source>It may be a binary file or a damaged one</source>
+        <translation>Det kan vara en binär eller skadad fil</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>rad %1, kolumn %2</translation>
+    </message>
+    <message>
+        <source>there is no built-in preset %1</source>
+        <translation>det finns ingen inbyggd förinställning %1</translation>
+    </message>
+    <message>
+        <source>there is no preset or file %1</source>
+        <translation>det finns ingen förinställning eller fil %1</translation>
+    </message>
+    <message>
+        <source>List the presets with: fumage-cli presets</source>
+        <translation>Lista förinställningarna med: fumage-cli presets</translation>
+    </message>
+    <message>
+        <source>a preset of %1 bytes</source>
+        <translation>en förinställning på %1 byte</translation>
+    </message>
+    <message>
+        <source>Presets have at most %1</source>
+        <translation>Förinställningar har högst %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>a preset is an object in braces { }</source>
+        <translation>en förinställning är ett objekt inom klamrar { }</translation>
+    </message>
+    <message>
+        <source>this JSON is not a Fumage preset</source>
+        <translation>denna JSON är ingen Fumage-förinställning</translation>
+    </message>
+    <message>
+        <source>A preset begins with &quot;format&quot;: &quot;fumage-preset&quot;</source>
+        <translation>En förinställning börjar med &quot;format&quot;: &quot;fumage-preset&quot;</translation>
+    </message>
+    <message>
+        <source>the version of the preset is missing or not a whole number from 1</source>
+        <translation>förinställningens version saknas eller är inget heltal från 1</translation>
+    </message>
+    <message>
+        <source>the preset has version %1, this program reads up to %2</source>
+        <translation>förinställningen har version %1, detta program läser upp till %2</translation>
+    </message>
+    <message>
+        <source>Open it with a newer Fumage</source>
+        <translation>Öppna den med en nyare Fumage</translation>
+    </message>
+    <message>
+        <source>%1: expected a text in quotes</source>
+        <translation>%1: väntade en text inom citattecken</translation>
+    </message>
+    <message>
+        <source>%1: expected an object in braces { }</source>
+        <translation>%1: väntade ett objekt inom klamrar { }</translation>
+    </message>
+    <message>
+        <source>unknown key %1 is kept but has no effect</source>
+        <translation>den okända nyckeln %1 behålls men har ingen verkan</translation>
+    </message>
+    <message>
+        <source>unknown key %1 is kept but has no effect; did you mean %2?</source>
+        <translation>den okända nyckeln %1 behålls men har ingen verkan; menade du %2?</translation>
+    </message>
+    <message>
+        <source>%1 was out of range and is now %2</source>
+        <translation>%1 var utanför gränserna och är nu %2</translation>
+    </message>
+    <message>
+        <source>and %1 more warnings</source>
+        <translation>och %1 varningar till</translation>
+    </message>
+    <message>
+        <source>%1 parameters are not in the preset and keep their defaults, the first is %2</source>
+        <translation>%1 parametrar finns inte i förinställningen och behåller sina standardvärden, den första är %2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels</source>
+        <translation>en bild på %1 x %2 pixlar</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size or less supersampling</source>
+        <translation>Välj en mindre storlek eller mindre översampling</translation>
+    </message>
+    <message>
+        <source>painting was cancelled</source>
+        <translation>målningen avbröts</translation>
+    </message>
+    <message>
+        <source>baking the noise texture was cancelled</source>
+        <translation>bakningen av brustexturen avbröts</translation>
+    </message>
+    <message>
+        <source>the simulation was cancelled</source>
+        <translation>simuleringen avbröts</translation>
+    </message>
+    <message>
+        <source>the export cannot be started: there are not enough memory or threads</source>
+        <translation>exporten kan inte startas: det finns inte tillräckligt med minne eller trådar</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>Stäng andra program</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::NoiseCanvas</name>
     <message>
         <source>Noise texture</source>

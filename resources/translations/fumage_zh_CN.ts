@@ -906,6 +906,469 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>Messages</name>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>Use a smaller picture or fewer particles</source>
+        <translation>请使用更小的图像或更少的粒子</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>cannot read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>它不是普通文件</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>请指定一个文件</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes, more than the %2 that are read</source>
+        <translation>文件有 %1 字节，超过可读取的 %2 字节</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>请选择其他文件</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>无法创建文件夹：%1</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>请选择其他位置</translation>
+    </message>
+    <message>
+        <source>cannot write: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>没有这样的文件或文件夹</translation>
+    </message>
+    <message>
+        <source>Check the spelling of the path</source>
+        <translation>请检查路径的拼写</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
+        <translation>权限不足</translation>
+    </message>
+    <message>
+        <source>Choose a place that you may use, or change its permissions</source>
+        <translation>请选择您有权使用的位置，或更改其权限</translation>
+    </message>
+    <message>
+        <source>the disk is read-only</source>
+        <translation>磁盘是只读的</translation>
+    </message>
+    <message>
+        <source>Choose another disk</source>
+        <translation>请选择其他磁盘</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>它是文件夹</translation>
+    </message>
+    <message>
+        <source>a part of the path is not a folder</source>
+        <translation>路径中的一部分不是文件夹</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>请检查路径</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>其符号链接构成循环</translation>
+    </message>
+    <message>
+        <source>Remove the link or name another file</source>
+        <translation>请删除该链接或指定其他文件</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>名称过长</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name</source>
+        <translation>请选择更短的名称</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another disk</source>
+        <translation>请释放空间或选择其他磁盘</translation>
+    </message>
+    <message>
+        <source>the file is larger than may be written here</source>
+        <translation>文件超过此处允许写入的大小</translation>
+    </message>
+    <message>
+        <source>Choose another disk or a smaller size</source>
+        <translation>请选择其他磁盘或更小的尺寸</translation>
+    </message>
+    <message>
+        <source>this machine has no instruction set %1</source>
+        <translation>本机没有指令集 %1</translation>
+    </message>
+    <message>
+        <source>Choose one of %1</source>
+        <translation>请从 %1 中选择</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true 或 false</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>one of its names</source>
+        <translation>其名称之一</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 4294967295</source>
+        <translation>0 到 4294967295 的整数</translation>
+    </message>
+    <message>
+        <source>three numbers [x, y, z]</source>
+        <translation>三个数字 [x, y, z]</translation>
+    </message>
+    <message>
+        <source>three numbers [red, green, blue]</source>
+        <translation>三个数字 [红, 绿, 蓝]</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 16 points [x, y]</source>
+        <translation>1 到 16 个点 [x, y] 的列表</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 16 stops [at, red, green, blue]</source>
+        <translation>1 到 16 个色标 [位置, 红, 绿, 蓝] 的列表</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>应为%1，实际为 %2</translation>
+    </message>
+    <message>
+        <source>there is no %1</source>
+        <translation>没有 %1</translation>
+    </message>
+    <message>
+        <source>the number is not finite</source>
+        <translation>数字不是有限值</translation>
+    </message>
+    <message>
+        <source>Use a plain number such as 1.5</source>
+        <translation>请使用普通数字，例如 1.5</translation>
+    </message>
+    <message>
+        <source>%1 has no &quot;=&quot;</source>
+        <translation>%1 缺少“=”</translation>
+    </message>
+    <message>
+        <source>Write key=value, for example motion.wind=1.5</source>
+        <translation>请写成 键=值，例如 motion.wind=1.5</translation>
+    </message>
+    <message>
+        <source>there is no parameter %1</source>
+        <translation>没有参数 %1</translation>
+    </message>
+    <message>
+        <source>List them with: fumage-cli parameters</source>
+        <translation>可用以下命令列出：fumage-cli parameters</translation>
+    </message>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>您是想说 %1 吗？</translation>
+    </message>
+    <message>
+        <source>the picture was cancelled</source>
+        <translation>图像已取消</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written as EXR: %1</source>
+        <translation>无法将图像写为 EXR：%1</translation>
+    </message>
+    <message>
+        <source>no smoke is to be seen in frames %1 to %2</source>
+        <translation>第 %1 到 %2 帧中看不到烟雾</translation>
+    </message>
+    <message>
+        <source>Choose other frames, or make the smoke denser</source>
+        <translation>请选择其他帧，或使烟雾更浓</translation>
+    </message>
+    <message>
+        <source>a flipbook of %1 x %2 cells</source>
+        <translation>%1 x %2 格的序列图集</translation>
+    </message>
+    <message>
+        <source>Use 1 to %1 columns and rows</source>
+        <translation>请使用 1 到 %1 列和行</translation>
+    </message>
+    <message>
+        <source>%1 frames do not fill %2 cells</source>
+        <translation>%1 帧填不满 %2 格</translation>
+    </message>
+    <message>
+        <source>Choose more frames or fewer columns and rows</source>
+        <translation>请选择更多帧，或更少的列和行</translation>
+    </message>
+    <message>
+        <source>a flipbook of %1 x %2 pixels</source>
+        <translation>%1 x %2 像素的序列图集</translation>
+    </message>
+    <message>
+        <source>Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all</source>
+        <translation>请选择更小或更少的格子：边长至多 %1 像素，总计至多 %2 百万</translation>
+    </message>
+    <message>
+        <source>unknown image format</source>
+        <translation>未知的图像格式</translation>
+    </message>
+    <message>
+        <source>this would overwrite the preset that it is made of</source>
+        <translation>这会覆盖它所依据的预设</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>请选择其他名称</translation>
+    </message>
+    <message>
+        <source>Name a file, or - for standard output</source>
+        <translation>请指定文件，或用 - 表示标准输出</translation>
+    </message>
+    <message>
+        <source>the ending %1 does not fit</source>
+        <translation>扩展名 %1 不适用</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>请使用 %1</translation>
+    </message>
+    <message>
+        <source>these are several files</source>
+        <translation>这是多个文件</translation>
+    </message>
+    <message>
+        <source>Name a file, or one frame</source>
+        <translation>请指定一个文件或一帧</translation>
+    </message>
+    <message>
+        <source>the PNG library could not be started</source>
+        <translation>无法启动 PNG 库</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written as PNG: %1</source>
+        <translation>无法将图像写为 PNG：%1</translation>
+    </message>
+    <message>
+        <source>frames %1 are not understood</source>
+        <translation>无法理解帧 %1</translation>
+    </message>
+    <message>
+        <source>Write 7, 0-119 or 0-119:2</source>
+        <translation>请写成 7、0-119 或 0-119:2</translation>
+    </message>
+    <message>
+        <source>frames %1 run backwards or out of range</source>
+        <translation>帧 %1 顺序颠倒或超出范围</translation>
+    </message>
+    <message>
+        <source>Use numbers from 0 to %1, the smaller first</source>
+        <translation>请使用 0 到 %1 的数字，小的在前</translation>
+    </message>
+    <message>
+        <source>baking the noise was cancelled</source>
+        <translation>噪声烘焙已取消</translation>
+    </message>
+    <message>
+        <source>a noise tile of %1 pixels</source>
+        <translation>%1 像素的噪声图块</translation>
+    </message>
+    <message>
+        <source>Choose 1 to %1</source>
+        <translation>请选择 1 到 %1</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8</source>
+        <translation>文本不是 UTF-8</translation>
+    </message>
+    <message>
+        <source>Save the file as UTF-8</source>
+        <translation>请将文件保存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle</source>
+        <translation>文件不完整</translation>
+    </message>
+    <message>
+        <source>It may have been cut off; use a copy of it</source>
+        <translation>它可能被截断；请使用副本</translation>
+    </message>
+    <message>
+        <source>this is not JSON: %1</source>
+        <translation>这不是 JSON：%1</translation>
+    </message>
+    <message>
+        <source>brackets are nested more than %1 deep</source>
+        <translation>括号嵌套超过 %1 层</translation>
+    </message>
+    <message>
+        <source>This is not a preset</source>
+        <translation>这不是预设</translation>
+    </message>
+    <message>
+        <source>the key %1 is there twice</source>
+        <translation>键 %1 出现了两次</translation>
+    </message>
+    <message>
+        <source>Remove one of them</source>
+        <translation>请删除其中一个</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16</source>
+        <translation>文本是 UTF-16</translation>
+    </message>
+    <message>
+        <source>this is not JSON: there is a zero byte</source>
+        <translation>这不是 JSON：其中有零字节</translation>
+    </message>
+    <message>
+        <source>It may be a binary file or a damaged one</source>
+        <translation>它可能是二进制文件或已损坏</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
+    </message>
+    <message>
+        <source>there is no built-in preset %1</source>
+        <translation>没有内置预设 %1</translation>
+    </message>
+    <message>
+        <source>there is no preset or file %1</source>
+        <translation>没有预设或文件 %1</translation>
+    </message>
+    <message>
+        <source>List the presets with: fumage-cli presets</source>
+        <translation>可用以下命令列出预设：fumage-cli presets</translation>
+    </message>
+    <message>
+        <source>a preset of %1 bytes</source>
+        <translation>%1 字节的预设</translation>
+    </message>
+    <message>
+        <source>Presets have at most %1</source>
+        <translation>预设至多 %1 字节</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>a preset is an object in braces { }</source>
+        <translation>预设是花括号 { } 中的对象</translation>
+    </message>
+    <message>
+        <source>this JSON is not a Fumage preset</source>
+        <translation>此 JSON 不是 Fumage 预设</translation>
+    </message>
+    <message>
+        <source>A preset begins with &quot;format&quot;: &quot;fumage-preset&quot;</source>
+        <translation>预设以 &quot;format&quot;: &quot;fumage-preset&quot; 开头</translation>
+    </message>
+    <message>
+        <source>the version of the preset is missing or not a whole number from 1</source>
+        <translation>预设的版本缺失，或不是从 1 开始的整数</translation>
+    </message>
+    <message>
+        <source>the preset has version %1, this program reads up to %2</source>
+        <translation>预设版本为 %1，本程序至多读取 %2</translation>
+    </message>
+    <message>
+        <source>Open it with a newer Fumage</source>
+        <translation>请用更新的 Fumage 打开</translation>
+    </message>
+    <message>
+        <source>%1: expected a text in quotes</source>
+        <translation>%1：应为引号中的文本</translation>
+    </message>
+    <message>
+        <source>%1: expected an object in braces { }</source>
+        <translation>%1：应为花括号 { } 中的对象</translation>
+    </message>
+    <message>
+        <source>unknown key %1 is kept but has no effect</source>
+        <translation>未知键 %1 会被保留，但不起作用</translation>
+    </message>
+    <message>
+        <source>unknown key %1 is kept but has no effect; did you mean %2?</source>
+        <translation>未知键 %1 会被保留，但不起作用；您是想说 %2 吗？</translation>
+    </message>
+    <message>
+        <source>%1 was out of range and is now %2</source>
+        <translation>%1 超出范围，现为 %2</translation>
+    </message>
+    <message>
+        <source>and %1 more warnings</source>
+        <translation>以及另外 %1 条警告</translation>
+    </message>
+    <message>
+        <source>%1 parameters are not in the preset and keep their defaults, the first is %2</source>
+        <translation>预设中缺少 %1 个参数，它们保持默认值，第一个是 %2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels</source>
+        <translation>%1 x %2 像素的图像</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size or less supersampling</source>
+        <translation>请选择更小的尺寸或更低的超采样</translation>
+    </message>
+    <message>
+        <source>painting was cancelled</source>
+        <translation>绘制已取消</translation>
+    </message>
+    <message>
+        <source>baking the noise texture was cancelled</source>
+        <translation>噪声纹理烘焙已取消</translation>
+    </message>
+    <message>
+        <source>the simulation was cancelled</source>
+        <translation>模拟已取消</translation>
+    </message>
+    <message>
+        <source>the export cannot be started: there are not enough memory or threads</source>
+        <translation>无法开始导出：内存或线程不足</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>请关闭其他程序</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::NoiseCanvas</name>
     <message>
         <source>Noise texture</source>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Brings the translation files up to date with the texts of the program: `./dev translations`.
 
-Texts of the editor are found by lupdate; those of the parameter table and of the presets, which the core keeps in plain English, are read from there.
+Texts of the editor are found by lupdate; those of the parameter table, of the presets and of messages, which the core keeps in plain English, are read from there.
 """
 
 import json
@@ -13,7 +13,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Parameters", "Presets", "Help", "Menus", "Gizmos", "GlSprites", "Readout", "main"]
+PLAIN_CONTEXTS = ["Actions", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "Readout", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 
@@ -37,6 +37,13 @@ def preset_texts() -> list[str]:
     return [json.dumps(preset[member], ensure_ascii=False)[1:-1] for preset in presets for member in ("name", "description")]
 
 
+def message_texts() -> list[str]:
+    """What the core and the editor say by said(), wherever it comes to a user of the editor."""
+    sources = [file for room in ("core", "ui") for ending in ("*.h", "*.cpp") for file in sorted((ROOT / room).rglob(ending))]
+    texts = [text for file in sources for text in re.findall(r'\bsaid\(\s*"((?:[^"\\]|\\.)*)"', file.read_text())]
+    return list(dict.fromkeys(texts))
+
+
 def rename_contexts(path: pathlib.Path, qualified: bool) -> None:
     """Adds or takes away the namespace of classes: lupdate does not see nested namespaces, at run time they belong to the context."""
     text = path.read_text()
@@ -54,6 +61,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory(dir=ROOT / "build") as folder:
         stub = pathlib.Path(folder) / "parameter_texts.cpp"
         texts = [("Parameters", text) for text in table_texts()] + [("Presets", text) for text in preset_texts()]
+        texts += [("Messages", text) for text in message_texts()]
         stub.write_text("".join(f'QT_TRANSLATE_NOOP("{context}", "{text}");\n' for context, text in texts))
         subprocess.run([lupdate, str(ROOT / "ui"), str(stub), "-locations", "none", "-no-obsolete", "-ts", *map(str, files)], check=True)
     for file in files:

@@ -1,6 +1,7 @@
 // The translations are whole, are loaded, and say something of their own.
 #include "editor_helpers.h"
 
+#include "ui/document/text.h"
 #include "ui/face/language.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/effect_panel.h"
@@ -10,6 +11,7 @@
 #include "core/preset/library.h"
 
 #include <QComboBox>
+#include <QDirIterator>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTranslator>
@@ -82,6 +84,38 @@ private slots:
                 QVERIFY2(!translator.translate("Presets", text.c_str()).isEmpty(), text.c_str());
             }
         }
+    }
+
+    void whatTheCoreSaysIsTranslated_data() { addLanguages(); }
+    void whatTheCoreSaysIsTranslated()
+    {
+        QFETCH(QString, code);
+        QTranslator translator;
+        QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
+        static const QRegularExpression sentence(QStringLiteral(R"(\bsaid\(\s*"((?:[^"\\]|\\.)*)")"));
+        int count = 0;
+        for (const QString& room : {u"core"_q, u"ui"_q}) {
+            QDirIterator files(QStringLiteral(FUMAGE_SOURCE_DIR "/") + room, {u"*.h"_q, u"*.cpp"_q}, QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext()) {
+                QFile file(files.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QString source = QString::fromUtf8(file.readAll());
+                for (QRegularExpressionMatchIterator found = sentence.globalMatch(source); found.hasNext(); ++count) {
+                    const QString text = found.next().captured(1).replace(u"\\\""_q, u"\""_q);
+                    QVERIFY2(!translator.translate("Messages", text.toUtf8().constData()).isEmpty(), qPrintable(text));
+                }
+            }
+        }
+        QVERIFY(count > 70);
+    }
+
+    void errorsOfTheCoreAreToldInTheLanguageOfTheUser()
+    {
+        QVERIFY(applyLanguage(*qApp, u"sv"_q));
+        const Result<PresetReading> reading = readPresetFile("/nowhere/rök.json");
+        QCOMPARE(told(reading.error()), u"/nowhere/rök.json: kan inte läsas: det finns ingen sådan fil eller mapp. Kontrollera stavningen av sökvägen"_q);
+        const Result<PresetReading> broken = parsePreset("{\n  \"format\": 5}");
+        QVERIFY(told(broken.error()).startsWith(u"rad 2, kolumn 13: "_q));
     }
 
     void thePanelSpeaksTheLanguage()

@@ -93,7 +93,7 @@ void Recovery::saveNow()
     const Status origin = writeFileAtomically((m_copy.path + kOrigin).toStdString(), m_document.filePath().toStdString(), FileAccess::Private);
     const Status copy = origin ? writeFileAtomically(m_copy.path.toStdString(), formatPreset(m_document.preset()), FileAccess::Private) : origin;
     if (!copy && !m_hasFailed) {
-        emit failed(toQString(copy.error().text()));
+        emit failed(told(copy.error()));
     }
     m_hasFailed = !copy;
 }
@@ -135,7 +135,7 @@ void Recovery::adopt(Work work)
     // If it is this work that ends the program, others are not to run into it again and again.
     const std::string trials(static_cast<std::size_t>(QFileInfo(m_copy.path + kTrial).size()) + 1, '+');
     if (const Status trial = writeFileAtomically((m_copy.path + kTrial).toStdString(), trials, FileAccess::Private); !trial) {
-        emit failed(toQString(trial.error().text()));
+        emit failed(told(trial.error()));
     }
     m_document.loadUnsaved(work.preset, work.originalPath);
 }

@@ -1,6 +1,18 @@
 #include "ui/document/text.h"
 
+#include <QCoreApplication>
+
 namespace fumage::ui {
+
+QString told(const Message& message)
+{
+    return toQString(message.text([](const char* sentence) { return QCoreApplication::translate("Messages", sentence).toStdString(); }));
+}
+
+QString told(const Error& error)
+{
+    return told(error.whole());
+}
 
 QString shortened(const QString& text, qsizetype longest)
 {

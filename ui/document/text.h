@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/result.h"
+
 #include <string_view>
 
 #include <QString>
@@ -11,6 +13,10 @@ namespace fumage::ui {
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
+
+/// What the core says, in the language of the user. Any thread.
+[[nodiscard]] QString told(const Message& message);
+[[nodiscard]] QString told(const Error& error);
 
 /// The beginning of a text that is too long to be shown.
 [[nodiscard]] QString shortened(const QString& text, qsizetype longest = 80);

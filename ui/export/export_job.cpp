@@ -36,7 +36,7 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
     try {
         m_thread = std::jthread(work);
     } catch (const std::system_error&) {
-        end(Error{ErrorCode::OutOfMemory, "the export cannot be started: there are not enough memory or threads", "", "Close other programs"});
+        end(Error{ErrorCode::OutOfMemory, said("the export cannot be started: there are not enough memory or threads"), {}, said("Close other programs")});
     }
 }
 
@@ -68,7 +68,7 @@ void ExportJob::end(const Result<std::optional<Flipbook>>& result)
     } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {
-        emit failed(toQString(result.error().text()));
+        emit failed(told(result.error()));
     }
 }
 

@@ -153,7 +153,7 @@ void ParameterRow::paste()
     if (value) {
         m_document.edit(parameter(), value.value().value);
     } else {
-        MessageBox::warn(this, tr("Paste"), toQString(value.error().text()));
+        MessageBox::warn(this, tr("Paste"), told(value.error()));
     }
 }
 

@@ -16,7 +16,7 @@ constexpr qint64 kSendMs = 50;
 LibraryPreset readEntry(const LibraryEntry& entry)
 {
     Result<PresetReading> reading = loadPreset(entry);
-    return reading ? LibraryPreset{entry, std::move(reading).value().preset, {}} : LibraryPreset{entry, {}, toQString(reading.error().text())};
+    return reading ? LibraryPreset{entry, std::move(reading).value().preset, {}} : LibraryPreset{entry, {}, told(reading.error())};
 }
 
 } // namespace

@@ -56,27 +56,27 @@ DocumentFiles::DocumentFiles(Document& document, Settings& settings, const AskFo
 
 void DocumentFiles::report(const QString& title, const Error& error) const
 {
-    MessageBox box(QStringLiteral("errorBox"), MessageBox::Warning, title, toQString(error.message), MessageBox::Ok, m_window);
+    MessageBox box(QStringLiteral("errorBox"), MessageBox::Warning, title, told(error.message), MessageBox::Ok, m_window);
     QStringList more;
     if (!error.place.empty()) {
-        more += toQString(error.place);
+        more += told(error.place);
     }
     if (!error.remedy.empty()) {
-        more += toQString(error.remedy) + QLatin1Char('.');
+        more += told(error.remedy) + QLatin1Char('.');
     }
     box.explain(more.join(QLatin1Char('\n')));
     box.exec();
 }
 
-void DocumentFiles::showWarnings(const QString& name, const std::vector<std::string>& warnings) const
+void DocumentFiles::showWarnings(const QString& name, const std::vector<Message>& warnings) const
 {
     if (warnings.empty()) {
         return;
     }
     MessageBox box(QStringLiteral("warningBox"), MessageBox::Information, tr("Opened with changes"), tr("“%1” was opened, but some of it had to be put right.").arg(name), MessageBox::Ok, m_window);
     QStringList lines;
-    for (const std::string& warning : warnings) {
-        lines += toQString(warning);
+    for (const Message& warning : warnings) {
+        lines += told(warning);
     }
     constexpr int kShown = 6;
     box.explain(QStringList(lines.mid(0, kShown)).join(QLatin1Char('\n')));

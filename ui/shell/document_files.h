@@ -48,7 +48,7 @@ private:
     [[nodiscard]] bool mayReplace(const QString& name) const;
     [[nodiscard]] QString suggestedPath() const;
     void report(const QString& title, const Error& error) const;
-    void showWarnings(const QString& name, const std::vector<std::string>& warnings) const;
+    void showWarnings(const QString& name, const std::vector<Message>& warnings) const;
 
     Document& m_document;
     Settings& m_settings;

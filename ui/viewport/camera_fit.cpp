@@ -72,7 +72,7 @@ void CameraFit::end(const Result<Camera>& camera)
         m_document.edit(assignmentsOf(camera.value()), tr("Frame the whole animation"));
         emit news(tr("The camera shows all smoke of the animation"), kShownMs);
     } else {
-        emit news(toQString(camera.error().text()), kShownMs);
+        emit news(told(camera.error()), kShownMs);
     }
     emit ended();
 }
