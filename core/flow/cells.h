@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/base/aligned_array.h"
+#include "core/flow/grid.h"
+
+namespace fumage {
+
+using AirColumn = AlignedArray<float>;
+
+/// Three numbers a cell, or one on each of its three lower faces.
+struct AirVectors {
+    AirColumn x, y, z;
+
+    void resize(std::size_t size)
+    {
+        x.assign(size, 0.0F);
+        y.assign(size, 0.0F);
+        z.assign(size, 0.0F);
+    }
+};
+
+/// What lives from one step to the next: quads of all cells, with their ghosts.
+struct AirState {
+    AirColumn air; ///< velocity in the middle of each cell, and heat
+    AirColumn carrier; ///< means of the velocities through the faces of each cell, which carry the air in the next step; fourth number unused
+
+    [[nodiscard]] std::size_t bytes() const { return (air.size() + carrier.size()) * sizeof(float); }
+};
+
+/// All that a step reads and writes. Only air and carrier live from one step to the next; all else is room to work in, made once.
+struct AirCells {
+    AirCells(const AirGrid& on, const AirBorders& within)
+        : grid(on)
+        , borders(within)
+        , column(on.cells)
+        , quad(on.cells)
+    {
+        air.assign(quad.size, 0.0F);
+        carrier.assign(quad.size, 0.0F);
+        guess.assign(quad.size, 0.0F);
+        for (AirVectors* vectors : {&way, &velocity, &forced, &curl}) {
+            vectors->resize(column.size);
+        }
+        for (AirColumn* numbers : {&heat, &vorticity, &divergence, &pressure}) {
+            numbers->assign(column.size, 0.0F);
+        }
+    }
+
+    AirGrid grid;
+    AirBorders borders;
+    ColumnLayout column;
+    QuadLayout quad;
+
+    AirColumn air; ///< quads, see AirState
+    AirColumn carrier; ///< quads, see AirState
+    AirColumn guess; ///< quads: the state carried, first guess of MacCormack's method
+    AirVectors way; ///< cells that the air comes along in a step
+    AirVectors velocity; ///< carried, m/s
+    AirVectors forced; ///< carried and accelerated, m/s
+    AirVectors curl; ///< of the velocity, m/s a cell
+    AirColumn vorticity; ///< its length
+    AirColumn heat;
+    AirColumn divergence; ///< m/s a cell, less the expansion of the source
+    AirColumn pressure; ///< times dt / density / cell: velocity loses its difference
+
+    // Empty where there is no obstacle.
+    AirVectors open; ///< whether a lower face lets air through: 1 or 0
+    AirColumn fluid; ///< whether a cell is air: 1 or 0
+    AirColumn touching; ///< how many faces of a cell of air are walls of obstacles
+    struct Skin { ///< a cell of an obstacle that has air beside it
+        glm::ivec3 cell{0};
+        unsigned sides = 0; ///< bit 2 * axis for the neighbour below, bit 2 * axis + 1 for the one above
+    };
+    std::vector<Skin> skin;
+    [[nodiscard]] bool hasObstacles() const { return !fluid.empty(); }
+};
+
+} // namespace fumage

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/aligned_array.h"
+#include "core/flow/grid.h"
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace fumage {
+
+/// The air at one step, for all who read it: velocity and heat at the corners of the cells, rounded to half floats.
+///
+/// Between the nodes they are interpolated linearly along each axis. As much then flows into each cell as out of it (see solver.h), on a wall of the
+/// box the velocity across it is 0, and nothing outside the box is needed.
+struct AirField {
+    AirField() = default;
+    explicit AirField(const AirGrid& on)
+        : grid(on)
+        , row(4 * static_cast<std::size_t>(on.cells.x + 1))
+        , plane(row * static_cast<std::size_t>(on.cells.y + 1))
+        , quads(plane * static_cast<std::size_t>(on.cells.z + 1))
+    {
+    }
+
+    AirGrid grid;
+    glm::vec3 wind{0.0F}; ///< velocity of the air outside the box, m/s
+    std::size_t row = 0; ///< halfs from a node to the one above
+    std::size_t plane = 0;
+    AlignedArray<std::uint16_t> quads; ///< bits of (u, v, w, heat) of each node, x fastest
+
+    /// Memory that it takes.
+    [[nodiscard]] std::size_t bytes() const { return quads.size() * sizeof(std::uint16_t); }
+
+    /// Velocity, m/s, and heat at a place; outside the box the wind. For looking at: slow.
+    [[nodiscard]] glm::vec4 at(const glm::vec3& place) const;
+};
+
+} // namespace fumage

@@ -1,0 +1,185 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/flow/force_kernel.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "core/base/math-inl.h"
+#include "core/flow/force_kernel.h"
+#include "core/noise/simplex-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
+
+using D = hn::CappedTag<float, kAirLanes>;
+using V = hn::Vec<D>;
+
+/// Fastest that the air may be in each component, m/s: a forced flow without end would else end in infinity. Half floats hold it.
+constexpr float kMaxAirSpeed = 2000.0F;
+
+/// 1 inside, 0 outside, smooth over a width around the border.
+/// @param inside distance from the border, m
+HWY_INLINE V covered(D d, V inside, float width)
+{
+    const V t = clamp01(d, inside * (1.0F / width) + 0.5F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// Noise at a place, three components.
+HWY_INLINE Vec3<V> rimNoise(D d, const AirSource& source, const Vec3<V>& away)
+{
+    Vec3<V> sum = uniform(hn::Zero(d));
+    Vec3<V> none = sum;
+    for (const RimOctave& octave : source.rim) {
+        addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, sum, none);
+    }
+    return sum;
+}
+
+/// How far inside the source places are, m, less than 0 outside: from its rim, which wanders, and from its two ends.
+HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V wander)
+{
+    const V across = dot(away, source.basis.across);
+    const V along = dot(away, source.basis.along);
+    const V up = dot(away, source.normal);
+    const V edge = 1.0F + source.raggedness * wander;
+    if (source.shape == EmitterShape::Sphere) {
+        return covered(d, edge * source.reach.x - hn::Sqrt(dot(away, away)), source.softness);
+    }
+    const V ends = covered(d, hn::Min(up + 0.5F * source.softness, source.depth - up), source.softness);
+    if (source.shape == EmitterShape::Rectangle) {
+        return ends * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)), source.softness);
+    }
+    return ends * covered(d, edge * source.reach.x - hn::Sqrt(across * across + along * along), source.softness);
+}
+
+void sourcePlane(AirCells& cells, const AirSource& source, int k)
+{
+    const D d;
+    for (int j = source.first.y; j < source.last.y; ++j) {
+        const glm::vec3 rowStart = cells.grid.corner + cells.grid.cell * (glm::vec3(0.0F, static_cast<float>(j), static_cast<float>(k)) + 0.5F) - source.place;
+        const std::size_t row = cells.column.at(0, j, k);
+        for (auto i = static_cast<std::size_t>(source.first.x); i < static_cast<std::size_t>(source.last.x); i += hn::Lanes(d)) {
+            const std::size_t at = row + i;
+            const Vec3<V> away{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
+            const Vec3<V> noise = rimNoise(d, source, away);
+            const V cover = coverage(d, source, away, noise.x);
+            const V heat = hn::Load(d, cells.heat.data() + at);
+            hn::Store(hn::Max(heat, cover * source.heat), d, cells.heat.data() + at);
+            const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
+            // What comes out is as uneven as its rim.
+            const Vec3<V> own = broadcast(d, source.velocity) * (1.0F + source.raggedness * noise.y);
+            store(v + (own - v) * (cover * source.grip), cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
+            hn::Store(cover * (source.expansion * cells.grid.cell), d, cells.divergence.data() + at);
+        }
+    }
+}
+
+/// Half the difference of the neighbours.
+HWY_INLINE V slope(D d, const float* HWY_RESTRICT at, std::size_t stride)
+{
+    return 0.5F * (hn::LoadU(d, at + stride) - hn::LoadU(d, at - stride));
+}
+
+void curlPlane(AirCells& cells, int k)
+{
+    const D d;
+    const std::size_t row = cells.column.row;
+    const std::size_t plane = cells.column.plane;
+    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
+    for (int j = 0; j < cells.grid.cells.y; ++j) {
+        const std::size_t start = cells.column.at(0, j, k);
+        for (std::size_t at = start; at < start + n; at += hn::Lanes(d)) {
+            const float* u = cells.velocity.x.data() + at;
+            const float* v = cells.velocity.y.data() + at;
+            const float* w = cells.velocity.z.data() + at;
+            const Vec3<V> curl{slope(d, w, row) - slope(d, v, plane), slope(d, u, plane) - slope(d, w, 1), slope(d, v, 1) - slope(d, u, row)};
+            store(curl, cells.curl.x, cells.curl.y, cells.curl.z, at);
+            hn::Store(hn::Sqrt(dot(curl, curl)), d, cells.vorticity.data() + at);
+        }
+    }
+}
+
+/// epsilon (N x w) dt, m/s. N is of length 1, or shorter where the vorticity is so even that it has no direction.
+HWY_INLINE Vec3<V> confinement(D d, const AirCells& cells, float strength, std::size_t at)
+{
+    const float* size = cells.vorticity.data() + at;
+    const Vec3<V> gradient{slope(d, size, 1), slope(d, size, cells.column.row), slope(d, size, cells.column.plane)};
+    constexpr float kEven = 1e-6F; // m/s a cell
+    const V scale = strength / (hn::Sqrt(dot(gradient, gradient)) + kEven);
+    return cross(gradient, load(d, cells.curl.x, cells.curl.y, cells.curl.z, at)) * scale;
+}
+
+/// What a wall in the cell leaves of the air's velocity in it: 1 / (1 + c dt |u| / h), which is stable for any drag c.
+HWY_INLINE V afterDrag(D d, const AirCells& cells, const AirStep& step, bool onGround, const Vec3<V>& v, std::size_t at)
+{
+    V walls = hn::Set(d, onGround ? 1.0F : 0.0F);
+    if (cells.hasObstacles()) {
+        walls = walls + hn::Load(d, cells.touching.data() + at);
+    }
+    return 1.0F / (1.0F + walls * (step.friction * step.dt / cells.grid.cell) * hn::Sqrt(dot(v, v)));
+}
+
+HWY_INLINE Vec3<V> bounded(D d, const Vec3<V>& v)
+{
+    const V most = hn::Set(d, kMaxAirSpeed);
+    const auto within = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
+    return {within(v.x), within(v.y), within(v.z)};
+}
+
+void forcePlane(AirCells& cells, const AirStep& step, int k)
+{
+    const D d;
+    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
+    for (int j = 0; j < cells.grid.cells.y; ++j) {
+        const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
+        const std::size_t start = cells.column.at(0, j, k);
+        for (std::size_t at = start; at < start + n; at += hn::Lanes(d)) {
+            const V heat = hn::Load(d, cells.heat.data() + at);
+            Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at) + step.windChange;
+            v.y = v.y + heat * (step.dt * step.buoyancy);
+            if (step.confinement > 0.0F) {
+                v = v + confinement(d, cells, step.confinement * step.dt, at);
+            }
+            if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
+                v = v * afterDrag(d, cells, step, onGround, v, at);
+            }
+            if (cells.hasObstacles()) {
+                v = v * hn::Load(d, cells.fluid.data() + at);
+            }
+            store(bounded(d, v), cells.forced.x, cells.forced.y, cells.forced.z, at);
+            hn::Store(heat * step.heatKept, d, cells.heat.data() + at);
+        }
+    }
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumage {
+
+HWY_EXPORT(sourcePlane);
+HWY_EXPORT(curlPlane);
+HWY_EXPORT(forcePlane);
+
+void addSource(AirCells& cells, const AirSource& source, int k)
+{
+    const auto kernel = HWY_DYNAMIC_DISPATCH(sourcePlane);
+    kernel(cells, source, k);
+}
+
+void findCurl(AirCells& cells, int k)
+{
+    const auto kernel = HWY_DYNAMIC_DISPATCH(curlPlane);
+    kernel(cells, k);
+}
+
+void addForces(AirCells& cells, const AirStep& step, int k)
+{
+    const auto kernel = HWY_DYNAMIC_DISPATCH(forcePlane);
+    kernel(cells, step, k);
+}
+
+} // namespace fumage
+#endif

@@ -1,0 +1,232 @@
+#include "core/flow/multigrid.h"
+
+#include "core/base/parallel.h"
+#include "core/flow/multigrid_kernel.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+
+namespace fumage {
+
+namespace {
+
+/// A level may be coarsened while its shortest side has as many cells.
+constexpr int kFewestToHalve = 4;
+
+/// Before and after a coarser level.
+constexpr int kSweeps = 2;
+
+/// On the coarsest level, which may still be long: enough for a side of 16 cells.
+constexpr int kSweepsOfLast = 40;
+
+/// A level with fewer cells is done by one thread: to share it would take longer.
+constexpr std::size_t kWorthSharing = 16384;
+
+constexpr int halved(int cells)
+{
+    return (cells + 1) / 2;
+}
+
+MultigridAxis makeAxis(std::vector<float> width, Border low, Border high)
+{
+    MultigridAxis axis;
+    axis.width = std::move(width);
+    const std::size_t n = axis.width.size();
+    axis.cells = static_cast<int>(n);
+    const std::size_t room = n + 2 * kAirLanes;
+    for (AirColumn* column : {&axis.below, &axis.above, &axis.own, &axis.share, &axis.near, &axis.beside}) {
+        column->assign(room, 0.0F);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const float w = axis.width[i];
+        axis.below[i] = i > 0 ? 2.0F / (w * (w + axis.width[i - 1])) : 0.0F;
+        axis.above[i] = i + 1 < n ? 2.0F / (w * (w + axis.width[i + 1])) : 0.0F;
+        const bool openBelow = i == 0 && low == Border::Open;
+        const bool openAbove = i + 1 == n && high == Border::Open;
+        axis.own[i] = axis.below[i] + axis.above[i] + (openBelow ? 2.0F / (w * w) : 0.0F) + (openAbove ? 2.0F / (w * w) : 0.0F);
+    }
+    return axis;
+}
+
+/// How the cells of an axis lie in the coarser ones: two in each, and one in the last where their number is odd.
+void linkAxis(MultigridAxis& fine, const MultigridAxis& coarse, Border low, Border high)
+{
+    for (std::size_t i = 0; i < fine.width.size(); ++i) {
+        const std::size_t parent = i / 2;
+        const float w = fine.width[i];
+        const float all = coarse.width[parent];
+        fine.share[i] = w / all;
+        const float offset = 0.5F * (all - w); // between the centres of the cell and its coarse one
+        const bool isLower = i % 2 == 0;
+        const bool atBorder = isLower ? parent == 0 : parent + 1 == coarse.width.size();
+        if (offset == 0.0F) {
+            fine.near[i] = 1.0F;
+        } else if (atBorder) {
+            const bool isOpen = (isLower ? low : high) == Border::Open;
+            fine.near[i] = isOpen ? 1.0F - offset / (0.5F * all) : 1.0F;
+        } else {
+            const float neighbour = coarse.width[isLower ? parent - 1 : parent + 1];
+            fine.beside[i] = offset / (0.5F * (all + neighbour));
+            fine.near[i] = 1.0F - fine.beside[i];
+        }
+    }
+}
+
+std::vector<float> coarserWidths(const std::vector<float>& width)
+{
+    std::vector<float> out;
+    for (std::size_t i = 0; i < width.size(); i += 2) {
+        out.push_back(i + 1 < width.size() ? width[i] + width[i + 1] : width[i]);
+    }
+    return out;
+}
+
+/// The share of a coarse face that lets air through is the mean of the fine faces in it.
+void coarsenFaces(const MultigridLevel& fine, MultigridLevel& coarse, AirColumn AirVectors::*faces, int axis)
+{
+    const glm::ivec3 n = fine.layout.cells;
+    const glm::ivec3 m = coarse.layout.cells;
+    glm::ivec3 end = m;
+    ++end[axis]; // the face of the border above too
+    for (int k = 0; k < end.z; ++k) {
+        for (int j = 0; j < end.y; ++j) {
+            for (int i = 0; i < end.x; ++i) {
+                glm::ivec3 low{2 * i, 2 * j, 2 * k};
+                low[axis] = std::min(low[axis], n[axis]);
+                glm::ivec3 high = glm::min(low + 2, n);
+                high[axis] = low[axis] + 1;
+                float sum = 0.0F;
+                float count = 0.0F;
+                for (int z = low.z; z < high.z; ++z) {
+                    for (int y = low.y; y < high.y; ++y) {
+                        for (int x = low.x; x < high.x; ++x) {
+                            sum += (fine.open.*faces)[fine.layout.at(x, y, z)];
+                            count += 1.0F;
+                        }
+                    }
+                }
+                (coarse.open.*faces)[coarse.layout.at(i, j, k)] = sum / count;
+            }
+        }
+    }
+}
+
+/// 1 / the weight of -p in every cell; 0 where no face is open.
+void invertWeights(MultigridLevel& level)
+{
+    level.inverse.assign(level.layout.size, 0.0F);
+    const glm::ivec3 n = level.layout.cells;
+    const std::array strides{std::size_t{1}, level.layout.row, level.layout.plane};
+    const std::array faces{&level.open.x, &level.open.y, &level.open.z};
+    for (int k = 0; k < n.z; ++k) {
+        for (int j = 0; j < n.y; ++j) {
+            for (int i = 0; i < n.x; ++i) {
+                const std::size_t at = level.layout.at(i, j, k);
+                const std::array place{i, j, k};
+                float sum = 0.0F;
+                for (std::size_t a = 0; a < 3; ++a) {
+                    const auto index = static_cast<std::size_t>(place[a]);
+                    const MultigridAxis& axis = level.axis[a];
+                    const float lower = (*faces[a])[at];
+                    const float upper = (*faces[a])[at + strides[a]];
+                    const float border = axis.own[index] - axis.below[index] - axis.above[index];
+                    sum += axis.below[index] * lower + axis.above[index] * upper + border * (place[a] == 0 ? lower : upper);
+                }
+                constexpr float kShut = 1e-4F;
+                level.inverse[at] = sum > kShut ? 1.0F / sum : 0.0F;
+            }
+        }
+    }
+}
+
+/// Calls body(plane) for planes first, first + stride and so on of a level.
+template <class Body>
+void forPlanes(const MultigridLevel& level, int first, int stride, const Body& body)
+{
+    const int planes = level.layout.cells.z;
+    if (level.layout.size < kWorthSharing) {
+        for (int k = first; k < planes; k += stride) {
+            body(k);
+        }
+        return;
+    }
+    parallelFor(static_cast<std::size_t>((planes - first + stride - 1) / stride), [&](std::size_t i) { body(first + stride * static_cast<int>(i)); });
+}
+
+void sweep(const MultigridLevel& level, AirColumn& pressure, const AirColumn& rightSide, int times)
+{
+    for (int time = 0; time < times; ++time) {
+        for (int first = 0; first < 2; ++first) {
+            forPlanes(level, first, 2, [&](int k) { relax(level, pressure, rightSide, k); });
+        }
+    }
+}
+
+} // namespace
+
+Multigrid::Multigrid(const glm::ivec3& cells, const AirBorders& borders, const AirVectors& open)
+{
+    std::array<std::vector<float>, 3> widths;
+    for (int a = 0; a < 3; ++a) {
+        widths[static_cast<std::size_t>(a)].assign(static_cast<std::size_t>(cells[a]), 1.0F);
+    }
+    glm::ivec3 n = cells;
+    while (true) {
+        MultigridLevel& level = m_levels.emplace_back(n);
+        for (std::size_t a = 0; a < 3; ++a) {
+            level.axis[a] = makeAxis(widths[a], borders.low[a], borders.high[a]);
+            widths[a] = coarserWidths(widths[a]);
+        }
+        if (std::min({n.x, n.y, n.z}) < kFewestToHalve) {
+            break;
+        }
+        n = {halved(n.x), halved(n.y), halved(n.z)};
+    }
+    for (std::size_t l = 0; l < m_levels.size(); ++l) {
+        MultigridLevel& level = m_levels[l];
+        if (l > 0) {
+            level.pressure.assign(level.layout.size, 0.0F);
+            level.rightSide.assign(level.layout.size, 0.0F);
+            for (std::size_t a = 0; a < 3; ++a) {
+                linkAxis(m_levels[l - 1].axis[a], level.axis[a], borders.low[a], borders.high[a]);
+            }
+        }
+        if (!open.x.empty()) {
+            level.open.resize(level.layout.size);
+            if (l == 0) {
+                level.open = open;
+            } else {
+                coarsenFaces(m_levels[l - 1], level, &AirVectors::x, 0);
+                coarsenFaces(m_levels[l - 1], level, &AirVectors::y, 1);
+                coarsenFaces(m_levels[l - 1], level, &AirVectors::z, 2);
+            }
+            invertWeights(level);
+        }
+    }
+}
+
+void Multigrid::cycle(std::size_t level, AirColumn& pressure, AirColumn& rightSide)
+{
+    const MultigridLevel& fine = m_levels[level];
+    if (level + 1 == m_levels.size()) {
+        sweep(fine, pressure, rightSide, kSweepsOfLast);
+        return;
+    }
+    MultigridLevel& coarse = m_levels[level + 1];
+    sweep(fine, pressure, rightSide, kSweeps);
+    forPlanes(coarse, 0, 1, [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
+    cycle(level + 1, coarse.pressure, coarse.rightSide);
+    forPlanes(fine, 0, 1, [&](int k) { prolong(fine, coarse, pressure, k); });
+    sweep(fine, pressure, rightSide, kSweeps);
+}
+
+void Multigrid::solve(AirColumn& pressure, AirColumn& rightSide, int cycles)
+{
+    std::fill(pressure.begin(), pressure.end(), 0.0F);
+    for (int i = 0; i < cycles; ++i) {
+        cycle(0, pressure, rightSide);
+    }
+}
+
+} // namespace fumage

@@ -1,0 +1,178 @@
+#include "core/flow/solver.h"
+
+#include "core/base/parallel.h"
+#include "core/flow/advection_kernel.h"
+#include "core/flow/borders.h"
+#include "core/flow/force_kernel.h"
+#include "core/flow/project_kernel.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace fumage {
+
+namespace {
+
+AirCells cellsWith(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids)
+{
+    AirCells cells(grid, borders);
+    [[maybe_unused]] const bool anyAir = placeSolids(cells, solids);
+    assert(anyAir);
+    return cells;
+}
+
+/// Calls body(plane) for planes [first, last), on all threads.
+template <class Body>
+void forPlanes(int first, int last, const Body& body)
+{
+    parallelFor(static_cast<std::size_t>(last - first), [&](std::size_t i) { body(first + static_cast<int>(i)); });
+}
+
+} // namespace
+
+AirSolver::AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind)
+    : m_cells(cellsWith(grid, borders, solids))
+    , m_multigrid(grid.cells, borders, m_cells.open)
+{
+    if (wind != glm::vec3(0.0F)) {
+        set([&](const glm::vec3&) { return glm::vec4(wind, 0.0F); }, wind);
+    }
+}
+
+void AirSolver::step(const AirStep& step)
+{
+    AirCells& cells = m_cells;
+    const int planes = cells.grid.cells.z;
+    forPlanes(0, planes, [&](int k) {
+        traceBack(cells, step.dt, k);
+        fillQuadGhosts(cells, cells.guess, step.wind, k);
+    });
+    fillSkin(cells, cells.guess);
+    std::fill(cells.divergence.begin(), cells.divergence.end(), 0.0F);
+    const bool confines = step.confinement > 0.0F;
+    forPlanes(0, planes, [&](int k) {
+        correctTrace(cells, step.dt, k);
+        if (step.source.acts && k >= step.source.first.z && k < step.source.last.z) {
+            addSource(cells, step.source, k);
+        }
+        if (confines) {
+            fillVelocityGhosts(cells, cells.velocity, k);
+        }
+    });
+    if (confines) {
+        forPlanes(0, planes, [&](int k) {
+            findCurl(cells, k);
+            fillEvenGhosts(cells, cells.vorticity, k);
+        });
+    }
+    forPlanes(0, planes, [&](int k) {
+        addForces(cells, step, k);
+        fillVelocityGhosts(cells, cells.forced, k);
+    });
+    project(step.wind);
+}
+
+void AirSolver::project(const glm::vec3& wind)
+{
+    AirCells& cells = m_cells;
+    const int planes = cells.grid.cells.z;
+    forPlanes(0, planes, [&](int k) { findDivergence(cells, k); });
+    if (cells.borders.closed()) {
+        balance();
+    }
+    m_multigrid.solve(cells.pressure, cells.divergence, kCycles);
+    forPlanes(0, planes, [&](int k) {
+        fillPressureGhosts(cells, cells.pressure, k);
+        fillEvenGhosts(cells, cells.heat, k);
+    });
+    forPlanes(0, planes, [&](int k) {
+        subtractGradient(cells, k);
+        fillQuadGhosts(cells, cells.air, wind, k);
+        fillQuadGhosts(cells, cells.carrier, wind, k);
+    });
+    fillSkin(cells, cells.air);
+    fillSkin(cells, cells.carrier);
+}
+
+void AirSolver::balance()
+{
+    const glm::ivec3 n = m_cells.grid.cells;
+    double sum = 0.0;
+    double count = 0.0;
+    const auto forAir = [&](const auto& visit) {
+        for (int k = 0; k < n.z; ++k) {
+            for (int j = 0; j < n.y; ++j) {
+                for (int i = 0; i < n.x; ++i) {
+                    if (!isSolid({i, j, k})) {
+                        visit(m_cells.divergence[m_cells.column.at(i, j, k)]);
+                    }
+                }
+            }
+        }
+    };
+    forAir([&](float each) {
+        sum += static_cast<double>(each);
+        count += 1.0;
+    });
+    const auto mean = static_cast<float>(sum / count);
+    forAir([&](float& each) { each -= mean; });
+}
+
+void AirSolver::set(const std::function<glm::vec4(const glm::vec3& place)>& airAt, const glm::vec3& wind)
+{
+    AirCells& cells = m_cells;
+    const glm::ivec3 n = cells.grid.cells;
+    for (int k = 0; k < n.z; ++k) {
+        for (int j = 0; j < n.y; ++j) {
+            for (int i = 0; i < n.x; ++i) {
+                const std::size_t at = cells.column.at(i, j, k);
+                const glm::vec4 air = isSolid({i, j, k}) ? glm::vec4(0.0F) : airAt(cells.grid.corner + cells.grid.cell * (glm::vec3(i, j, k) + 0.5F));
+                cells.forced.x[at] = air.x;
+                cells.forced.y[at] = air.y;
+                cells.forced.z[at] = air.z;
+                cells.heat[at] = air.w;
+            }
+        }
+        fillVelocityGhosts(cells, cells.forced, k);
+    }
+    std::fill(cells.divergence.begin(), cells.divergence.end(), 0.0F);
+    project(wind);
+}
+
+void AirSolver::restore(const AirState& state)
+{
+    m_cells.air = state.air;
+    m_cells.carrier = state.carrier;
+}
+
+void AirSolver::read(AirField& field) const
+{
+    parallelFor(static_cast<std::size_t>(m_cells.grid.cells.z) + 1, [&](std::size_t k) { writeNodes(m_cells, field, static_cast<int>(k)); });
+}
+
+bool AirSolver::isSolid(const glm::ivec3& cell) const
+{
+    return m_cells.hasObstacles() && m_cells.fluid[m_cells.column.at(cell.x, cell.y, cell.z)] == 0.0F;
+}
+
+glm::vec4 AirSolver::at(const glm::ivec3& cell) const
+{
+    const float* quad = m_cells.air.data() + m_cells.quad.at(cell.x, cell.y, cell.z);
+    return {quad[0], quad[1], quad[2], quad[3]};
+}
+
+float AirSolver::divergenceAt(const glm::ivec3& cell) const
+{
+    const std::size_t at = m_cells.column.at(cell.x, cell.y, cell.z);
+    const auto outOf = [&](const AirColumn& velocity, const AirColumn& open, std::size_t stride) {
+        const auto through = [&](std::size_t face) {
+            const float mean = 0.5F * (velocity[face] + velocity[face - stride]) - (m_cells.pressure[face] - m_cells.pressure[face - stride]);
+            return open.empty() ? mean : mean * open[face];
+        };
+        return through(at + stride) - through(at);
+    };
+    return (outOf(m_cells.forced.x, m_cells.open.x, 1) + outOf(m_cells.forced.y, m_cells.open.y, m_cells.column.row) + outOf(m_cells.forced.z, m_cells.open.z, m_cells.column.plane))
+        / m_cells.grid.cell;
+}
+
+} // namespace fumage

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/flow/cells.h"
+#include "core/flow/field.h"
+#include "core/flow/multigrid.h"
+#include "core/flow/obstacles.h"
+#include "core/flow/step.h"
+
+#include <functional>
+#include <memory>
+
+#include <glm/vec4.hpp>
+
+namespace fumage {
+
+/// The air: incompressible, lifted by its heat, on a grid of cubic cells.
+///
+///     du/dt + (u.grad) u = -grad p + B T up + epsilon h (N x w) + sources,   div u = expansion of the source
+///     dT/dt + u.grad T   = -cooling T + sources
+///
+/// Velocity and heat stand together in the middle of the cells, and the pressure makes the velocities *through the faces* free of divergence: they are
+/// the means of two cells, less the difference of their pressures. Why: with all four numbers in one place a step traces each cell back once
+/// and fetches a corner of the grid at once, where a staggered grid traces and fetches three times over (measured: nine tenths of a step would be that);
+/// and with the pressure solved on the faces its stencil has no chess board in it, which plain cell-centred grids have. What differs between the two
+/// velocities of a cell is of second order and goes with the advection of the next step.
+///
+/// What others read are the velocities of the faces, smoothed onto the corners of cells (half from the face and a quarter from its two neighbours along
+/// its own axis, the mean of four across it). That smoothing is the same for all three, so as much flows out of each cell as in, and
+/// particles that it carries are neither gathered nor driven apart: their counts stay those of chance.
+///
+/// A step allocates nothing; it is the same to the bit for any number of threads, and on every instruction set.
+/// Sources: Stam 1999; Selle et al. 2008 (advection); Almgren, Bell, Szymczak 1996 (projection); Fedkiw et al. 2001 (forces).
+class AirSolver {
+public:
+    /// The air at rest, or moving with a wind.
+    /// @param solids obstacles; at least one cell has to be left
+    AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids = {}, const glm::vec3& wind = glm::vec3(0.0F));
+
+    /// Moves the air on by a step.
+    void step(const AirStep& step);
+
+    /// Puts velocity (x, y, z) and heat (w) at the centre of every cell, made free of divergence.
+    /// @param wind of the air outside, m/s
+    void set(const std::function<glm::vec4(const glm::vec3& place)>& airAt, const glm::vec3& wind = glm::vec3(0.0F));
+
+    /// The state after the last step or set(), for those who read it.
+    /// @param field made for the grid
+    void read(AirField& field) const;
+
+    /// The state as a step takes it up again.
+    [[nodiscard]] AirState state() const { return {m_cells.air, m_cells.carrier}; }
+    void restore(const AirState& state);
+
+    [[nodiscard]] const AirGrid& grid() const { return m_cells.grid; }
+    /// Whether a cell is part of an obstacle.
+    [[nodiscard]] bool isSolid(const glm::ivec3& cell) const;
+    /// Velocity and heat of a cell.
+    [[nodiscard]] glm::vec4 at(const glm::ivec3& cell) const;
+    /// What flows out of a cell through its faces beyond what its source adds, 1/s: what the pressure has left.
+    [[nodiscard]] float divergenceAt(const glm::ivec3& cell) const;
+
+    /// V cycles of the pressure in a step.
+    static constexpr int kCycles = 2;
+
+private:
+    /// Everything after the forces: reads and changes forced.
+    void project(const glm::vec3& wind);
+    /// Takes from every cell of a closed box the mean of what flows out of them: nothing can leave it.
+    void balance();
+
+    AirCells m_cells;
+    Multigrid m_multigrid;
+};
+
+} // namespace fumage

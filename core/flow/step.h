@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/base/vector.h"
+#include "core/effect/effect.h"
+#include "core/noise/curl_slices.h"
+
+#include <array>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// One octave of the noise of a source's rim.
+struct RimOctave {
+    float frequency = 1.0F; ///< 1/m
+    float weight = 1.0F;
+    glm::vec3 shift{0.0F};
+    CurlSlices slices;
+};
+
+/// Where heat and momentum enter the air: the emitter's shape, with a rim that is soft, ragged and moves.
+struct AirSource {
+    bool acts = false;
+    EmitterShape shape = EmitterShape::Disc;
+    glm::vec3 place{0.0F};
+    glm::vec3 normal{0.0F, 1.0F, 0.0F};
+    PlaneBasis basis;
+    glm::vec2 reach{1.0F}; ///< half its edges across and along, or its radius twice, m
+    float depth = 0.0F; ///< along the normal, m; a sphere has none
+    float softness = 1.0F; ///< width of the rim, m
+    float raggedness = 0.0F; ///< how far the rim wanders, as a share of the reach
+    glm::vec3 velocity{0.0F}; ///< of what comes out, m/s
+    float grip = 0.0F; ///< share of the way to that velocity in a step
+    float heat = 0.0F;
+    float expansion = 0.0F; ///< divergence within, 1/s
+    std::array<RimOctave, 2> rim;
+    glm::ivec3 first{0}; ///< cells that it may reach: [first, last), along x multiples of kAirLanes
+    glm::ivec3 last{0};
+};
+
+/// What happens to the air in one step.
+struct AirStep {
+    float dt = 0.0F; ///< s
+    float buoyancy = 0.0F; ///< upward acceleration at heat 1, m/s^2
+    float heatKept = 1.0F; ///< share of the heat that is left after the step
+    float confinement = 0.0F; ///< epsilon of Steinhoff and Underhill
+    float friction = 0.0F; ///< drag coefficient of ground and obstacles
+    glm::vec3 wind{0.0F}; ///< of the air outside, m/s
+    glm::vec3 windChange{0.0F}; ///< since the step before; all of the air is moved by as much
+    AirSource source;
+};
+
+} // namespace fumage
