@@ -15,12 +15,14 @@ namespace fumage {
 /// Between the nodes they are interpolated linearly along each axis. As much then flows into each cell as out of it (see solver.h), on a wall of the
 /// box the velocity across it is 0, and nothing outside the box is needed.
 struct AirField {
+    static constexpr std::size_t kPadding = 32;
+
     AirField() = default;
     explicit AirField(const AirGrid& on)
         : grid(on)
         , row(4 * static_cast<std::size_t>(on.cells.x + 1))
         , plane(row * static_cast<std::size_t>(on.cells.y + 1))
-        , quads(plane * static_cast<std::size_t>(on.cells.z + 1))
+        , quads(roundUp(plane * static_cast<std::size_t>(on.cells.z + 1), kPadding))
     {
     }
 
@@ -28,7 +30,7 @@ struct AirField {
     glm::vec3 wind{0.0F}; ///< velocity of the air outside the box, m/s
     std::size_t row = 0; ///< halfs from a node to the one above
     std::size_t plane = 0;
-    AlignedArray<std::uint16_t> quads; ///< bits of (u, v, w, heat) of each node, x fastest
+    AlignedArray<std::uint16_t> quads; ///< bits of (u, v, w, heat) of each node, x fastest; padded to whole vectors
 
     /// Memory that it takes.
     [[nodiscard]] std::size_t bytes() const { return quads.size() * sizeof(std::uint16_t); }

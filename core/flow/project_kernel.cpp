@@ -5,17 +5,16 @@
 #include <hwy/highway.h>
 
 #include "core/base/vector-inl.h"
+#include "core/flow/halfs-inl.h"
 #include "core/flow/project_kernel.h"
 
 #include <algorithm>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
 using D = hn::CappedTag<float, kAirLanes>;
 using V = hn::Vec<D>;
-using DU = hn::RebindToUnsigned<D>;
 
 /// Velocities along one axis through the lower faces of cells, before or after the pressure has acted.
 struct Faces {
@@ -132,24 +131,13 @@ struct Smoothing {
     float beside, own;
 };
 
-/// To a half float and back: exact afterwards on every machine, however it rounds. Less than the least normal half is 0.
-HWY_INLINE V roundedToHalf(D d, V value)
-{
-    const DU du;
-    const auto bits = hn::BitCast(du, value);
-    constexpr std::uint32_t kDropped = 0x1fff;
-    const auto even = hn::ShiftRight<13>(bits) & 1U;
-    const auto rounded = hn::AndNot(hn::Set(du, kDropped), bits + even + (kDropped >> 1U));
-    return hn::IfThenElseZero(hn::Ge(hn::Abs(value), hn::Set(d, 0x1p-14F)), hn::BitCast(d, rounded));
-}
-
 constexpr std::size_t kRowRoom = kMaxAirCells + 2 * kAirLanes;
 
 /// Columns of one row of nodes, each with a place before its first.
 struct NodeRow {
     HWY_ALIGN float faces[kAirLanes + kRowRoom];
     HWY_ALIGN float quads[4 * kRowRoom];
-    HWY_ALIGN hwy::float16_t halfs[4 * kRowRoom];
+    HWY_ALIGN std::uint16_t halfs[4 * kRowRoom];
 };
 
 /// The mean of four rows of faces across x, around a row of nodes, smoothed along it.
@@ -196,7 +184,6 @@ HWY_INLINE V heatOfNode(D d, const AirCells& cells, std::size_t at)
 void nodePlane(const AirCells& cells, AirField& field, int k)
 {
     const D d;
-    const hn::Rebind<hwy::float16_t, D> half;
     const AllFaces faces(cells, true);
     const glm::ivec3 n = cells.grid.cells;
     const auto nodes = static_cast<std::size_t>(n.x) + 1;
@@ -212,12 +199,12 @@ void nodePlane(const AirCells& cells, AirField& field, int k)
             const std::size_t at = start + i;
             const V v = acrossX(d, faces.y, y, cells.column.plane, at);
             const V w = acrossX(d, faces.z, z, cells.column.row, at);
-            hn::StoreInterleaved4(roundedToHalf(d, hn::Load(d, u + i)), roundedToHalf(d, v), roundedToHalf(d, w), roundedToHalf(d, heatOfNode(d, cells, at)), d, room.quads + 4 * i);
+            hn::StoreInterleaved4(hn::Load(d, u + i), v, w, heatOfNode(d, cells, at), d, room.quads + 4 * i);
         }
         for (std::size_t i = 0; i < 4 * nodes; i += hn::Lanes(d)) {
-            hn::Store(hn::DemoteTo(half, hn::Load(d, room.quads + i)), half, room.halfs + i);
+            storeHalfs(hn::Load(d, room.quads + i), room.halfs + i);
         }
-        std::memcpy(field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane, room.halfs, field.row * sizeof(std::uint16_t));
+        std::copy_n(room.halfs, field.row, field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane);
     }
 }
 
