@@ -5,6 +5,7 @@ int main(int argc, char** argv)
     using namespace fumage::benchmarks;
     std::vector<Claim> claims;
     addStepBenchmarks(claims);
+    addAirBenchmarks(claims);
     addNoiseBenchmarks(claims);
     addCompositorBenchmarks(claims);
     addFrameBenchmarks(claims);

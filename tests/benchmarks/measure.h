@@ -21,6 +21,7 @@ struct Claim {
 int runAndReport(int argc, char** argv, const std::vector<Claim>& claims);
 
 // Each file registers its benchmarks and adds its claims.
+void addAirBenchmarks(std::vector<Claim>& claims);
 void addStepBenchmarks(std::vector<Claim>& claims);
 void addNoiseBenchmarks(std::vector<Claim>& claims);
 void addCompositorBenchmarks(std::vector<Claim>& claims);

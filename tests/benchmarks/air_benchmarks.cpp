@@ -1,0 +1,73 @@
+#include "tests/benchmarks/measure.h"
+#include "tests/benchmarks/obvious_air.h"
+#include "tests/flow/flow_helpers.h"
+
+#include "core/base/parallel.h"
+#include "core/base/simd.h"
+
+namespace fumage::benchmarks {
+
+namespace {
+
+constexpr float kHeight = 6.0F;
+
+/// A plume that has risen for a second, so that there is something to move: step and what others read of it.
+void airStep(benchmark::State& state, const glm::ivec3& cells, int threads, const std::string& simd)
+{
+    const ThreadLimit limit(threads);
+    if (!forceSimdTarget(simd)) {
+        state.SkipWithError("not on this machine");
+        return;
+    }
+    const AirGrid grid = tests::boxOf(cells, kHeight);
+    AirSolver air(grid, tests::onGround());
+    AirStep step = tests::plumeStep(grid, 0.4F);
+    step.confinement = 0.1F;
+    tests::makeRagged(step, 0.3F, 0.0F);
+    AirField field(grid);
+    for (int i = 0; i < 30; ++i) {
+        air.step(step);
+    }
+    for (auto _ : state) {
+        air.step(step);
+        air.read(field);
+    }
+    (void)forceSimdTarget("");
+}
+
+void obviousAir(benchmark::State& state, const glm::ivec3& cells)
+{
+    ObviousAir air(cells.x, cells.y, cells.z, kHeight / static_cast<float>(cells.y));
+    air.heat();
+    for (auto _ : state) {
+        air.step(1.0F / 30.0F, 3.0F);
+    }
+}
+
+} // namespace
+
+void addAirBenchmarks(std::vector<Claim>& claims)
+{
+    const auto add = [](const std::string& name, const auto& run) { benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond); };
+    struct Size {
+        glm::ivec3 cells;
+        double target; ///< ms on two threads
+    };
+    for (const Size& size : {Size{{32, 64, 32}, 1.5}, Size{{48, 96, 48}, 5.0}, Size{{64, 128, 64}, 13.0}}) {
+        const glm::ivec3 cells = size.cells;
+        const std::string text = std::to_string(cells.x) + "x" + std::to_string(cells.y) + "x" + std::to_string(cells.z);
+        const std::string name = "air/" + text;
+        add(name, [=](benchmark::State& state) { airStep(state, cells, 2, ""); });
+        add(name + "_1thread", [=](benchmark::State& state) { airStep(state, cells, 1, ""); });
+        add(name + "_obvious", [=](benchmark::State& state) { obviousAir(state, cells); });
+        claims.push_back({"air, " + text + ", a step, 2 threads", name, "", "", size.target, true});
+        claims.push_back({"  2 threads over 1", name, name + "_1thread", "", 1.7});
+        claims.push_back({"  1 thread over the obvious program", name + "_1thread", name + "_obvious", ""});
+        for (const std::string& simd : availableSimdTargets()) {
+            add(name + "_" + simd, [=](benchmark::State& state) { airStep(state, cells, 2, simd); });
+            claims.push_back({"  on " + simd, name + "_" + simd, "", ""});
+        }
+    }
+}
+
+} // namespace fumage::benchmarks
