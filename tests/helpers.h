@@ -42,7 +42,7 @@ inline Image render(const Effect& effect, int number)
 template <class T>
 bool sameBits(const AlignedArray<T>& a, const AlignedArray<T>& b)
 {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0); // memcmp must not be given null
 }
 
 inline bool sameBits(const Particles& a, const Particles& b)

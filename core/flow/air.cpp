@@ -34,7 +34,7 @@ std::size_t mostFields(const AirPlan& plan, std::size_t budget)
 
 Error cancelled()
 {
-    return {ErrorCode::Cancelled, "the air was cancelled", "", ""};
+    return {ErrorCode::Cancelled, said("the air was cancelled"), {}, {}};
 }
 
 } // namespace

@@ -1367,6 +1367,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Close other programs</source>
         <translation>Stäng andra program</translation>
     </message>
+    <message>
+        <source>the air was cancelled</source>
+        <translation>luften avbröts</translation>
+    </message>
+    <message>
+        <source>the folder of your presets cannot be made</source>
+        <translation>mappen för dina förinställningar kan inte skapas</translation>
+    </message>
+    <message>
+        <source>Save the preset somewhere else</source>
+        <translation>Spara förinställningen någon annanstans</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

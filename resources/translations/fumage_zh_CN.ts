@@ -1367,6 +1367,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Close other programs</source>
         <translation>请关闭其他程序</translation>
     </message>
+    <message>
+        <source>the air was cancelled</source>
+        <translation>空气计算已取消</translation>
+    </message>
+    <message>
+        <source>the folder of your presets cannot be made</source>
+        <translation>无法创建您的预设文件夹</translation>
+    </message>
+    <message>
+        <source>Save the preset somewhere else</source>
+        <translation>请将预设保存到其他位置</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -121,7 +121,7 @@ private slots:
             QCOMPARE(modeOf(path), mode_t(0600));
         }
         umask(mask);
-        QCOMPARE(writeFileAtomically(base + "/" + std::string(256, 'n'), std::string_view("x")).error().message, std::string("cannot write: the name is too long"));
+        QCOMPARE(writeFileAtomically(base + "/" + std::string(256, 'n'), std::string_view("x")).error().message.text(), std::string("cannot write: the name is too long"));
         QCOMPARE(namesIn(folder).size(), 3);
     }
 
@@ -157,8 +157,8 @@ private slots:
             QVERIFY(std::filesystem::is_symlink(base + "/link") && std::filesystem::is_symlink(base + "/chain"));
         }
         std::filesystem::create_symlink("round", base + "/round");
-        QVERIFY(writeFileAtomically(base + "/round", std::string_view("x")).error().message.find("circle") != std::string::npos);
-        QVERIFY(readFile(base + "/round", 100).error().message.find("circle") != std::string::npos);
+        QVERIFY(writeFileAtomically(base + "/round", std::string_view("x")).error().message.text().find("circle") != std::string::npos);
+        QVERIFY(readFile(base + "/round", 100).error().message.text().find("circle") != std::string::npos);
         std::filesystem::create_hard_link(base + "/far/target", base + "/other");
         QVERIFY(writeFileAtomically(base + "/far/target", std::string_view("new")).ok());
         QCOMPARE(readFile(base + "/other", 100).value(), std::string("replaced"));
@@ -172,16 +172,16 @@ private slots:
         for (const std::string& path : {base + "/fifo", std::string("/dev/full")}) {
             const Error error = writeFileAtomically(path, std::string_view("x")).error();
             QCOMPARE(error.code, ErrorCode::NotAFile);
-            QCOMPARE(error.message, std::string("cannot write: it is not a regular file"));
+            QCOMPARE(error.message.text(), std::string("cannot write: it is not a regular file"));
         }
-        QCOMPARE(writeFileAtomically(base + "/none/a", std::string_view("x")).error().place, base + "/none");
-        QCOMPARE(fileError(EROFS, "a", ErrorCode::WriteFailed, "write").message, std::string("cannot write: the disk is read-only"));
+        QCOMPARE(writeFileAtomically(base + "/none/a", std::string_view("x")).error().place.text(), base + "/none");
+        QCOMPARE(fileError(EROFS, "a", ErrorCode::WriteFailed, FileUse::Write).message.text(), std::string("cannot write: the disk is read-only"));
         std::filesystem::permissions(base, std::filesystem::perms(0555));
         const pid_t writer = fork();
         if (writer == 0) {
             static_cast<void>(seteuid(65534)); // root may write anywhere
             const Status status = writeFileAtomically(base + "/a", std::string_view("x"));
-            _exit(!status && status.error().code == ErrorCode::PermissionDenied && status.error().place == base ? 0 : 1);
+            _exit(!status && status.error().code == ErrorCode::PermissionDenied && status.error().place.text() == base ? 0 : 1);
         }
         int result = 1;
         QVERIFY(waitpid(writer, &result, 0) == writer);

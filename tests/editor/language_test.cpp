@@ -92,7 +92,7 @@ private slots:
         QFETCH(QString, code);
         QTranslator translator;
         QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
-        static const QRegularExpression sentence(QStringLiteral(R"(\bsaid\(\s*"((?:[^"\\]|\\.)*)")"));
+        static const QRegularExpression sentence(u"\\bsaid\\(\\s*\"((?:[^\"\\\\]|\\\\.)*)\""_q);
         int count = 0;
         for (const QString& room : {u"core"_q, u"ui"_q}) {
             QDirIterator files(QStringLiteral(FUMAGE_SOURCE_DIR "/") + room, {u"*.h"_q, u"*.cpp"_q}, QDir::Files, QDirIterator::Subdirectories);

@@ -59,9 +59,9 @@ private slots:
         const std::string json = kHead + R"("motion": {"wnd": [1, {"a": "b"}]}, "future": {"x": 1}})";
         const Result<PresetReading> reading = parsePreset(json, "my.json");
         QVERIFY(reading.ok());
-        QVERIFY(reading.value().warnings[0].find("motion.wnd") != std::string::npos);
-        QVERIFY(reading.value().warnings[0].find("motion.wind") != std::string::npos);
-        QVERIFY(reading.value().warnings[0].find("my.json, line 1") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].text().find("motion.wnd") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].text().find("motion.wind") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].text().find("my.json, line 1") != std::string::npos);
         const std::string again = formatPreset(reading.value().preset);
         const Result<PresetReading> second = parsePreset(again);
         QVERIFY(second.ok());
@@ -111,11 +111,11 @@ private slots:
         for (int i = 0; i < 100; ++i) {
             json += "\"u" + std::to_string(i) + "\": 1, ";
         }
-        const std::vector<std::string> warnings = parsePreset(json + "\"motion\": {}}", "x.json").value().warnings;
+        const std::vector<Message> warnings = parsePreset(json + "\"motion\": {}}", "x.json").value().warnings;
         QCOMPARE(warnings.size(), std::size_t(22));
-        QVERIFY(warnings[19].find("\"u19\"") != std::string::npos);
-        QCOMPARE(warnings[20], std::string("x.json: and 80 more warnings"));
-        QVERIFY(warnings[21].find("not in the preset") != std::string::npos);
+        QVERIFY(warnings[19].text().find("\"u19\"") != std::string::npos);
+        QCOMPARE(warnings[20].text(), std::string("x.json: and 80 more warnings"));
+        QVERIFY(warnings[21].text().find("not in the preset") != std::string::npos);
     }
 
     void outOfRangeIsClampedWithAWarning()
@@ -123,10 +123,10 @@ private slots:
         const Result<PresetReading> reading = parsePreset(kHead + R"("motion": {"randomness": 5}})");
         QVERIFY(reading.ok());
         QCOMPARE(reading.value().preset.effect.motion.randomness, 1.0F);
-        QVERIFY(reading.value().warnings[0].find("motion.randomness") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].text().find("motion.randomness") != std::string::npos);
         for (const char* seed : {"-5", "1e11"}) {
             const Result<PresetReading> seeded = parsePreset(kHead + "\"emitter\": {\"seed\": " + seed + "}}");
-            QVERIFY(seeded.value().warnings[0].find("emitter.seed was out of range") != std::string::npos);
+            QVERIFY(seeded.value().warnings[0].text().find("emitter.seed was out of range") != std::string::npos);
         }
     }
 
@@ -199,7 +199,7 @@ private slots:
         for (const std::string& text : {plain, swapped, "\xFF\xFE" + plain, "\xFE\xFF" + swapped}) {
             const Error error = parsePreset(text).error();
             QCOMPARE(error.code, ErrorCode::NotUtf8);
-            QVERIFY2(error.message.find("UTF-16") != std::string::npos, error.message.c_str());
+            QVERIFY2(error.text().find("UTF-16") != std::string::npos, error.text().c_str());
         }
         QVERIFY(parsePreset("\xEF\xBB\xBF" + formatPreset({})).ok());
     }
@@ -217,8 +217,8 @@ private slots:
     void errorsHaveLineAndColumn()
     {
         const std::string json = "{\n  \"format\": \"fumage-preset\",\n  \"version\": 1,\n  \"motion\": {\n    \"\u00e5\": 1, \"wind\": \"fast\"\n  }\n}";
-        QCOMPARE(parsePreset(json, "x.json").error().place, std::string("x.json, line 5, column 21"));
-        QCOMPARE(parsePreset("{\n  \"format\": tru\n}", "x.json").error().place, std::string("x.json, line 2, column 16"));
+        QCOMPARE(parsePreset(json, "x.json").error().place.text(), std::string("x.json, line 5, column 21"));
+        QCOMPARE(parsePreset("{\n  \"format\": tru\n}", "x.json").error().place.text(), std::string("x.json, line 2, column 16"));
     }
 
     void placesOfValuesAreTheirFirstCharacter()
@@ -241,7 +241,7 @@ private slots:
         for (const LibraryEntry& entry : entries) {
             const Result<PresetReading> reading = loadPreset(entry);
             QVERIFY2(reading.ok(), entry.id.c_str());
-            QVERIFY2(reading.value().warnings.empty(), reading.value().warnings.empty() ? "" : reading.value().warnings.front().c_str());
+            QVERIFY2(reading.value().warnings.empty(), reading.value().warnings.empty() ? "" : reading.value().warnings.front().text().c_str());
             QVERIFY(!reading.value().preset.name.empty() && !reading.value().preset.description.empty());
         }
     }
@@ -274,7 +274,7 @@ private slots:
     {
         const Error error = loadPreset(std::string("campfir")).error();
         QCOMPARE(error.code, ErrorCode::UnknownName);
-        QVERIFY(error.remedy.find("campfire") != std::string::npos);
+        QVERIFY(error.remedy.text().find("campfire") != std::string::npos);
     }
 
     void savingToAnUnwritablePlaceKeepsWhatIsThere()

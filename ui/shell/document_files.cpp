@@ -220,7 +220,7 @@ void DocumentFiles::saveToLibrary()
     }
     const QString path = presetFile(libraryFolder(), name);
     if (libraryFolder().isEmpty() || !QDir().mkpath(libraryFolder())) {
-        report(tr("Cannot save “%1”").arg(name), {ErrorCode::PermissionDenied, "the folder of your presets cannot be made", libraryFolder().toStdString(), "Save the preset somewhere else"});
+        report(tr("Cannot save “%1”").arg(name), {ErrorCode::PermissionDenied, said("the folder of your presets cannot be made"), libraryFolder().toStdString(), said("Save the preset somewhere else")});
         return;
     }
     if (!QFileInfo::exists(path) || mayReplace(name)) {
