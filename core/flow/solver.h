@@ -20,7 +20,7 @@ namespace fumage {
 ///
 /// Velocity and heat stand together in the middle of the cells, and the pressure makes the velocities *through the faces* free of divergence: they are
 /// the means of two cells, less the difference of their pressures. Why: with all four numbers in one place a step traces each cell back once
-/// and fetches a corner of the grid at once, where a staggered grid traces and fetches three times over (measured: nine tenths of a step would be that);
+/// and fetches a corner of the grid at once, where a staggered grid traces and fetches three times over;
 /// and with the pressure solved on the faces its stencil has no chess board in it, which plain cell-centred grids have. What differs between the two
 /// velocities of a cell is of second order and goes with the advection of the next step.
 ///
