@@ -130,11 +130,11 @@ Result<Air::Field> Air::loopField(std::int64_t step, const std::stop_token& stop
         return done;
     }
     const std::int64_t start = m_plan.firstStep + within;
-    const Result<Field> early = rawField(start, stop);
+    Result<Field> early = rawField(start, stop);
     if (!early) {
         return early;
     }
-    const Result<Field> late = rawField(start + length, stop);
+    Result<Field> late = rawField(start + length, stop);
     if (!late) {
         return late;
     }
