@@ -42,11 +42,7 @@ Status dumpToStandardOutput(const DumpOptions& options, const NamedEffect& named
         return Error{ErrorCode::OutOfRange, said("several frames are several files"), "--frames " + options.frames, said("Name a file for them, as in --output smoke_####.csv")};
     }
     const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
-    Result<std::string> text = std::string();
-    {
-        ProgressBar bar("Writing");
-        text = dumpParticles(named.effect, sequence.frames.first, format, interruption(), sequence.up, bar.listener());
-    }
+    const Result<std::string> text = dumpParticles(named.effect, sequence.frames.first, format, interruption(), sequence.up, ProgressBar("Writing").listener());
     return text ? print(text.value()) : Status(text.error());
 }
 

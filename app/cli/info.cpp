@@ -17,15 +17,9 @@ namespace fumage::cli {
 
 namespace {
 
-Status info(const std::string& name)
+Status asText(const Preset& preset, const Schedule& schedule)
 {
-    const Result<PresetReading> reading = readPreset(name);
-    if (!reading) {
-        return reading.error();
-    }
-    const Preset& preset = reading.value().preset;
     const Effect& effect = preset.effect;
-    const Schedule schedule = makeSchedule(sampled(effect));
     std::ostringstream out;
     out << printable(preset.name) << "\n"
         << printable(preset.description) << "\n\n";
@@ -39,24 +33,27 @@ Status info(const std::string& name)
     return print(out.str());
 }
 
-Status infoAsJson(const std::string& name)
+Status asJson(const Preset& preset, const Schedule& schedule)
+{
+    const Effect& effect = preset.effect;
+    const JsonValues values(preset);
+    auto changed = nlohmann::ordered_json::object();
+    for (const Parameter* parameter : differences(effect, Effect{})) {
+        changed[std::string(parameter->key)] = values.of(*parameter);
+    }
+    return printJson({{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()}, {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt},
+        {"frames", effect.timeline.length}, {"frameRate", effect.timeline.frameRate}, {"loop", effect.timeline.loop}, {"width", effect.output.width}, {"height", effect.output.height}, {"changed", changed}});
+}
+
+Status info(const std::string& name, bool json)
 {
     const Result<PresetReading> reading = readPreset(name);
     if (!reading) {
         return reading.error();
     }
     const Preset& preset = reading.value().preset;
-    const Effect& effect = preset.effect;
-    const Schedule schedule = makeSchedule(sampled(effect));
-    const auto values = nlohmann::ordered_json::parse(formatPreset(preset));
-    auto changed = nlohmann::ordered_json::object();
-    for (const Parameter* parameter : differences(effect, Effect{})) {
-        const std::string key(parameter->key);
-        const std::size_t dot = key.find('.');
-        changed[key] = values.at(key.substr(0, dot)).at(key.substr(dot + 1));
-    }
-    return printJson({{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()}, {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt},
-        {"frames", effect.timeline.length}, {"frameRate", effect.timeline.frameRate}, {"loop", effect.timeline.loop}, {"width", effect.output.width}, {"height", effect.output.height}, {"changed", changed}});
+    const Schedule schedule = makeSchedule(sampled(preset.effect));
+    return json ? asJson(preset, schedule) : asText(preset, schedule);
 }
 
 Status machineAsJson()
@@ -92,7 +89,7 @@ void addInfo(CLI::App& program, Action& action)
             if (options->preset.empty()) {
                 return options->json ? machineAsJson() : machine();
             }
-            return options->json ? infoAsJson(options->preset) : info(options->preset);
+            return info(options->preset, options->json);
         };
     });
 }

@@ -2,6 +2,9 @@
 
 #include "app/cli/streams.h"
 
+#include "core/effect/parameter.h"
+#include "core/preset/preset.h"
+
 #include <nlohmann/json.hpp>
 
 namespace fumage::cli {
@@ -11,5 +14,23 @@ namespace fumage::cli {
 {
     return print(answer.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
+
+/// The values of a preset as they stand in its file.
+class JsonValues {
+public:
+    explicit JsonValues(const Preset& preset)
+        : m_file(nlohmann::ordered_json::parse(formatPreset(preset)))
+    {
+    }
+
+    [[nodiscard]] const nlohmann::ordered_json& of(const Parameter& parameter) const
+    {
+        const std::string_view group = parameter.group();
+        return m_file.at(std::string(group)).at(std::string(parameter.key.substr(group.size() + 1)));
+    }
+
+private:
+    nlohmann::ordered_json m_file;
+};
 
 } // namespace fumage::cli

@@ -60,13 +60,11 @@ Status markdown()
 
 Status json()
 {
-    const Effect defaults;
-    const auto values = nlohmann::ordered_json::parse(formatPreset({"", "", defaults, {}}));
+    const JsonValues defaults(Preset{});
     auto all = nlohmann::ordered_json::array();
     for (const Parameter& parameter : parameterTable()) {
-        const std::string key(parameter.key);
-        nlohmann::ordered_json& one = all.emplace_back(nlohmann::ordered_json{{"key", key}, {"label", parameter.label}, {"group", parameter.group()}});
-        one["default"] = values.at(std::string(parameter.group())).at(key.substr(key.find('.') + 1));
+        nlohmann::ordered_json& one = all.emplace_back(nlohmann::ordered_json{{"key", parameter.key}, {"label", parameter.label}, {"group", parameter.group()}});
+        one["default"] = defaults.of(parameter);
         if (parameter.kind == Kind::Choice) {
             one["choices"] = std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end());
         } else if (parameter.kind != Kind::Bool) {
