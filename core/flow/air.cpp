@@ -75,10 +75,11 @@ bool Air::goBackBefore(std::int64_t step)
 
 Air::Field Air::stepOn()
 {
-    m_solver.step(m_plan.stepTo(m_at + 1));
+    const AirStep step = m_plan.stepTo(m_at + 1);
+    m_solver.step(step);
     ++m_at;
     auto field = std::make_shared<AirField>(m_plan.grid);
-    field->wind = m_plan.stepTo(m_at).wind;
+    field->wind = step.wind;
     m_solver.read(*field);
     const std::scoped_lock lock(m_keeping);
     m_fields.keep(m_at, field);

@@ -14,6 +14,19 @@ inline constexpr int kMaxAirCells = 128;
 /// Floats that a row of cells is padded to: the widest vector.
 inline constexpr std::size_t kAirLanes = 16;
 
+/// Calls visit(cell) for all cells below n, those along x first.
+template <class Visit>
+void forCells(const glm::ivec3& n, const Visit& visit)
+{
+    for (int k = 0; k < n.z; ++k) {
+        for (int j = 0; j < n.y; ++j) {
+            for (int i = 0; i < n.x; ++i) {
+                visit(glm::ivec3(i, j, k));
+            }
+        }
+    }
+}
+
 /// Where the air is: a box of cubic cells.
 struct AirGrid {
     glm::ivec3 cells{0}; ///< each kMinAirCells to kMaxAirCells

@@ -89,27 +89,20 @@ void coarsenFaces(const MultigridLevel& fine, MultigridLevel& coarse, AirColumn 
     const glm::ivec3 m = coarse.layout.cells;
     glm::ivec3 end = m;
     ++end[axis]; // the face of the border above too
-    for (int k = 0; k < end.z; ++k) {
-        for (int j = 0; j < end.y; ++j) {
-            for (int i = 0; i < end.x; ++i) {
-                glm::ivec3 low{2 * i, 2 * j, 2 * k};
-                low[axis] = std::min(low[axis], n[axis]);
-                glm::ivec3 high = glm::min(low + 2, n);
-                high[axis] = low[axis] + 1;
-                float sum = 0.0F;
-                float count = 0.0F;
-                for (int z = low.z; z < high.z; ++z) {
-                    for (int y = low.y; y < high.y; ++y) {
-                        for (int x = low.x; x < high.x; ++x) {
-                            sum += (fine.open.*faces)[fine.layout.at(x, y, z)];
-                            count += 1.0F;
-                        }
-                    }
-                }
-                (coarse.open.*faces)[coarse.layout.at(i, j, k)] = sum / count;
-            }
-        }
-    }
+    forCells(end, [&](const glm::ivec3& c) {
+        glm::ivec3 low = 2 * c;
+        low[axis] = std::min(low[axis], n[axis]);
+        glm::ivec3 high = glm::min(low + 2, n);
+        high[axis] = low[axis] + 1;
+        float sum = 0.0F;
+        float count = 0.0F;
+        forCells(high - low, [&](const glm::ivec3& within) {
+            const glm::ivec3 at = low + within;
+            sum += (fine.open.*faces)[fine.layout.at(at.x, at.y, at.z)];
+            count += 1.0F;
+        });
+        (coarse.open.*faces)[coarse.layout.at(c.x, c.y, c.z)] = sum / count;
+    });
 }
 
 /// 1 / the weight of -p in every cell; 0 where no face is open.
@@ -119,25 +112,21 @@ void invertWeights(MultigridLevel& level)
     const glm::ivec3 n = level.layout.cells;
     const std::array strides{std::size_t{1}, level.layout.row, level.layout.plane};
     const std::array faces{&level.open.x, &level.open.y, &level.open.z};
-    for (int k = 0; k < n.z; ++k) {
-        for (int j = 0; j < n.y; ++j) {
-            for (int i = 0; i < n.x; ++i) {
-                const std::size_t at = level.layout.at(i, j, k);
-                const std::array place{i, j, k};
-                float sum = 0.0F;
-                for (std::size_t a = 0; a < 3; ++a) {
-                    const auto index = static_cast<std::size_t>(place[a]);
-                    const MultigridAxis& axis = level.axis[a];
-                    const float lower = (*faces[a])[at];
-                    const float upper = (*faces[a])[at + strides[a]];
-                    const float border = axis.own[index] - axis.below[index] - axis.above[index];
-                    sum += axis.below[index] * lower + axis.above[index] * upper + border * (place[a] == 0 ? lower : upper);
-                }
-                constexpr float kShut = 1e-4F;
-                level.inverse[at] = sum > kShut ? 1.0F / sum : 0.0F;
-            }
+    forCells(n, [&](const glm::ivec3& c) {
+        const std::size_t at = level.layout.at(c.x, c.y, c.z);
+        const std::array place{c.x, c.y, c.z};
+        float sum = 0.0F;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const auto index = static_cast<std::size_t>(place[a]);
+            const MultigridAxis& axis = level.axis[a];
+            const float lower = (*faces[a])[at];
+            const float upper = (*faces[a])[at + strides[a]];
+            const float border = axis.own[index] - axis.below[index] - axis.above[index];
+            sum += axis.below[index] * lower + axis.above[index] * upper + border * (place[a] == 0 ? lower : upper);
         }
-    }
+        constexpr float kShut = 1e-4F;
+        level.inverse[at] = sum > kShut ? 1.0F / sum : 0.0F;
+    });
 }
 
 /// Calls body(plane) for planes first, first + stride and so on of a level.

@@ -14,18 +14,6 @@ namespace {
 
 constexpr std::array kSteps{glm::ivec3(1, 0, 0), glm::ivec3(0, 1, 0), glm::ivec3(0, 0, 1)};
 
-template <class Visit>
-void forCells(const glm::ivec3& n, const Visit& visit)
-{
-    for (int k = 0; k < n.z; ++k) {
-        for (int j = 0; j < n.y; ++j) {
-            for (int i = 0; i < n.x; ++i) {
-                visit(glm::ivec3(i, j, k));
-            }
-        }
-    }
-}
-
 /// Lets air through the faces that have air on both sides; those of ghosts too, which nodes on the border take their means from.
 void openFaces(AirCells& cells)
 {

@@ -96,19 +96,14 @@ void AirSolver::project(const glm::vec3& wind)
 
 void AirSolver::balance()
 {
-    const glm::ivec3 n = m_cells.grid.cells;
     double sum = 0.0;
     double count = 0.0;
     const auto forAir = [&](const auto& visit) {
-        for (int k = 0; k < n.z; ++k) {
-            for (int j = 0; j < n.y; ++j) {
-                for (int i = 0; i < n.x; ++i) {
-                    if (!isSolid({i, j, k})) {
-                        visit(m_cells.divergence[m_cells.column.at(i, j, k)]);
-                    }
-                }
+        forCells(m_cells.grid.cells, [&](const glm::ivec3& c) {
+            if (!isSolid(c)) {
+                visit(m_cells.divergence[m_cells.column.at(c.x, c.y, c.z)]);
             }
-        }
+        });
     };
     forAir([&](float each) {
         sum += static_cast<double>(each);
@@ -122,17 +117,15 @@ void AirSolver::set(const std::function<glm::vec4(const glm::vec3& place)>& airA
 {
     AirCells& cells = m_cells;
     const glm::ivec3 n = cells.grid.cells;
+    forCells(n, [&](const glm::ivec3& c) {
+        const std::size_t at = cells.column.at(c.x, c.y, c.z);
+        const glm::vec4 air = isSolid(c) ? glm::vec4(0.0F) : airAt(cells.grid.corner + cells.grid.cell * (glm::vec3(c) + 0.5F));
+        cells.forced.x[at] = air.x;
+        cells.forced.y[at] = air.y;
+        cells.forced.z[at] = air.z;
+        cells.heat[at] = air.w;
+    });
     for (int k = 0; k < n.z; ++k) {
-        for (int j = 0; j < n.y; ++j) {
-            for (int i = 0; i < n.x; ++i) {
-                const std::size_t at = cells.column.at(i, j, k);
-                const glm::vec4 air = isSolid({i, j, k}) ? glm::vec4(0.0F) : airAt(cells.grid.corner + cells.grid.cell * (glm::vec3(i, j, k) + 0.5F));
-                cells.forced.x[at] = air.x;
-                cells.forced.y[at] = air.y;
-                cells.forced.z[at] = air.z;
-                cells.heat[at] = air.w;
-            }
-        }
         fillVelocityGhosts(cells, cells.forced, k);
     }
     std::fill(cells.divergence.begin(), cells.divergence.end(), 0.0F);

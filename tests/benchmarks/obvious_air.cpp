@@ -24,16 +24,24 @@ std::size_t ObviousAir::at(int i, int j, int k) const
     return static_cast<std::size_t>(std::clamp(i, 0, m_nx - 1) + m_nx * (std::clamp(j, 0, m_ny - 1) + m_ny * std::clamp(k, 0, m_nz - 1)));
 }
 
-void ObviousAir::heat()
+template <class Visit>
+void ObviousAir::forCells(const Visit& visit) const
 {
     for (int k = 0; k < m_nz; ++k) {
         for (int j = 0; j < m_ny; ++j) {
             for (int i = 0; i < m_nx; ++i) {
-                const float r = std::hypot(static_cast<float>(i - m_nx / 2), static_cast<float>(j - m_ny / 5), static_cast<float>(k - m_nz / 2));
-                m_air[at(i, j, k)].heat = r < static_cast<float>(m_nx) / 6.0F ? 1.0F : 0.0F;
+                visit(i, j, k);
             }
         }
     }
+}
+
+void ObviousAir::heat()
+{
+    forCells([&](int i, int j, int k) {
+        const float r = std::hypot(static_cast<float>(i - m_nx / 2), static_cast<float>(j - m_ny / 5), static_cast<float>(k - m_nz / 2));
+        m_air[at(i, j, k)].heat = r < static_cast<float>(m_nx) / 6.0F ? 1.0F : 0.0F;
+    });
 }
 
 ObviousAir::Cell ObviousAir::sample(const std::vector<Cell>& from, float x, float y, float z, Cell* least, Cell* most) const
@@ -68,15 +76,6 @@ void ObviousAir::advect(float dt)
         const float half = 0.5F * scale;
         return sample(m_air, static_cast<float>(i) - half * here.u, static_cast<float>(j) - half * here.v, static_cast<float>(k) - half * here.w, nullptr, nullptr);
     };
-    const auto forCells = [&](const auto& visit) {
-        for (int k = 0; k < m_nz; ++k) {
-            for (int j = 0; j < m_ny; ++j) {
-                for (int i = 0; i < m_nx; ++i) {
-                    visit(i, j, k);
-                }
-            }
-        }
-    };
     forCells([&](int i, int j, int k) {
         const Cell d = way(i, j, k);
         m_guess[at(i, j, k)] = sample(m_air, static_cast<float>(i) - scale * d.u, static_cast<float>(j) - scale * d.v, static_cast<float>(k) - scale * d.w, nullptr, nullptr);
@@ -98,15 +97,6 @@ void ObviousAir::advect(float dt)
 void ObviousAir::project()
 {
     std::fill(m_pressure.begin(), m_pressure.end(), 0.0F);
-    const auto forCells = [&](const auto& visit) {
-        for (int k = 0; k < m_nz; ++k) {
-            for (int j = 0; j < m_ny; ++j) {
-                for (int i = 0; i < m_nx; ++i) {
-                    visit(i, j, k);
-                }
-            }
-        }
-    };
     forCells([&](int i, int j, int k) {
         m_divergence[at(i, j, k)] = 0.5F * (m_air[at(i + 1, j, k)].u - m_air[at(i - 1, j, k)].u + m_air[at(i, j + 1, k)].v - m_air[at(i, j - 1, k)].v + m_air[at(i, j, k + 1)].w - m_air[at(i, j, k - 1)].w);
     });

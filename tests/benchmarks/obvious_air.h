@@ -18,6 +18,8 @@ private:
         float u = 0.0F, v = 0.0F, w = 0.0F, heat = 0.0F;
     };
     [[nodiscard]] std::size_t at(int i, int j, int k) const;
+    template <class Visit>
+    void forCells(const Visit& visit) const;
     [[nodiscard]] Cell sample(const std::vector<Cell>& from, float x, float y, float z, Cell* least, Cell* most) const;
     void advect(float dt);
     void project();

@@ -76,18 +76,6 @@ inline void makeRagged(AirStep& step, float raggedness, float time)
     }
 }
 
-template <class Visit>
-void forCells(const glm::ivec3& cells, const Visit& visit)
-{
-    for (int k = 0; k < cells.z; ++k) {
-        for (int j = 0; j < cells.y; ++j) {
-            for (int i = 0; i < cells.x; ++i) {
-                visit(glm::ivec3(i, j, k));
-            }
-        }
-    }
-}
-
 /// Root mean square of the divergence that is left, over that of the velocity's gradient; away from the source.
 /// @param from lowest row of cells that counts
 inline double shareOfDivergence(const AirSolver& air, int from)
