@@ -9,9 +9,27 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
     find_program(FUMAGE_CCACHE ccache)
     if(FUMAGE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-        set(CMAKE_CXX_COMPILER_LAUNCHER ${FUMAGE_CCACHE})
+        # What one checkout has compiled serves every other one; and what comes from a precompiled header may be kept.
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+            CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${FUMAGE_CCACHE})
     endif()
 endif()
+
+# fumage_precompile(<target> <headers>...): headers from outside the project, which most of a target's files read. Files include what they use all the
+# same: lint reads each of them alone.
+function(fumage_precompile target)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    fumage_precompiled_options(${target})
+endfunction()
+
+# What ccache asks for, so that it knows what is in a precompiled header.
+function(fumage_precompiled_options target)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(${target} PRIVATE -fpch-preprocess)
+    elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+        target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+    endif()
+endfunction()
 
 # fumage_compile_options(<target>): code of this project, tests and benchmarks too. Warnings are errors where
 # CMAKE_COMPILE_WARNING_AS_ERROR says so, which the presets do: never for somebody who only builds it.

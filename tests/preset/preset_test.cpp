@@ -76,7 +76,8 @@ private slots:
         const auto row = [](const char* name, const std::string& before, const std::function<std::string(int)>& each, const std::string& after) {
             std::string text = before;
             for (int i = 0; text.size() + after.size() + 32 < kMaxPresetBytes; ++i) {
-                text += (i == 0 ? "" : ",") + each(i);
+                text += i == 0 ? "" : ",";
+                text += each(i);
             }
             QTest::newRow(name) << QByteArray::fromStdString(text + after);
         };
