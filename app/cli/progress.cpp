@@ -12,6 +12,7 @@ namespace {
 std::string nameOf(Work work, const std::string& frames)
 {
     switch (work) {
+    case Work::Air: return "Baking the air";
     case Work::PreRoll: return "Simulating steps before";
     case Work::Fitting: return "Looking";
     case Work::Frames: return frames;
@@ -41,7 +42,7 @@ Progress ProgressBar::listener()
 
 void ProgressBar::show(Work work, int done, int total)
 {
-    const bool between = m_work == Work::Frames && work == Work::PreRoll;
+    const bool between = m_work == Work::Frames && work != Work::Frames;
     if (!m_terminal || between) {
         return;
     }

@@ -8,6 +8,7 @@ namespace fumage {
 
 /// A part of long work.
 enum class Work {
+    Air, ///< the steps of the air that carries the smoke
     PreRoll, ///< the steps that lead to a frame, where they are many
     Fitting, ///< looking at frames to place the camera
     Frames, ///< what was asked for
@@ -31,7 +32,7 @@ public:
     requires std::is_invocable_v<const Listener&, int, int>
     Progress(Listener listener) // NOLINT(google-explicit-constructor): functions are handed over as they are
         : m_listener([listener = std::move(listener)](Work work, int done, int total) {
-            if (work != Work::PreRoll) {
+            if (work == Work::Fitting || work == Work::Frames) {
                 listener(done, total);
             }
         })

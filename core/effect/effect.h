@@ -54,6 +54,11 @@ enum class Background {
     Transparent,
     Colour
 };
+enum class Obstacle {
+    None,
+    Box,
+    Sphere
+};
 
 // The structs below are the document: plain data in the units that an artist sees (metres, seconds, degrees, linear RGB),
 // and the only place with defaults. What each member means, its range and its unit stand in parameter_table.cpp.
@@ -92,6 +97,26 @@ struct Motion {
     float rotationJitter = 0.0F;
     float pull = 0.05F;
     friend bool operator==(const Motion&, const Motion&) = default;
+};
+
+struct Air {
+    bool enabled = false;
+    int resolution = 64;
+    bool fit = true;
+    glm::vec3 size{3.0F, 6.0F, 3.0F};
+    glm::vec3 offset{0.0F, 0.0F, 0.0F};
+    float vorticity = 0.15F;
+    float raggedness = 0.35F;
+    float detail = 1.0F;
+    float heatOpacity = 0.0F;
+    float expansion = 0.0F;
+    bool ground = true;
+    float groundHeight = 0.0F;
+    float friction = 0.02F;
+    Obstacle obstacle = Obstacle::None;
+    glm::vec3 obstaclePlace{0.0F, 2.0F, 0.0F};
+    glm::vec3 obstacleSize{0.6F, 0.6F, 0.6F};
+    friend bool operator==(const Air&, const Air&) = default;
 };
 
 struct Turbulence {
@@ -240,6 +265,7 @@ struct Output {
 struct Effect {
     Emitter emitter;
     Motion motion;
+    Air air;
     Turbulence turbulence;
     Vortex vortex;
     Rings rings;
@@ -258,6 +284,10 @@ inline constexpr int kMaxParticles = 4'000'000;
 
 /// Most octaves of turbulence: the constants of a step have room for as many.
 inline constexpr int kMaxTurbulenceOctaves = 8;
+
+/// Fewest and most cells along the longest side of the air.
+inline constexpr int kMinAirResolution = 16;
+inline constexpr int kMaxAirResolution = 128;
 
 /// Most slices of the noise: a sprite has 7 bits for the one that it shows.
 inline constexpr int kMaxNoiseSlices = 128;

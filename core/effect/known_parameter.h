@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/effect/parameters/air.h"
 #include "core/effect/parameters/camera.h"
 #include "core/effect/parameters/emitter.h"
 #include "core/effect/parameters/life.h"
@@ -28,7 +29,7 @@ struct GroupList {
         return all;
     }
 };
-using Groups = GroupList<Emitter, Motion, Turbulence, Vortex, Rings, Life, Look, Noise, Light, Camera, Timeline, Output>;
+using Groups = GroupList<Emitter, Motion, Air, Turbulence, Vortex, Rings, Life, Look, Noise, Light, Camera, Timeline, Output>;
 
 /// The table behind parameterTable(), for what is decided while compiling.
 inline constexpr std::array kParameterTable = Groups::table();

@@ -1,51 +1,26 @@
 #pragma once
 
-#include "core/base/result.h"
-#include "core/flow/kept_steps.h"
-#include "core/flow/solver.h"
-
-#include <atomic>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <mutex>
-#include <stop_token>
-#include <vector>
+#include "core/flow/air_run.h"
 
 namespace fumage {
 
-/// All that the air depends on.
-struct AirPlan {
-    AirGrid grid;
-    AirBorders borders;
-    std::vector<Solid> solids;
-    glm::vec3 wind{0.0F}; ///< that it moves with at step 0, m/s
-    std::function<AirStep(std::int64_t step)> stepTo; ///< what moves it from step - 1 to step; a pure function, called by one thread at a time
-    std::int64_t firstStep = 0; ///< of what is shown; in a loop, from where on it comes again
-    std::int64_t loopSteps = 0; ///< 0: it does not loop
-};
-
-/// @return memory that the solver of a grid takes, and what it keeps at the least
-[[nodiscard]] std::size_t airRoom(const AirGrid& grid);
-
-/// The air of an effect at any step, computed once and kept: a pure function of its plan and the step.
+/// The air of an effect at any step, computed once and kept: a pure function of its plan and the step. What is kept never changes bits: all
+/// that anybody reads has been rounded once.
 ///
-/// Steps are computed one after another, from rest at step 0. Their fields are kept as half floats while they fit into the budget; beyond it
-/// those farthest from the one asked for go, and are computed again from checkpoints of the whole state when they are asked for again. What
-/// is kept never changes bits: all that anybody reads has been rounded once.
-///
-/// In a loop of L steps the field at t is (1 - t/L) u(F + t + L) + t/L u(F + t), F the first step: it goes over into its own beginning, and a sum
-/// of fields without divergence has none.
+/// A loop of L steps goes over into its own beginning in its last M = L / 2 steps. With A = F + M, F the first step, and t = s - A for the s in [A, A + L)
+/// that comes at the same place of the loop, the field is u(A + t) up to t = L - M, and then (1 - w) u(A + t) + w u(A + t - L), w = (t - L + M) / M.
+/// A sum of fields without divergence has none.
+/// A loop whose fields fit into the budget is computed in one pass; a longer one by two runs side by side, one of them a turn behind.
 ///
 /// Thread-safe: fields may be asked for, and read, while another thread bakes.
-class Air {
+class BakedAir {
 public:
-    /// @param budget memory for fields and checkpoints together
-    explicit Air(AirPlan plan, std::size_t budget = kDefaultBudget);
+    /// @param budget memory for fields and checkpoints together; what the solvers work in comes on top, see airRoom()
+    explicit BakedAir(AirPlan plan, std::size_t budget = kDefaultBudget);
 
-    /// The air at a step, computed if need be.
+    /// The air at a step, computed if need be; in a loop at its place in the turn.
     /// @error Cancelled
-    [[nodiscard]] Result<std::shared_ptr<const AirField>> field(std::int64_t step, const std::stop_token& stop = {});
+    [[nodiscard]] Result<AirFieldPtr> field(std::int64_t step, const std::stop_token& stop = {});
 
     /// Computes all steps up to the last one that is shown. Another thread that asks for a field meanwhile waits for no more than a step.
     /// @param last step; in a loop all steps are baked whatever it is
@@ -53,8 +28,8 @@ public:
     /// @error Cancelled; what has been computed is kept
     [[nodiscard]] Status bake(std::int64_t last, const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
 
-    /// Steps that have been computed at least once, counted from 0.
-    [[nodiscard]] std::int64_t bakedSteps() const { return m_baked.load(); }
+    /// Whether all steps up to one have been computed at least once; of a loop, all there are.
+    [[nodiscard]] bool isBaked(std::int64_t last) const { return m_run.bakedSteps() >= lastRawStep(last); }
     /// Memory that fields and checkpoints take now.
     [[nodiscard]] std::size_t keptBytes() const;
     [[nodiscard]] const AirPlan& plan() const { return m_plan; }
@@ -62,24 +37,32 @@ public:
     static constexpr std::size_t kDefaultBudget = std::size_t{512} << 20U;
 
 private:
-    using Field = std::shared_ptr<const AirField>;
+    /// Steps of a loop and of the way into its beginning.
+    [[nodiscard]] std::int64_t length() const { return m_plan.loopSteps; }
+    [[nodiscard]] std::int64_t fade() const { return std::max<std::int64_t>(1, m_plan.loopSteps / 2); }
+    /// A, where the turn that is shown begins.
+    [[nodiscard]] std::int64_t turnStart() const { return m_plan.firstStep + fade(); }
+    [[nodiscard]] std::int64_t lastRawStep(std::int64_t last) const { return length() == 0 ? last : turnStart() + length() - 1; }
+    /// Place in the turn of a step, 0 to L - 1.
+    [[nodiscard]] std::int64_t timeInTurn(std::int64_t step) const;
 
-    [[nodiscard]] Field kept(KeptSteps<AirField>& among, std::int64_t step);
-    [[nodiscard]] Result<Field> rawField(std::int64_t step, const std::stop_token& stop);
-    [[nodiscard]] Result<Field> loopField(std::int64_t step, const std::stop_token& stop);
-    /// Moves the solver to the last state before a step that is at hand. @return whether that was a checkpoint
-    bool goBackBefore(std::int64_t step);
-    [[nodiscard]] Field stepOn();
+    /// Whether all fields of the loop are kept, and so made in one pass.
+    [[nodiscard]] bool inOnePass() const { return !m_turn.empty(); }
+    /// The field at a time in the turn, of the run and of what it goes over into.
+    [[nodiscard]] AirFieldPtr faded(const AirFieldPtr& late, const AirFieldPtr& early, std::int64_t time) const;
+    Status bakeStep(std::int64_t step, const std::stop_token& stop);
+    /// Takes the pass on by one step, if it is not at its end.
+    Status passOn(const std::stop_token& stop);
+    /// What is ready of the turn, or nullptr.
+    [[nodiscard]] AirFieldPtr ready(std::int64_t time) const;
 
     AirPlan m_plan;
-    std::mutex m_working; ///< held for the solver, a step at a time
-    AirSolver m_solver;
-    std::int64_t m_at = 0; ///< step that the solver is at
-    mutable std::mutex m_keeping; ///< held for what is kept
-    KeptSteps<AirField> m_fields;
-    KeptSteps<AirField> m_loop; ///< cross-faded, by step of the loop
-    SpacedSteps<AirState> m_checkpoints;
-    std::atomic<std::int64_t> m_baked{-1};
+    AirRun m_run;
+    std::unique_ptr<AirRun> m_behind; ///< a turn behind; only in loops that do not fit into the budget
+    std::mutex m_passing; ///< held for a step of the pass
+    mutable std::mutex m_keeping; ///< held for the turn
+    std::vector<AirFieldPtr> m_turn; ///< by time in the turn; while the pass goes on those of the last M are the early ones
+    std::int64_t m_passed = 0; ///< raw step that the pass has come to
 };
 
 } // namespace fumage

@@ -38,9 +38,9 @@ void forGhosts(const AirCells& cells, int k, const Fill& fill)
 
 } // namespace
 
-void fillQuadGhosts(const AirCells& cells, AirColumn& quads, const glm::vec3& wind, int k)
+void fillQuadGhosts(const AirCells& cells, AirColumn& quads, const glm::vec3& outsideWind, int k)
 {
-    const std::array outside{wind.x, wind.y, wind.z};
+    const std::array outside{outsideWind.x, outsideWind.y, outsideWind.z};
     const auto at = [&](const glm::ivec3& cell) { return quads.data() + cells.quad.at(cell.x, cell.y, cell.z); };
     forGhosts(cells, k, [&](int axis, bool isHigh, Border border, const glm::ivec3& ghost, const glm::ivec3& within) {
         float* to = at(ghost);
@@ -50,11 +50,11 @@ void fillQuadGhosts(const AirCells& cells, AirColumn& quads, const glm::vec3& wi
             to[axis] = -from[axis];
             return;
         }
-        const bool comesIn = isHigh ? from[axis] < 0.0F : from[axis] > 0.0F;
-        if (comesIn) {
-            for (int other = 0; other < 3; ++other) {
-                to[other] = other == axis ? from[axis] : outside[static_cast<std::size_t>(other)];
-            }
+        const float inwards = isHigh ? -1.0F : 1.0F;
+        const float wind = outside[static_cast<std::size_t>(axis)];
+        if (inwards * (from[axis] + wind) > 0.0F) {
+            std::copy_n(outside.data(), 3, to);
+            to[axis] = inwards * std::max(inwards * from[axis], inwards * wind);
             to[3] = 0.0F;
         }
     });

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/flow/cells.h"
+#include "core/flow/heat_budget.h"
 #include "core/flow/step.h"
 
 namespace fumage {
 
 // What accelerates the carried air. Each is called for one plane of cells; planes may run in parallel. The same bits on every instruction set.
 
-/// Heats the air in the source and takes it along: heat becomes at least s heat, velocity goes a share grip s of the way to the source's.
+/// Heats the air in the source and takes it along: heat becomes at least s heat, the velocity along its normal goes a share grip s of the way to its own.
 /// s is 1 inside and falls to 0 across the rim, which lies at 1 + raggedness n of the reach with n curl noise that moves, root mean square 1.
 /// Writes velocity and heat, and divergence: what the source adds by its expansion, everywhere else 0.
 void addSource(AirCells& cells, const AirSource& source, int k);
@@ -16,8 +17,8 @@ void addSource(AirCells& cells, const AirSource& source, int k);
 void findCurl(AirCells& cells, int k);
 
 /// forced = velocity + dt (buoyancy heat up + epsilon (N x w)) + change of the wind, with w the curl and N = grad |w| / |grad |w||; then friction.
-/// Heat cools. Reads velocity, heat, curl, and vorticity with its ghosts.
+/// Heat is corrected and cools. Reads velocity, heat, its first guess, curl, and vorticity with its ghosts.
 /// Source: Steinhoff and Underhill 1994; Fedkiw, Stam, Jensen, "Visual Simulation of Smoke", SIGGRAPH 2001.
-void addForces(AirCells& cells, const AirStep& step, int k);
+void addForces(AirCells& cells, const AirStep& step, const HeatBudget::Correction& corrected, int k);
 
 } // namespace fumage

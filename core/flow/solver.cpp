@@ -33,6 +33,7 @@ void forPlanes(int first, int last, const Body& body)
 AirSolver::AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind)
     : m_cells(cellsWith(grid, borders, solids))
     , m_multigrid(grid.cells, borders, m_cells.open)
+    , m_heat(grid.cells.z)
 {
     if (wind != glm::vec3(0.0F)) {
         set([&](const glm::vec3&) { return glm::vec4(wind, 0.0F); }, wind);
@@ -43,7 +44,11 @@ void AirSolver::step(const AirStep& step)
 {
     AirCells& cells = m_cells;
     const int planes = cells.grid.cells.z;
+    const bool keepsHeat = !step.source.acts; // beside a source the sum is what the source makes it
     forPlanes(0, planes, [&](int k) {
+        if (keepsHeat) {
+            m_heat.before(cells, step.dt, k);
+        }
         traceBack(cells, step.dt, k);
         fillQuadGhosts(cells, cells.guess, step.wind, k);
     });
@@ -52,6 +57,9 @@ void AirSolver::step(const AirStep& step)
     const bool confines = step.confinement > 0.0F;
     forPlanes(0, planes, [&](int k) {
         correctTrace(cells, step.dt, k);
+        if (keepsHeat) {
+            m_heat.after(cells, k);
+        }
         if (step.source.acts && k >= step.source.first.z && k < step.source.last.z) {
             addSource(cells, step.source, k);
         }
@@ -65,8 +73,9 @@ void AirSolver::step(const AirStep& step)
             fillEvenGhosts(cells, cells.vorticity, k);
         });
     }
+    const HeatBudget::Correction corrected = keepsHeat ? m_heat.correction() : HeatBudget::Correction();
     forPlanes(0, planes, [&](int k) {
-        addForces(cells, step, k);
+        addForces(cells, step, corrected, k);
         fillVelocityGhosts(cells, cells.forced, k);
     });
     project(step.wind);

@@ -2,6 +2,7 @@
 
 #include "core/flow/cells.h"
 #include "core/flow/field.h"
+#include "core/flow/heat_budget.h"
 #include "core/flow/multigrid.h"
 #include "core/flow/obstacles.h"
 #include "core/flow/step.h"
@@ -27,6 +28,8 @@ namespace fumage {
 /// What others read are the velocities of the faces, smoothed onto the corners of cells (half from the face and a quarter from its two neighbours along
 /// its own axis, the mean of four across it). That smoothing is the same for all three, so as much flows out of each cell as in, and
 /// particles that it carries are neither gathered nor driven apart: their counts stay those of chance.
+///
+/// Where no source acts, heat is neither gained nor lost on its way, see HeatBudget.
 ///
 /// A step allocates nothing; it is the same to the bit for any number of threads, and on every instruction set.
 /// Sources: Stam 1999; Selle et al. 2008 (advection); Almgren, Bell, Szymczak 1996 (projection); Fedkiw et al. 2001 (forces).
@@ -70,6 +73,7 @@ private:
 
     AirCells m_cells;
     Multigrid m_multigrid;
+    HeatBudget m_heat;
 };
 
 } // namespace fumage

@@ -30,8 +30,8 @@ struct AirSource {
     float depth = 0.0F; ///< along the normal, m; a sphere has none
     float softness = 1.0F; ///< width of the rim, m
     float raggedness = 0.0F; ///< how far the rim wanders, as a share of the reach
-    glm::vec3 velocity{0.0F}; ///< of what comes out, m/s
-    float grip = 0.0F; ///< share of the way to that velocity in a step
+    float speed = 0.0F; ///< of what comes out, along the normal, m/s
+    float grip = 0.0F; ///< share of the way to that speed in a step
     float heat = 0.0F;
     float expansion = 0.0F; ///< divergence within, 1/s
     std::array<RimOctave, 2> rim;

@@ -62,7 +62,11 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         const V fading = job.fadeRate * (job.lifetimeSteps / lifetime);
         const V faded = hn::Max(zero, job.initialAlpha - fading * (age * job.dt));
         const auto entry = hn::ConvertTo(di, life * static_cast<float>(kLifeTableSize - 1));
-        const V alpha = hn::Min(one, faded * hn::GatherIndex(d, job.alpha.data(), entry));
+        V dense = faded * hn::GatherIndex(d, job.alpha.data(), entry);
+        if (job.heatOpacity > 0.0F) {
+            dense = dense * (1.0F - job.heatOpacity * (1.0F - hn::Min(one, hn::Load(d, particles.heat.data() + i))));
+        }
+        const V alpha = hn::Min(one, dense);
         const V varied = 1.0F - job.sizeVariance * unitStream(d, key, kSizeStream);
         const V radius = job.radius * hn::GatherIndex(d, job.size.data(), entry) * varied;
         const auto visible = hn::And(alive, hn::Gt(alpha, zero));

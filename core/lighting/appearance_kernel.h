@@ -23,6 +23,7 @@ struct AppearanceJob {
     float fadeRate = 0.0F;
     float radius = 0.0F;
     float sizeVariance = 0.0F;
+    float heatOpacity = 0.0F; ///< share of the opacity that is the heat's, where air carries the particles
     Axes axes;
 };
 

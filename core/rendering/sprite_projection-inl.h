@@ -98,7 +98,8 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
         hn::Store(sliceOf(d, job, key, age), d, block.slice + i);
         if (job.glows) {
             const V heat = 1.0F - job.heatVariance * unitStream(d, key, kHeatStream);
-            hn::Store(heat * exponential(d, -job.emissionCooling * age), d, block.heat + i);
+            const V cooled = heat * exponential(d, -job.emissionCooling * age);
+            hn::Store(particles.inAir() ? cooled * hn::Load(d, particles.heat.data() + at) : cooled, d, block.heat + i);
         }
         if (job.stretch > 0.0F) {
             const Vec3<V> velocity = load(d, particles.vx, particles.vy, particles.vz, at);

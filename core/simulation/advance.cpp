@@ -1,6 +1,7 @@
 #include "core/simulation/advance.h"
 
 #include "core/base/parallel.h"
+#include "core/simulation/air_kernel.h"
 #include "core/simulation/step.h"
 
 #include <algorithm>
@@ -13,9 +14,13 @@ namespace {
 /// Steps whose constants are kept at once: a pre-roll of any length takes this much memory.
 constexpr std::int64_t kStepsAtOnce = 128;
 
+/// The same where air carries the particles: each step has a field, which takes more than its constants.
+constexpr std::int64_t kStepsAtOnceInAir = 4;
+
 /// A step with the births that it has.
 struct PlannedStep {
     StepConstants constants;
+    std::shared_ptr<const AirField> air;
     std::int64_t firstBirth = 0;
     std::int64_t endBirth = 0;
 };
@@ -38,7 +43,8 @@ public:
         forSlots(m_schedule.firstAlive(from), firstUnborn(from), slots, [&](std::int64_t, std::int64_t, std::int64_t) { occupied = true; });
         for (const PlannedStep& step : steps) {
             if (occupied) {
-                stepChunk(step.constants, m_particles, chunk);
+                const auto move = step.air ? &carryChunk : &stepChunk;
+                move(step.constants, m_particles, chunk);
             }
             forSlots(step.firstBirth, step.endBirth, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
                 bear(low, high, lap, step.constants);
@@ -99,7 +105,9 @@ private:
             const std::size_t end = slot + static_cast<std::size_t>(count);
             m_particles.clearRoll(slot, end);
             bearParticles(m_birthPlace, random, constants.step, slot, end - slot, m_particles);
-            if (constants.betweenSteps) {
+            if (constants.air.field != nullptr) {
+                carryNewborns(constants, m_particles, slot, end);
+            } else if (constants.betweenSteps) {
                 stepNewborns(constants, m_particles, slot, end);
             }
             first += count;
@@ -114,20 +122,52 @@ private:
     std::int64_t m_capacity;
 };
 
+/// Plans steps (from, to].
+Result<std::vector<PlannedStep>> plannedSteps(const Model& model, std::int64_t from, std::int64_t to, const std::stop_token& stop)
+{
+    std::vector<PlannedStep> steps;
+    for (std::int64_t step = from + 1; step <= to; ++step) {
+        PlannedStep& planned = steps.emplace_back(PlannedStep{model.constants(step), nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
+        if (model.air() != nullptr) {
+            const auto field = model.air()->field(step, stop);
+            if (!field) {
+                return field.error();
+            }
+            planned.air = field.value();
+            planned.constants.air.field = planned.air.get();
+        }
+    }
+    return steps;
+}
+
+/// Bakes the air of all steps up to one, so that somebody hears how far it is.
+Status bakeAir(const Model& model, std::int64_t last, const std::stop_token& stop, const Progress& progress)
+{
+    if (model.air() == nullptr || model.air()->isBaked(last)) {
+        return Done{};
+    }
+    constexpr int kParts = 1000;
+    return model.air()->bake(last, stop, [&](double share) { progress(Work::Air, static_cast<int>(share * kParts), kParts); });
+}
+
 /// @param prepare called for a chunk before its first step
 template <class Prepare>
 Status run(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress, const Prepare& prepare)
 {
     const ChunkRunner runner(model, particles);
-    std::vector<PlannedStep> steps;
+    if (Status status = bakeAir(model, to, stop, progress); !status) {
+        return status;
+    }
+    const std::int64_t atOnce = model.air() != nullptr ? kStepsAtOnceInAir : kStepsAtOnce;
     bool first = true;
     std::int64_t done = from;
     do {
-        const std::int64_t last = std::min(to, done + kStepsAtOnce);
-        steps.clear();
-        for (std::int64_t step = done + 1; step <= last; ++step) {
-            steps.push_back({model.constants(step), model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
+        const std::int64_t last = std::min(to, done + atOnce);
+        const Result<std::vector<PlannedStep>> planned = plannedSteps(model, done, last, stop);
+        if (!planned) {
+            return planned.error();
         }
+        const std::vector<PlannedStep>& steps = planned.value();
         parallelFor(particles.chunks(), [&](std::size_t chunk) {
             if (stop.stop_requested()) {
                 return;
@@ -161,8 +201,8 @@ Status advance(const Model& model, Particles& particles, std::int64_t from, std:
 
 Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
-    if (after.x.size() != before.x.size() || after.rolls() != before.rolls()) {
-        after.reset(before.capacity, before.rolls());
+    if (after.x.size() != before.x.size() || after.rolls() != before.rolls() || after.inAir() != before.inAir()) {
+        after.reset(before.capacity, before.rolls(), before.inAir());
     }
     after.capacity = before.capacity;
     return run(model, after, from, to, stop, progress, [&](std::size_t chunk) { after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk); });
@@ -170,7 +210,7 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
 
 Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
-    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect()->look.roll > 0.0F);
+    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect()->look.roll > 0.0F, model.air() != nullptr);
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
     return run(model, particles, from, to, stop, progress, [](std::size_t) {});
 }

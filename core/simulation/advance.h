@@ -15,8 +15,8 @@ namespace fumage {
 /// Particles never act on one another, so each chunk runs through many steps at once while it is in the cache, and chunks run in parallel.
 /// @param particles the state at step from; for a later one, empty (see Particles::reset()) where from is before every living birth
 /// @param from,to   steps, from <= to
-/// @param progress hears of Work::PreRoll where there are hundreds of steps
-/// @error Cancelled; the particles are then between steps and must be thrown away
+/// @param progress hears of Work::PreRoll where there are hundreds of steps, and of Work::Air where it has to be baked
+/// @error Cancelled, also that of the air; the particles are then between steps and must be thrown away
 /// O(particles * steps). The same bits for any number of threads, and for any way to split [from, to].
 [[nodiscard]] Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
 

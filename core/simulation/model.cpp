@@ -3,6 +3,7 @@
 #include "core/base/hash.h"
 #include "core/base/math.h"
 #include "core/base/vector.h"
+#include "core/simulation/air_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,9 @@ constexpr float kGustAngleRange = 60.0F;
 /// of its random components.
 constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
 
+/// Speed of the swirls below the grid, root mean square, over the root of the sum of the squares of the air's differences from cell to cell.
+constexpr float kDetailPerShear = 0.5F;
+
 /// Rates of eddies grow with the 2/3 power of their wave number (Kolmogorov 1941).
 constexpr float kTurnoverExponent = 2.0F / 3.0F;
 
@@ -50,6 +54,18 @@ float smoothStep(float t)
     return t * t * (3.0F - 2.0F * t);
 }
 
+/// What is left of turbulence below a grid: it begins where the grid ends, goes on changing as fast as its sizes do, and takes its strength from the air.
+Turbulence belowTheGrid(const Turbulence& whole, float cell, float detail)
+{
+    Turbulence part = whole;
+    part.scale = 2.0F * cell;
+    part.strength = detail > 0.0F ? 1.0F : 0.0F;
+    part.evolution = whole.evolution * portablePow(whole.scale / part.scale, kTurnoverExponent);
+    part.onset = 0.0F;
+    part.growth = 0.0F;
+    return part;
+}
+
 /// tau = (1 - e^(-D dt)) / D, by which a step's acceleration is multiplied: the exact solution of V' = a - D V is V + (a - D V) tau.
 float draggedTime(float drag, float dt)
 {
@@ -62,36 +78,13 @@ float draggedTime(float drag, float dt)
     return dt * (1.0F - x / 2.0F * (1.0F - x / 3.0F * (1.0F - x / 4.0F * (1.0F - x / 5.0F * (1.0F - x / 6.0F)))));
 }
 
-/// A point in a periodic or endless row of random values: two neighbours and the way between them.
-struct RowPosition {
-    std::int64_t before = 0;
-    std::int64_t after = 0; ///< 0 after the last of a loop
-    float fraction = 0.0F;
-    std::int64_t cells = 0; ///< of a loop; 0: endless
-};
-
-RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep)
-{
-    const std::int64_t cells = schedule.loopSteps == 0
-        ? 0
-        : std::max<std::int64_t>(1, std::llround(cellsPerStep * static_cast<double>(schedule.loopSteps)));
-    const double position = cells == 0
-        ? cellsPerStep * static_cast<double>(step)
-        : static_cast<double>(schedule.randomStep(step) * cells) / static_cast<double>(schedule.loopSteps);
-    const double cell = std::floor(position);
-    RowPosition row;
-    row.cells = cells;
-    row.before = static_cast<std::int64_t>(cell);
-    row.after = cells == 0 ? row.before + 1 : (row.before + 1) % cells;
-    row.fraction = static_cast<float>(position - cell);
-    return row;
-}
-
 } // namespace
 
-Model::Model(const SampledEffect& effect)
+Model::Model(const SampledEffect& effect, std::shared_ptr<BakedAir> air)
     : m_effect(effect)
     , m_schedule(makeSchedule(m_effect))
+    , m_air(std::move(air))
+    , m_turbulence(m_air ? belowTheGrid(effect->turbulence, m_air->plan().grid.cell, effect->air.detail) : effect->turbulence)
 {
 }
 
@@ -125,7 +118,7 @@ float Model::rotationAt(std::int64_t step) const
 
 OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
 {
-    const Turbulence& turbulence = m_effect->turbulence;
+    const Turbulence& turbulence = m_turbulence;
     const auto order = static_cast<float>(octave);
     OctaveAtStep out;
     out.frequency = portablePow(turbulence.lacunarity, order);
@@ -201,7 +194,7 @@ void Model::placeRings(std::int64_t step, StepConstants& out) const
 StepConstants Model::constants(std::int64_t step) const
 {
     const Motion& motion = m_effect->motion;
-    const Turbulence& turbulence = m_effect->turbulence;
+    const Turbulence& turbulence = m_turbulence;
     const float dt = m_schedule.dt;
     const float r = motion.randomness;
     const float tau = draggedTime(motion.drag, dt);
@@ -211,7 +204,8 @@ StepConstants Model::constants(std::int64_t step) const
     out.dt = dt;
     out.step = static_cast<std::int32_t>(step);
     out.betweenSteps = m_schedule.betweenSteps;
-    const glm::vec3 acceleration = windAt(step) - glm::vec3(0.0F, motion.gravity / motion.mass, 0.0F);
+    const glm::vec3 gravity{0.0F, motion.gravity / motion.mass, 0.0F};
+    const glm::vec3 acceleration = m_air ? -gravity : windAt(step) - gravity; // where there is air, it is what the wind moves
     out.steady = acceleration * ((1.0F - r) * tau);
     out.random = acceleration * (r * drawScale() * tau * 0x1p-31F);
     out.steadyShare = 1.0F - r;
@@ -230,8 +224,8 @@ StepConstants Model::constants(std::int64_t step) const
     out.vortexStrength = m_effect->vortex.strength;
     out.vortexRadius = m_effect->vortex.radius;
     out.vortexAxis = m_effect->vortex.axis;
-    if (m_effect->rings.strength > 0.0F) {
-        placeRings(step, out);
+    if (m_effect->rings.strength > 0.0F && !m_air) {
+        placeRings(step, out); // air makes its own
     }
     out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
     out.turbulenceFrequency = 1.0F / turbulence.scale;
@@ -241,8 +235,27 @@ StepConstants Model::constants(std::int64_t step) const
         out.octave[static_cast<std::size_t>(octave)] = octaveAt(step, octave);
     }
     out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F && motion.rotationJitter == 0.0F
-        && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0;
+        && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0 && !m_air;
+    if (m_air) {
+        placeAir(out);
+    }
     return out;
+}
+
+void Model::placeAir(StepConstants& out) const
+{
+    const Air& air = m_effect->air;
+    const AirGrid& grid = m_air->plan().grid;
+    constexpr float kShareOfBox = 0.25F;
+    out.air.reach = kShareOfBox * grid.cell * static_cast<float>(std::max({grid.cells.x, grid.cells.y, grid.cells.z}));
+    out.air.detail = air.detail * kDetailPerShear;
+    out.air.sourceDepth = sourceDepth(m_effect->emitter, grid);
+    out.air.sourceVelocity = sourceVelocity(m_effect->emitter);
+    out.air.hasGround = air.ground;
+    out.air.groundHeight = air.groundHeight;
+    out.air.obstacle = air.obstacle;
+    out.air.obstaclePlace = air.obstaclePlace;
+    out.air.obstacleHalf = 0.5F * air.obstacleSize;
 }
 
 } // namespace fumage

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/effect/effect.h"
+#include "core/flow/air.h"
 #include "core/noise/curl_slices.h"
 #include "core/simulation/schedule.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include <glm/vec3.hpp>
 
@@ -20,6 +22,20 @@ struct OctaveAtStep {
     glm::vec3 shift{0.0F}; ///< of places against its lattice, in units of it; along y less the part of the drift that is no whole number of them
     CurlSlices slices; ///< weights in m/s, with the normalisation of the noise
     bool turns = false; ///< whether its swirls turn particles
+};
+
+/// The air of a step, and what stands in it.
+struct AirConstants {
+    const AirField* field = nullptr; ///< null: no air carries the particles
+    float reach = 1.0F; ///< beyond the box the air goes over into the wind within this, m
+    float detail = 0.0F; ///< speed of the swirls below the grid, for each m/s that the air differs from cell to cell
+    glm::vec3 sourceDepth{0.0F}; ///< along it particles are born anywhere in the source, m
+    glm::vec3 sourceVelocity{0.0F}; ///< of the air that particles are born in, m/s
+    bool hasGround = false;
+    float groundHeight = 0.0F;
+    Obstacle obstacle = Obstacle::None;
+    glm::vec3 obstaclePlace{0.0F};
+    glm::vec3 obstacleHalf{0.0F}; ///< half its edges, or its radius in x
 };
 
 /// Everything about a step that is the same for all particles.
@@ -68,18 +84,24 @@ struct StepConstants {
     float onset = 0.0F;
     float growth = 0.0F;
     std::array<OctaveAtStep, kMaxTurbulenceOctaves> octave{};
+
+    AirConstants air;
 };
 
 /// An effect as the simulation sees it: schedule and constants in base units.
 class Model {
 public:
-    explicit Model(const SampledEffect& effect);
+    /// @param air that carries the particles, of the same effect; null where none does
+    explicit Model(const SampledEffect& effect, std::shared_ptr<BakedAir> air = nullptr);
 
     [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
     /// When particles are born and for how long they live.
     [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
 
-    /// What moves particles from step - 1 to step.
+    /// The air that carries the particles, or nullptr.
+    [[nodiscard]] BakedAir* air() const { return m_air.get(); }
+
+    /// What moves particles from step - 1 to step; without the air's field, which has to be computed first.
     [[nodiscard]] StepConstants constants(std::int64_t step) const;
 
     /// Wind acceleration with its gusts at a step, m/s^2: (Vw cos theta, 0, Vw sin theta), eq. III and V.
@@ -97,9 +119,12 @@ private:
     [[nodiscard]] float drawScale() const;
     [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
     void placeRings(std::int64_t step, StepConstants& out) const;
+    void placeAir(StepConstants& out) const;
 
     SampledEffect m_effect;
     Schedule m_schedule;
+    std::shared_ptr<BakedAir> m_air;
+    Turbulence m_turbulence; ///< the effect's, or in air the part of it that is below the grid
 };
 
 } // namespace fumage

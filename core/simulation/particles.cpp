@@ -24,11 +24,14 @@ void fillSlots(AlignedArray<T>& values, std::size_t first, std::size_t last, T v
 
 } // namespace
 
-void Particles::reset(std::size_t slotCount, bool rolls)
+void Particles::reset(std::size_t slotCount, bool rolls, bool inAir)
 {
     capacity = slotCount;
     const std::size_t padded = roundUp(slotCount, kChunk);
-    forEachColumn([&](const auto& column) { column.of(*this).assign(column.isRoll && !rolls ? 0 : padded, column.empty); });
+    forEachColumn([&](const auto& column) {
+        const bool isThere = column.owner == ColumnOf::All || (column.owner == ColumnOf::Rolling ? rolls : inAir);
+        column.of(*this).assign(isThere ? padded : 0, column.empty);
+    });
 }
 
 void Particles::clear(std::size_t first, std::size_t last)
@@ -39,7 +42,7 @@ void Particles::clear(std::size_t first, std::size_t last)
 void Particles::clearRoll(std::size_t first, std::size_t last)
 {
     forEachColumn([&](const auto& column) {
-        if (column.isRoll) {
+        if (column.owner == ColumnOf::Rolling) {
             fillSlots(column.of(*this), first, last, column.empty);
         }
     });

@@ -47,6 +47,23 @@ std::int64_t Schedule::capacity() const
     return std::max<std::int64_t>(1, lifetimeSteps / periodSteps * birthsPerPeriod + inRest);
 }
 
+RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep)
+{
+    const std::int64_t cells = schedule.loopSteps == 0
+        ? 0
+        : std::max<std::int64_t>(1, std::llround(cellsPerStep * static_cast<double>(schedule.loopSteps)));
+    const double position = cells == 0
+        ? cellsPerStep * static_cast<double>(step)
+        : static_cast<double>(schedule.randomStep(step) * cells) / static_cast<double>(schedule.loopSteps);
+    const double cell = std::floor(position);
+    RowPosition row;
+    row.cells = cells;
+    row.before = static_cast<std::int64_t>(cell);
+    row.after = cells == 0 ? row.before + 1 : (row.before + 1) % cells;
+    row.fraction = static_cast<float>(position - cell);
+    return row;
+}
+
 Schedule makeSchedule(const SampledEffect& effect)
 {
     const Timeline& timeline = effect->timeline;

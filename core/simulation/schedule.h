@@ -45,6 +45,17 @@ struct Schedule {
     [[nodiscard]] std::int64_t stepOfFrame(std::int64_t frame) const { return firstStep + frame * stepsPerFrame; }
 };
 
+/// A point in a periodic or endless row of random values: two neighbours and the way between them.
+struct RowPosition {
+    std::int64_t before = 0;
+    std::int64_t after = 0; ///< 0 after the last of a loop
+    float fraction = 0.0F;
+    std::int64_t cells = 0; ///< of a loop; 0: endless
+};
+
+/// Where a step lies in the row of random values that something has which changes cellsPerStep times a step; whole numbers of them in a loop.
+[[nodiscard]] RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep);
+
 /// @param effect in range
 [[nodiscard]] Schedule makeSchedule(const SampledEffect& effect);
 

@@ -1,18 +1,26 @@
 #include "core/simulation/simulator.h"
 
+#include "core/simulation/air_plan.h"
+
 #include <algorithm>
 
 namespace fumage {
 
 namespace {
 
+std::shared_ptr<BakedAir> airFor(const SampledEffect& effect, const std::shared_ptr<AirShelf>& shelf)
+{
+    return shelf ? shelf->airOf(effect) : AirShelf().airOf(effect);
+}
+
 /// Checkpoints a lifetime: a jump steps an eighth of a pre-roll at most once they are there.
 constexpr std::int64_t kCheckpointsALifetime = 8;
 
 } // namespace
 
-Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes)
-    : m_model(std::make_shared<const Model>(effect))
+Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, const std::shared_ptr<AirShelf>& shelf)
+    : m_airStatus(checkAir(effect))
+    , m_model(std::make_shared<const Model>(effect, m_airStatus ? airFor(effect, shelf) : nullptr))
     , m_checkpoints(checkpointBytes)
 {
 }
@@ -41,6 +49,9 @@ std::shared_ptr<Frame> Simulator::blankFrame()
 
 Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const std::stop_token& stop, const Progress& progress)
 {
+    if (!m_airStatus) {
+        return m_airStatus.error();
+    }
     const Schedule& schedule = m_model->schedule();
     if (schedule.loopSteps != 0) {
         number %= m_model->effect()->timeline.length;

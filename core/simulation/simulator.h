@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/simulation/advance.h"
+#include "core/simulation/air_shelf.h"
 #include "core/simulation/checkpoints.h"
 #include "core/simulation/frame.h"
 
@@ -16,11 +17,12 @@ namespace fumage {
 class Simulator {
 public:
     /// @param checkpointBytes memory that checkpoints may take
-    explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes);
+    /// @param shelf with air that is baked already, or where it is to be kept for others; null: this simulator's own
+    explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes, const std::shared_ptr<AirShelf>& shelf = nullptr);
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
-    /// @param progress hears of Work::PreRoll where many steps lead to the frame
-    /// @error Cancelled
+    /// @param progress hears of Work::PreRoll where many steps lead to the frame, and of Work::Air where it has to be baked
+    /// @error Cancelled; that of checkAir()
     [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const std::stop_token& stop = {}, const Progress& progress = {});
 
     /// The constants and the schedule that the effect came to.
@@ -32,6 +34,7 @@ private:
     [[nodiscard]] std::shared_ptr<const Frame> nearestBefore(int number) const;
     [[nodiscard]] std::shared_ptr<Frame> blankFrame();
 
+    Status m_airStatus; ///< of checkAir()
     std::shared_ptr<const Model> m_model;
     Checkpoints m_checkpoints;
     std::shared_ptr<const Frame> m_latest;

@@ -4,11 +4,7 @@
 //
 #include <hwy/highway.h>
 
-#include "core/base/hash-inl.h"
-#include "core/base/math-inl.h"
-#include "core/base/vector-inl.h"
-#include "core/simulation/ages-inl.h"
-#include "core/simulation/step.h"
+#include "core/simulation/moving-inl.h"
 #include "core/simulation/streams.h"
 #include "core/simulation/swirls-inl.h"
 
@@ -17,25 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using DU = hn::RebindToUnsigned<D>;
-using VU = hn::Vec<DU>;
-
-/// Three independent random int32 as float, for one particle and step: three rounds of multiply and shift over key XOR step key.
-HWY_INLINE Vec3<V> signedDraws(D d, VU key, VU stepKey)
-{
-    VU bits = (key ^ stepKey) * kMixFactor1;
-    bits = (bits ^ hn::ShiftRight<15>(bits)) * kMixFactor2;
-    bits = bits ^ hn::ShiftRight<16>(bits);
-    const V x = signedValue(d, bits);
-    bits = bits * kPrime1;
-    bits = bits ^ hn::ShiftRight<15>(bits);
-    const V y = signedValue(d, bits);
-    bits = bits * kPrime2;
-    bits = bits ^ hn::ShiftRight<16>(bits);
-    return {x, y, signedValue(d, bits)};
-}
+using namespace stepping;
 
 /// Eq. III to V and IX to XII alone. Kept apart from the whole model so that its loop is short enough to pipeline.
 void stepPlain(const StepConstants& constants, Particles& particles, std::size_t chunk)
@@ -62,26 +40,6 @@ void stepPlain(const StepConstants& constants, Particles& particles, std::size_t
         store(load(d, x, y, z, i) + v * dt, x, y, z, i);
     }
 }
-
-/// The time of a step, for what lives through the whole of it.
-struct WholeStep {
-    template <class T>
-    HWY_INLINE T operator()(const T& amount) const
-    {
-        return amount;
-    }
-    [[nodiscard]] static HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) { return {hn::Set(d, constants.rotationSin), hn::Set(d, constants.rotationCos)}; }
-};
-
-/// The same for what was born during the step: each lane has a share of it.
-struct PartOfStep {
-    V share;
-
-    HWY_INLINE V operator()(V amount) const { return amount * share; }
-    HWY_INLINE V operator()(float amount) const { return amount * share; }
-    HWY_INLINE Vec3<V> operator()(const Vec3<V>& amount) const { return amount * share; }
-    [[nodiscard]] HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) const { return sinCos(d, constants.rotation * share); }
-};
 
 /// 0 at birth to 1 at the onset, smooth at both ends.
 HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
@@ -110,39 +68,6 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& 
     const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
     return {bounded(v.x), bounded(v.y), bounded(v.z)};
 }
-
-/// Turned about the vertical, from +z towards +x.
-HWY_INLINE Vec3<V> rotated(const SineCosine<V>& angle, const Vec3<V>& v)
-{
-    return {angle.cosine * v.x + angle.sine * v.z, v.y, angle.cosine * v.z - angle.sine * v.x};
-}
-
-/// The state of particles that a step changes.
-struct Moving {
-    Vec3<V> position;
-    Vec3<V> velocity;
-    Vec3<V> roll;
-
-    template <bool kTurns>
-    static HWY_INLINE Moving from(D d, const Particles& p, std::size_t i)
-    {
-        Moving out{load(d, p.x, p.y, p.z, i), load(d, p.vx, p.vy, p.vz, i), uniform(hn::Zero(d))};
-        if constexpr (kTurns) {
-            out.roll = load(d, p.rollX, p.rollY, p.rollZ, i);
-        }
-        return out;
-    }
-
-    template <bool kTurns>
-    HWY_INLINE void to(Particles& p, std::size_t i) const
-    {
-        store(position, p.x, p.y, p.z, i);
-        store(velocity, p.vx, p.vy, p.vz, i);
-        if constexpr (kTurns) {
-            store(roll, p.rollX, p.rollY, p.rollZ, i);
-        }
-    }
-};
 
 /// What a step, or the part of it that they have lived through, makes of particles.
 template <bool kTurns, class Time>

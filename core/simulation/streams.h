@@ -14,6 +14,7 @@ enum ParticleStream : std::uint32_t {
     kBirthVelocityZ = 5,
     kBirthConeAngle = 6,
     kBirthConeTurn = 7,
+    kBirthDepth = 8,
     kHeatStream = 20,
     kLifetimeStream = 21,
     kSizeStream = 22,

@@ -12,6 +12,10 @@ for preset in "$here"/../presets/*.json; do
     case $name in
     explosion) frame=16 ;;
     dust) frame=26 ;;
+    fire-ball) frame=24 ;;
+    landing) frame=45 ;;
+    mushroom-cloud) frame=60 ;;
+    ceiling) frame=110 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
 done

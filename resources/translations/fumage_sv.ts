@@ -761,6 +761,10 @@
         <source>Simulating what comes before: %1 %</source>
         <translation>Simulerar det som kommer före: %1 %</translation>
     </message>
+    <message>
+        <source>Baking the air: %1 %</source>
+        <translation>Bakar luften: %1 %</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportProgress</name>
@@ -1378,6 +1382,30 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Save the preset somewhere else</source>
         <translation>Spara förinställningen någon annanstans</translation>
+    </message>
+    <message>
+        <source>the emitter lies under the ground</source>
+        <translation>utsändaren ligger under marken</translation>
+    </message>
+    <message>
+        <source>Lower air.ground_height or raise emitter.position</source>
+        <translation>Sänk air.ground_height eller höj emitter.position</translation>
+    </message>
+    <message>
+        <source>the emitter lies outside the box of the air</source>
+        <translation>utsändaren ligger utanför luftens låda</translation>
+    </message>
+    <message>
+        <source>Turn air.fit on, or change air.offset or air.size</source>
+        <translation>Slå på air.fit, eller ändra air.offset eller air.size</translation>
+    </message>
+    <message>
+        <source>the obstacle fills the box of the air</source>
+        <translation>hindret fyller luftens låda</translation>
+    </message>
+    <message>
+        <source>Make the obstacle smaller, or move it</source>
+        <translation>Gör hindret mindre, eller flytta det</translation>
     </message>
 </context>
 <context>
@@ -2756,6 +2784,146 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Seamless loop</source>
         <translation>Sömlös slinga</translation>
     </message>
+    <message>
+        <source>Moving air</source>
+        <translation>Luft i rörelse</translation>
+    </message>
+    <message>
+        <source>The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows around obstacles. Buoyancy, cooling, wind, gusts and the speed of the emitter act on the air; turbulence is the detail below its grid, and vortex rings come by themselves.</source>
+        <translation>Röken bärs av luft som den värmer: den rullar ihop sig, tar in luft, bildar stammar och hattar och strömmar runt hinder. Lyftkraft, avkylning, vind, byar och emitterns fart verkar på luften; turbulensen är detaljerna under dess rutnät, och virvelringar kommer av sig själva.</translation>
+    </message>
+    <message>
+        <source>Fedkiw, Stam, Jensen 2001</source>
+        <translation>Fedkiw, Stam, Jensen 2001</translation>
+    </message>
+    <message>
+        <source>Cells of air along the longest side of its box: twice as many show smaller billows and take sixteen times as long. Once baked, the air costs next to nothing.</source>
+        <translation>Luftens celler längs den längsta sidan av dess låda: dubbelt så många visar mindre bolster och tar sexton gånger så lång tid. När luften väl är beräknad kostar den nästan ingenting.</translation>
+    </message>
+    <message>
+        <source>Fit to the smoke</source>
+        <translation>Anpassa till röken</translation>
+    </message>
+    <message>
+        <source>The box of the air is as large as the smoke is expected to become, from what the emitter gives it and for how long it lives.</source>
+        <translation>Luftens låda är så stor som röken väntas bli, av det som emittern ger den och så länge som den lever.</translation>
+    </message>
+    <message>
+        <source>Edges of the box of the air. It stands above the emitter&apos;s foot; smoke that leaves it goes on with the wind.</source>
+        <translation>Kanterna på luftens låda. Den står ovanför emitterns fot; rök som lämnar den följer vinden.</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Förskjutning</translation>
+    </message>
+    <message>
+        <source>Moves the box of the air away from the emitter. The emitter has to stay inside it.</source>
+        <translation>Flyttar luftens låda från emittern. Emittern måste vara kvar i den.</translation>
+    </message>
+    <message>
+        <source>Vorticity</source>
+        <translation>Virvling</translation>
+    </message>
+    <message>
+        <source>Gives swirls back what the grid takes from them. A little makes billows crisp; much makes them boil.</source>
+        <translation>Ger virvlarna tillbaka det som rutnätet tar från dem. Lite gör bolstren skarpa; mycket får dem att koka.</translation>
+    </message>
+    <message>
+        <source>Steinhoff and Underhill 1994</source>
+        <translation>Steinhoff och Underhill 1994</translation>
+    </message>
+    <message>
+        <source>Raggedness</source>
+        <translation>Ojämnhet</translation>
+    </message>
+    <message>
+        <source>How unevenly the source gives off its heat, and how far its rim wanders. Without it smoke rises as a column, and a cap is as regular as a cauliflower.</source>
+        <translation>Hur ojämnt källan avger sin värme och hur långt dess kant vandrar. Utan den stiger röken som en pelare, och en hatt är regelbunden som en blomkål.</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Swirls that are smaller than the cells of the air, as strong as the air around them is sheared. Octaves, roughness, evolution and drift of the turbulence say what they are like.</source>
+        <translation>Virvlar som är mindre än luftens celler, så starka som luften omkring dem skjuvas. Turbulensens oktaver, råhet, utveckling och drift säger hurdana de är.</translation>
+    </message>
+    <message>
+        <source>Kim, Thürey, James, Gross 2008</source>
+        <translation>Kim, Thürey, James, Gross 2008</translation>
+    </message>
+    <message>
+        <source>Opacity by heat</source>
+        <translation>Täckning efter värme</translation>
+    </message>
+    <message>
+        <source>How much smoke fades where its air is cold: 1 shows nothing but what is hot, as in a flame.</source>
+        <translation>Hur mycket röken bleknar där luften är kall: 1 visar bara det som är hett, som i en låga.</translation>
+    </message>
+    <message>
+        <source>Expansion</source>
+        <translation>Utvidgning</translation>
+    </message>
+    <message>
+        <source>Volume that the source adds to the air, as a multiple of its own each second, as long as it emits: a burst blows up a ball.</source>
+        <translation>Den volym som källan tillför luften, som en multipel av sin egen varje sekund, så länge den sänder ut: en puff blåser upp en boll.</translation>
+    </message>
+    <message>
+        <source>A floor that air and smoke flow along and do not enter.</source>
+        <translation>Ett golv som luft och rök strömmar längs och inte tränger in i.</translation>
+    </message>
+    <message>
+        <source>Ground height</source>
+        <translation>Markens höjd</translation>
+    </message>
+    <message>
+        <source>Height of the floor.</source>
+        <translation>Golvets höjd.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Friktion</translation>
+    </message>
+    <message>
+        <source>Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, a wood has 0.1.</source>
+        <translation>Motståndskoefficient för golvet och hindret: 0 låter luften glida, en skog har 0,1.</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hinder</translation>
+    </message>
+    <message>
+        <source>A body that air and smoke flow around.</source>
+        <translation>En kropp som luft och rök strömmar runt.</translation>
+    </message>
+    <message>
+        <source>Obstacle place</source>
+        <translation>Hindrets plats</translation>
+    </message>
+    <message>
+        <source>Centre of the obstacle.</source>
+        <translation>Hindrets mittpunkt.</translation>
+    </message>
+    <message>
+        <source>Obstacle size</source>
+        <translation>Hindrets storlek</translation>
+    </message>
+    <message>
+        <source>Edges of the box; of a sphere the first number is the diameter.</source>
+        <translation>Lådans kanter; för ett klot är det första talet diametern.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>inget</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>låda</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -2956,6 +3124,38 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>A column of dark ash that boils up, spreads and leans with the wind.</source>
         <translation>En pelare av mörk aska som väller upp, breder ut sig och lutar med vinden.</translation>
     </message>
+    <message>
+        <source>Under a ceiling</source>
+        <translation>Under ett tak</translation>
+    </message>
+    <message>
+        <source>Smoke that rises to a ceiling, spreads out under it and rolls up along its edge.</source>
+        <translation>Rök som stiger till ett tak, breder ut sig under det och rullar upp längs kanten.</translation>
+    </message>
+    <message>
+        <source>Fire ball</source>
+        <translation>Eldklot</translation>
+    </message>
+    <message>
+        <source>Burning vapour that blows up into a ball, rolls over itself and burns out into black smoke.</source>
+        <translation>Brinnande ånga som blåses upp till ett klot, rullar över sig själv och brinner ut i svart rök.</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>Landning</translation>
+    </message>
+    <message>
+        <source>Dust that the blast of a landing presses to the ground: it runs outwards as a ring that rolls up.</source>
+        <translation>Damm som stöten från en landning trycker mot marken: det löper utåt som en ring som rullar upp sig.</translation>
+    </message>
+    <message>
+        <source>Mushroom cloud</source>
+        <translation>Svampmoln</translation>
+    </message>
+    <message>
+        <source>A ball of hot air that rises, turns inside out and draws a stem of smoke after it.</source>
+        <translation>Ett klot av het luft som stiger, vänder ut och in på sig och drar en stam av rök efter sig.</translation>
+    </message>
 </context>
 <context>
     <name>Readout</name>
@@ -2978,6 +3178,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>composite %1 ms</source>
         <translation>bild %1 ms</translation>
+    </message>
+    <message>
+        <source>coarse air</source>
+        <translation>grov luft</translation>
     </message>
 </context>
 <context>

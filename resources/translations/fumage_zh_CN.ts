@@ -761,6 +761,10 @@
         <source>Simulating what comes before: %1 %</source>
         <translation>正在模拟之前的部分：%1 %</translation>
     </message>
+    <message>
+        <source>Baking the air: %1 %</source>
+        <translation>正在烘焙空气：%1 %</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportProgress</name>
@@ -1378,6 +1382,30 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Save the preset somewhere else</source>
         <translation>请将预设保存到其他位置</translation>
+    </message>
+    <message>
+        <source>the emitter lies under the ground</source>
+        <translation>发射器位于地面之下</translation>
+    </message>
+    <message>
+        <source>Lower air.ground_height or raise emitter.position</source>
+        <translation>请降低 air.ground_height 或提高 emitter.position</translation>
+    </message>
+    <message>
+        <source>the emitter lies outside the box of the air</source>
+        <translation>发射器位于空气盒之外</translation>
+    </message>
+    <message>
+        <source>Turn air.fit on, or change air.offset or air.size</source>
+        <translation>请打开 air.fit，或更改 air.offset 或 air.size</translation>
+    </message>
+    <message>
+        <source>the obstacle fills the box of the air</source>
+        <translation>障碍物充满了空气盒</translation>
+    </message>
+    <message>
+        <source>Make the obstacle smaller, or move it</source>
+        <translation>请缩小或移动障碍物</translation>
     </message>
 </context>
 <context>
@@ -2756,6 +2784,146 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Seamless loop</source>
         <translation>无缝循环</translation>
     </message>
+    <message>
+        <source>Moving air</source>
+        <translation>流动的空气</translation>
+    </message>
+    <message>
+        <source>The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows around obstacles. Buoyancy, cooling, wind, gusts and the speed of the emitter act on the air; turbulence is the detail below its grid, and vortex rings come by themselves.</source>
+        <translation>烟由它加热的空气携带：它会翻卷、卷入空气、形成烟柱和烟帽，并绕过障碍物流动。浮力、冷却、风、阵风和发射器的速度作用于空气；湍流是其网格以下的细节，涡环会自行产生。</translation>
+    </message>
+    <message>
+        <source>Fedkiw, Stam, Jensen 2001</source>
+        <translation>Fedkiw、Stam、Jensen 2001</translation>
+    </message>
+    <message>
+        <source>Cells of air along the longest side of its box: twice as many show smaller billows and take sixteen times as long. Once baked, the air costs next to nothing.</source>
+        <translation>空气盒最长边上的单元数：加倍可显示更小的烟团，但耗时为十六倍。一旦烘焙完成，空气几乎不再占用时间。</translation>
+    </message>
+    <message>
+        <source>Fit to the smoke</source>
+        <translation>适应烟雾</translation>
+    </message>
+    <message>
+        <source>The box of the air is as large as the smoke is expected to become, from what the emitter gives it and for how long it lives.</source>
+        <translation>空气盒的大小按烟雾预计达到的范围而定，取决于发射器给予它的量和它的寿命。</translation>
+    </message>
+    <message>
+        <source>Edges of the box of the air. It stands above the emitter&apos;s foot; smoke that leaves it goes on with the wind.</source>
+        <translation>空气盒的边长。它立于发射器底部之上；离开它的烟随风而去。</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Moves the box of the air away from the emitter. The emitter has to stay inside it.</source>
+        <translation>将空气盒移离发射器。发射器必须留在盒内。</translation>
+    </message>
+    <message>
+        <source>Vorticity</source>
+        <translation>涡度</translation>
+    </message>
+    <message>
+        <source>Gives swirls back what the grid takes from them. A little makes billows crisp; much makes them boil.</source>
+        <translation>把网格从漩涡中夺走的还给它们。少量使烟团清晰；大量使它们沸腾。</translation>
+    </message>
+    <message>
+        <source>Steinhoff and Underhill 1994</source>
+        <translation>Steinhoff 和 Underhill 1994</translation>
+    </message>
+    <message>
+        <source>Raggedness</source>
+        <translation>参差度</translation>
+    </message>
+    <message>
+        <source>How unevenly the source gives off its heat, and how far its rim wanders. Without it smoke rises as a column, and a cap is as regular as a cauliflower.</source>
+        <translation>热源散热的不均匀程度及其边缘游移的幅度。没有它，烟会像柱子一样上升，烟帽规则得像花椰菜。</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>细节</translation>
+    </message>
+    <message>
+        <source>Swirls that are smaller than the cells of the air, as strong as the air around them is sheared. Octaves, roughness, evolution and drift of the turbulence say what they are like.</source>
+        <translation>比空气单元更小的漩涡，强度取决于周围空气的剪切。湍流的倍频、粗糙度、演化和漂移决定它们的样子。</translation>
+    </message>
+    <message>
+        <source>Kim, Thürey, James, Gross 2008</source>
+        <translation>Kim、Thürey、James、Gross 2008</translation>
+    </message>
+    <message>
+        <source>Opacity by heat</source>
+        <translation>按热量的不透明度</translation>
+    </message>
+    <message>
+        <source>How much smoke fades where its air is cold: 1 shows nothing but what is hot, as in a flame.</source>
+        <translation>烟在冷空气中淡去的程度：1 只显示热的部分，如同火焰。</translation>
+    </message>
+    <message>
+        <source>Expansion</source>
+        <translation>膨胀</translation>
+    </message>
+    <message>
+        <source>Volume that the source adds to the air, as a multiple of its own each second, as long as it emits: a burst blows up a ball.</source>
+        <translation>发射期间源头每秒向空气增加的体积，以自身体积的倍数计：一次爆发会吹起一个球。</translation>
+    </message>
+    <message>
+        <source>A floor that air and smoke flow along and do not enter.</source>
+        <translation>空气和烟沿其流动而不会进入的地面。</translation>
+    </message>
+    <message>
+        <source>Ground height</source>
+        <translation>地面高度</translation>
+    </message>
+    <message>
+        <source>Height of the floor.</source>
+        <translation>地面的高度。</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
+    <message>
+        <source>Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, a wood has 0.1.</source>
+        <translation>地面和障碍物的阻力系数：0 让空气滑过，树林为 0.1。</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>A body that air and smoke flow around.</source>
+        <translation>空气和烟绕其流动的物体。</translation>
+    </message>
+    <message>
+        <source>Obstacle place</source>
+        <translation>障碍物位置</translation>
+    </message>
+    <message>
+        <source>Centre of the obstacle.</source>
+        <translation>障碍物的中心。</translation>
+    </message>
+    <message>
+        <source>Obstacle size</source>
+        <translation>障碍物大小</translation>
+    </message>
+    <message>
+        <source>Edges of the box; of a sphere the first number is the diameter.</source>
+        <translation>盒子的边长；对于球体，第一个数是直径。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>盒子</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>空气</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -2956,6 +3124,38 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>A column of dark ash that boils up, spreads and leans with the wind.</source>
         <translation>翻腾上升、扩散并随风倾斜的黑色火山灰柱。</translation>
     </message>
+    <message>
+        <source>Under a ceiling</source>
+        <translation>天花板下</translation>
+    </message>
+    <message>
+        <source>Smoke that rises to a ceiling, spreads out under it and rolls up along its edge.</source>
+        <translation>烟雾升至天花板，在其下散开，并沿边缘卷起。</translation>
+    </message>
+    <message>
+        <source>Fire ball</source>
+        <translation>火球</translation>
+    </message>
+    <message>
+        <source>Burning vapour that blows up into a ball, rolls over itself and burns out into black smoke.</source>
+        <translation>燃烧的蒸气膨胀成球，自身翻卷，最后燃尽成黑烟。</translation>
+    </message>
+    <message>
+        <source>Landing</source>
+        <translation>着陆</translation>
+    </message>
+    <message>
+        <source>Dust that the blast of a landing presses to the ground: it runs outwards as a ring that rolls up.</source>
+        <translation>着陆气流压向地面的尘土：向外扩散成卷起的环。</translation>
+    </message>
+    <message>
+        <source>Mushroom cloud</source>
+        <translation>蘑菇云</translation>
+    </message>
+    <message>
+        <source>A ball of hot air that rises, turns inside out and draws a stem of smoke after it.</source>
+        <translation>上升的热空气团，翻卷内外并拖出一条烟柱。</translation>
+    </message>
 </context>
 <context>
     <name>Readout</name>
@@ -2978,6 +3178,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>composite %1 ms</source>
         <translation>合成 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>coarse air</source>
+        <translation>粗略空气</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,41 @@ private slots:
         QCOMPARE(whole->image.size(), QSize(160, 120));
     }
 
+    void coarserAirStandsInWhileTheHandMoves()
+    {
+        Effect effect = smallEffect();
+        effect.air.enabled = true;
+        effect.air.resolution = 40;
+        Studio studio;
+        PictureRequest request = requestFor(effect, 20);
+        request.haste = Haste::Dragging;
+        const PicturePtr hasty = studio.make(request, {});
+        QVERIFY(hasty->coarseAir && hasty->thinned && !hasty->complete);
+        request.haste = Haste::None;
+        const PicturePtr whole = studio.make(request, {});
+        QVERIFY(whole->complete && !whole->coarseAir);
+        QVERIFY(whole->image != hasty->image);
+        // The air is there now: a look that is dragged keeps it.
+        effect.look.opacity *= 1.5F;
+        request = requestFor(effect, 20);
+        request.haste = Haste::Dragging;
+        QVERIFY(!studio.make(request, {})->coarseAir);
+        QCOMPARE(Studio().make(requestFor(effect, 20), {})->image, studio.make(requestFor(effect, 20), {})->image);
+    }
+
+    void whatCannotBeMadeSaysWhy()
+    {
+        Effect effect = smallEffect();
+        effect.air.enabled = true;
+        effect.air.ground = true;
+        effect.air.groundHeight = 3.0F;
+        PictureWorker worker;
+        QSignalSpy failed(&worker, &PictureWorker::failed);
+        worker.request(requestFor(effect));
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY2(failed[0][0].value<Error>().text().find("under the ground") != std::string::npos, failed[0][0].value<Error>().text().c_str());
+    }
+
     void aStoppedPictureIsNone()
     {
         Effect effect = smallEffect();

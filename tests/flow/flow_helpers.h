@@ -49,7 +49,7 @@ inline AirStep plumeStep(const AirGrid& grid, float radius)
     source.reach = glm::vec2(radius);
     source.depth = 0.5F * radius;
     source.softness = 2.0F * grid.cell;
-    source.velocity = {0.0F, 0.5F, 0.0F};
+    source.speed = 0.5F;
     source.grip = 0.5F;
     source.first = {0, 0, 0};
     source.last = {(grid.cells.x + 15) / 16 * 16, grid.cells.y / 4, grid.cells.z};

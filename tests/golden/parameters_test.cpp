@@ -42,6 +42,18 @@ Effect stageFor(const Parameter& p)
     Effect effect = everythingOn();
     effect.camera.target = {0.0F, 1.7F, 0.0F};
     effect.camera.distance = 6.0F; // so near that sprites show their texture
+    if (p.group() == "air") {
+        // Some of the others have no effect in air, which makes its own rings and large swirls.
+        effect.air.enabled = true;
+        effect.air.resolution = 24;
+        effect.air.obstacle = Obstacle::Sphere;
+        effect.air.obstaclePlace = {0.3F, 0.8F, 0.0F};
+        effect.air.friction = 0.2F;
+        effect.air.size = {2.0F, 3.0F, 2.0F};
+        effect.timeline.prewarm = false;
+        effect.emitter.position.y = 0.2F;
+        effect.air.groundHeight = 0.1F;
+    }
     if (&p == &knownParameter("noise.smooth")) {
         effect.noise.basis = NoiseBasis::Lattice;
     }
@@ -61,7 +73,7 @@ Effect stageFor(const Parameter& p)
     return effect;
 }
 
-constexpr int kFrame = 9;
+constexpr int kFrame = 9; // of air too, which starts at rest
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace {
 Particles distinct()
 {
     Particles particles;
-    particles.reset(Particles::kChunk + 100, true);
+    particles.reset(Particles::kChunk + 100, true, true);
     int number = 0;
     forEachColumn([&](const auto& column) {
         ++number;
@@ -34,14 +34,15 @@ private slots:
         forEachColumn([&](const auto& column) { values[column.name] = static_cast<double>(column.of(particles).back()); });
         const std::map<std::string_view, double> members{{"x", particles.x.back()}, {"y", particles.y.back()}, {"z", particles.z.back()},
             {"vx", particles.vx.back()}, {"vy", particles.vy.back()}, {"vz", particles.vz.back()},
-            {"rollX", particles.rollX.back()}, {"rollY", particles.rollY.back()}, {"rollZ", particles.rollZ.back()},
+            {"rollX", particles.rollX.back()}, {"rollY", particles.rollY.back()}, {"rollZ", particles.rollZ.back()}, {"relativeX", particles.relativeX.back()}, {"relativeY", particles.relativeY.back()},
+            {"relativeZ", particles.relativeZ.back()}, {"heat", particles.heat.back()},
             {"key", particles.key.back()}, {"birthStep", particles.birthStep.back()}};
         QCOMPARE(values, members);
         std::set<double> different;
         for (const auto& [name, value] : values) {
             different.insert(value);
         }
-        QCOMPARE(different.size(), std::size_t(11));
+        QCOMPARE(different.size(), std::size_t(15));
     }
 
     void sameBitsSeesADifferenceInAnyColumn()
@@ -67,7 +68,7 @@ private slots:
             QCOMPARE(particles.bytes(), Particles::kChunk * 4 * (rolls ? 11U : 8U));
             forEachColumn([&](const auto& column) {
                 const auto& values = column.of(particles);
-                QCOMPARE(values.size(), column.isRoll && !rolls ? std::size_t(0) : Particles::kChunk);
+                QCOMPARE(values.size(), column.owner == ColumnOf::InAir || (column.owner == ColumnOf::Rolling && !rolls) ? std::size_t(0) : Particles::kChunk);
                 QVERIFY2(std::all_of(values.begin(), values.end(), [&](auto value) { return value == column.empty; }), column.name.data());
             });
             QCOMPARE(particles.birthStep[4], Particles::kUnborn);
@@ -90,7 +91,7 @@ private slots:
         });
         Particles unrolled = full;
         unrolled.clearRoll(10, 20);
-        forEachColumn([&](const auto& column) { QCOMPARE(column.of(unrolled)[15], column.isRoll ? column.empty : column.of(full)[15]); });
+        forEachColumn([&](const auto& column) { QCOMPARE(column.of(unrolled)[15], column.owner == ColumnOf::Rolling ? column.empty : column.of(full)[15]); });
     }
 };
 

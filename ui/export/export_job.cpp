@@ -50,7 +50,11 @@ void ExportJob::tell(Work work, int done, int total)
     } else if (!m_hasBegun) {
         m_timer.restart();
         const int percent = static_cast<int>(100.0 * done / total);
-        emit preparing(work == Work::Fitting ? tr("Looking where the smoke is: %1 %").arg(percent) : tr("Simulating what comes before: %1 %").arg(percent));
+        switch (work) {
+        case Work::Air: emit preparing(tr("Baking the air: %1 %").arg(percent)); break;
+        case Work::Fitting: emit preparing(tr("Looking where the smoke is: %1 %").arg(percent)); break;
+        default: emit preparing(tr("Simulating what comes before: %1 %").arg(percent)); break;
+        }
     }
 }
 

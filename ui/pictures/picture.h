@@ -65,7 +65,8 @@ struct Picture {
     quint64 revision = 0;
     int frame = 0;
     bool complete = false; ///< nothing was given up
-    bool thinned = false; ///< fewer particles than the effect has
+    bool thinned = false; ///< fewer particles than the effect has, or coarser air
+    bool coarseAir = false;
     int particles = 0; ///< alive at most
     qint64 stepNs = 0;
     RenderTimes times;

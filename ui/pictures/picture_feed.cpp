@@ -19,7 +19,14 @@ PictureFeed::PictureFeed(qint64 cacheBytes, QObject* parent)
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &PictureFeed::rest);
     connect(&m_worker, &PictureWorker::pictureReady, this, &PictureFeed::receive);
-    connect(&m_worker, &PictureWorker::exhausted, this, &PictureFeed::giveUp);
+    connect(&m_worker, &PictureWorker::exhausted, this, [this] {
+        giveUp();
+        emit exhausted();
+    });
+    connect(&m_worker, &PictureWorker::failed, this, [this](const Error& why) {
+        giveUp();
+        emit failed(why);
+    });
 }
 
 void PictureFeed::setEffect(const Effect& effect, Stage stale)
@@ -229,7 +236,6 @@ void PictureFeed::giveUp()
 {
     m_asked.reset();
     emit waitingChanged(false);
-    emit exhausted();
 }
 
 void PictureFeed::receiveOther(const PicturePtr& picture)

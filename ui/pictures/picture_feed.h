@@ -59,6 +59,8 @@ signals:
     void waitingChanged(bool waiting);
     /// There was not enough memory for a picture; it is not tried again until something changes.
     void exhausted();
+    /// The picture cannot be made of this effect; as above. @param why in the language of the user
+    void failed(const fumage::Error& why);
 
 private:
     void invalidate();

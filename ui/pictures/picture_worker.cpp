@@ -9,6 +9,9 @@ PictureWorker::PictureWorker(QObject* parent)
               if (PicturePtr picture = m_studio.make(request, stop)) {
                   QMetaObject::invokeMethod(
                       this, [this, picture = std::move(picture)] { emit pictureReady(picture); }, Qt::QueuedConnection);
+              } else if (m_studio.trouble()) {
+                  QMetaObject::invokeMethod(
+                      this, [this, why = *m_studio.trouble()] { emit failed(why); }, Qt::QueuedConnection);
               }
           },
           // Hasty pictures are never given up: a hand that moves all the time would not see one.

@@ -22,6 +22,8 @@ signals:
     void pictureReady(fumage::ui::PicturePtr picture);
     /// Memory ran out: the picture that was being made does not come.
     void exhausted();
+    /// The picture cannot be made. @param why in the language of the user
+    void failed(const fumage::Error& why);
 
 private:
     Studio m_studio; ///< used by the thread of the job alone

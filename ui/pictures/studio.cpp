@@ -96,6 +96,12 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
         return plan;
     }
     const Schedule schedule = makeSchedule(plan.effect);
+    constexpr int kCoarseAir = 24; // cells: some tens of milliseconds for a hundred steps
+    if (request.haste == Haste::Dragging && asked.air.enabled && asked.air.resolution > kCoarseAir && !m_shelf->isBaked(plan.effect, schedule.stepOfFrame(request.frame))) {
+        asked.air.resolution = kCoarseAir;
+        plan.effect = sampled(asked);
+        plan.coarseAir = true;
+    }
     // Particles are of all ages: a pre-roll takes half a life each.
     const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
     const bool warm = m_complete && m_complete->isFor(plan);
@@ -103,7 +109,7 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
     plan.stepsEach = warm && ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
     if (request.haste == Haste::Dragging) {
         const int count = particlesWhileDragging(plan, preRoll);
-        plan.keepsAll = count == plan.effect->emitter.count;
+        plan.keepsAll = count == plan.effect->emitter.count && !plan.coarseAir;
         plan.effect = thinned(plan.effect, count);
     }
     if (request.haste == Haste::Settling) {
@@ -128,15 +134,34 @@ Simulator& Studio::simulatorFor(const Plan& plan)
         running.reset();
         // What cannot be seen needs no checkpoints to come back to.
         const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
-        running.emplace(Running{plan.simulation, plan.effect->emitter.count, Simulator(plan.effect, checkpoints)});
+        running.emplace(Running{plan.simulation, plan.effect->emitter.count, plan.coarseAir, Simulator(plan.effect, checkpoints, m_shelf)});
     }
     return running->simulator;
+}
+
+void Studio::noteTrouble(const Error& error)
+{
+    if (error.code != ErrorCode::Cancelled) {
+        m_trouble = error;
+    }
+}
+
+/// Before particles are timed: what they cost does not depend on whether their air is there.
+bool Studio::bakeAir(const Plan& plan, int frame, const std::stop_token& stop)
+{
+    const Model& model = simulatorFor(plan).model();
+    if (model.air() == nullptr) {
+        return true;
+    }
+    const Status status = model.air()->bake(model.schedule().stepOfFrame(frame), stop);
+    return status.ok();
 }
 
 std::shared_ptr<const Frame> Studio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
     Result<std::shared_ptr<const Frame>> result = simulatorFor(plan).frame(frame, stop);
     if (!result) {
+        noteTrouble(result.error());
         return nullptr;
     }
     if (plan.keepsAll) {
@@ -175,7 +200,8 @@ bool Studio::paint(const PictureRequest& request, const Plan& plan, Picture& pic
         picture.scene = collectSprites();
         return true;
     }
-    if (!m_renderer.composite(m_image, stop)) {
+    if (const Status status = m_renderer.composite(m_image, stop); !status) {
+        noteTrouble(status.error());
         return false;
     }
     if (plan.effect->output.background == Background::Colour) {
@@ -192,6 +218,10 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
 {
     const Plan plan = planFor(request);
     auto picture = std::make_shared<Picture>();
+    m_trouble.reset();
+    if (!bakeAir(plan, request.frame, stop)) {
+        return nullptr;
+    }
     QElapsedTimer timer;
     timer.start();
     const std::shared_ptr<const Frame> frame = simulate(plan, request.frame, stop);
@@ -206,7 +236,8 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
     const int width = scaled(request.width);
     const int height = scaled(request.height);
     timer.restart();
-    if (!m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop)) {
+    if (const Status status = m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop); !status) {
+        noteTrouble(status.error());
         return nullptr;
     }
     m_costs.noteSprites(particles, timer.nsecsElapsed());
@@ -225,6 +256,7 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
     picture->frame = request.frame;
     picture->complete = plan.complete;
     picture->thinned = !plan.keepsAll;
+    picture->coarseAir = plan.coarseAir;
     picture->particles = particles;
     picture->times = m_renderer.times();
     return picture;

@@ -14,8 +14,11 @@ namespace fumage::ui {
 /// Makes pictures one after the other: keeps simulators, renderer and buffers from one to the next. For one thread.
 class Studio {
 public:
-    /// @return no picture where it was stopped or is too large
+    /// @return no picture where it was stopped, or where trouble() says why
     [[nodiscard]] PicturePtr make(const PictureRequest& request, const std::stop_token& stop);
+
+    /// Why the last picture did not come; nothing where it did or was stopped.
+    [[nodiscard]] const std::optional<Error>& trouble() const { return m_trouble; }
 
 private:
     struct Plan {
@@ -24,10 +27,13 @@ private:
         double scale = 1.0;
         double stepsEach = 1.0;
         bool keepsAll = true; ///< particles
+        bool coarseAir = false; ///< the air of a coarser grid stands in until there is time for its own
         bool settles = false; ///< see Haste::Settling
         bool complete = true; ///< and pixels
     };
     [[nodiscard]] Plan planFor(const PictureRequest& request) const;
+    [[nodiscard]] bool bakeAir(const Plan& plan, int frame, const std::stop_token& stop);
+    void noteTrouble(const Error& error);
     [[nodiscard]] int particlesWhileDragging(const Plan& plan, double preRoll) const;
     [[nodiscard]] int particlesToSettle(int all, double preRoll) const;
     [[nodiscard]] std::shared_ptr<const Frame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
@@ -39,10 +45,13 @@ private:
     struct Running {
         quint64 simulation = 0;
         int particles = 0;
+        bool coarseAir = false;
         Simulator simulator;
 
-        [[nodiscard]] bool isFor(const Plan& plan) const { return simulation == plan.simulation && particles == plan.effect->emitter.count; }
+        [[nodiscard]] bool isFor(const Plan& plan) const { return simulation == plan.simulation && particles == plan.effect->emitter.count && coarseAir == plan.coarseAir; }
     };
+    std::shared_ptr<AirShelf> m_shelf = std::make_shared<AirShelf>(2); ///< the air of the effect, and its stand-in
+    std::optional<Error> m_trouble;
     std::optional<Running> m_complete;
     std::optional<Running> m_thinned; ///< with fewer particles, while the hand drags
     std::optional<Running> m_settling; ///< with more of them, when it rests

@@ -163,6 +163,7 @@ void MainWindow::connectStatus()
     connect(&m_viewActions.cameraFit(), &CameraFit::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_recovery, &Recovery::failed, &m_ear, [this](const QString& message) { notify(tr("Unsaved work cannot be kept safe: %1").arg(message)); });
     connect(m_viewport.get(), &Viewport::pictureShown, &m_recovery, &Recovery::proveHarmless);
+    connect(m_viewport.get(), &Viewport::failed, &m_ear, [this](const QString& why) { notify(why); });
     connect(m_viewport.get(), &Viewport::exhausted, &m_ear, [this] { notify(tr("There is not enough memory for this picture. Use fewer particles or a smaller window.")); });
 }
 

@@ -23,6 +23,9 @@ void Readout::paint(QPainter& painter, const Picture& picture, bool rate, int he
         figures += tr("%1 frames/s").arg(1000.0 / m_intervalMs, 0, 'f', 0);
     }
     figures += tr("%L1 particles").arg(picture.particles);
+    if (picture.coarseAir) {
+        figures += tr("coarse air");
+    }
     figures += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(picture.stepNs)));
     figures += tr("light %1 ms").arg(ms(picture.times.light + picture.times.sprites));
     figures += tr("composite %1 ms").arg(ms(picture.times.composite));

@@ -1,5 +1,6 @@
 #include "ui/viewport/viewport.h"
 
+#include "ui/document/text.h"
 #include "ui/pictures/tracks.h"
 
 #include <QPainter>
@@ -31,6 +32,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
     connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
     connect(&m_feed, &PictureFeed::exhausted, this, &Viewport::exhausted);
+    connect(&m_feed, &PictureFeed::failed, this, [this](const Error& why) { emit failed(told(why)); });
     connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
     connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
     connect(&m_player, &Player::frameChanged, &m_feed, &PictureFeed::setFrame);

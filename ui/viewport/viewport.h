@@ -53,6 +53,7 @@ signals:
     void cacheChanged();
     /// There was not enough memory for a picture.
     void exhausted();
+    void failed(const QString& why);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,0 +1,132 @@
+#include "core/flow/air_run.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+/// Of the budget, for checkpoints: 1 / this.
+constexpr std::size_t kShareOfCheckpoints = 4;
+
+/// Of the fields that are kept, how many are computed beyond the one asked for after going back to a checkpoint: the next ones are asked for next.
+constexpr std::size_t kShareAhead = 4;
+
+constexpr std::size_t kFewestFields = 4;
+
+std::size_t stateBytes(const AirGrid& grid)
+{
+    return 2 * QuadLayout(grid.cells).size * sizeof(float);
+}
+
+std::size_t mostCheckpoints(const AirGrid& grid, std::size_t budget)
+{
+    return std::max<std::size_t>(1, budget / kShareOfCheckpoints / stateBytes(grid));
+}
+
+std::size_t mostFields(const AirGrid& grid, std::size_t budget)
+{
+    const std::size_t states = mostCheckpoints(grid, budget) * stateBytes(grid);
+    return std::max(kFewestFields, (budget - std::min(budget, states)) / fieldBytes(grid));
+}
+
+} // namespace
+
+std::size_t fieldBytes(const AirGrid& grid)
+{
+    return AirField(grid).bytes();
+}
+
+std::size_t leastBudget(const AirGrid& grid)
+{
+    return stateBytes(grid) + kFewestFields * fieldBytes(grid);
+}
+
+std::size_t airRoom(const AirGrid& grid)
+{
+    constexpr std::size_t kColumns = 22; // of AirCells, and of the levels of the pressure together
+    return stateBytes(grid) + kColumns * ColumnLayout(grid.cells).size * sizeof(float) + leastBudget(grid);
+}
+
+AirRun::AirRun(const AirPlan& plan, std::size_t budget)
+    : m_plan(plan)
+    , m_solver(plan.grid, plan.borders, plan.solids, plan.wind)
+    , m_fields(mostFields(plan.grid, budget))
+    , m_checkpoints(mostCheckpoints(plan.grid, budget))
+{
+    m_checkpoints.keep(0, m_solver.state());
+}
+
+AirFieldPtr AirRun::kept(std::int64_t step) const
+{
+    const std::scoped_lock lock(m_keeping);
+    return m_fields.find(step);
+}
+
+bool AirRun::goBackBefore(std::int64_t step)
+{
+    const auto* checkpoint = m_checkpoints.lastBefore(step - 1);
+    const bool canGoOn = m_at < step && (checkpoint == nullptr || checkpoint->first <= m_at);
+    if (canGoOn || checkpoint == nullptr) {
+        return false;
+    }
+    m_solver.restore(checkpoint->second);
+    m_at = checkpoint->first;
+    return true;
+}
+
+AirFieldPtr AirRun::stepOn()
+{
+    const AirStep step = m_plan.stepTo(m_at + 1);
+    m_solver.step(step);
+    ++m_at;
+    auto field = std::make_shared<AirField>(m_plan.grid);
+    field->wind = step.wind;
+    m_solver.read(*field);
+    const std::scoped_lock lock(m_keeping);
+    m_fields.keep(m_at, field);
+    if (m_checkpoints.wants(m_at)) {
+        m_checkpoints.keep(m_at, m_solver.state());
+    }
+    m_baked.store(std::max(m_baked.load(), m_at));
+    return field;
+}
+
+Result<AirFieldPtr> AirRun::field(std::int64_t step, const std::stop_token& stop)
+{
+    step = std::max<std::int64_t>(1, step);
+    bool wentBack = false;
+    AirFieldPtr wanted = kept(step);
+    while (!wanted) {
+        if (stop.stop_requested()) {
+            return Error{ErrorCode::Cancelled, said("the air was cancelled"), {}, {}};
+        }
+        const std::scoped_lock lock(m_working);
+        wanted = kept(step); // another thread may have come first
+        if (wanted) {
+            return wanted;
+        }
+        wentBack = goBackBefore(step) || wentBack;
+        const AirFieldPtr next = stepOn();
+        if (m_at == step) {
+            wanted = next;
+        }
+    }
+    if (wentBack) {
+        const std::scoped_lock lock(m_working);
+        const std::int64_t ahead = step + static_cast<std::int64_t>(m_fields.most() / kShareAhead);
+        const std::int64_t last = std::min(ahead, bakedSteps());
+        while (m_at >= step && m_at < last && !stop.stop_requested()) {
+            (void)stepOn();
+        }
+    }
+    return wanted;
+}
+
+std::size_t AirRun::keptBytes() const
+{
+    const std::scoped_lock lock(m_keeping);
+    return m_fields.count() * fieldBytes(m_plan.grid) + m_checkpoints.count() * stateBytes(m_plan.grid);
+}
+
+} // namespace fumage

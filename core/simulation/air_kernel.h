@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/simulation/model.h"
+#include "core/simulation/particles.h"
+
+namespace fumage {
+
+/// stepChunk() where air carries the particles: the motion of smoke and of what falls through it.
+///
+/// With u the air at a place, n curl noise of the air's own strength there, and r the velocity relative to the air, all as in stepChunk():
+/// r += (gravity + differences of heat + pull - D r) tau, then P += (u(P + dt/2 (u(P) + r)) + r + n(P)) dt. No particle enters ground or obstacle: it is
+/// put onto the surface and keeps what velocity it has along it.
+/// Source of the noise's strength: Kim, Thürey, James, Gross, "Wavelet Turbulence for Fluid Simulation", SIGGRAPH 2008, by the local gradient.
+/// @param constants with the air of the step
+void carryChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);
+
+/// stepNewborns() where air carries the particles; also where none are born between steps, since they start in moving air.
+void carryNewborns(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last);
+
+} // namespace fumage

@@ -1,0 +1,306 @@
+#include "core/simulation/air_plan.h"
+
+#include "core/base/hash.h"
+#include "core/base/math.h"
+#include "core/simulation/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+/// Streams of the random numbers of the air.
+enum AirStream : std::uint32_t {
+    kRim = 140
+};
+
+/// 1 / root mean square of a component of curl noise, see model.cpp.
+constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
+
+/// Drag, 1/s, below which the wind is as fast as if there were this much: without any it would have no speed of its own.
+constexpr float kLeastWindDrag = 0.5F;
+
+/// How soon the air in the source has the emitter's speed, 1/s.
+constexpr float kGrip = 30.0F;
+
+/// Radius of the source, seen from along its normal: of a rectangle, that of a disc of the same area.
+float radiusOf(const Emitter& emitter)
+{
+    return emitter.shape == EmitterShape::Rectangle ? std::sqrt(emitter.width * emitter.depth / kPi) : emitter.radius;
+}
+
+/// The wind's speed: that at which drag balances its acceleration, as for a lone particle.
+glm::vec3 windSpeed(const glm::vec3& acceleration, const Motion& motion)
+{
+    return acceleration / std::max(motion.drag, kLeastWindDrag);
+}
+
+/// How far the smoke is expected to rise, m.
+float expectedRise(const SampledEffect& effect, float seconds)
+{
+    const Emitter& emitter = effect->emitter;
+    const Motion& motion = effect->motion;
+    const float radius = radiusOf(emitter);
+    const float buoyancy = std::abs(motion.buoyancy);
+    constexpr float kLasting = 2.0F; // heat e^-2 lifts hardly more
+    const float lifted = motion.cooling > 0.0F ? std::min(seconds, kLasting / motion.cooling) : seconds;
+    if (emitter.mode == EmissionMode::Burst) {
+        const float blown = radius * portableExp(std::min(2.0F, effect->air.expansion * emitter.burstDuration / 3.0F));
+        const float volume = 4.0F / 3.0F * kPi * blown * blown * blown;
+        return 2.0F * blown + 2.4F * portablePow(buoyancy * volume, 0.25F) * std::sqrt(lifted) + emitter.speed * std::min(seconds, 0.5F);
+    }
+    const float area = kPi * radius * radius;
+    const float speed = std::max(emitter.speed, std::sqrt(buoyancy * radius));
+    const float plume = 1.9F * portablePow(buoyancy * area * speed, 0.25F) * portablePow(lifted, 0.75F);
+    const float jet = 2.5F * portablePow(area, 0.25F) * std::sqrt(emitter.speed * seconds);
+    return 2.0F * radius + portablePow(portablePow(plume, 4.0F) + portablePow(jet, 4.0F), 0.25F);
+}
+
+/// A box from its lowest to its highest corner, m.
+struct Box {
+    glm::vec3 low, high;
+};
+
+/// What holds all that rises to a height in a wind.
+Box fittedBox(const SampledEffect& effect)
+{
+    const Emitter& emitter = effect->emitter;
+    const float seconds = effect->life.initialAlpha / effect->life.fadeRate;
+    const float rise = expectedRise(effect, seconds);
+    const float radius = radiusOf(emitter);
+    constexpr float kWidening = 0.25F;
+    constexpr float kRoom = 1.3F;
+    const float side = kRoom * radius + kWidening * rise;
+    const glm::vec3 up = effect->motion.buoyancy < 0.0F ? glm::vec3(0.0F, -1.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+    // A jet goes where it points, heat goes up.
+    const glm::vec3 way = glm::normalize(emitter.normal * (emitter.speed + 0.01F) + up * std::sqrt(std::abs(effect->motion.buoyancy) * rise + 0.01F));
+    const float angle = radians(effect->motion.windAngle);
+    const glm::vec3 wind = windSpeed(effect->motion.wind * glm::vec3(portableCos(angle), 0.0F, portableSin(angle)), effect->motion);
+    constexpr float kBlown = 0.7F; // of its life that smoke is high enough for the wind
+    const glm::vec3 end = emitter.position + rise * way + kBlown * seconds * wind;
+    Box box{glm::min(emitter.position, end) - side, glm::max(emitter.position, end) + side};
+    box.low.y = std::min(emitter.position.y, end.y) - kRoom * radius;
+    box.high.y = std::max(emitter.position.y, end.y) + kRoom * radius;
+    return box;
+}
+
+Box boxOf(const SampledEffect& effect)
+{
+    const Air& air = effect->air;
+    Box box = fittedBox(effect);
+    const glm::vec3 foot = effect->emitter.position;
+    if (!air.fit) {
+        const glm::vec3 centre = foot + air.offset;
+        const float below = effect->emitter.shape == EmitterShape::Sphere ? radiusOf(effect->emitter) : 0.0F;
+        box.low = {centre.x - 0.5F * air.size.x, centre.y - below, centre.z - 0.5F * air.size.z};
+        box.high = box.low + air.size;
+    }
+    if (air.ground && air.groundHeight < box.high.y) {
+        // The floor is the bottom: below it is no air, and between it and the source there is some.
+        const bool near = air.groundHeight > box.low.y - 0.5F * (box.high.y - box.low.y);
+        if (near) {
+            box.low.y = air.groundHeight;
+        }
+    }
+    return box;
+}
+
+/// Whether the ground is the lower side of the box.
+bool standsOnGround(const SampledEffect& effect, const AirGrid& grid)
+{
+    return effect->air.ground && std::abs(grid.corner.y - effect->air.groundHeight) < 0.01F * grid.cell;
+}
+
+std::vector<Solid> solidsOf(const Air& air)
+{
+    if (air.obstacle == Obstacle::None) {
+        return {};
+    }
+    return {{air.obstacle == Obstacle::Sphere ? SolidShape::Sphere : SolidShape::Box, air.obstaclePlace, air.obstacleSize}};
+}
+
+/// The source, as far as it is the same at every step.
+AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
+{
+    const Emitter& emitter = effect->emitter;
+    AirSource source;
+    source.shape = emitter.shape;
+    source.place = emitter.position;
+    source.normal = glm::normalize(emitter.normal);
+    source.basis = planeBasis(source.normal);
+    // Less than a cell and a half is less than the grid can show.
+    const float least = 1.5F * grid.cell;
+    const glm::vec2 reach = emitter.shape == EmitterShape::Rectangle ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth) : glm::vec2(emitter.radius);
+    source.reach = glm::max(reach, glm::vec2(least));
+    const float radius = std::min(source.reach.x, source.reach.y);
+    source.depth = glm::length(sourceDepth(emitter, grid));
+    source.softness = std::max(0.4F * radius, 1.5F * grid.cell);
+    source.raggedness = effect->air.raggedness;
+    source.speed = emitter.speed;
+    source.heat = 1.0F;
+    source.expansion = effect->air.expansion;
+    const float extent = (1.0F + 3.0F * source.raggedness) * std::max(source.reach.x, source.reach.y) * 1.5F + source.depth + source.softness;
+    const auto cellOf = [&](float sign) { return glm::ivec3(glm::floor((source.place - grid.corner + sign * extent) / grid.cell)); };
+    source.first = glm::clamp(cellOf(-1.0F), glm::ivec3(0), grid.cells);
+    source.last = glm::clamp(cellOf(1.0F) + 1, glm::ivec3(0), grid.cells);
+    constexpr int kLanes = static_cast<int>(kAirLanes);
+    source.first.x = source.first.x / kLanes * kLanes;
+    source.last.x = (source.last.x + kLanes - 1) / kLanes * kLanes;
+    return source;
+}
+
+/// The rim's noise at a step: two octaves, each two slices of time that cross-fade.
+void moveRim(AirSource& source, const Schedule& schedule, std::uint32_t seed, float rate, std::int64_t step)
+{
+    const float radius = std::max(source.reach.x, source.reach.y);
+    const float square = 1.0F + 0.5F * 0.5F;
+    float weight = kCurlNormalisation / std::sqrt(square);
+    float frequency = 0.45F / radius;
+    float often = rate;
+    for (std::size_t i = 0; i < source.rim.size(); ++i) {
+        RimOctave& octave = source.rim[i];
+        const std::uint32_t own = streamBits(seed, kRim + static_cast<std::uint32_t>(i));
+        const RowPosition row = rowPosition(step, schedule, static_cast<double>(often * schedule.dt));
+        const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
+        octave.frequency = frequency;
+        octave.shift = {unitFloat(streamBits(own, 1)), unitFloat(streamBits(own, 2)), unitFloat(streamBits(own, 3))};
+        octave.slices.key = {keyOf(own, static_cast<std::uint64_t>(row.before)), keyOf(own, static_cast<std::uint64_t>(row.after))};
+        octave.slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
+        weight *= 0.5F;
+        frequency *= 2.0F;
+        often *= 1.6F;
+    }
+}
+
+} // namespace
+
+glm::vec3 sourceDepth(const Emitter& emitter, const AirGrid& grid)
+{
+    if (emitter.shape == EmitterShape::Sphere) {
+        return glm::vec3(0.0F);
+    }
+    constexpr float kShareOfRadius = 0.4F;
+    constexpr float kLeastCells = 1.5F;
+    return glm::normalize(emitter.normal) * std::max(kShareOfRadius * radiusOf(emitter), kLeastCells * grid.cell);
+}
+
+glm::vec3 sourceVelocity(const Emitter& emitter)
+{
+    return glm::normalize(emitter.normal) * emitter.speed;
+}
+
+AirGrid airGrid(const SampledEffect& effect)
+{
+    const Box box = boxOf(effect);
+    const glm::vec3 size = box.high - box.low;
+    const float longest = std::max({size.x, size.y, size.z});
+    AirGrid grid;
+    grid.cell = longest / static_cast<float>(effect->air.resolution);
+    // Rounded to the nearest even number, and the box stays where its middle and its foot are.
+    const auto even = [&](float length) { return std::clamp(2 * static_cast<int>(std::lround(0.5F * length / grid.cell)), kMinAirCells, kMaxAirCells); };
+    grid.cells = {even(size.x), std::clamp(static_cast<int>(std::lround(size.y / grid.cell)), kMinAirCells, kMaxAirCells), even(size.z)};
+    const glm::vec3 whole = grid.cell * glm::vec3(grid.cells);
+    const glm::vec3 middle = 0.5F * (box.low + box.high);
+    grid.corner = {middle.x - 0.5F * whole.x, box.low.y, middle.z - 0.5F * whole.z};
+    return grid;
+}
+
+Status checkAir(const SampledEffect& effect)
+{
+    if (!effect->air.enabled) {
+        return Done{};
+    }
+    const AirGrid grid = airGrid(effect);
+    const glm::vec3 end = grid.corner + grid.cell * glm::vec3(grid.cells);
+    const glm::vec3 place = effect->emitter.position;
+    if (glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell)) || glm::any(glm::greaterThan(place, end))) {
+        const bool isBuried = effect->air.ground && place.y < effect->air.groundHeight;
+        return isBuried ? Error{ErrorCode::OutOfRange, said("the emitter lies under the ground"), std::string("air"), said("Lower air.ground_height or raise emitter.position")}
+                        : Error{ErrorCode::OutOfRange, said("the emitter lies outside the box of the air"), std::string("air"), said("Turn air.fit on, or change air.offset or air.size")};
+    }
+    const std::vector<Solid> solids = solidsOf(effect->air);
+    if (solids.empty()) {
+        return Done{};
+    }
+    for (int k = 0; k < grid.cells.z; ++k) {
+        for (int j = 0; j < grid.cells.y; ++j) {
+            for (int i = 0; i < grid.cells.x; ++i) {
+                if (!solids.front().contains(grid.corner + grid.cell * (glm::vec3(i, j, k) + 0.5F))) {
+                    return Done{};
+                }
+            }
+        }
+    }
+    return Error{ErrorCode::OutOfRange, said("the obstacle fills the box of the air"), std::string("air.obstacle_size"), said("Make the obstacle smaller, or move it")};
+}
+
+AirPlan airPlan(const Model& model)
+{
+    const SampledEffect& effect = model.effect();
+    const Schedule& schedule = model.schedule();
+    AirPlan plan;
+    plan.grid = airGrid(effect);
+    plan.borders.low[1] = standsOnGround(effect, plan.grid) ? Border::Solid : Border::Open;
+    plan.solids = solidsOf(effect->air);
+    plan.firstStep = schedule.firstStep;
+    plan.loopSteps = schedule.loopSteps;
+    plan.wind = windSpeed(model.windAt(0), effect->motion);
+    AirStep steady;
+    steady.dt = schedule.dt;
+    steady.buoyancy = effect->motion.buoyancy;
+    steady.heatKept = portableExp(-effect->motion.cooling * schedule.dt);
+    steady.confinement = effect->air.vorticity;
+    steady.friction = effect->air.friction;
+    steady.source = steadySource(effect, plan.grid);
+    steady.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * schedule.dt) : 0.0F;
+    const float radius = std::max(steady.source.reach.x, steady.source.reach.y);
+    const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(effect->motion.buoyancy) * radius)) / radius;
+    plan.stepTo = [model = Model(effect), steady, rate](std::int64_t number) {
+        const Schedule& times = model.schedule();
+        const Motion& motion = model.effect()->motion;
+        AirStep step = steady;
+        step.wind = windSpeed(model.windAt(number), motion);
+        step.windChange = step.wind - windSpeed(model.windAt(number - 1), motion);
+        step.source.acts = (number - 1) % times.periodSteps < times.windowSteps;
+        if (step.source.raggedness > 0.0F && step.source.acts) {
+            moveRim(step.source, times, model.effect()->emitter.seed, rate, number);
+        }
+        return step;
+    };
+    return plan;
+}
+
+Effect airPart(const Effect& effect)
+{
+    Effect part;
+    part.air = effect.air;
+    part.air.detail = Air().detail;
+    part.air.heatOpacity = Air().heatOpacity;
+    part.emitter = effect.emitter;
+    part.emitter.count = Emitter().count;
+    part.emitter.velocityRandomness = Emitter().velocityRandomness;
+    part.emitter.spread = Emitter().spread;
+    part.emitter.subframe = Emitter().subframe;
+    part.motion.wind = effect.motion.wind;
+    part.motion.windAngle = effect.motion.windAngle;
+    part.motion.gust = effect.motion.gust;
+    part.motion.gustRate = effect.motion.gustRate;
+    part.motion.drag = effect.motion.drag;
+    part.motion.buoyancy = effect.motion.buoyancy;
+    part.motion.cooling = effect.motion.cooling;
+    part.life.initialAlpha = effect.life.initialAlpha;
+    part.life.fadeRate = effect.life.fadeRate;
+    part.timeline = effect.timeline;
+    if (!effect.timeline.loop) {
+        part.timeline.length = Timeline().length;
+    }
+    return part;
+}
+
+} // namespace fumage

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/effect/sampling.h"
+#include "core/flow/air.h"
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace fumage {
+
+/// Air that is baked, for all who simulate effects: those that differ only in what air knows nothing of, as look, light, camera or the number of
+/// particles, share one bake. Thread-safe.
+class AirShelf {
+public:
+    /// @param most airs that are kept; each has its own budget
+    explicit AirShelf(std::size_t most = 1)
+        : m_most(most)
+    {
+    }
+
+    /// The air of an effect, baked or to be baked; nullptr where none carries the smoke.
+    /// @param effect for which checkAir() has nothing to say
+    [[nodiscard]] std::shared_ptr<BakedAir> airOf(const SampledEffect& effect);
+
+    /// Whether the air of an effect is here and needs no more computing up to a step.
+    [[nodiscard]] bool isBaked(const SampledEffect& effect, std::int64_t step) const;
+
+private:
+    std::size_t m_most;
+    mutable std::mutex m_mutex;
+    std::vector<std::pair<Effect, std::shared_ptr<BakedAir>>> m_airs; ///< by airPart(), the one used last at the end
+};
+
+} // namespace fumage

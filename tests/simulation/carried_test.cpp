@@ -1,0 +1,232 @@
+// Particles that air carries.
+
+#include "tests/helpers.h"
+
+#include "core/base/parallel.h"
+#include "core/simulation/air_plan.h"
+
+#include <glm/geometric.hpp>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// Few particles in a small box of coarse air, with everything that acts on them.
+Effect inAir()
+{
+    Effect effect = everythingOn();
+    effect.emitter.count = 1200;
+    effect.air.enabled = true;
+    effect.air.resolution = 24;
+    effect.air.obstacle = Obstacle::Box;
+    effect.air.obstaclePlace = {0.2F, 1.0F, 0.0F};
+    effect.air.obstacleSize = {0.5F, 0.4F, 0.6F};
+    effect.motion.rotation = 0.0F;
+    effect.motion.rotationJitter = 0.0F;
+    effect.vortex.strength = 0.0F;
+    effect.timeline.prewarm = false;
+    return effect;
+}
+
+template <class Visit>
+void forLiving(const Frame& frame, const Visit& visit)
+{
+    for (std::size_t i = 0; i < frame.particles.capacity; ++i) {
+        if (frame.particles.birthStep[i] != Particles::kUnborn) {
+            visit(glm::vec3(frame.particles.x[i], frame.particles.y[i], frame.particles.z[i]), i);
+        }
+    }
+}
+
+} // namespace
+
+class CarriedTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void framesDoNotDependOnTheirOrder()
+    {
+        Simulator forwards(sampled(inAir()));
+        std::map<int, std::shared_ptr<const Frame>> frames;
+        for (int n = 0; n <= 40; ++n) {
+            frames[n] = forwards.frame(n).value();
+        }
+        Simulator jumping(sampled(inAir()), 0);
+        for (const int n : {40, 3, 31, 30, 0, 40}) {
+            QVERIFY(sameBits(jumping.frame(n).value()->particles, frames[n]->particles));
+        }
+    }
+
+    void theBitsDependOnNeitherThreadsNorInstructionSets()
+    {
+        Effect effect = inAir();
+        effect.air.obstacle = Obstacle::Sphere;
+        const auto expected = frameOf(effect, 25);
+        for (const std::string& target : availableSimdTargets()) {
+            QVERIFY(forceSimdTarget(target).ok());
+            for (const int threads : {1, 7}) {
+                const ThreadLimit limit(threads);
+                QVERIFY2(sameBits(frameOf(effect, 25)->particles, expected->particles), target.c_str());
+            }
+        }
+        QVERIFY(forceSimdTarget("").ok());
+    }
+
+    void aLoopClosesByItself()
+    {
+        Effect effect = inAir();
+        effect.timeline.loop = true;
+        effect.timeline.length = 24;
+        effect.life.fadeRate = 0.2F;
+        const SampledEffect smoke = sampled(effect);
+        const Model model(smoke, AirShelf().airOf(smoke));
+        const std::int64_t step = model.schedule().firstStep + 7;
+        Particles here;
+        Particles later;
+        QVERIFY(advanceFromNothing(model, here, step).ok());
+        QVERIFY(advanceFromNothing(model, later, step + 24).ok());
+        const auto byKey = [](const Particles& p) {
+            std::map<std::uint32_t, std::array<float, 4>> out;
+            for (std::size_t i = 0; i < p.capacity; ++i) {
+                if (p.birthStep[i] != Particles::kUnborn) {
+                    out[p.key[i]] = {p.x[i], p.y[i], p.z[i], p.heat[i]};
+                }
+            }
+            return out;
+        };
+        QVERIFY(byKey(here) == byKey(later));
+    }
+
+    void noParticleIsEverInsideGroundOrObstacle_data()
+    {
+        QTest::addColumn<int>("obstacle");
+        QTest::addColumn<float>("height");
+        QTest::newRow("box in the air") << static_cast<int>(Obstacle::Box) << 0.8F;
+        QTest::newRow("box on the ground") << static_cast<int>(Obstacle::Box) << 0.2F;
+        QTest::newRow("ball in the air") << static_cast<int>(Obstacle::Sphere) << 0.8F;
+        QTest::newRow("ball half under the ground") << static_cast<int>(Obstacle::Sphere) << 0.05F;
+    }
+
+    void noParticleIsEverInsideGroundOrObstacle()
+    {
+        QFETCH(int, obstacle);
+        QFETCH(float, height);
+        Effect effect = inAir();
+        effect.emitter.shape = EmitterShape::Sphere;
+        effect.emitter.radius = 0.3F;
+        effect.motion.gravity = 2.0F;
+        effect.air.obstacle = static_cast<Obstacle>(obstacle);
+        effect.air.obstaclePlace = {0.1F, height, 0.05F};
+        Simulator simulator(sampled(effect), 0);
+        int touched = 0;
+        for (int n = 0; n < 150; ++n) {
+            const auto frame = simulator.frame(n).value();
+            forLiving(*frame, [&](const glm::vec3& place, std::size_t) {
+                constexpr float kRounding = 1e-5F;
+                const glm::vec3 away = place - effect.air.obstaclePlace;
+                const glm::vec3 depth = 0.5F * effect.air.obstacleSize - glm::abs(away);
+                const bool inBox = depth.x > kRounding && depth.y > kRounding && depth.z > kRounding;
+                const bool inBall = glm::length(away) < 0.5F * effect.air.obstacleSize.x - kRounding;
+                if (place.y < 0.0F || (effect.air.obstacle == Obstacle::Box ? inBox : inBall)) {
+                    QFAIL(qPrintable(QStringLiteral("at %1 %2 %3 of frame %4").arg(static_cast<double>(place.x)).arg(static_cast<double>(place.y)).arg(static_cast<double>(place.z)).arg(n)));
+                }
+                touched += place.y == 0.0F ? 1 : 0;
+            });
+        }
+        QVERIFY(touched > 0);
+    }
+
+    void smokeIsCarriedUpByTheAirThatItsSourceHeats()
+    {
+        Effect effect = thesisEffect(2000);
+        effect.emitter.shape = EmitterShape::Disc;
+        effect.emitter.radius = 0.3F;
+        effect.emitter.speed = 0.0F;
+        effect.motion.buoyancy = 3.0F;
+        effect.air.enabled = true;
+        effect.air.resolution = 32;
+        const auto highest = [](const Effect& of) {
+            float top = 0.0F;
+            forLiving(*frameOf(of, 60), [&](const glm::vec3& place, std::size_t) { top = std::max(top, place.y); });
+            return top;
+        };
+        const float risen = highest(effect);
+        qInfo("%.2f m", static_cast<double>(risen));
+        QVERIFY(risen > 0.8F);
+        effect.motion.buoyancy = 0.0F;
+        QVERIFY(highest(effect) < 0.5F);
+    }
+
+    void windOfTheMotionBlowsTheAir()
+    {
+        Effect effect = thesisEffect(500);
+        effect.emitter.speed = 0.5F;
+        effect.motion.wind = 1.0F;
+        effect.motion.drag = 1.0F;
+        effect.air.enabled = true;
+        effect.air.resolution = 32;
+        double sum = 0.0;
+        double count = 0.0;
+        const auto frame = frameOf(effect, 60);
+        forLiving(*frame, [&](const glm::vec3&, std::size_t i) {
+            sum += static_cast<double>(frame->particles.vx[i]);
+            count += 1.0;
+        });
+        QVERIFY(near(sum / count, 1.0, 0.15)); // wind / drag
+    }
+
+    void heavyParticlesFallThroughTheAir()
+    {
+        Effect effect = thesisEffect(500);
+        effect.emitter.speed = 0.0F;
+        effect.emitter.position.y = 3.0F;
+        effect.motion.gravity = 2.0F;
+        effect.motion.drag = 2.0F;
+        effect.air.enabled = true;
+        effect.air.resolution = 24;
+        const auto frame = frameOf(effect, 45);
+        double fastest = 0.0;
+        forLiving(*frame, [&](const glm::vec3&, std::size_t i) { fastest = std::max(fastest, -static_cast<double>(frame->particles.vy[i])); });
+        QVERIFY(near(fastest, 1.0, 0.1)); // gravity / drag
+    }
+
+    void airIsSharedByEffectsThatDifferInWhatItKnowsNothingOf()
+    {
+        AirShelf shelf;
+        Effect effect = inAir();
+        const auto air = shelf.airOf(sampled(effect));
+        effect.look.size = 0.4F;
+        effect.emitter.count = 5000;
+        effect.air.detail = 0.3F;
+        effect.light.emission = 1.0F;
+        QCOMPARE(shelf.airOf(sampled(effect)), air);
+        effect.motion.buoyancy += 0.1F;
+        QVERIFY(shelf.airOf(sampled(effect)) != air);
+        effect.air.enabled = false;
+        QVERIFY(shelf.airOf(sampled(effect)) == nullptr);
+    }
+
+    void whatAirCannotBeMadeForIsSaid()
+    {
+        Effect effect = inAir();
+        effect.air.fit = false;
+        effect.air.offset = {10.0F, 0.0F, 0.0F};
+        const auto outside = Simulator(sampled(effect)).frame(0);
+        QVERIFY(!outside.ok());
+        QVERIFY(outside.error().message.text().find("outside the box") != std::string::npos);
+        effect.air.offset = glm::vec3(0.0F);
+        effect.air.groundHeight = 2.0F;
+        const auto buried = Simulator(sampled(effect)).frame(0);
+        QVERIFY(!buried.ok());
+        QVERIFY(buried.error().message.text().find("under the ground") != std::string::npos);
+        effect.air.groundHeight = 0.0F;
+        effect.air.obstacleSize = glm::vec3(100.0F);
+        const auto filled = Simulator(sampled(effect)).frame(0);
+        QVERIFY(!filled.ok());
+        QVERIFY(filled.error().message.text().find("fills the box") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(CarriedTest)
+#include "carried_test.moc"
