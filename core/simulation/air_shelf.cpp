@@ -25,6 +25,12 @@ std::shared_ptr<BakedAir> AirShelf::airOf(const SampledEffect& effect)
     return m_airs.emplace_back(part, std::make_shared<BakedAir>(airPlan(Model(effect)))).second;
 }
 
+void AirShelf::clear()
+{
+    const std::scoped_lock lock(m_mutex);
+    m_airs.clear();
+}
+
 bool AirShelf::isBaked(const SampledEffect& effect, std::int64_t step) const
 {
     const Effect part = airPart(effect);

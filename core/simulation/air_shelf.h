@@ -24,6 +24,9 @@ public:
     /// @param effect for which checkAir() has nothing to say
     [[nodiscard]] std::shared_ptr<BakedAir> airOf(const SampledEffect& effect);
 
+    /// Lets go of all airs; those that somebody uses live on until they are done.
+    void clear();
+
     /// Whether the air of an effect is here and needs no more computing up to a step.
     [[nodiscard]] bool isBaked(const SampledEffect& effect, std::int64_t step) const;
 

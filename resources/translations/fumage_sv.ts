@@ -263,6 +263,10 @@
         <source>&amp;Only the smoke</source>
         <translation>&amp;Bara röken</translation>
     </message>
+    <message>
+        <source>A&amp;ir</source>
+        <translation>L&amp;uft</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -806,6 +810,14 @@
     <message>
         <source>Rings</source>
         <translation>Ringar</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>Hinder</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3195,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>coarse air</source>
         <translation>grov luft</translation>
     </message>
+    <message>
+        <source>air %1 s</source>
+        <translation>luft %1 s</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::SeedEditor</name>
@@ -3329,6 +3345,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Drag to go to any frame; drag the ends of the bar to play a part</source>
         <translation>Dra för att gå till valfri bildruta; dra stapelns ändar för att spela en del</translation>
+    </message>
+    <message>
+        <source>air %1 %</source>
+        <translation>luft %1 %</translation>
     </message>
 </context>
 <context>

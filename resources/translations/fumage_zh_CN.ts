@@ -263,6 +263,10 @@
         <source>&amp;Only the smoke</source>
         <translation>只显示烟雾(&amp;O)</translation>
     </message>
+    <message>
+        <source>A&amp;ir</source>
+        <translation>空气(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -806,6 +810,14 @@
     <message>
         <source>Rings</source>
         <translation>涡环</translation>
+    </message>
+    <message>
+        <source>Obstacle</source>
+        <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>空气</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3195,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>coarse air</source>
         <translation>粗略空气</translation>
     </message>
+    <message>
+        <source>air %1 s</source>
+        <translation>空气 %1 秒</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::SeedEditor</name>
@@ -3329,6 +3345,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Drag to go to any frame; drag the ends of the bar to play a part</source>
         <translation>拖动可到任意帧；拖动条的两端可只播放一部分</translation>
+    </message>
+    <message>
+        <source>air %1 %</source>
+        <translation>空气 %1 %</translation>
     </message>
 </context>
 <context>

@@ -78,13 +78,37 @@ private slots:
         QCOMPARE(Studio().make(requestFor(effect, 20), {})->image, studio.make(requestFor(effect, 20), {})->image);
     }
 
+    void theAirIsBakedOnceAndTellsHowFarItIs()
+    {
+        Effect effect = smallEffect();
+        effect.air.enabled = true;
+        effect.air.resolution = 24;
+        std::vector<double> shares;
+        Studio studio(std::make_shared<AirShelf>(2), [&](double share) { shares.push_back(share); });
+        PictureRequest request = requestFor(effect, 20);
+        request.air = true;
+        request.tracks = true;
+        const PicturePtr first = studio.make(request, {});
+        QVERIFY(shares.size() > 2 && shares.front() < 0.5);
+        QCOMPARE(shares.back(), 1.0);
+        QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+        QVERIFY(first->bakeNs > 0 && !first->tracks.empty());
+        // Above the source it is warm and goes up.
+        QVERIFY(std::any_of(first->air.begin(), first->air.end(), [](const AirArrow& arrow) { return arrow.heat > 0.3F && arrow.velocity.y > 0.1F; }));
+        shares.clear();
+        effect.look.size *= 1.5F;
+        request = requestFor(effect, 20);
+        const PicturePtr second = studio.make(request, {});
+        QVERIFY(shares.empty() && second->bakeNs == 0 && second->air.empty());
+    }
+
     void whatCannotBeMadeSaysWhy()
     {
         Effect effect = smallEffect();
         effect.air.enabled = true;
         effect.air.ground = true;
         effect.air.groundHeight = 3.0F;
-        PictureWorker worker;
+        PictureWorker worker(std::make_shared<AirShelf>(2));
         QSignalSpy failed(&worker, &PictureWorker::failed);
         worker.request(requestFor(effect));
         QTRY_COMPARE(failed.size(), 1);
@@ -102,7 +126,7 @@ private slots:
 
     void theNewestRequestIsTheOneThatCounts()
     {
-        PictureWorker worker;
+        PictureWorker worker(std::make_shared<AirShelf>(2));
         QList<int> frames;
         connect(&worker, &PictureWorker::pictureReady, this, [&](const PicturePtr& picture) { frames += picture->frame; });
         for (int i = 0; i < 50; ++i) {

@@ -180,6 +180,10 @@ private slots:
         Effect effect;
         effect.vortex.strength = 1.0F;
         effect.camera.pitch = 30.0F;
+        effect.air.enabled = static_cast<GizmoId>(id) >= GizmoId::Obstacle;
+        effect.air.fit = false;
+        effect.air.obstacle = Obstacle::Box;
+        effect.air.obstaclePlace = {0.6F, 1.4F, 0.2F};
         const View view = windowView(effect, 0, 800, 600);
         const auto gizmo = static_cast<GizmoId>(id);
         const QPointF to = onScreen(view, gizmoOf(effect, view, gizmo).to) + QPointF(-24.0, 18.0);
@@ -237,6 +241,10 @@ private:
         QTest::newRow("vortex axis") << static_cast<int>(GizmoId::VortexAxis);
         QTest::newRow("rings") << static_cast<int>(GizmoId::Rings);
         QTest::newRow("light") << static_cast<int>(GizmoId::Light);
+        QTest::newRow("obstacle") << static_cast<int>(GizmoId::Obstacle);
+        QTest::newRow("size of the obstacle") << static_cast<int>(GizmoId::ObstacleSize);
+        QTest::newRow("place of the air") << static_cast<int>(GizmoId::AirPlace);
+        QTest::newRow("size of the air") << static_cast<int>(GizmoId::AirSize);
     }
 };
 

@@ -41,11 +41,20 @@ struct PictureRequest {
     Backdrop backdrop;
     Haste haste = Haste::None;
     bool tracks = false; ///< find the ways of some particles
+    bool air = false; ///< find what the air does that carries them
     bool sprites = false; ///< hand over the sprites instead of painting them
 };
 
 /// Where a particle has been, from its birth on, m.
 using Track = std::vector<glm::vec3>;
+
+/// The air at a place.
+struct AirArrow {
+    glm::vec3 place; ///< m
+    glm::vec3 velocity; ///< m/s
+    float heat = 0.0F; ///< 1 at the source
+    float gap = 0.0F; ///< to its neighbours, m
+};
 
 /// Sprites for a graphics card: far to near, with all that they need.
 struct SpriteScene {
@@ -60,13 +69,15 @@ struct Picture {
     QImage image; ///< opaque; smaller than the screen where there was haste
     std::shared_ptr<const SpriteScene> scene; ///< instead of the image, where sprites were asked for
     std::vector<Track> tracks; ///< where they were asked for
+    std::vector<AirArrow> air; ///< where it was asked for and carries the smoke
     Output output; ///< exposure and view transform for the scene
     Backdrop backdrop;
     quint64 revision = 0;
     int frame = 0;
     bool complete = false; ///< nothing was given up
     bool thinned = false; ///< fewer particles than the effect has, or coarser air
-    bool coarseAir = false;
+    bool coarseAir = false; ///< a coarser grid stands in
+    qint64 bakeNs = 0; ///< that the air took for this picture
     int particles = 0; ///< alive at most
     qint64 stepNs = 0;
     RenderTimes times;

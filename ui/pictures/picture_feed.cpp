@@ -13,12 +13,14 @@ constexpr int kRestMs = 160;
 PictureFeed::PictureFeed(qint64 cacheBytes, QObject* parent)
     : QObject(parent)
     , m_cache(cacheBytes)
+    , m_worker(m_shelf)
 {
     m_wanted.effect = std::make_shared<const Effect>();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &PictureFeed::rest);
     connect(&m_worker, &PictureWorker::pictureReady, this, &PictureFeed::receive);
+    connect(&m_worker, &PictureWorker::baking, this, &PictureFeed::baking);
     connect(&m_worker, &PictureWorker::exhausted, this, [this] {
         giveUp();
         emit exhausted();
@@ -97,6 +99,13 @@ void PictureFeed::setTracks(bool wanted)
     refresh(Haste::None);
 }
 
+void PictureFeed::setAir(bool wanted)
+{
+    m_wanted.air = wanted;
+    invalidate();
+    refresh(Haste::None);
+}
+
 void PictureFeed::setSprites(bool wanted)
 {
     m_wanted.sprites = wanted;
@@ -114,7 +123,7 @@ void PictureFeed::setOther(const std::optional<Effect>& other)
         return;
     }
     if (!m_otherWorker) {
-        m_otherWorker = std::make_unique<PictureWorker>();
+        m_otherWorker = std::make_unique<PictureWorker>(m_shelf);
         connect(m_otherWorker.get(), &PictureWorker::pictureReady, this, &PictureFeed::receiveOther);
         connect(m_otherWorker.get(), &PictureWorker::exhausted, this, &PictureFeed::exhausted);
     }
@@ -208,6 +217,7 @@ void PictureFeed::requestOther(Haste haste)
     other.haste = haste;
     other.sprites = false;
     other.tracks = false;
+    other.air = false;
     m_otherWorker->request(other);
 }
 

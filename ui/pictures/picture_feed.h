@@ -37,6 +37,8 @@ public:
     void setBackdrop(const Backdrop& backdrop);
     /// Whether pictures bring the ways of some particles with them.
     void setTracks(bool wanted);
+    /// Whether pictures bring what the air does with them.
+    void setAir(bool wanted);
     /// Whether pictures are handed over as sprites instead of painted ones.
     void setSprites(bool wanted);
     /// An effect to compare with, seen by the camera of the first; nothing: none, and no more work for one.
@@ -45,6 +47,8 @@ public:
     [[nodiscard]] const Backdrop& backdrop() const { return m_wanted.backdrop; }
     /// The newest picture; null before the first.
     [[nodiscard]] const PicturePtr& picture() const { return m_picture; }
+    /// The air of the effects that are looked at, as far as it is baked.
+    [[nodiscard]] const std::shared_ptr<AirShelf>& shelf() const { return m_shelf; }
     [[nodiscard]] const PicturePtr& otherPicture() const { return m_otherPicture; }
     /// Whether the picture is all there is to show: of this effect and frame, nothing given up, nothing on its way.
     [[nodiscard]] bool isSettled() const;
@@ -55,11 +59,13 @@ signals:
     void ready(fumage::ui::PicturePtr picture);
     void otherReady(fumage::ui::PicturePtr picture);
     void cacheChanged();
+    /// The air is being baked. @param share that is done; 1 when it is, or was given up
+    void baking(double share);
     /// The picture of the frame that was asked for last is on its way, or has come.
     void waitingChanged(bool waiting);
     /// There was not enough memory for a picture; it is not tried again until something changes.
     void exhausted();
-    /// The picture cannot be made of this effect; as above. @param why in the language of the user
+    /// The picture cannot be made of this effect; as above.
     void failed(const fumage::Error& why);
 
 private:
@@ -85,6 +91,7 @@ private:
 
     PictureCache m_cache; ///< of this revision
     PicturePtr m_picture;
+    std::shared_ptr<AirShelf> m_shelf = std::make_shared<AirShelf>(3); ///< for the effect, its stand-in, and the other effect
     PictureWorker m_worker;
 
     std::optional<Effect> m_other;

@@ -2,8 +2,10 @@
 
 namespace fumage::ui {
 
-PictureWorker::PictureWorker(QObject* parent)
+PictureWorker::PictureWorker(std::shared_ptr<AirShelf> shelf, QObject* parent)
     : QObject(parent)
+    , m_shelf(std::move(shelf))
+    , m_studio(newStudio())
     , m_job(
           [this](const PictureRequest& request, const std::stop_token& stop) {
               if (PicturePtr picture = m_studio.make(request, stop)) {
@@ -17,11 +19,20 @@ PictureWorker::PictureWorker(QObject* parent)
           // Hasty pictures are never given up: a hand that moves all the time would not see one.
           [](const PictureRequest& request) { return request.haste == Haste::None || request.haste == Haste::Settling; },
           [this] {
-              m_studio = Studio(); // what it holds may be half done, and takes memory
+              m_shelf->clear(); // what it holds may be half done, and takes memory
+              m_studio = newStudio();
               QMetaObject::invokeMethod(
                   this, [this] { emit exhausted(); }, Qt::QueuedConnection);
           })
 {
+}
+
+Studio PictureWorker::newStudio()
+{
+    return Studio(m_shelf, [this](double share) {
+        QMetaObject::invokeMethod(
+            this, [this, share] { emit baking(share); }, Qt::QueuedConnection);
+    });
 }
 
 } // namespace fumage::ui

@@ -13,7 +13,8 @@ class PictureWorker : public QObject {
     Q_OBJECT
 
 public:
-    explicit PictureWorker(QObject* parent = nullptr);
+    /// @param shelf of baked air, shared with others who look at the same effect
+    explicit PictureWorker(std::shared_ptr<AirShelf> shelf, QObject* parent = nullptr);
 
     void request(PictureRequest request) { m_job.post(std::move(request)); }
 
@@ -22,10 +23,15 @@ signals:
     void pictureReady(fumage::ui::PicturePtr picture);
     /// Memory ran out: the picture that was being made does not come.
     void exhausted();
-    /// The picture cannot be made. @param why in the language of the user
+    /// The air is being baked. @param share that is done; 1 when it is, or was given up
+    void baking(double share);
+    /// The picture cannot be made.
     void failed(const fumage::Error& why);
 
 private:
+    [[nodiscard]] Studio newStudio();
+
+    std::shared_ptr<AirShelf> m_shelf;
     Studio m_studio; ///< used by the thread of the job alone
     LatestJob<PictureRequest> m_job;
 };

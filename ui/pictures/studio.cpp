@@ -1,5 +1,6 @@
 #include "ui/pictures/studio.h"
 
+#include "ui/pictures/air_arrows.h"
 #include "ui/pictures/tracks.h"
 
 #include <algorithm>
@@ -47,6 +48,12 @@ QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
 }
 
 } // namespace
+
+Studio::Studio(std::shared_ptr<AirShelf> shelf, Baking baking)
+    : m_shelf(std::move(shelf))
+    , m_baking(std::move(baking))
+{
+}
 
 int Studio::particlesWhileDragging(const Plan& plan, double preRoll) const
 {
@@ -147,14 +154,35 @@ void Studio::noteTrouble(const Error& error)
 }
 
 /// Before particles are timed: what they cost does not depend on whether their air is there.
-bool Studio::bakeAir(const Plan& plan, int frame, const std::stop_token& stop)
+bool Studio::bakeAir(const Plan& plan, int frame, Picture& picture, const std::stop_token& stop)
 {
     const Model& model = simulatorFor(plan).model();
-    if (model.air() == nullptr) {
+    const std::int64_t last = model.schedule().stepOfFrame(frame);
+    if (model.air() == nullptr || model.air()->isBaked(last)) {
         return true;
     }
-    const Status status = model.air()->bake(model.schedule().stepOfFrame(frame), stop);
+    QElapsedTimer timer;
+    timer.start();
+    const Status status = model.air()->bake(last, stop, m_baking);
+    m_baking(1.0);
+    picture.bakeNs = timer.nsecsElapsed();
     return status.ok();
+}
+
+/// What is drawn over the smoke where it was asked for.
+void Studio::addOverlays(const PictureRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
+{
+    if (request.tracks) {
+        Effect effect = *request.effect;
+        effect.air.resolution = plan.effect->air.resolution; // of the stand-in, where there is one
+        picture.tracks = findTracks(effect, request.frame, m_shelf);
+    }
+    const Model& model = simulatorFor(plan).model();
+    if (request.air && model.air() != nullptr) {
+        if (const auto field = model.air()->field(model.schedule().stepOfFrame(request.frame), stop)) {
+            picture.air = findAirArrows(*field.value(), request.effect->emitter.position, windowView(plan.effect, request.frame, request.width, request.height).forward);
+        }
+    }
 }
 
 std::shared_ptr<const Frame> Studio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
@@ -219,7 +247,7 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
     const Plan plan = planFor(request);
     auto picture = std::make_shared<Picture>();
     m_trouble.reset();
-    if (!bakeAir(plan, request.frame, stop)) {
+    if (!bakeAir(plan, request.frame, *picture, stop)) {
         return nullptr;
     }
     QElapsedTimer timer;
@@ -247,9 +275,7 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
     }
     m_costs.notePixels(static_cast<double>(width) * height, timer.nsecsElapsed());
 
-    if (request.tracks) {
-        picture->tracks = findTracks(*request.effect, request.frame);
-    }
+    addOverlays(request, plan, *picture, stop);
     picture->output = plan.effect->output;
     picture->backdrop = request.backdrop;
     picture->revision = request.revision;

@@ -7,11 +7,11 @@
 
 namespace fumage::ui {
 
-std::vector<Track> findTracks(const Effect& effect, int frame)
+std::vector<Track> findTracks(const Effect& effect, int frame, const std::shared_ptr<AirShelf>& shelf)
 {
     constexpr int kParticles = 60;
     constexpr int kFrames = 150;
-    Simulator simulator(thinned(sampled(effect), kParticles), 0);
+    Simulator simulator(thinned(sampled(effect), kParticles), 0, shelf);
     std::vector<Track> tracks;
     std::vector<std::int32_t> births;
     for (int number = std::max(0, frame - kFrames); number <= frame; ++number) {

@@ -2,11 +2,13 @@
 
 #include "ui/pictures/picture.h"
 
+#include "core/simulation/air_shelf.h"
+
 namespace fumage::ui {
 
 /// The ways of some particles of an effect over the last frames up to one, of those that are then alive.
 /// Particles never act on one another, so that a few of them go where they would go among many.
-/// About 2 ms.
-[[nodiscard]] std::vector<Track> findTracks(const Effect& effect, int frame);
+/// @param shelf of baked air; about 2 ms where it has that of the effect
+[[nodiscard]] std::vector<Track> findTracks(const Effect& effect, int frame, const std::shared_ptr<AirShelf>& shelf = nullptr);
 
 } // namespace fumage::ui

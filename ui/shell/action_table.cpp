@@ -54,6 +54,7 @@ constexpr ActionSpec kSpecs[] = {
     {.id = "view.emitter", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "&Emitter outline"), .kind = Switch},
     {.id = "view.gizmos", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Gi&zmos"), .keys = "Z", .icon = "gizmo", .kind = Switch},
     {.id = "view.tracks", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Motion &tracks"), .keys = "T", .icon = "tracks", .kind = Switch},
+    {.id = "view.air", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "A&ir"), .keys = "A", .kind = Switch},
     {.id = "view.frame", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "E&xport frame"), .keys = "X", .icon = "frame", .kind = Switch},
     {.id = "view.readout", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Rea&dout"), .kind = Switch},
     {.id = "view.checker", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "&Checker behind the smoke"), .icon = "tiles", .kind = Switch, .lineAbove = true},

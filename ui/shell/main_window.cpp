@@ -91,6 +91,7 @@ void MainWindow::buildCentre()
     centre->setFocusProxy(m_viewport->surface());
     setCentralWidget(centre);
     m_viewport->setNavigationStyle(m_session.settings().navigationStyle());
+    connect(m_viewport.get(), &Viewport::baking, &m_timeline->ruler(), &TimelineRuler::setBaking);
     connect(m_viewport.get(), &Viewport::cacheChanged, m_timeline.get(), [this] { m_timeline->ruler().setCached(m_viewport->cachedFrames()); });
 }
 

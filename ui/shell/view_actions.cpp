@@ -22,6 +22,7 @@ constexpr OverlayAction kOverlayActions[] = {
     {"view.emitter", Overlay::Emitter},
     {"view.gizmos", Overlay::Gizmos},
     {"view.tracks", Overlay::Tracks},
+    {"view.air", Overlay::Air},
     {.action = "view.frame", .overlay = Overlay::Frame, .remembered = false}, // comes and goes with the export dialog
     {"view.readout", Overlay::Readout},
 };

@@ -65,6 +65,12 @@ void TimelineRuler::setCached(const QList<int>& frames)
     update();
 }
 
+void TimelineRuler::setBaking(double share)
+{
+    m_baking = share;
+    update();
+}
+
 double TimelineRuler::xOf(double frame) const
 {
     return kMargin + (width() - 2.0 * kMargin) * frame / std::max(1, m_player.length() - 1);
@@ -127,6 +133,18 @@ void TimelineRuler::paintTicks(QPainter& painter) const
     }
 }
 
+void TimelineRuler::paintBaking(QPainter& painter) const
+{
+    const QColor warm(0xe0, 0x90, 0x40);
+    painter.fillRect(QRectF(kMargin, height() - 3.0, (width() - 2.0 * kMargin) * m_baking, 3.0), warm);
+    const QString text = tr("air %1 %").arg(static_cast<int>(100.0 * m_baking));
+    const double wide = painter.fontMetrics().horizontalAdvance(text) + 8.0;
+    const QRectF place(width() - kMargin - wide, 18.0, wide, 18.0);
+    painter.fillRect(place, palette().base());
+    painter.setPen(warm);
+    painter.drawText(place, Qt::AlignCenter, text);
+}
+
 void TimelineRuler::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -142,6 +160,9 @@ void TimelineRuler::paintEvent(QPaintEvent*)
         painter.fillRect(QRectF(xOf(frame) - half, kRangeTop + kRangeHeight + 1.0, 2.0 * half + 0.5, 2.5), QColor(86, 170, 110));
     }
     paintTicks(painter);
+    if (m_baking < 1.0) {
+        paintBaking(painter);
+    }
     const double x = xOf(m_player.frame());
     painter.setPen(QPen(palette().highlight().color(), 2.0));
     painter.drawLine(QLineF(x, 0.0, x, height()));

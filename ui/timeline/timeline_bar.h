@@ -24,6 +24,9 @@ public:
     TimelineRuler(Player& player, QWidget* parent);
 
     void setCached(const QList<int>& frames);
+    /// Shows how much of the air is baked. @param share 0 to 1; 1 shows nothing
+    void setBaking(double share);
+    [[nodiscard]] double baking() const { return m_baking; }
     [[nodiscard]] double xOf(double frame) const;
 
     QSize sizeHint() const override { return {400, 40}; }
@@ -43,9 +46,11 @@ private:
     };
     [[nodiscard]] int frameAt(double x) const;
     void paintTicks(QPainter& painter) const;
+    void paintBaking(QPainter& painter) const;
 
     Player& m_player;
     QList<int> m_cached;
+    double m_baking = 1.0;
     Grip m_grip = Grip::None;
     bool m_wasPlaying = false;
 };

@@ -13,6 +13,7 @@
 #include <QLineF>
 #include <QPainter>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -88,16 +89,50 @@ glm::vec3 directionOnBall(const View& view, const glm::vec3& centre, float radiu
     return glm::normalize(nearest + ray * (away ? half : -half));
 }
 
-std::vector<Assignment> dragEmitter(const Effect& effect, const View& view, QPointF mouse, bool snap)
+/// Where the mouse meets the plane through a place that faces the camera.
+glm::vec3 placeAt(const View& view, const glm::vec3& before, QPointF mouse, bool snap)
 {
-    // In the plane through the emitter that faces the camera.
     const glm::vec3 ray = rayThrough(view, mouse);
-    const float depth = project(view, effect.emitter.position).depth;
-    glm::vec3 position = view.eye + ray * (depth / glm::dot(ray, view.forward));
-    if (snap) {
-        position = glm::vec3(std::round(position.x / kSnapMetres), std::round(position.y / kSnapMetres), std::round(position.z / kSnapMetres)) * kSnapMetres;
-    }
-    return {{&knownParameter("emitter.position"), position}};
+    const float depth = project(view, before).depth;
+    const glm::vec3 place = view.eye + ray * (depth / glm::dot(ray, view.forward));
+    return snap ? glm::round(place / kSnapMetres) * kSnapMetres : place;
+}
+
+/// Where an obstacle's size is grasped: a corner of a box, the side of a ball.
+glm::vec3 obstacleCorner(const Air& air, const View& view)
+{
+    return air.obstaclePlace + 0.5F * (air.obstacle == Obstacle::Sphere ? view.right * air.obstacleSize.x : air.obstacleSize);
+}
+
+std::vector<Assignment> dragObstacleSize(const Air& air, const View& view, QPointF mouse, bool snap)
+{
+    const glm::vec3 away = placeAt(view, obstacleCorner(air, view), mouse, snap) - air.obstaclePlace;
+    constexpr float kLeast = 0.02F; // m
+    const glm::vec3 size = air.obstacle == Obstacle::Sphere ? glm::vec3(2.0F * glm::length(away)) : 2.0F * glm::abs(away);
+    return {{&knownParameter("air.obstacle_size"), glm::max(size, kLeast)}};
+}
+
+/// The middle of the foot of a box of air that does not fit itself.
+glm::vec3 airFoot(const Effect& effect)
+{
+    return effect.emitter.position + effect.air.offset;
+}
+
+glm::vec3 airCorner(const Effect& effect)
+{
+    return airFoot(effect) + effect.air.size * glm::vec3(0.5F, 1.0F, 0.5F);
+}
+
+glm::vec3 airLowCorner(const Effect& effect)
+{
+    return airFoot(effect) - effect.air.size * glm::vec3(0.5F, 0.0F, 0.5F);
+}
+
+std::vector<Assignment> dragAirSize(const Effect& effect, const View& view, QPointF mouse, bool snap)
+{
+    const glm::vec3 away = placeAt(view, airCorner(effect), mouse, snap) - airFoot(effect);
+    constexpr float kLeast = 0.1F; // m
+    return {{&knownParameter("air.size"), glm::max(glm::abs(away) * glm::vec3(2.0F, 1.0F, 2.0F), kLeast)}};
 }
 
 /// Away from the axis of the rings, to the right as far as the view allows.
@@ -153,6 +188,22 @@ std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF
     return {{&knownParameter("motion.wind_angle"), std::round(glm::degrees(angle))}};
 }
 
+/// Those of the air, where there is one: of its obstacle, and of its box where that does not fit itself.
+void addAirGizmos(const Effect& effect, const View& view, std::vector<Gizmo>& gizmos)
+{
+    const Air& air = effect.air;
+    if (air.enabled && air.obstacle != Obstacle::None) {
+        const QColor colour(0xe0, 0xa0, 0x60);
+        gizmos.push_back({GizmoId::Obstacle, air.obstaclePlace, air.obstaclePlace, colour, {}});
+        gizmos.push_back({GizmoId::ObstacleSize, air.obstaclePlace, obstacleCorner(air, view), colour, gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Obstacle"))});
+    }
+    if (air.enabled && !air.fit) {
+        const QColor colour(0x8c, 0xbe, 0xdc);
+        gizmos.push_back({GizmoId::AirPlace, airLowCorner(effect), airLowCorner(effect), colour, {}});
+        gizmos.push_back({GizmoId::AirSize, airFoot(effect), airCorner(effect), colour, gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Air"))});
+    }
+}
+
 } // namespace
 
 std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
@@ -168,11 +219,12 @@ std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
     if (effect.vortex.strength != 0.0F) {
         gizmos.push_back({GizmoId::VortexAxis, emitter, tip(glm::normalize(effect.vortex.axis), kVortexPixels), QColor(0xb0, 0x8c, 0xf0), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Vortex"))});
     }
-    if (effect.rings.strength > 0.0F) {
+    if (effect.rings.strength > 0.0F && !effect.air.enabled) { // in air they come by themselves
         const glm::vec3 axis = glm::normalize(effect.emitter.normal);
         const glm::vec3 centre = emitter + axis * effect.rings.spacing;
         gizmos.push_back({GizmoId::Rings, centre, centre + ringSide(axis, view) * ringRadius(effect.rings), QColor(0xf0, 0x94, 0xb4), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Rings"))});
     }
+    addAirGizmos(effect, view, gizmos);
     return gizmos;
 }
 
@@ -199,7 +251,7 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
         return snap ? snapDirection(direction) : direction;
     };
     switch (id) {
-    case GizmoId::EmitterPosition: return dragEmitter(effect, view, mouse, snap);
+    case GizmoId::EmitterPosition: return {{&knownParameter("emitter.position"), placeAt(view, emitter, mouse, snap)}};
     case GizmoId::EmitterNormal:
         return {{&knownParameter("emitter.normal"), onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
     case GizmoId::Wind: return dragWind(effect, view, mouse, snap);
@@ -208,6 +260,10 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
     case GizmoId::Rings: return dragRings(effect, view, mouse, snap);
     case GizmoId::Light:
         return {{&knownParameter("light.direction"), -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
+    case GizmoId::Obstacle: return {{&knownParameter("air.obstacle_place"), placeAt(view, effect.air.obstaclePlace, mouse, snap)}};
+    case GizmoId::ObstacleSize: return dragObstacleSize(effect.air, view, mouse, snap);
+    case GizmoId::AirPlace: return {{&knownParameter("air.offset"), effect.air.offset + placeAt(view, airLowCorner(effect), mouse, snap) - airLowCorner(effect)}};
+    case GizmoId::AirSize: return dragAirSize(effect, view, mouse, snap);
     }
     return {};
 }
@@ -310,9 +366,11 @@ void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std:
             painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 90), 1.0, Qt::DashLine));
             painter.drawLine(*line);
             paintSun(painter, line->p2(), gizmo.colour, isHot);
-        } else if (gizmo.id == GizmoId::EmitterPosition) {
+        } else if (gizmo.label.isEmpty() || gizmo.id == GizmoId::EmitterPosition) {
             paintHandle(painter, line->p2(), gizmo.colour, isHot);
             continue;
+        } else if (gizmo.id == GizmoId::ObstacleSize || gizmo.id == GizmoId::AirSize) {
+            paintHandle(painter, line->p2(), gizmo.colour, isHot);
         } else if (gizmo.id == GizmoId::Rings) {
             painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 150), isHot ? 2.0 : 1.2));
             paintCircle(painter, gizmo.from, glm::normalize(effect.emitter.normal), ringRadius(effect.rings), view);

@@ -23,6 +23,10 @@ enum class GizmoId {
     VortexAxis,
     Rings, ///< rim of the ring that is one spacing away: its height is the spacing, its distance from the axis the radius
     Light,
+    Obstacle, ///< in the air
+    ObstacleSize, ///< a corner of the box, or a point of the ball
+    AirPlace, ///< lower corner of a box that does not fit itself to the smoke
+    AirSize, ///< the upper corner across from it
 };
 
 struct Gizmo {

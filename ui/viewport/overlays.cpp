@@ -1,7 +1,9 @@
 #include "ui/viewport/overlays.h"
 
 #include "core/base/vector.h"
+#include "core/simulation/air_plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QPainter>
@@ -38,6 +40,32 @@ std::vector<glm::vec3> circle(const glm::vec3& centre, const glm::vec3& u, const
         corners.push_back(centre + u * std::cos(angle) + v * std::sin(angle));
     }
     return corners;
+}
+
+} // namespace
+
+namespace {
+
+void drawBox(QPainter& painter, const View& view, const glm::vec3& low, const glm::vec3& high)
+{
+    const auto corner = [&](unsigned bits) { return glm::vec3((bits & 1U) != 0 ? high.x : low.x, (bits & 2U) != 0 ? high.y : low.y, (bits & 4U) != 0 ? high.z : low.z); };
+    for (unsigned from = 0; from < 8; ++from) {
+        for (const unsigned axis : {1U, 2U, 4U}) {
+            if ((from & axis) == 0) {
+                drawLine(painter, view, corner(from), corner(from | axis));
+            }
+        }
+    }
+}
+
+void drawBall(QPainter& painter, const View& view, const glm::vec3& centre, float radius)
+{
+    const glm::vec3 x(radius, 0.0F, 0.0F);
+    const glm::vec3 y(0.0F, radius, 0.0F);
+    const glm::vec3 z(0.0F, 0.0F, radius);
+    drawLoop(painter, view, circle(centre, x, y));
+    drawLoop(painter, view, circle(centre, y, z));
+    drawLoop(painter, view, circle(centre, z, x));
 }
 
 } // namespace
@@ -114,6 +142,48 @@ void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View
         for (std::size_t i = 1; i < track.size(); ++i) {
             drawLine(painter, view, track[i - 1], track[i]);
         }
+    }
+    painter.restore();
+}
+
+void paintAirBox(QPainter& painter, const Effect& effect, const View& view)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(140, 190, 220, 130), 1.0));
+    const AirGrid grid = airGrid(sampled(effect));
+    drawBox(painter, view, grid.corner, grid.corner + grid.cell * glm::vec3(grid.cells));
+    painter.setPen(QPen(QColor(0xe0, 0xa0, 0x60, 220), 1.4));
+    const Air& air = effect.air;
+    if (air.obstacle == Obstacle::Box) {
+        drawBox(painter, view, air.obstaclePlace - 0.5F * air.obstacleSize, air.obstaclePlace + 0.5F * air.obstacleSize);
+    } else if (air.obstacle == Obstacle::Sphere) {
+        drawBall(painter, view, air.obstaclePlace, 0.5F * air.obstacleSize.x);
+    }
+    painter.restore();
+}
+
+void paintAir(QPainter& painter, const std::vector<AirArrow>& arrows, const View& view)
+{
+    constexpr float kSeconds = 0.1F;
+    constexpr float kLongest = 1.2F; // gaps
+    const auto mixed = [](int cold, int warm, float heat) { return static_cast<int>(std::lround(static_cast<float>(cold) + static_cast<float>(warm - cold) * heat)); };
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const AirArrow& arrow : arrows) {
+        const float length = glm::length(arrow.velocity) * kSeconds;
+        const glm::vec3 way = arrow.velocity * kSeconds * (length > kLongest * arrow.gap ? kLongest * arrow.gap / length : 1.0F);
+        const std::optional<QLineF> line = projectLine(view, arrow.place - 0.5F * way, arrow.place + 0.5F * way);
+        constexpr double kSeen = 1.5; // pixels: air that stands still has no arrow
+        if (!line || line->length() < kSeen) {
+            continue;
+        }
+        const float heat = std::clamp(arrow.heat, 0.0F, 1.0F);
+        const QColor colour(mixed(120, 255, heat), mixed(190, 140, heat), mixed(240, 40, heat), mixed(150, 230, heat));
+        painter.setPen(QPen(colour, 1.2));
+        painter.drawLine(*line);
+        painter.setPen(QPen(colour, 3.0, Qt::SolidLine, Qt::RoundCap)); // its head
+        painter.drawPoint(line->p2());
     }
     painter.restore();
 }

@@ -26,6 +26,10 @@ void Readout::paint(QPainter& painter, const Picture& picture, bool rate, int he
     if (picture.coarseAir) {
         figures += tr("coarse air");
     }
+    constexpr qint64 kWorthTelling = 10'000'000;
+    if (picture.bakeNs > kWorthTelling) {
+        figures += tr("air %1 s").arg(std::chrono::duration<double>(std::chrono::nanoseconds(picture.bakeNs)).count(), 0, 'f', 2);
+    }
     figures += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(picture.stepNs)));
     figures += tr("light %1 ms").arg(ms(picture.times.light + picture.times.sprites));
     figures += tr("composite %1 ms").arg(ms(picture.times.composite));

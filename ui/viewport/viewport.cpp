@@ -3,6 +3,8 @@
 #include "ui/document/text.h"
 #include "ui/pictures/tracks.h"
 
+#include "core/simulation/air_plan.h"
+
 #include <QPainter>
 #include <QVBoxLayout>
 #include <QWindow>
@@ -31,6 +33,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     connect(&m_feed, &PictureFeed::ready, this, &Viewport::display);
     connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
     connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
+    connect(&m_feed, &PictureFeed::baking, this, &Viewport::baking);
     connect(&m_feed, &PictureFeed::exhausted, this, &Viewport::exhausted);
     connect(&m_feed, &PictureFeed::failed, this, [this](const Error& why) { emit failed(told(why)); });
     connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
@@ -51,6 +54,8 @@ void Viewport::setOverlay(Overlay overlay, bool on)
     m_hand.setGizmos(m_overlays.testFlag(Overlay::Gizmos));
     if (overlay == Overlay::Tracks) {
         m_feed.setTracks(on);
+    } else if (overlay == Overlay::Air) {
+        m_feed.setAir(on);
     }
     m_surface->widget()->update();
 }
@@ -125,7 +130,15 @@ void Viewport::frameAll()
 {
     glm::vec3 low = m_document.effect().emitter.position;
     glm::vec3 high = low;
-    const std::vector<Track> tracks = findTracks(m_document.effect(), m_player.frame());
+    const Effect& effect = m_document.effect();
+    const SampledEffect smoke = sampled(effect);
+    const bool isAtHand = !effect.air.enabled || m_feed.shelf()->isBaked(smoke, makeSchedule(smoke).stepOfFrame(m_player.frame()));
+    if (!isAtHand) {
+        const AirGrid grid = airGrid(smoke); // where the smoke is expected
+        applyCamera(framing(effect.camera, grid.corner, grid.corner + grid.cell * glm::vec3(grid.cells)), tr("Frame all"));
+        return;
+    }
+    const std::vector<Track> tracks = findTracks(effect, m_player.frame(), m_feed.shelf());
     for (const Track& track : tracks) {
         if (!track.empty()) {
             low = glm::min(low, track.back());
@@ -149,6 +162,13 @@ void Viewport::paintOverlays(QPainter& painter)
     const Effect& effect = m_document.effect();
     if (m_overlays.testFlag(Overlay::Grid)) {
         paintGrid(painter, seen);
+    }
+    const bool isHandled = m_overlays.testFlag(Overlay::Gizmos) && (effect.air.obstacle != Obstacle::None || !effect.air.fit);
+    if (effect.air.enabled && (m_overlays.testFlag(Overlay::Air) || isHandled)) {
+        paintAirBox(painter, effect, seen);
+    }
+    if (m_overlays.testFlag(Overlay::Air) && picture()) {
+        paintAir(painter, picture()->air, seen);
     }
     if (m_overlays.testFlag(Overlay::Tracks) && picture()) {
         paintTracks(painter, picture()->tracks, seen);

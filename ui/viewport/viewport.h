@@ -53,6 +53,8 @@ signals:
     void cacheChanged();
     /// There was not enough memory for a picture.
     void exhausted();
+    /// The air is being baked. @param share that is done; 1 when it is, or was given up
+    void baking(double share);
     void failed(const QString& why);
 
 protected:
