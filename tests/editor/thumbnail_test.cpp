@@ -41,6 +41,16 @@ private slots:
         QVERIFY(store().find(tinyEffect(), 2 * kEdge).isNull());
     }
 
+    void fineAirIsCoarseInThumbnails()
+    {
+        Effect effect = tinyEffect();
+        effect.air.enabled = true;
+        effect.air.resolution = 32;
+        const QImage coarse = renderThumbnail(effect, kEdge, {});
+        effect.air.resolution = 128;
+        QCOMPARE(renderThumbnail(effect, kEdge, {}), coarse);
+    }
+
     void whatWasRenderedIsKept()
     {
         const QImage first = picture(tinyEffect());

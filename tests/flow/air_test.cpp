@@ -1,8 +1,4 @@
-#include "tests/flow/flow_helpers.h"
-
-#include "core/flow/air.h"
-
-#include <thread>
+#include "tests/flow/air_helpers.h"
 
 #include <glm/geometric.hpp>
 
@@ -10,33 +6,6 @@
 
 using namespace fumage;
 using namespace fumage::tests;
-
-namespace {
-
-/// A ragged plume in a small box.
-AirPlan smallPlan(std::int64_t loopSteps = 0, const glm::ivec3& cells = {17, 24, 16})
-{
-    AirPlan plan;
-    plan.grid = boxOf(cells, 2.0F);
-    plan.borders = onGround();
-    plan.firstStep = loopSteps;
-    plan.loopSteps = loopSteps;
-    plan.stepTo = [grid = plan.grid, loopSteps](std::int64_t number) {
-        AirStep step = plumeStep(grid, 0.3F);
-        const std::int64_t seen = loopSteps == 0 ? number : number % loopSteps;
-        makeRagged(step, 0.3F, static_cast<float>(seen) * step.dt);
-        step.confinement = 0.1F;
-        return step;
-    };
-    return plan;
-}
-
-AlignedArray<std::uint16_t> bitsAt(BakedAir& air, std::int64_t step)
-{
-    return air.field(step).value()->quads;
-}
-
-} // namespace
 
 class AirTest : public QObject {
     Q_OBJECT
@@ -164,16 +133,6 @@ private slots:
         QCOMPARE(last, 1.0);
         BakedAir whole(smallPlan());
         QVERIFY(bitsAt(air, 100) == bitsAt(whole, 100));
-    }
-
-    void fieldsMayBeReadWhileTheyAreBaked()
-    {
-        BakedAir air(smallPlan());
-        BakedAir alone(smallPlan());
-        std::jthread baking([&] { (void)air.bake(100); });
-        for (std::int64_t step = 100; step > 0; step -= 9) {
-            QVERIFY(bitsAt(air, step) == bitsAt(alone, step));
-        }
     }
 };
 

@@ -12,6 +12,8 @@ namespace {
 
 /// Enough for a picture of a hand's width, few enough for a dozen of them in a second.
 constexpr int kParticles = 16000;
+/// Of the air, along its longest side: another flow than the whole, but of the same kind, in half a second instead of many.
+constexpr int kAirCells = 32;
 
 /// A burst is at its best soon after it, steady smoke when it has been rising for a while.
 int tellingFrame(const Effect& effect)
@@ -29,6 +31,7 @@ QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& st
     small.output.width = edge;
     small.output.height = edge;
     small.timeline.prewarm = true;
+    small.air.resolution = std::min(small.air.resolution, kAirCells);
     PictureRequest request;
     request.effect = std::make_shared<const Effect>(small);
     request.frame = tellingFrame(small);
