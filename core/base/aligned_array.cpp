@@ -1,37 +1,82 @@
 #include "core/base/aligned_array.h"
 
 #ifdef __linux__
+#include <cstdint>
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace fumage {
+
+#ifdef __linux__
 
 namespace {
 
 constexpr std::size_t kLargePage = std::size_t{1} << 21U;
 
-constexpr std::align_val_t alignmentOf(std::size_t bytes)
+constexpr bool isLarge(std::size_t bytes)
 {
-    return std::align_val_t{bytes >= 2 * kLargePage ? kLargePage : kAlignment};
+    return bytes >= 2 * kLargePage;
+}
+
+std::size_t wholePages(std::size_t bytes)
+{
+    return roundUp(bytes, static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
+}
+
+/// Memory of its own from the system, at the beginning of a large page, and no more than is asked for: in the heap, arrays of several sizes that
+/// come and go leave holes as large as themselves.
+void* mapAligned(std::size_t bytes)
+{
+    if (bytes > static_cast<std::size_t>(-1) - 2 * kLargePage) {
+        throw std::bad_alloc();
+    }
+    const std::size_t size = wholePages(bytes);
+    void* const room = mmap(nullptr, size + kLargePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) {
+        throw std::bad_alloc();
+    }
+    auto* const begin = static_cast<std::byte*>(room);
+    const std::size_t before = (kLargePage - reinterpret_cast<std::uintptr_t>(room) % kLargePage) % kLargePage;
+    if (before > 0) {
+        (void)munmap(begin, before);
+    }
+    if (before < kLargePage) {
+        (void)munmap(begin + before + size, kLargePage - before);
+    }
+    // A wish: without large pages everything works as before.
+    (void)madvise(begin + before, bytes / kLargePage * kLargePage, MADV_HUGEPAGE);
+    return begin + before;
 }
 
 } // namespace
 
 void* allocateAligned(std::size_t bytes)
 {
-    void* pointer = ::operator new(bytes, alignmentOf(bytes));
-#ifdef __linux__
-    if (alignmentOf(bytes) == std::align_val_t{kLargePage}) {
-        // A wish: without large pages everything works as before.
-        (void)madvise(pointer, bytes / kLargePage * kLargePage, MADV_HUGEPAGE);
-    }
-#endif
-    return pointer;
+    return isLarge(bytes) ? mapAligned(bytes) : ::operator new (bytes, std::align_val_t{kAlignment});
 }
 
 void freeAligned(void* pointer, std::size_t bytes)
 {
-    ::operator delete(pointer, alignmentOf(bytes));
+    if (isLarge(bytes)) {
+        (void)munmap(pointer, wholePages(bytes));
+    } else {
+        ::operator delete (pointer, std::align_val_t{kAlignment});
+    }
 }
+
+#else
+
+void* allocateAligned(std::size_t bytes)
+{
+    return ::operator new (bytes, std::align_val_t{kAlignment});
+}
+
+void freeAligned(void* pointer, std::size_t /*bytes*/)
+{
+    ::operator delete (pointer, std::align_val_t{kAlignment});
+}
+
+#endif
 
 } // namespace fumage

@@ -9,8 +9,8 @@ namespace fumage {
 /// One cache line, and the widest vector register that the kernels use.
 inline constexpr std::size_t kAlignment = 64;
 
-/// Memory for arrays, not initialised. From 4 MiB on it asks the system for large pages where there are any: kernels that jump about in an
-/// array then do not wait for its page table.
+/// Memory for arrays, not initialised. From 4 MiB on it is the system's own and goes back to it when it is freed; and it asks for large pages
+/// where there are any: kernels that jump about in an array then do not wait for its page table.
 /// @param bytes more than 0
 /// @throws std::bad_alloc
 [[nodiscard]] void* allocateAligned(std::size_t bytes);
