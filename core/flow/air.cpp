@@ -117,7 +117,7 @@ Status BakedAir::bake(std::int64_t last, const std::stop_token& stop, const std:
 {
     const std::int64_t end = std::max<std::int64_t>(1, lastRawStep(last));
     while (m_run.bakedSteps() < end) {
-        if (const Status status = bakeStep(std::max<std::int64_t>(1, m_run.bakedSteps() + 1), stop); !status) {
+        if (Status status = bakeStep(std::max<std::int64_t>(1, m_run.bakedSteps() + 1), stop); !status) {
             return status;
         }
         if (progress) {
