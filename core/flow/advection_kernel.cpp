@@ -139,10 +139,6 @@ void correctPlane(AirCells& cells, float dt, int k)
             hn::LoadInterleaved4(d, corrected.quad + 4 * i, v.x, v.y, v.z, heat);
             store(v, cells.velocity.x, cells.velocity.y, cells.velocity.z, column + i);
             hn::Store(heat, d, cells.heat.data() + column + i);
-            Vec3<V> unused;
-            V guess;
-            hn::LoadInterleaved4(d, cells.guess.data() + cells.quad.at(0, j, k) + 4 * i, unused.x, unused.y, unused.z, guess);
-            hn::Store(guess - heat, d, cells.heatGuess.data() + column + i);
         }
     }
 }

@@ -13,7 +13,7 @@ namespace fumage {
 /// Finds d and the guess. Reads air with its ghosts; writes way and guess.
 void traceBack(AirCells& cells, float dt, int k);
 
-/// Corrects the guess. Reads air, guess with its ghosts and way; writes velocity, heat, and what the guess has more of it.
+/// Corrects the guess. Reads air, guess with its ghosts and way; writes velocity and heat.
 void correctTrace(AirCells& cells, float dt, int k);
 
 } // namespace fumage

@@ -41,7 +41,7 @@ struct AirCells {
         for (AirVectors* vectors : {&way, &velocity, &forced, &curl}) {
             vectors->resize(column.size);
         }
-        for (AirColumn* numbers : {&heat, &heatGuess, &vorticity, &divergence, &pressure}) {
+        for (AirColumn* numbers : {&heat, &vorticity, &divergence, &pressure}) {
             numbers->assign(column.size, 0.0F);
         }
     }
@@ -60,7 +60,6 @@ struct AirCells {
     AirVectors curl; ///< of the velocity, m/s a cell
     AirColumn vorticity; ///< its length
     AirColumn heat;
-    AirColumn heatGuess; ///< what the first guess has more of it; 0 where the source says what it is
     AirColumn divergence; ///< m/s a cell, less the expansion of the source
     AirColumn pressure; ///< times dt / density / cell: velocity loses its difference
 

@@ -8,6 +8,7 @@
 #endif
 
 #include "core/base/vector-inl.h"
+#include "core/flow/halfs-inl.h"
 
 #include <cstdint>
 
@@ -33,12 +34,25 @@ struct Ends {
     QuadVec low, high;
 };
 
+/// Numbers side by side, as they are or from half floats.
+template <class D>
+HWY_INLINE hn::VFromD<D> numbersAt(D d, const float* from)
+{
+    return hn::LoadU(d, from);
+}
+template <class D>
+HWY_INLINE hn::VFromD<D> numbersAt(D d, const std::uint16_t* from)
+{
+    return loadHalfs(d, from);
+}
+
 /// What combine(a, b, c, e) makes of the quads on the four rows along x around a place: both ends of each at once where a vector has room for them.
 /// @param quad the lowest corner; from its second number on where quads are taken one number at a time, and so on
-template <class Combine>
-HWY_INLINE Ends combinedRows(const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
+/// @tparam Number float, or the bits of half floats
+template <class Number, class Combine>
+HWY_INLINE Ends combinedRows(const Number* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
 {
-    const auto rows = [&](auto d, const float* at) HWY_ATTR { return combine(hn::LoadU(d, at), hn::LoadU(d, at + row), hn::LoadU(d, at + plane), hn::LoadU(d, at + plane + row)); };
+    const auto rows = [&](auto d, const Number* at) HWY_ATTR { return combine(numbersAt(d, at), numbersAt(d, at + row), numbersAt(d, at + plane), numbersAt(d, at + plane + row)); };
 #if HWY_MAX_BYTES >= 32
     const auto both = rows(hn::CappedTag<float, 8>(), quad);
     return {hn::LowerHalf(QuadTag(), both), hn::UpperHalf(QuadTag(), both)};

@@ -9,7 +9,6 @@
 
 #include "core/flow/corners-inl.h"
 #include "core/flow/field.h"
-#include "core/flow/halfs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -37,19 +36,6 @@ struct LaneQuads {
         return fourth;
     }
 };
-
-/// The two ends along x of what combine() makes of the four rows of nodes around a place.
-template <class Combine>
-HWY_INLINE Ends combinedNodes(const std::uint16_t* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
-{
-    const auto rows = [&](auto d, const std::uint16_t* at) HWY_ATTR { return combine(loadHalfs(d, at), loadHalfs(d, at + row), loadHalfs(d, at + plane), loadHalfs(d, at + plane + row)); };
-#if HWY_MAX_BYTES >= 32
-    const auto both = rows(hn::CappedTag<float, 8>(), quad);
-    return {hn::LowerHalf(QuadTag(), both), hn::UpperHalf(QuadTag(), both)};
-#else
-    return {rows(QuadTag(), quad), rows(QuadTag(), quad + 4)};
-#endif
-}
 
 /// The air at places, in metres. Outside the box the velocity goes over into the wind within its reach, so that smoke which leaves does not
 /// stop at the border.
@@ -84,11 +70,11 @@ HWY_INLINE AirThere<V> airAt(D d, const AirField& field, float reach, const Vec3
                 const W y = everyLane<W>(restY[lane]);
                 return mixed(mixed(a, b, y), mixed(c, e, y), everyLane<W>(restZ[lane]));
             };
-            const Ends ends = combinedNodes(quad, field.row, field.plane, mixedYZ);
+            const Ends ends = combinedRows(quad, field.row, field.plane, mixedYZ);
             values.put(4 * lane + part, mixed(ends.low, ends.high, x));
             if constexpr (kSlopes) {
-                const Ends alongY = combinedNodes(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, everyLane<decltype(a)>(restZ[lane])); });
-                const Ends alongZ = combinedNodes(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, everyLane<decltype(a)>(restY[lane])); });
+                const Ends alongY = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, everyLane<decltype(a)>(restZ[lane])); });
+                const Ends alongZ = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, everyLane<decltype(a)>(restY[lane])); });
                 slopes[0].put(4 * lane + part, ends.high - ends.low);
                 slopes[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
                 slopes[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));

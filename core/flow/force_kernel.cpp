@@ -65,9 +65,7 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
             const Vec3<V> noise = rimNoise(d, source, away);
             const V cover = coverage(d, source, away, noise.x);
             const V heat = hn::Load(d, cells.heat.data() + at);
-            const V given = cover * source.heat;
-            hn::Store(hn::Max(heat, given), d, cells.heat.data() + at);
-            hn::Store(hn::IfThenElseZero(hn::Gt(heat, given), hn::Load(d, cells.heatGuess.data() + at)), d, cells.heatGuess.data() + at);
+            hn::Store(hn::Max(heat, cover * source.heat), d, cells.heat.data() + at);
             const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
             // What comes out is as uneven as its rim, and blown along by the air that it comes into.
             const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);
@@ -129,7 +127,7 @@ HWY_INLINE Vec3<V> bounded(D d, const Vec3<V>& v)
     return {within(v.x), within(v.y), within(v.z)};
 }
 
-void forcePlane(AirCells& cells, const AirStep& step, const HeatBudget::Correction& corrected, int k)
+void forcePlane(AirCells& cells, const AirStep& step, int k)
 {
     const D d;
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
@@ -137,8 +135,7 @@ void forcePlane(AirCells& cells, const AirStep& step, const HeatBudget::Correcti
         const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
         const std::size_t start = cells.column.at(0, j, k);
         for (std::size_t at = start; at < start + n; at += hn::Lanes(d)) {
-            const V guess = hn::Load(d, cells.heatGuess.data() + at);
-            const V heat = hn::Load(d, cells.heat.data() + at) + corrected.up * hn::Max(guess, hn::Zero(d)) + corrected.down * hn::Min(guess, hn::Zero(d));
+            const V heat = hn::Load(d, cells.heat.data() + at);
             Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at) + step.windChange;
             v.y = v.y + heat * (step.dt * step.buoyancy);
             if (step.confinement > 0.0F) {
@@ -178,10 +175,10 @@ void findCurl(AirCells& cells, int k)
     kernel(cells, k);
 }
 
-void addForces(AirCells& cells, const AirStep& step, const HeatBudget::Correction& corrected, int k)
+void addForces(AirCells& cells, const AirStep& step, int k)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(forcePlane);
-    kernel(cells, step, corrected, k);
+    kernel(cells, step, k);
 }
 
 } // namespace fumage

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/flow/cells.h"
-#include "core/flow/heat_budget.h"
 #include "core/flow/step.h"
 
 namespace fumage {
@@ -17,8 +16,8 @@ void addSource(AirCells& cells, const AirSource& source, int k);
 void findCurl(AirCells& cells, int k);
 
 /// forced = velocity + dt (buoyancy heat up + epsilon (N x w)) + change of the wind, with w the curl and N = grad |w| / |grad |w||; then friction.
-/// Heat is corrected and cools. Reads velocity, heat, its first guess, curl, and vorticity with its ghosts.
+/// Heat cools. Reads velocity, heat, curl, and vorticity with its ghosts.
 /// Source: Steinhoff and Underhill 1994; Fedkiw, Stam, Jensen, "Visual Simulation of Smoke", SIGGRAPH 2001.
-void addForces(AirCells& cells, const AirStep& step, const HeatBudget::Correction& corrected, int k);
+void addForces(AirCells& cells, const AirStep& step, int k);
 
 } // namespace fumage

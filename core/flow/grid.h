@@ -14,17 +14,30 @@ inline constexpr int kMaxAirCells = 128;
 /// Floats that a row of cells is padded to: the widest vector.
 inline constexpr std::size_t kAirLanes = 16;
 
-/// Calls visit(cell) for all cells below n, those along x first.
-template <class Visit>
-void forCells(const glm::ivec3& n, const Visit& visit)
+/// Whether a test holds for any of the cells below n, those along x first.
+template <class Test>
+bool anyCell(const glm::ivec3& n, const Test& test)
 {
     for (int k = 0; k < n.z; ++k) {
         for (int j = 0; j < n.y; ++j) {
             for (int i = 0; i < n.x; ++i) {
-                visit(glm::ivec3(i, j, k));
+                if (test(glm::ivec3(i, j, k))) {
+                    return true;
+                }
             }
         }
     }
+    return false;
+}
+
+/// Calls visit(cell) for all cells below n, those along x first.
+template <class Visit>
+void forCells(const glm::ivec3& n, const Visit& visit)
+{
+    anyCell(n, [&](const glm::ivec3& cell) {
+        visit(cell);
+        return false;
+    });
 }
 
 /// Where the air is: a box of cubic cells.
@@ -33,6 +46,15 @@ struct AirGrid {
     float cell = 1.0F; ///< edge of one, m
     glm::vec3 corner{0.0F}; ///< where the box begins, m
     friend bool operator==(const AirGrid&, const AirGrid&) = default;
+
+    /// m
+    [[nodiscard]] glm::vec3 size() const { return cell * glm::vec3(cells); }
+
+    /// Where the box ends, m.
+    [[nodiscard]] glm::vec3 end() const { return corner + size(); }
+
+    /// The middle of a cell, m.
+    [[nodiscard]] glm::vec3 centre(const glm::ivec3& of) const { return corner + cell * (glm::vec3(of) + 0.5F); }
 };
 
 /// What a side of the box is: air goes through, with the pressure of outside on the face; or a wall that it slides along.

@@ -29,6 +29,12 @@ double sumOfPlane(const AirCells& cells, int k, const NumberOf& numberOf)
     return sum;
 }
 
+/// The heat of the first guess, a quad apart, in a row of cells.
+const float* guessedHeat(const AirCells& cells, int j, int k)
+{
+    return cells.guess.data() + cells.quad.at(0, j, k) + 3;
+}
+
 /// Heat that leaves a cell through a side of the box.
 /// @param sign of the way out along the axis
 double outThrough(const AirCells& cells, const glm::ivec3& cell, int axis, float sign, float cellsPerSpeed)
@@ -77,16 +83,14 @@ void HeatBudget::before(const AirCells& cells, float dt, int k)
 void HeatBudget::after(const AirCells& cells, int k)
 {
     Plane& plane = m_planes[static_cast<std::size_t>(k)];
-    plane.after = sumOfPlane(cells, k, [&](int j) {
-        return [row = cells.heat.data() + cells.column.at(0, j, k)](std::size_t i) { return row[i]; };
-    });
-    const auto guessed = [&](const auto& part) {
+    const auto sumOf = [&](const auto& part) {
         return sumOfPlane(cells, k, [&, part](int j) {
-            return [row = cells.heatGuess.data() + cells.column.at(0, j, k), part](std::size_t i) { return part(row[i]); };
+            return [heat = cells.heat.data() + cells.column.at(0, j, k), guess = guessedHeat(cells, j, k), part](std::size_t i) { return part(heat[i], guess[4 * i]); };
         });
     };
-    plane.more = guessed([](float slack) { return std::max(0.0F, slack); });
-    plane.less = guessed([](float slack) { return std::max(0.0F, -slack); });
+    plane.after = sumOf([](float heat, float /*guess*/) { return heat; });
+    plane.more = sumOf([](float heat, float guess) { return std::max(0.0F, guess - heat); });
+    plane.less = sumOf([](float heat, float guess) { return std::max(0.0F, heat - guess); });
 }
 
 HeatBudget::Correction HeatBudget::correction() const
@@ -101,6 +105,19 @@ HeatBudget::Correction HeatBudget::correction() const
     }
     const auto share = [](double part, double whole) { return part > 0.0 && whole > 0.0 ? static_cast<float>(std::min(1.0, part / whole)) : 0.0F; };
     return {share(lacking, more), share(-lacking, less)};
+}
+
+void HeatBudget::correct(AirCells& cells, const Correction& correction, int k)
+{
+    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
+    for (int j = 0; j < cells.grid.cells.y; ++j) {
+        float* heat = cells.heat.data() + cells.column.at(0, j, k);
+        const float* guess = guessedHeat(cells, j, k);
+        for (std::size_t i = 0; i < n; ++i) {
+            const float more = guess[4 * i] - heat[i];
+            heat[i] += correction.up * std::max(0.0F, more) + correction.down * std::min(0.0F, more);
+        }
+    }
 }
 
 } // namespace fumage

@@ -30,11 +30,14 @@ public:
     /// Adds up plane k of the air, and what flows out of it through open borders in a time: upwind, with the velocity of the border's cells.
     void before(const AirCells& cells, float dt, int k);
 
-    /// Adds up plane k of the heat that has been carried, and of what its first guess has more or less.
+    /// Adds up plane k of the heat that has been carried, and of what its first guess has more or less. Reads heat and guess.
     void after(const AirCells& cells, int k);
 
     /// What is to be done to the carried heat so that its sum is what it was, less what has left; as far as the first guess allows.
     [[nodiscard]] Correction correction() const;
+
+    /// Corrects the heat of plane k. Reads guess.
+    static void correct(AirCells& cells, const Correction& correction, int k);
 
 private:
     struct Plane {

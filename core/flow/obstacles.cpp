@@ -74,7 +74,7 @@ bool placeSolids(AirCells& cells, std::span<const Solid> solids)
     bool anySolid = false;
     AirColumn fluid(cells.column.size, 0.0F);
     forCells(cells.grid.cells, [&](const glm::ivec3& c) {
-        const glm::vec3 centre = cells.grid.corner + cells.grid.cell * (glm::vec3(c) + 0.5F);
+        const glm::vec3 centre = cells.grid.centre(c);
         const bool inside = std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); });
         fluid[cells.column.at(c.x, c.y, c.z)] = inside ? 0.0F : 1.0F;
         anyAir = anyAir || !inside;

@@ -73,9 +73,12 @@ void AirSolver::step(const AirStep& step)
             fillEvenGhosts(cells, cells.vorticity, k);
         });
     }
-    const HeatBudget::Correction corrected = keepsHeat ? m_heat.correction() : HeatBudget::Correction();
+    const HeatBudget::Correction correction = keepsHeat ? m_heat.correction() : HeatBudget::Correction();
     forPlanes(0, planes, [&](int k) {
-        addForces(cells, step, corrected, k);
+        if (keepsHeat) {
+            HeatBudget::correct(cells, correction, k);
+        }
+        addForces(cells, step, k);
         fillVelocityGhosts(cells, cells.forced, k);
     });
     project(step.wind);
@@ -128,7 +131,7 @@ void AirSolver::set(const std::function<glm::vec4(const glm::vec3& place)>& airA
     const glm::ivec3 n = cells.grid.cells;
     forCells(n, [&](const glm::ivec3& c) {
         const std::size_t at = cells.column.at(c.x, c.y, c.z);
-        const glm::vec4 air = isSolid(c) ? glm::vec4(0.0F) : airAt(cells.grid.corner + cells.grid.cell * (glm::vec3(c) + 0.5F));
+        const glm::vec4 air = isSolid(c) ? glm::vec4(0.0F) : airAt(cells.grid.centre(c));
         cells.forced.x[at] = air.x;
         cells.forced.y[at] = air.y;
         cells.forced.z[at] = air.z;

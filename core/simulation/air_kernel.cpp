@@ -7,7 +7,6 @@
 #include "core/flow/field-inl.h"
 #include "core/simulation/air_kernel.h"
 #include "core/simulation/moving-inl.h"
-#include "core/simulation/streams.h"
 #include "core/simulation/swirls-inl.h"
 
 #include <algorithm>
@@ -47,22 +46,6 @@ template <class M>
 HWY_INLINE Vec3<V> chosen(M where, const Vec3<V>& a, const Vec3<V>& b)
 {
     return {hn::IfThenElse(where, a.x, b.x), hn::IfThenElse(where, a.y, b.y), hn::IfThenElse(where, a.z, b.z)};
-}
-
-/// The velocity against the air after a step's acceleration; see accelerated() of the step without air.
-template <class Time>
-HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V heat, const Vec3<V>& position, const Vec3<V>& relative)
-{
-    const V warmer = constants.heatVariance * (0.5F - unitStream(d, key, kHeatStream));
-    const Vec3<V> away = position - constants.pivot;
-    const Vec3<V> own{-constants.pull * away.x, constants.buoyancy * warmer * heat, -constants.pull * away.z};
-    const Vec3<V> draw = signedDraws(d, key, hn::Set(DU(), constants.key));
-    const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
-    const Vec3<V> kick = draw * constants.random + constants.steady + own * share;
-    const Vec3<V> v = relative + time(kick - relative * constants.drag);
-    const V most = hn::Set(d, kMaxSpeed);
-    const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
-    return {bounded(v.x), bounded(v.y), bounded(v.z)};
 }
 
 /// Puts places that lie inside a ball onto it, and takes what is left of the velocity into it.
@@ -145,7 +128,9 @@ HWY_INLINE Carried carried(D d, const StepConstants& constants, const Time& time
         p = turnedByVortex(d, constants, time, p);
     }
     const AirThere<V> here = airAt<true>(d, *air.field, air.reach, p);
-    at.relative = accelerated(d, constants, time, key, here.heat, p, at.relative);
+    // The air carries what all heat does alike: only a particle's own share of it is left.
+    const V lift = constants.buoyancy * heatDeviation(d, constants, key) * here.heat;
+    at.relative = accelerated(d, constants, time, key, lift, p, at.relative);
     const AirThere<V> midway = airAt<false>(d, *air.field, air.reach, p + (here.velocity + at.relative) * time(0.5F * constants.dt));
     at.moving.velocity = midway.velocity + at.relative;
     at.heat = midway.heat;
@@ -158,8 +143,7 @@ HWY_INLINE Carried carried(D d, const StepConstants& constants, const Time& time
     p = p + velocity * time(constants.dt);
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
-        const Vec3<V> away = rotated(angle, p - constants.pivot);
-        p = {away.x + constants.pivot.x, p.y, away.z + constants.pivot.z};
+        p = turnedAboutPivot(angle, constants, p);
         at.moving.velocity = rotated(angle, at.moving.velocity);
         at.relative = rotated(angle, at.relative);
     }

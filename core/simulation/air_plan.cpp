@@ -20,9 +20,6 @@ enum AirStream : std::uint32_t {
     kRim = 140
 };
 
-/// 1 / root mean square of a component of curl noise, see model.cpp.
-constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
-
 /// Drag, 1/s, below which the wind is as fast as if there were this much: without any it would have no speed of its own.
 constexpr float kLeastWindDrag = 0.5F;
 
@@ -205,7 +202,7 @@ AirGrid airGrid(const SampledEffect& effect)
     // Rounded to the nearest even number, and the box stays where its middle and its foot are.
     const auto even = [&](float length) { return std::clamp(2 * static_cast<int>(std::lround(0.5F * length / grid.cell)), kMinAirCells, kMaxAirCells); };
     grid.cells = {even(size.x), std::clamp(static_cast<int>(std::lround(size.y / grid.cell)), kMinAirCells, kMaxAirCells), even(size.z)};
-    const glm::vec3 whole = grid.cell * glm::vec3(grid.cells);
+    const glm::vec3 whole = grid.size();
     const glm::vec3 middle = 0.5F * (box.low + box.high);
     grid.corner = {middle.x - 0.5F * whole.x, box.low.y, middle.z - 0.5F * whole.z};
     return grid;
@@ -217,25 +214,15 @@ Status checkAir(const SampledEffect& effect)
         return Done{};
     }
     const AirGrid grid = airGrid(effect);
-    const glm::vec3 end = grid.corner + grid.cell * glm::vec3(grid.cells);
     const glm::vec3 place = effect->emitter.position;
-    if (glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell)) || glm::any(glm::greaterThan(place, end))) {
+    if (glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell)) || glm::any(glm::greaterThan(place, grid.end()))) {
         const bool isBuried = effect->air.ground && place.y < effect->air.groundHeight;
         return isBuried ? Error{ErrorCode::OutOfRange, said("the emitter lies under the ground"), std::string("air"), said("Lower air.ground_height or raise emitter.position")}
                         : Error{ErrorCode::OutOfRange, said("the emitter lies outside the box of the air"), std::string("air"), said("Turn air.fit on, or change air.offset or air.size")};
     }
     const std::vector<Solid> solids = solidsOf(effect->air);
-    if (solids.empty()) {
+    if (solids.empty() || anyCell(grid.cells, [&](const glm::ivec3& cell) { return !solids.front().contains(grid.centre(cell)); })) {
         return Done{};
-    }
-    for (int k = 0; k < grid.cells.z; ++k) {
-        for (int j = 0; j < grid.cells.y; ++j) {
-            for (int i = 0; i < grid.cells.x; ++i) {
-                if (!solids.front().contains(grid.corner + grid.cell * (glm::vec3(i, j, k) + 0.5F))) {
-                    return Done{};
-                }
-            }
-        }
     }
     return Error{ErrorCode::OutOfRange, said("the obstacle fills the box of the air"), std::string("air.obstacle_size"), said("Make the obstacle smaller, or move it")};
 }

@@ -26,10 +26,6 @@ enum EffectStream : std::uint32_t {
 /// Gusts turn the wind by at most this, degrees.
 constexpr float kGustAngleRange = 60.0F;
 
-/// 1 / root mean square of a component of the raw curl noise of simplex-inl.h, measured over 10^6 points; includes the 2^-31
-/// of its random components.
-constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
-
 /// Speed of the swirls below the grid, root mean square, over the root of the sum of the squares of the air's differences from cell to cell.
 constexpr float kDetailPerShear = 0.5F;
 

@@ -12,6 +12,7 @@
 #include "core/base/vector-inl.h"
 #include "core/simulation/ages-inl.h"
 #include "core/simulation/step.h"
+#include "core/simulation/streams.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE::stepping {
@@ -60,6 +61,36 @@ struct PartOfStep {
 HWY_INLINE Vec3<V> rotated(const SineCosine<V>& angle, const Vec3<V>& v)
 {
     return {angle.cosine * v.x + angle.sine * v.z, v.y, angle.cosine * v.z - angle.sine * v.x};
+}
+
+/// A place turned with the whole cloud.
+HWY_INLINE Vec3<V> turnedAboutPivot(const SineCosine<V>& angle, const StepConstants& constants, const Vec3<V>& place)
+{
+    const Vec3<V> away = rotated(angle, place - constants.pivot);
+    return {away.x + constants.pivot.x, place.y, away.z + constants.pivot.z};
+}
+
+/// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the same randomness, and drag.
+/// @param lift m/s a step: what buoyancy gives this particle
+template <class Time>
+HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V lift, const Vec3<V>& position, const Vec3<V>& velocity)
+{
+    const Vec3<V> away = position - constants.pivot;
+    const Vec3<V> own{-constants.pull * away.x, lift, -constants.pull * away.z};
+    const Vec3<V> draw = signedDraws(d, key, hn::Set(DU(), constants.key));
+    const Vec3<V> common = draw * constants.random + constants.steady;
+    const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
+    const Vec3<V> kick = common + own * share;
+    const Vec3<V> v = velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
+    const V most = hn::Set(d, kMaxSpeed);
+    const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
+    return {bounded(v.x), bounded(v.y), bounded(v.z)};
+}
+
+/// How much more than others a particle is lifted by its heat.
+HWY_INLINE V heatDeviation(D d, const StepConstants& constants, VU key)
+{
+    return constants.heatVariance * (0.5F - unitStream(d, key, kHeatStream));
 }
 
 /// The state of particles that a step changes.

@@ -5,7 +5,6 @@
 #include <hwy/highway.h>
 
 #include "core/simulation/moving-inl.h"
-#include "core/simulation/streams.h"
 #include "core/simulation/swirls-inl.h"
 
 #include <algorithm>
@@ -51,24 +50,6 @@ HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the same randomness, and drag.
-template <class Time>
-HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V age, const Vec3<V>& position, const Vec3<V>& velocity)
-{
-    const V heat = 1.0F + constants.heatVariance * (0.5F - unitStream(d, key, kHeatStream));
-    const V cooled = exponential(d, -constants.cooling * age);
-    const Vec3<V> away = position - constants.pivot;
-    const Vec3<V> own{-constants.pull * away.x, constants.buoyancy * heat * cooled, -constants.pull * away.z};
-    const Vec3<V> draw = signedDraws(d, key, hn::Set(DU(), constants.key));
-    const Vec3<V> common = draw * constants.random + constants.steady;
-    const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
-    const Vec3<V> kick = common + own * share;
-    const Vec3<V> v = velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
-    const V most = hn::Set(d, kMaxSpeed);
-    const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
-    return {bounded(v.x), bounded(v.y), bounded(v.z)};
-}
-
 /// What a step, or the part of it that they have lived through, makes of particles.
 template <bool kTurns, class Time>
 HWY_INLINE Moving stepped(D d, const StepConstants& constants, const Time& time, VU key, V age, Moving at)
@@ -77,7 +58,8 @@ HWY_INLINE Moving stepped(D d, const StepConstants& constants, const Time& time,
     if (constants.vortexStrength != 0.0F) {
         p = turnedByVortex(d, constants, time, p);
     }
-    at.velocity = accelerated(d, constants, time, key, age, p, at.velocity);
+    const V lift = constants.buoyancy * (1.0F + heatDeviation(d, constants, key)) * exponential(d, -constants.cooling * age);
+    at.velocity = accelerated(d, constants, time, key, lift, p, at.velocity);
     Vec3<V> carried = at.velocity;
     Vec3<V> vorticity = uniform(hn::Zero(d));
     if (constants.octaves > 0) {
@@ -92,8 +74,7 @@ HWY_INLINE Moving stepped(D d, const StepConstants& constants, const Time& time,
     p = p + carried * time(constants.dt);
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
-        const Vec3<V> away = rotated(angle, p - constants.pivot);
-        p = {away.x + constants.pivot.x, p.y, away.z + constants.pivot.z};
+        p = turnedAboutPivot(angle, constants, p);
         at.velocity = rotated(angle, at.velocity);
     }
     return at;

@@ -103,9 +103,4 @@ inline double shareOfDivergence(const AirSolver& air, int from)
     return std::sqrt(divergence / gradient);
 }
 
-inline glm::vec3 centreOf(const AirGrid& grid, const glm::ivec3& cell)
-{
-    return grid.corner + grid.cell * (glm::vec3(cell) + 0.5F);
-}
-
 } // namespace fumage::tests

@@ -38,7 +38,7 @@ double taylorGreenError(int cells, int steps)
     }
     double sum = 0.0;
     forCells(grid.cells, [&](const glm::ivec3& c) {
-        const glm::vec3 off = glm::vec3(air.at(c)) - glm::vec3(taylorGreen(centreOf(grid, c), 1.0F));
+        const glm::vec3 off = glm::vec3(air.at(c)) - glm::vec3(taylorGreen(grid.centre(c), 1.0F));
         sum += static_cast<double>(glm::dot(off, off));
     });
     return std::sqrt(sum / (static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z));
@@ -73,7 +73,7 @@ double ringHeight(const AirSolver& air)
         const glm::vec4 z = slope({0, 0, 1});
         const glm::vec3 curl{y.z - z.y, z.x - x.z, x.y - y.x};
         const auto weight = static_cast<double>(glm::dot(curl, curl));
-        sum += weight * static_cast<double>(centreOf(grid, c).y);
+        sum += weight * static_cast<double>(grid.centre(c).y);
         weights += weight;
     });
     return sum / weights;
@@ -134,7 +134,7 @@ glm::dvec2 plumeShape(int cells, int stepsASecond)
     }
     glm::dvec3 sums(0.0);
     forCells(grid.cells, [&](const glm::ivec3& c) {
-        const glm::dvec3 place = centreOf(grid, c);
+        const glm::dvec3 place = grid.centre(c);
         sums += static_cast<double>(air.at(c).w) * glm::dvec3(1.0, place.y, place.x * place.x + place.z * place.z);
     });
     return {sums.y / sums.x, std::sqrt(sums.z / sums.x)};
@@ -374,7 +374,7 @@ private slots:
         std::vector<double> heights;
         std::vector<double> widths;
         for (int j = 24; j < 72; ++j) {
-            heights.push_back(static_cast<double>(centreOf(grid, {0, j, 0}).y));
+            heights.push_back(static_cast<double>(grid.centre({0, j, 0}).y));
             widths.push_back(plumeWidth(upward, grid, j));
         }
         const double slope = slopeOf(heights, widths);

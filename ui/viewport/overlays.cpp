@@ -42,10 +42,6 @@ std::vector<glm::vec3> circle(const glm::vec3& centre, const glm::vec3& u, const
     return corners;
 }
 
-} // namespace
-
-namespace {
-
 void drawBox(QPainter& painter, const View& view, const glm::vec3& low, const glm::vec3& high)
 {
     const auto corner = [&](unsigned bits) { return glm::vec3((bits & 1U) != 0 ? high.x : low.x, (bits & 2U) != 0 ? high.y : low.y, (bits & 4U) != 0 ? high.z : low.z); };
@@ -152,7 +148,7 @@ void paintAirBox(QPainter& painter, const Effect& effect, const View& view)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(QColor(140, 190, 220, 130), 1.0));
     const AirGrid grid = airGrid(sampled(effect));
-    drawBox(painter, view, grid.corner, grid.corner + grid.cell * glm::vec3(grid.cells));
+    drawBox(painter, view, grid.corner, grid.end());
     painter.setPen(QPen(QColor(0xe0, 0xa0, 0x60, 220), 1.4));
     const Air& air = effect.air;
     if (air.obstacle == Obstacle::Box) {

@@ -135,7 +135,7 @@ void Viewport::frameAll()
     const bool isAtHand = !effect.air.enabled || m_feed.shelf()->isBaked(smoke, makeSchedule(smoke).stepOfFrame(m_player.frame()));
     if (!isAtHand) {
         const AirGrid grid = airGrid(smoke); // where the smoke is expected
-        applyCamera(framing(effect.camera, grid.corner, grid.corner + grid.cell * glm::vec3(grid.cells)), tr("Frame all"));
+        applyCamera(framing(effect.camera, grid.corner, grid.end()), tr("Frame all"));
         return;
     }
     const std::vector<Track> tracks = findTracks(effect, m_player.frame(), m_feed.shelf());

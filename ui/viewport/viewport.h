@@ -55,6 +55,7 @@ signals:
     void exhausted();
     /// The air is being baked. @param share that is done; 1 when it is, or was given up
     void baking(double share);
+    /// No pictures: the air does not hold what the effect asks for, or the like.
     void failed(const QString& why);
 
 protected:
