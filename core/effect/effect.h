@@ -164,6 +164,10 @@ struct Look {
     float sizeVariance = 0.25F;
     float opacity = 1.6F;
     float dilution = 0.6F;
+    float overlap = 4.0F;
+    float deformation = 1.0F;
+    float deformationTime = 0.5F;
+    float deformationLimit = 2.0F;
     glm::vec3 colour{0.82F, 0.82F, 0.82F};
     Gradient colourGradient{{0.0F, glm::vec3(1.0F)}};
     MaskShape mask = MaskShape::Disc;
@@ -294,6 +298,9 @@ inline constexpr int kMaxNoiseSlices = 128;
 
 /// Most pixels along an edge of the noise tile that particles show; each halving of it is a level that a sprite has 4 bits for.
 inline constexpr int kMaxNoiseResolution = 512;
+
+/// The most that an axis of a particle grows, and the least part of it that it shrinks to.
+inline constexpr float kMostDeformation = 8.0F;
 
 /// Most cells along an edge of the density grid: what lights it has room for a line of as many.
 inline constexpr int kMaxLightResolution = 256;

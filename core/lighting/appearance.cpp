@@ -56,11 +56,13 @@ void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes&
     parallelFor(particles.chunks(), [&](std::size_t chunk) { extents[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });
     Bounds all;
     out.largestMass = 0.0F;
+    out.largestRadius = 0.0F;
     out.count = 0;
     for (const ChunkExtent& each : extents) {
         all.low = glm::min(all.low, each.centres.low);
         all.high = glm::max(all.high, each.centres.high);
         out.largestMass = std::max(out.largestMass, each.largestMass);
+        out.largestRadius = std::max(out.largestRadius, each.largestRadius);
         out.count += each.count;
     }
     out.low = all.low;

@@ -15,6 +15,7 @@ struct Appearance {
     glm::vec3 low{0.0F}; ///< bounds of living centres in the axes that were asked for, m
     glm::vec3 high{0.0F};
     float largestMass = 0.0F; ///< of alpha * radius^2, m^2
+    float largestRadius = 0.0F; ///< m
     std::size_t count = 0; ///< of living particles that are not yet transparent
 };
 

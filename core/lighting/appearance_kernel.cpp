@@ -50,7 +50,8 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
     const V zero = hn::Zero(d);
     const Bounds nothing;
     LaneBounds bounds{broadcast(d, nothing.low), broadcast(d, nothing.high)};
-    V largest = zero;
+    V largestMass = zero;
+    V largestRadius = zero;
     std::size_t count = 0;
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
@@ -70,14 +71,15 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         const V varied = 1.0F - job.sizeVariance * unitStream(d, key, kSizeStream);
         const V radius = job.radius * hn::GatherIndex(d, job.size.data(), entry) * varied;
         const auto visible = hn::And(alive, hn::Gt(alpha, zero));
-        largest = hn::Max(largest, hn::IfThenElseZero(visible, alpha * (radius * radius)));
+        largestMass = hn::Max(largestMass, hn::IfThenElseZero(visible, alpha * (radius * radius)));
+        largestRadius = hn::Max(largestRadius, hn::IfThenElseZero(visible, radius));
         hn::Store(hn::IfThenElseZero(visible, radius), d, out.radius.data() + i);
         hn::Store(hn::IfThenElseZero(visible, alpha), d, out.alpha.data() + i);
         hn::Store(life, d, out.life.data() + i);
         count += hn::CountTrue(d, visible);
         bounds.add(inAxes(job.axes, load(d, particles.x, particles.y, particles.z, i)), visible);
     }
-    return {bounds.ofAll(d), hn::GetLane(hn::MaxOfLanes(d, largest)), count};
+    return {bounds.ofAll(d), hn::GetLane(hn::MaxOfLanes(d, largestMass)), hn::GetLane(hn::MaxOfLanes(d, largestRadius)), count};
 }
 
 } // namespace fumage::HWY_NAMESPACE

@@ -37,6 +37,7 @@ struct Bounds {
 struct ChunkExtent {
     Bounds centres; ///< in the job's axes
     float largestMass = 0.0F; ///< alpha * radius^2, m^2
+    float largestRadius = 0.0F; ///< m
     std::size_t count = 0;
 };
 

@@ -19,9 +19,6 @@ Axes lightAxes(const glm::vec3& direction)
 
 namespace {
 
-/// Mean over a disc of the soft profile (1 - r^2)^2.
-constexpr float kProfileMean = 1.0F / 3.0F;
-
 constexpr std::size_t kPadding = kAlignment / sizeof(float);
 
 /// Whether anything that is seen depends on the density.
@@ -31,7 +28,7 @@ bool needsDensity(const Effect& effect)
     const bool shadows = light.intensity > 0.0F && light.shadow > 0.0F;
     const bool glowsByOpenness = light.emission > 0.0F && light.hotCore > 0.0F;
     const bool occludes = light.occlusion > 0.0F && (light.ambient > 0.0F || glowsByOpenness);
-    return shadows || occludes;
+    return shadows || occludes || effect.look.overlap > 1.0F;
 }
 
 /// The most cells that the longest edge of the cloud is worth.

@@ -8,6 +8,9 @@
 
 namespace fumage {
 
+/// Mean over a disc of the soft profile (1 - r^2)^2.
+inline constexpr float kProfileMean = 1.0F / 3.0F;
+
 /// A regular grid around the cloud whose w axis runs along the light, so that shadows are sums along columns.
 struct GridShape {
     Axes axes;
@@ -48,7 +51,7 @@ struct LightWorkspace {
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
 /// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.
-/// Where nothing shadows or occludes, no particle is looked at.
+/// Where nothing shadows, occludes or asks how many overlap, no particle is looked at.
 void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out);
 
 } // namespace fumage

@@ -4,6 +4,7 @@
 #include "core/preset/embedded_file.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 
 namespace fumage {
@@ -77,6 +78,15 @@ Result<PresetReading> loadPreset(const LibraryEntry& entry)
         }
     }
     return Error{ErrorCode::UnknownName, said("there is no built-in preset %1", inQuotes(entry.id)), {}, {}};
+}
+
+Preset newPreset()
+{
+    const Result<PresetReading> reading = loadPreset(LibraryEntry{"default", {}});
+    assert(reading.ok());
+    Preset preset;
+    preset.effect = reading.value().preset.effect;
+    return preset;
 }
 
 Result<LibraryEntry> findPreset(const std::string& nameOrPath)

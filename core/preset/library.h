@@ -23,6 +23,9 @@ struct LibraryEntry {
 /// @error those of readPresetFile()
 [[nodiscard]] Result<PresetReading> loadPreset(const LibraryEntry& entry);
 
+/// What a new document shows: the effect of the built-in preset "default", which has no name yet.
+[[nodiscard]] Preset newPreset();
+
 /// Finds what a person names: a built-in preset, else one of the user's folder, else a file, which need not be there.
 /// @error UnknownName with the nearest name
 [[nodiscard]] Result<LibraryEntry> findPreset(const std::string& nameOrPath);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/lighting/overlap.h"
 #include "core/rendering/compositor.h"
 #include "core/simulation/frame.h"
 
@@ -57,6 +58,7 @@ private:
     Appearance m_appearance;
     LightGrid m_light;
     LightWorkspace m_lightWorkspace;
+    OverlapWorkspace m_overlapWorkspace;
     SpriteBatch m_batch;
     Compositor m_compositor;
     Image m_large;

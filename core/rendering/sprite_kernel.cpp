@@ -49,6 +49,19 @@ HWY_INLINE Float4 lightAt(const LightGrid& grid, const SpriteBlock& block, std::
     return mix4(front, back, block.fw[i]);
 }
 
+/// Multiplies a sprite's matrix by a symmetric one from the right.
+HWY_INLINE void multiply(float xx, float xy, float yy, Sprite& sprite)
+{
+    const float a = sprite.m00;
+    const float b = sprite.m01;
+    const float c = sprite.m10;
+    const float e = sprite.m11;
+    sprite.m00 = a * xx + b * xy;
+    sprite.m01 = a * xy + b * yy;
+    sprite.m10 = c * xx + e * xy;
+    sprite.m11 = c * xy + e * yy;
+}
+
 /// Stretches a sprite along its motion, with its area kept: M becomes M (longer^-1 along the motion, longer across it).
 HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float radius, Sprite& sprite)
 {
@@ -67,12 +80,7 @@ HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, st
     const float xx = ex * ex * along + ey * ey * longer;
     const float yy = ey * ey * along + ex * ex * longer;
     const float xy = ex * ey * (along - longer);
-    const float c = sprite.m00;
-    const float s = sprite.m01;
-    sprite.m00 = c * xx + s * xy;
-    sprite.m01 = c * xy + s * yy;
-    sprite.m10 = c * xy - s * xx;
-    sprite.m11 = c * yy - s * xy;
+    multiply(xx, xy, yy, sprite);
 }
 
 /// Box of the unit circle under M^-1: half extents are the lengths of its rows; of the square, the sums of magnitudes.
@@ -101,10 +109,13 @@ HWY_INLINE void shapeSprite(const SpriteJob& job, const SpriteBlock& block, std:
     sprite.m01 = s;
     sprite.m10 = -s;
     sprite.m11 = c;
-    if (job.stretch <= 0.0F && !job.style.square) {
+    if (job.stretch <= 0.0F && !job.deforms && !job.style.square) {
         sprite.halfWidth = radius;
         sprite.halfHeight = radius;
         return;
+    }
+    if (job.deforms) {
+        multiply(block.shapeXX[i], block.shapeXY[i], block.shapeYY[i], sprite);
     }
     if (job.stretch > 0.0F) {
         stretchSprite(job, block, i, radius, sprite);
@@ -179,6 +190,9 @@ void spriteBlock(const SpriteJob& job, std::size_t begin)
         sprite.x = block.x[i];
         sprite.y = block.y[i];
         sprite.opacity = job.appearance->alpha[at] * (thinner * thinner);
+        if (job.deforms) {
+            sprite.opacity = std::min(1.0F, sprite.opacity / block.area[i]);
+        }
         shapeSprite(job, block, i, radius, sprite);
         textureSprite(job, block, i, job.particles->key[at], life, radius, sprite);
         job.out->boxes[at] = boxOf(sprite, job.view.width, job.view.height);

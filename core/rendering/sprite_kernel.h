@@ -42,6 +42,9 @@ struct SpriteJob {
     float erosion = 0.0F;
     float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
     float stretch = 0.0F; ///< s
+    bool deforms = false; ///< particles have a shape that is drawn
+    float deformation = 0.0F; ///< share of it that is drawn
+    float deformationLimit = 1.0F; ///< of an axis, over the radius
     SpriteStyle style;
 };
 

@@ -33,6 +33,10 @@ struct SpriteBlock {
     alignas(64) float slice[kSpriteBlock];
     alignas(64) float stretchX[kSpriteBlock]; ///< velocity on the screen, pixels/s
     alignas(64) float stretchY[kSpriteBlock];
+    alignas(64) float shapeXX[kSpriteBlock]; ///< what makes a disc of the particle: inverse axes on the screen, symmetric
+    alignas(64) float shapeXY[kSpriteBlock];
+    alignas(64) float shapeYY[kSpriteBlock];
+    alignas(64) float area[kSpriteBlock]; ///< over that of a disc
     alignas(64) std::int32_t corner[kSpriteBlock]; ///< cell of the light grid
     alignas(64) float fu[kSpriteBlock];
     alignas(64) float fv[kSpriteBlock];
@@ -70,6 +74,40 @@ HWY_INLINE V sliceOf(D d, const SpriteJob& job, VU key, V age)
     return (moved - hn::Floor(moved)) * slices;
 }
 
+/// The ellipse of deformed particles on the screen: S, the part of their tensor C in the camera's plane, has the squares of its axes a and b as
+/// eigenvalues, and S^(-1/2) = 1/b + (1/a - 1/b) (S - b^2) / (a^2 - b^2) makes a disc of it.
+template <class D>
+HWY_INLINE void projectShape(D d, const SpriteJob& job, std::size_t at, std::size_t i, SpriteBlock& block)
+{
+    using V = hn::Vec<D>;
+    const Particles& p = *job.particles;
+    const auto column = [&](const AlignedArray<float>& values) HWY_ATTR { return hn::Load(d, values.data() + at); };
+    const Vec3<V> x{column(p.shapeXX), column(p.shapeXY), column(p.shapeXZ)};
+    const Vec3<V> y{x.y, column(p.shapeYY), column(p.shapeYZ)};
+    const Vec3<V> z{x.z, y.z, column(p.shapeZZ)};
+    const auto through = [&](const glm::vec3& way) HWY_ATTR { return Vec3<V>{dot(x, way), dot(y, way), dot(z, way)}; };
+    const Vec3<V> right = through(job.view.right);
+    const float round = 1.0F - job.deformation;
+    const V xx = job.deformation * dot(right, job.view.right) + round;
+    const V yy = job.deformation * dot(through(job.view.up), job.view.up) + round;
+    const V xy = hn::Neg(job.deformation * dot(right, job.view.up)); // y runs down
+    const V half = 0.5F * (xx + yy);
+    const V skew = 0.5F * (xx - yy);
+    const V apart = hn::Sqrt(skew * skew + xy * xy);
+    const V least = hn::Set(d, 1.0F / job.deformationLimit);
+    const V most = hn::Set(d, job.deformationLimit);
+    const auto axis = [&](V square) HWY_ATTR { return hn::Min(hn::Max(hn::Sqrt(hn::Max(square, hn::Zero(d))), least), most); };
+    const V longer = axis(half + apart);
+    const V shorter = axis(half - apart);
+    constexpr float kNoDifference = 1e-6F;
+    const V slope = (1.0F / longer - 1.0F / shorter) / hn::Max(2.0F * apart, hn::Set(d, kNoDifference));
+    const V rest = 1.0F / shorter - slope * (half - apart);
+    hn::Store(rest + slope * xx, d, block.shapeXX + i);
+    hn::Store(slope * xy, d, block.shapeXY + i);
+    hn::Store(rest + slope * yy, d, block.shapeYY + i);
+    hn::Store(longer * shorter, d, block.area + i);
+}
+
 inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& block)
 {
     using D = hn::ScalableTag<float>;
@@ -105,6 +143,9 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
             const Vec3<V> velocity = load(d, particles.vx, particles.vy, particles.vz, at);
             hn::Store(dot(velocity, view.right) * perMetre, d, block.stretchX + i);
             hn::Store(hn::Neg(dot(velocity, view.up) * perMetre), d, block.stretchY + i);
+        }
+        if (job.deforms) {
+            projectShape(d, job, at, i, block);
         }
         const GridCell<D> cell = gridCellAt(d, job.light->shape, position);
         hn::Store(cell.corner, di, block.corner + i);

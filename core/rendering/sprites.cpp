@@ -75,6 +75,8 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.heatVariance = effect.motion.heatVariance;
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;
+    job.deformation = effect.look.deformation;
+    job.deformationLimit = effect.look.deformationLimit;
     job.style = makeStyle(effect, view);
     job.contrast = std::min(1.0F, std::max({job.style.texture, job.style.relief, job.style.roundness}));
     fillTables(effect, job);
@@ -88,6 +90,7 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
 {
     SpriteJob job = makeJob(frame, effect, texture.slices(), view);
     job.particles = &frame.particles;
+    job.deforms = frame.particles.deforms();
     job.appearance = &appearance;
     job.light = &light;
     job.texture = &texture;

@@ -201,8 +201,8 @@ Status advance(const Model& model, Particles& particles, std::int64_t from, std:
 
 Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
-    if (after.x.size() != before.x.size() || after.rolls() != before.rolls() || after.inAir() != before.inAir()) {
-        after.reset(before.capacity, before.rolls(), before.inAir());
+    if (after.x.size() != before.x.size() || after.columns() != before.columns()) {
+        after.reset(before.capacity, before.columns());
     }
     after.capacity = before.capacity;
     return run(model, after, from, to, stop, progress, [&](std::size_t chunk) { after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk); });
@@ -210,7 +210,9 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
 
 Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
-    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), model.effect()->look.roll > 0.0F, model.air() != nullptr);
+    const bool inAir = model.air() != nullptr;
+    const Look& look = model.effect()->look;
+    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), {.rolls = look.roll > 0.0F, .inAir = inAir, .deforms = inAir && look.deformation > 0.0F});
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
     return run(model, particles, from, to, stop, progress, [](std::size_t) {});
 }

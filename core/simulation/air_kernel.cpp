@@ -7,6 +7,7 @@
 #include "core/flow/field-inl.h"
 #include "core/simulation/air_kernel.h"
 #include "core/simulation/moving-inl.h"
+#include "core/simulation/shape-inl.h"
 #include "core/simulation/swirls-inl.h"
 
 #include <algorithm>
@@ -21,10 +22,14 @@ struct Carried {
     Moving moving;
     Vec3<V> relative; ///< velocity against the air, m/s
     V heat;
+    Shape shape; ///< where they deform
 
     static HWY_INLINE Carried from(D d, const Particles& p, std::size_t i)
     {
-        Carried out{Moving::from<false>(d, p, i), load(d, p.relativeX, p.relativeY, p.relativeZ, i), hn::Load(d, p.heat.data() + i)};
+        Carried out{Moving::from<false>(d, p, i), load(d, p.relativeX, p.relativeY, p.relativeZ, i), hn::Load(d, p.heat.data() + i), Shape::round(d)};
+        if (p.deforms()) {
+            out.shape = Shape::from(d, p, i);
+        }
         if (p.rolls()) {
             out.moving.roll = load(d, p.rollX, p.rollY, p.rollZ, i);
         }
@@ -36,17 +41,14 @@ struct Carried {
         moving.to<false>(p, i);
         store(relative, p.relativeX, p.relativeY, p.relativeZ, i);
         hn::Store(heat, d, p.heat.data() + i);
+        if (p.deforms()) {
+            shape.to(d, p, i);
+        }
         if (p.rolls()) {
             store(moving.roll, p.rollX, p.rollY, p.rollZ, i);
         }
     }
 };
-
-template <class M>
-HWY_INLINE Vec3<V> chosen(M where, const Vec3<V>& a, const Vec3<V>& b)
-{
-    return {hn::IfThenElse(where, a.x, b.x), hn::IfThenElse(where, a.y, b.y), hn::IfThenElse(where, a.z, b.z)};
-}
 
 /// Puts places that lie inside a ball onto it, and takes what is left of the velocity into it.
 HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& velocity)
@@ -120,7 +122,7 @@ HWY_INLINE void addDetail(D d, const StepConstants& constants, const AirThere<V>
 }
 
 template <class Time>
-HWY_INLINE Carried carried(D d, const StepConstants& constants, const Time& time, VU key, Carried at)
+HWY_INLINE Carried carried(D d, const StepConstants& constants, const Time& time, VU key, bool deforms, Carried at)
 {
     const AirConstants& air = constants.air;
     Vec3<V>& p = at.moving.position;
@@ -141,6 +143,9 @@ HWY_INLINE Carried carried(D d, const StepConstants& constants, const Time& time
     const Vec3<V> curl{here.slope[1].z - here.slope[2].y, here.slope[2].x - here.slope[0].z, here.slope[0].y - here.slope[1].x};
     at.moving.roll = at.moving.roll + curl * time(0.5F * constants.dt / air.field->grid.cell);
     p = p + velocity * time(constants.dt);
+    if (deforms) {
+        at.shape = deformed(d, constants, time, here.slope, at.shape);
+    }
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
         p = turnedAboutPivot(angle, constants, p);
@@ -157,7 +162,7 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
         const VU key = hn::Load(DU(), particles.key.data() + i);
-        carried(d, constants, WholeStep(), key, Carried::from(d, particles, i)).to(d, particles, i);
+        carried(d, constants, WholeStep(), key, particles.deforms(), Carried::from(d, particles, i)).to(d, particles, i);
     }
 }
 
@@ -173,7 +178,8 @@ void carryJustBorn(const StepConstants& constants, Particles& particles, std::si
         born.moving.position = born.moving.position + unitStream(d, key, kBirthDepth) * constants.air.sourceDepth;
         // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
         born.relative = before.moving.velocity - constants.air.sourceVelocity;
-        const Carried after = carried(d, constants, PartOfStep{share}, key, born);
+        born.shape = Shape::round(d);
+        const Carried after = carried(d, constants, PartOfStep{share}, key, particles.deforms(), born);
         const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         Carried kept;
         kept.moving.position = chosen(isNewborn, after.moving.position, before.moving.position);
@@ -181,6 +187,7 @@ void carryJustBorn(const StepConstants& constants, Particles& particles, std::si
         kept.moving.roll = chosen(isNewborn, after.moving.roll, before.moving.roll);
         kept.relative = chosen(isNewborn, after.relative, before.relative);
         kept.heat = hn::IfThenElse(isNewborn, after.heat, before.heat);
+        kept.shape = chosen(isNewborn, after.shape, before.shape);
         kept.to(d, particles, i);
     }
 }

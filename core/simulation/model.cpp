@@ -252,6 +252,7 @@ void Model::placeAir(StepConstants& out) const
     out.air.obstacle = air.obstacle;
     out.air.obstaclePlace = air.obstaclePlace;
     out.air.obstacleHalf = 0.5F * air.obstacleSize;
+    out.air.shapeLost = 1.0F - portableExp(-m_schedule.dt / m_effect->look.deformationTime);
 }
 
 } // namespace fumage

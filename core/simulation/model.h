@@ -36,6 +36,7 @@ struct AirConstants {
     Obstacle obstacle = Obstacle::None;
     glm::vec3 obstaclePlace{0.0F};
     glm::vec3 obstacleHalf{0.0F}; ///< half its edges, or its radius in x
+    float shapeLost = 0.0F; ///< how much of a particle's deformation goes in a step
 };
 
 /// Everything about a step that is the same for all particles.

@@ -24,13 +24,25 @@ void fillSlots(AlignedArray<T>& values, std::size_t first, std::size_t last, T v
 
 } // namespace
 
-void Particles::reset(std::size_t slotCount, bool rolls, bool inAir)
+void Particles::reset(std::size_t slotCount, const Columns& columns)
 {
+    const auto hasColumnsOf = [&](ColumnOf owner) {
+        switch (owner) {
+        case ColumnOf::Rolling:
+            return columns.rolls;
+        case ColumnOf::InAir:
+            return columns.inAir;
+        case ColumnOf::Deforming:
+            return columns.deforms;
+        case ColumnOf::All:
+            break;
+        }
+        return true;
+    };
     capacity = slotCount;
     const std::size_t padded = roundUp(slotCount, kChunk);
     forEachColumn([&](const auto& column) {
-        const bool isThere = column.owner == ColumnOf::All || (column.owner == ColumnOf::Rolling ? rolls : inAir);
-        column.of(*this).assign(isThere ? padded : 0, column.empty);
+        column.of(*this).assign(hasColumnsOf(column.owner) ? padded : 0, column.empty);
     });
 }
 

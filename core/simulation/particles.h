@@ -22,14 +22,22 @@ struct Particles {
     AlignedArray<float> rollX, rollY, rollZ; ///< how far the swirls have turned the particle, a rotation vector in radians; empty where nobody asks
     AlignedArray<float> relativeX, relativeY, relativeZ; ///< velocity against the air, m/s; empty where no air carries them
     AlignedArray<float> heat; ///< of the air at the particle, 1 at the source; empty where no air carries them
+    AlignedArray<float> shapeXX, shapeYY, shapeZZ, shapeXY, shapeXZ, shapeYZ; ///< squares of its axes, a symmetric tensor, 1 at birth; empty where nobody asks
     AlignedArray<std::uint32_t> key; ///< random bits of the particle, see keyOf()
     AlignedArray<std::int32_t> birthStep; ///< kUnborn where the slot is empty
     std::size_t capacity = 0; ///< slots in use at most
 
+    /// Which columns there are besides those that all have.
+    struct Columns {
+        bool rolls = false; ///< rollX to rollZ
+        bool inAir = false; ///< relativeX to heat
+        bool deforms = false; ///< shapeXX to shapeYZ
+        friend bool operator==(const Columns&, const Columns&) = default;
+    };
+
     /// Makes room and empties every slot.
-    /// @param rolls with room for rollX to rollZ
-    /// @param inAir with room for relativeX to heat
-    void reset(std::size_t slotCount, bool rolls = false, bool inAir = false);
+    void reset(std::size_t slotCount, const Columns& columns);
+    void reset(std::size_t slotCount) { reset(slotCount, {}); }
 
     /// Empties slots [first, last).
     void clear(std::size_t first, std::size_t last);
@@ -46,6 +54,9 @@ struct Particles {
     [[nodiscard]] bool rolls() const { return !rollX.empty(); }
     /// Whether air carries them.
     [[nodiscard]] bool inAir() const { return !heat.empty(); }
+    /// Whether the air deforms them.
+    [[nodiscard]] bool deforms() const { return !shapeXX.empty(); }
+    [[nodiscard]] Columns columns() const { return {rolls(), inAir(), deforms()}; }
 
     /// Memory of all columns.
     [[nodiscard]] std::size_t bytes() const;
@@ -55,7 +66,8 @@ struct Particles {
 enum class ColumnOf {
     All,
     Rolling,
-    InAir
+    InAir,
+    Deforming
 };
 
 /// One column of Particles, whatever its type.
@@ -88,6 +100,12 @@ constexpr void forEachColumn(const Visit& visit)
     visit(Number{"relativeY", &Particles::relativeY, 0.0F, ColumnOf::InAir});
     visit(Number{"relativeZ", &Particles::relativeZ, 0.0F, ColumnOf::InAir});
     visit(Number{"heat", &Particles::heat, 0.0F, ColumnOf::InAir});
+    visit(Number{"shapeXX", &Particles::shapeXX, 1.0F, ColumnOf::Deforming});
+    visit(Number{"shapeYY", &Particles::shapeYY, 1.0F, ColumnOf::Deforming});
+    visit(Number{"shapeZZ", &Particles::shapeZZ, 1.0F, ColumnOf::Deforming});
+    visit(Number{"shapeXY", &Particles::shapeXY, 0.0F, ColumnOf::Deforming});
+    visit(Number{"shapeXZ", &Particles::shapeXZ, 0.0F, ColumnOf::Deforming});
+    visit(Number{"shapeYZ", &Particles::shapeYZ, 0.0F, ColumnOf::Deforming});
     visit(ParticleColumn<std::uint32_t>{"key", &Particles::key});
     visit(ParticleColumn<std::int32_t>{"birthStep", &Particles::birthStep, Particles::kUnborn});
 }

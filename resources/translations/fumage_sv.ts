@@ -2936,6 +2936,38 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Air</source>
         <translation>Luft</translation>
     </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Överlapp</translation>
+    </message>
+    <message>
+        <source>Where fewer particles than this overlap they grow and thin out, so that smoke ends as haze and not as dots; 0: never.</source>
+        <translation>Där färre partiklar än så överlappar växer de och tunnas ut, så att röken slutar som dis och inte som prickar; 0: aldrig.</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Deformation</translation>
+    </message>
+    <message>
+        <source>How much the air that carries a particle stretches it, into sheets and curls; 0: all stay round.</source>
+        <translation>Hur mycket luften som bär en partikel sträcker ut den, till skikt och krusningar; 0: alla förblir runda.</translation>
+    </message>
+    <message>
+        <source>Deformation time</source>
+        <translation>Deformationstid</translation>
+    </message>
+    <message>
+        <source>How long a particle remembers how it was stretched.</source>
+        <translation>Hur länge en partikel minns hur den sträcktes.</translation>
+    </message>
+    <message>
+        <source>Deformation limit</source>
+        <translation>Deformationsgräns</translation>
+    </message>
+    <message>
+        <source>Axes of a stretched particle are at most this many times its own, and at least the same part of it.</source>
+        <translation>En utsträckt partikels axlar är högst så många gånger dess egen, och minst samma bråkdel av den.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>

@@ -2936,6 +2936,38 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Air</source>
         <translation>空气</translation>
     </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重叠</translation>
+    </message>
+    <message>
+        <source>Where fewer particles than this overlap they grow and thin out, so that smoke ends as haze and not as dots; 0: never.</source>
+        <translation>重叠的粒子少于此数时，粒子会变大变淡，使烟雾以薄雾而非斑点收尾；0：从不。</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>形变</translation>
+    </message>
+    <message>
+        <source>How much the air that carries a particle stretches it, into sheets and curls; 0: all stay round.</source>
+        <translation>承载粒子的空气将其拉伸成薄片和卷曲的程度；0：全部保持圆形。</translation>
+    </message>
+    <message>
+        <source>Deformation time</source>
+        <translation>形变时间</translation>
+    </message>
+    <message>
+        <source>How long a particle remembers how it was stretched.</source>
+        <translation>粒子记住自身如何被拉伸的时长。</translation>
+    </message>
+    <message>
+        <source>Deformation limit</source>
+        <translation>形变极限</translation>
+    </message>
+    <message>
+        <source>Axes of a stretched particle are at most this many times its own, and at least the same part of it.</source>
+        <translation>被拉伸粒子的轴长至多为原来的此倍数，至少为其倒数。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>

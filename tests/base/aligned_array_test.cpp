@@ -45,9 +45,9 @@ private slots:
 
     void tooMuchIsBadAlloc()
     {
-        QVERIFY_EXCEPTION_THROWN(AlignedArray<float>().resize(std::size_t{1} << 60U), std::exception);
-        QVERIFY_EXCEPTION_THROWN((void)allocateAligned(static_cast<std::size_t>(-1) - 5), std::bad_alloc);
-        QVERIFY_EXCEPTION_THROWN((void)allocateAligned(std::size_t{1} << 60U), std::bad_alloc);
+        QVERIFY_THROWS_EXCEPTION(std::exception, AlignedArray<float>().resize(std::size_t{1} << 60U));
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, (void)allocateAligned(static_cast<std::size_t>(-1) - 5));
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, (void)allocateAligned(std::size_t{1} << 60U));
     }
 
     void largeArraysLeaveNoHoles()

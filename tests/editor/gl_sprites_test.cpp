@@ -112,6 +112,7 @@ private slots:
         Viewport viewport(document, player, GlSupport::Hardware);
         Preset preset = loadPreset("chimney").value().preset;
         preset.effect.emitter.count = 8000;
+        preset.effect.air.resolution = kMinAirResolution;
         document.load(preset, {});
         for (const Overlay overlay : {Overlay::Grid, Overlay::Emitter, Overlay::Gizmos, Overlay::Readout}) {
             viewport.setOverlay(overlay, false);

@@ -52,7 +52,7 @@ private slots:
         QVERIFY(!m_window->close());
         answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Discard); });
         trigger("file.new");
-        QVERIFY(m_window->document().effect() == Effect());
+        QVERIFY(m_window->document().effect() == newPreset().effect);
     }
 
     void savingFromTheQuestionKeepsTheWork()

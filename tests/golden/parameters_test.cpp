@@ -42,7 +42,7 @@ Effect stageFor(const Parameter& p)
     Effect effect = everythingOn();
     effect.camera.target = {0.0F, 1.7F, 0.0F};
     effect.camera.distance = 6.0F; // so near that sprites show their texture
-    if (p.group() == "air") {
+    if (p.group() == "air" || p.visible.key == "air.enabled") {
         // Some of the others have no effect in air, which makes its own rings and large swirls.
         effect.air.enabled = true;
         effect.air.resolution = 24;
@@ -53,6 +53,9 @@ Effect stageFor(const Parameter& p)
         effect.timeline.prewarm = false;
         effect.emitter.position.y = 0.2F;
         effect.air.groundHeight = 0.1F;
+    }
+    if (&p == &knownParameter("look.deformation_limit")) {
+        effect.look.deformationLimit = 1.02F; // so early nothing is stretched by much
     }
     if (&p == &knownParameter("noise.smooth")) {
         effect.noise.basis = NoiseBasis::Lattice;

@@ -4,6 +4,7 @@
 #include "core/effect/sampling.h"
 #include "core/lighting/black_body.h"
 #include "core/lighting/light_grid.h"
+#include "core/lighting/overlap.h"
 
 #include <cmath>
 
@@ -108,12 +109,83 @@ struct Lit {
     }
 };
 
+/// Appearance of a cloud before and after its lone particles have grown.
+struct Grown {
+    Lit lit;
+    Appearance after;
+
+    Grown(const Frame& frame, Effect effect, float overlap)
+        : lit(frame, (effect.look.overlap = overlap, effect))
+        , after(lit.appearance)
+    {
+        OverlapWorkspace room;
+        growLoneParticles(frame, sampled(effect), lit.grid, room, after);
+    }
+
+    [[nodiscard]] double growthOf(std::size_t i) const { return static_cast<double>(after.radius[i]) / static_cast<double>(lit.appearance.radius[i]); }
+};
+
 } // namespace
 
 class LightingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aLoneParticleGrowsAndCoversAsMuchAsBefore()
+    {
+        const Effect effect = evenLook();
+        // Far from the others, wherever in its cell it lies.
+        for (const float x : {3.0F, 3.017F, 3.05F}) {
+            std::vector<glm::vec3> places = box(8);
+            places.emplace_back(x, 0.4F, 0.2F);
+            const Grown grown(cloud(effect, places), effect, 8.0F);
+            const std::size_t lone = places.size() - 1;
+            QVERIFY2(near(grown.growthOf(lone), 2.0, 0.02), qPrintable(QString::number(grown.growthOf(lone)))); // the cube root of 8
+            const auto covered = [&](const Appearance& of) { return static_cast<double>(of.alpha[lone] * of.radius[lone] * of.radius[lone]); };
+            QVERIFY(near(covered(grown.after), covered(grown.lit.appearance), 1e-5));
+        }
+    }
+
+    void aParticleGrowsByWhatItsNeighboursLack()
+    {
+        // At random in a cube of 1 m; 4/3 pi r^3 9000 with r = 0.1 are 37.7 others that overlap one.
+        constexpr std::size_t kCount = 9000;
+        std::vector<glm::vec3> places;
+        for (std::uint32_t i = 0; i < kCount; ++i) {
+            places.emplace_back(unitFloat(streamBits(i, 1)), unitFloat(streamBits(i, 2)), unitFloat(streamBits(i, 3)));
+        }
+        Effect effect = evenLook();
+        for (const float opacity : {5.0F, 0.5F, 0.05F}) { // finer and finer cells
+            effect.look.opacity = opacity;
+            const Frame frame = cloud(effect, places);
+            constexpr double kOverlap = 64.0;
+            const Grown grown(frame, effect, static_cast<float>(kOverlap));
+            double sum = 0.0;
+            double inside = 0.0;
+            for (std::size_t i = 0; i < kCount; ++i) {
+                const glm::vec3 off = glm::abs(places[i] - 0.5F);
+                if (std::max({off.x, off.y, off.z}) < 0.2F) {
+                    sum += kOverlap / std::pow(grown.growthOf(i), 3.0) - 1.0;
+                    inside += 1.0;
+                }
+            }
+            const double others = sum / inside;
+            qInfo("opacity %g: %.1f others", static_cast<double>(opacity), others);
+            QVERIFY(std::abs(others / 37.7 - 1.0) < 0.1);
+            const Grown crowded(frame, effect, 4.0F);
+            const auto still = std::count_if(places.begin(), places.end(), [&](const glm::vec3& place) { return crowded.growthOf(static_cast<std::size_t>(&place - places.data())) == 1.0; });
+            QVERIFY(static_cast<double>(still) > 0.98 * static_cast<double>(kCount));
+        }
+    }
+
+    void withoutOverlapNothingGrows()
+    {
+        const Effect effect = evenLook();
+        const Grown grown(cloud(effect, {{0.0F, 0.0F, 0.0F}, {3.0F, 0.0F, 0.0F}}), effect, 0.0F);
+        QCOMPARE(grown.growthOf(0), 1.0);
+        QCOMPARE(grown.growthOf(1), 1.0);
+    }
+
     void appearanceFollowsTheLifecycle()
     {
         Effect effect = everythingOn();
@@ -226,6 +298,7 @@ private slots:
     void smokeThatNothingShadowsNeedsNoGrid()
     {
         Effect effect = evenLook();
+        effect.look.overlap = 0.0F;
         const Frame frame = cloud(effect, box(10));
         const auto cells = [&] { return Lit(frame, effect).grid.shape.cells(); };
         effect.light.shadow = 0.0F;
@@ -235,6 +308,9 @@ private slots:
         effect.light.ambient = 1.0F;
         effect.light.occlusion = 0.0F;
         QCOMPARE(cells(), std::size_t(1));
+        effect.look.overlap = 4.0F;
+        QVERIFY(cells() > 1000);
+        effect.look.overlap = 0.0F;
         effect.light.anisotropy = 0.5F;
         QVERIFY(cells() > 1 && cells() <= 16 * 16 * 16);
     }

@@ -470,7 +470,7 @@ private slots:
         const StepConstants constants = model.constants(3);
         for (const glm::vec3& at : {glm::vec3(0.3F, 0.7F, -0.2F), glm::vec3(-0.8F, 1.4F, 0.5F), glm::vec3(0.05F, 0.2F, 0.9F)}) {
             Particles p;
-            p.reset(1, true);
+            p.reset(1, {.rolls = true});
             p.x[0] = at.x;
             p.y[0] = at.y;
             p.z[0] = at.z;

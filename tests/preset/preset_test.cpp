@@ -249,7 +249,10 @@ private slots:
 
     void theDefaultPresetIsANewDocument()
     {
-        QVERIFY(loadPreset(std::string("default")).value().preset.effect == presetOf(Effect{}).effect);
+        const Preset preset = newPreset();
+        QVERIFY(preset.effect == loadPreset(std::string("default")).value().preset.effect);
+        QVERIFY(preset.effect.air.enabled);
+        QVERIFY(preset.name.empty() && preset.description.empty());
     }
 
     void theThesisPresetIsTheSource()

@@ -3,9 +3,14 @@
 #include "tests/helpers.h"
 
 #include "core/base/parallel.h"
+#include "core/simulation/air_kernel.h"
 #include "core/simulation/air_plan.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <glm/matrix.hpp>
+
+#include <functional>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -37,6 +42,54 @@ void forLiving(const Frame& frame, const Visit& visit)
             visit(glm::vec3(frame.particles.x[i], frame.particles.y[i], frame.particles.z[i]), i);
         }
     }
+}
+
+/// Air whose velocity is the same at all times.
+AirField steadyAir(const std::function<glm::vec3(const glm::vec3&)>& velocity)
+{
+    AirGrid grid;
+    grid.cells = glm::ivec3(16);
+    grid.cell = 0.125F;
+    grid.corner = glm::vec3(-1.0F);
+    AirField field(grid);
+    for (int k = 0; k <= grid.cells.z; ++k) {
+        for (int j = 0; j <= grid.cells.y; ++j) {
+            for (int i = 0; i <= grid.cells.x; ++i) {
+                const glm::vec3 air = velocity(grid.corner + grid.cell * glm::vec3(i, j, k));
+                const std::size_t at = 4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane;
+                for (int axis = 0; axis < 3; ++axis) {
+                    field.quads[at + static_cast<std::size_t>(axis)] = glm::packHalf1x16(air[axis]);
+                }
+            }
+        }
+    }
+    return field;
+}
+
+/// The shape of a particle after some time in the middle of a flow.
+glm::mat3 shapeAfter(const AirField& field, int steps, float dt, float lost = 0.0F)
+{
+    StepConstants constants;
+    constants.dt = dt;
+    constants.air.field = &field;
+    constants.air.shapeLost = lost;
+    Particles particles;
+    particles.reset(1, {.rolls = false, .inAir = true, .deforms = true});
+    for (int step = 0; step < steps; ++step) {
+        carryChunk(constants, particles, 0);
+    }
+    const Particles& p = particles;
+    return {p.shapeXX[0], p.shapeXY[0], p.shapeXZ[0], p.shapeXY[0], p.shapeYY[0], p.shapeYZ[0], p.shapeXZ[0], p.shapeYZ[0], p.shapeZZ[0]};
+}
+
+float furthest(const glm::mat3& a, const glm::mat3& b)
+{
+    float most = 0.0F;
+    for (int column = 0; column < 3; ++column) {
+        const glm::vec3 off = glm::abs(a[column] - b[column]);
+        most = std::max({most, off.x, off.y, off.z});
+    }
+    return most;
 }
 
 } // namespace
@@ -205,6 +258,49 @@ private slots:
         QVERIFY(shelf.airOf(sampled(effect)) != air);
         effect.air.enabled = false;
         QVERIFY(shelf.airOf(sampled(effect)) == nullptr);
+    }
+
+    void shearMakesOfABallWhatItsClosedFormSays()
+    {
+        // Particles move on by y = 0: position (u dt, 0, 0) with u = 0 there. F = 1 + s e_x e_y^T, C = F F^T.
+        const AirField field = steadyAir([](const glm::vec3& p) { return glm::vec3(2.0F * p.y, 0.0F, 0.0F); });
+        const glm::mat3 shape = shapeAfter(field, 20, 0.05F);
+        const float s = 2.0F;
+        QVERIFY(furthest(shape, glm::mat3(1.0F + s * s, s, 0.0F, s, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F)) < 1e-3F);
+    }
+
+    void strainLengthensByTheExponentialOfItsRateAndKeepsTheVolume()
+    {
+        const AirField field = steadyAir([](const glm::vec3& p) { return glm::vec3(p.x, -0.5F * p.y, -0.5F * p.z); });
+        const glm::mat3 shape = shapeAfter(field, 20, 0.05F);
+        QVERIFY(near(static_cast<double>(shape[0].x), std::exp(2.0), 0.005));
+        QVERIFY(near(static_cast<double>(shape[1].y), std::exp(-1.0), 0.005));
+        QVERIFY(std::abs(glm::determinant(shape) - 1.0F) < 1e-3F);
+    }
+
+    void turningAirKeepsABallRoundAndTurnsAnEllipsoid()
+    {
+        const auto turning = [](const glm::vec3& p) { return glm::vec3(-8.0F * p.y, 8.0F * p.x, 0.0F); };
+        QVERIFY(furthest(shapeAfter(steadyAir(turning), 300, 0.05F), glm::mat3(1.0F)) < 1e-3F);
+    }
+
+    void aShapeRelaxesToWhatItsFlowAndMemoryBalance()
+    {
+        // C_xx' = 2 a C_xx - (C_xx - 1) / tau comes to rest at 1 / (1 - 2 a tau), here 2.
+        const AirField field = steadyAir([](const glm::vec3& p) { return glm::vec3(0.5F * p.x, -0.25F * p.y, -0.25F * p.z); });
+        constexpr float kStep = 1.0F / 256.0F;
+        const glm::mat3 shape = shapeAfter(field, 2560, kStep, 1.0F - std::exp(-kStep / 0.5F));
+        QVERIFY(near(static_cast<double>(shape[0].x), 2.0, 0.01));
+    }
+
+    void whateverTheAirDoesAShapeStaysFiniteAndPositive()
+    {
+        for (const float rate : {30.0F, 1000.0F, 30000.0F}) {
+            const AirField field = steadyAir([&](const glm::vec3& p) { return rate * glm::vec3(p.x + p.z, -p.y + p.x, p.y); });
+            const glm::mat3 shape = shapeAfter(field, 100, 0.05F, 0.05F);
+            QVERIFY(shape[0].x + shape[1].y + shape[2].z <= 1.001F * kMostDeformation * kMostDeformation);
+            QVERIFY(shape[0].x > 0.0F && shape[1].y > 0.0F && shape[2].z > 0.0F);
+        }
     }
 
     void whatAirCannotBeMadeForIsSaid()

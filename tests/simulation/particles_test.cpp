@@ -12,7 +12,7 @@ namespace {
 Particles distinct()
 {
     Particles particles;
-    particles.reset(Particles::kChunk + 100, true, true);
+    particles.reset(Particles::kChunk + 100, {.rolls = true, .inAir = true, .deforms = true});
     int number = 0;
     forEachColumn([&](const auto& column) {
         ++number;
@@ -36,13 +36,15 @@ private slots:
             {"vx", particles.vx.back()}, {"vy", particles.vy.back()}, {"vz", particles.vz.back()},
             {"rollX", particles.rollX.back()}, {"rollY", particles.rollY.back()}, {"rollZ", particles.rollZ.back()}, {"relativeX", particles.relativeX.back()}, {"relativeY", particles.relativeY.back()},
             {"relativeZ", particles.relativeZ.back()}, {"heat", particles.heat.back()},
+            {"shapeXX", particles.shapeXX.back()}, {"shapeYY", particles.shapeYY.back()}, {"shapeZZ", particles.shapeZZ.back()}, {"shapeXY", particles.shapeXY.back()}, {"shapeXZ", particles.shapeXZ.back()},
+            {"shapeYZ", particles.shapeYZ.back()},
             {"key", particles.key.back()}, {"birthStep", particles.birthStep.back()}};
         QCOMPARE(values, members);
         std::set<double> different;
         for (const auto& [name, value] : values) {
             different.insert(value);
         }
-        QCOMPARE(different.size(), std::size_t(15));
+        QCOMPARE(different.size(), std::size_t(21));
     }
 
     void sameBitsSeesADifferenceInAnyColumn()
@@ -63,12 +65,12 @@ private slots:
     {
         for (const bool rolls : {false, true}) {
             Particles particles = distinct();
-            particles.reset(5, rolls);
+            particles.reset(5, {.rolls = rolls});
             QCOMPARE(particles.rolls(), rolls);
             QCOMPARE(particles.bytes(), Particles::kChunk * 4 * (rolls ? 11U : 8U));
             forEachColumn([&](const auto& column) {
                 const auto& values = column.of(particles);
-                QCOMPARE(values.size(), column.owner == ColumnOf::InAir || (column.owner == ColumnOf::Rolling && !rolls) ? std::size_t(0) : Particles::kChunk);
+                QCOMPARE(values.size(), column.owner == ColumnOf::InAir || column.owner == ColumnOf::Deforming || (column.owner == ColumnOf::Rolling && !rolls) ? std::size_t(0) : Particles::kChunk);
                 QVERIFY2(std::all_of(values.begin(), values.end(), [&](auto value) { return value == column.empty; }), column.name.data());
             });
             QCOMPARE(particles.birthStep[4], Particles::kUnborn);

@@ -106,7 +106,7 @@ bool DocumentFiles::mayLeave()
 void DocumentFiles::newDocument()
 {
     if (mayLeave()) {
-        m_document.load(Preset(), {});
+        m_document.load(newPreset(), {});
     }
 }
 

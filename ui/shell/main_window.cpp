@@ -184,6 +184,7 @@ void MainWindow::notify(const QString& message)
 
 void MainWindow::begin()
 {
+    m_files.newDocument();
     if (!m_session.settings().showsStartDialog()) {
         return;
     }
