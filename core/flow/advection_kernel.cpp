@@ -23,8 +23,12 @@ struct PlaceRow {
     HWY_ALIGN float x[kRowRoom];
     HWY_ALIGN float y[kRowRoom];
     HWY_ALIGN float z[kRowRoom];
+    std::uint8_t alike[2 * kRowRoom / 8]; ///< a bit a cell: whether its corner is as far from it as that of the first of its four cells
 
     [[nodiscard]] HWY_INLINE Between between(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    /// Whether the corners of a cell and the three behind it are beside one another. Air that moves evenly is so nearly everywhere.
+    /// @param i a multiple of 4
+    [[nodiscard]] HWY_INLINE bool fourAlike(std::size_t i) const { return (alike[i / 8] >> (i % 8) & 15U) == 15U; }
 };
 
 /// Quads of a row of cells.
@@ -35,15 +39,18 @@ struct QuadRow {
 /// Splits places, in cells from the centre of cell (0, 0, 0), into corner and rest; no place lies outside the box.
 HWY_INLINE void split(D d, const AirCells& cells, const Vec3<V>& place, std::size_t i, PlaceRow& out)
 {
-    const DI di;
     const auto along = [&](V p, int n) HWY_ATTR { return hn::Min(hn::Max(p, hn::Set(d, -0.5F)), hn::Set(d, static_cast<float>(n) - 0.5F)); };
     const Vec3<V> inside{along(place.x, cells.grid.cells.x), along(place.y, cells.grid.cells.y), along(place.z, cells.grid.cells.z)};
     const Vec3<V> low{hn::Floor(inside.x), hn::Floor(inside.y), hn::Floor(inside.z)};
-    const auto whole = [&](V number) HWY_ATTR { return hn::ConvertTo(di, number) + 1; };
-    const auto row = static_cast<std::int32_t>(cells.quad.row);
-    const auto plane = static_cast<std::int32_t>(cells.quad.plane);
-    hn::Store(whole(low.x) * 4 + whole(low.y) * row + whole(low.z) * plane, di, out.corner + i);
+    // Below 2^24, so that floats are exact.
+    const V corner = (low.x + 1.0F) * 4.0F + (low.y + 1.0F) * static_cast<float>(cells.quad.row) + (low.z + 1.0F) * static_cast<float>(cells.quad.plane);
+    const auto whole = hn::ConvertTo(DI(), corner);
+    hn::Store(whole, DI(), out.corner + i);
     store(inside - low, out.x, out.y, out.z, i);
+#if HWY_MAX_BYTES >= 64
+    const auto way = whole - hn::Iota(DI(), 0) * 4;
+    hn::StoreMaskBits(DI(), hn::Eq(way, hn::Broadcast<0>(way)), out.alike + i / 8);
+#endif
 }
 
 /// The places of a row's cells.
@@ -60,18 +67,47 @@ HWY_INLINE Vec3<V> velocities(D d, const float* quads)
     return v;
 }
 
+/// Calls four(i) for four cells of a row whose corners are beside one another, where vectors have room for as many, and part(i, p) for all others, p the first
+/// number of a part of their quads.
+template <class Four, class Part>
+HWY_INLINE void forQuads([[maybe_unused]] const PlaceRow& places, int cells, const Four& four, const Part& part)
+{
+    const auto parts = [&](std::size_t first, std::size_t last) HWY_ATTR {
+        for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t p = 0; p < 4; p += hn::Lanes(QuadTag())) {
+                part(i, p);
+            }
+        }
+    };
+    const auto n = static_cast<std::size_t>(cells);
+    std::size_t i = 0;
+#if HWY_MAX_BYTES >= 64
+    for (; i + 4 <= n; i += 4) {
+        if (places.fourAlike(i)) {
+            four(i);
+        } else {
+            parts(i, i + 4);
+        }
+    }
+#else
+    (void)four;
+#endif
+    parts(i, n);
+}
+
 /// Reads the air at the places of a row.
 HWY_INLINE void sampleRow(const AirCells& cells, const float* HWY_RESTRICT quads, const PlaceRow& places, float* HWY_RESTRICT out)
 {
-    const QuadTag dq;
     const std::size_t row = cells.quad.row;
     const std::size_t plane = cells.quad.plane;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.grid.cells.x); ++i) {
-        const float* corner = quads + places.corner[i];
-        for (std::size_t part = 0; part < 4; part += hn::Lanes(dq)) {
-            hn::StoreU(sampled(corner + part, row, plane, places.between(i)), dq, out + 4 * i + part);
-        }
-    }
+    const auto four = [&]([[maybe_unused]] std::size_t i) HWY_ATTR {
+#if HWY_MAX_BYTES >= 64
+        hn::StoreU(sampledFour(quads + places.corner[i], row, plane, places.x + i, places.y + i, places.z + i), FourTag(), out + 4 * i);
+#endif
+    };
+    forQuads(places, cells.grid.cells.x, four, [&](std::size_t i, std::size_t part) HWY_ATTR {
+        hn::StoreU(sampled(quads + places.corner[i] + part, row, plane, places.between(i)), QuadTag(), out + 4 * i + part);
+    });
 }
 
 void tracePlane(AirCells& cells, float dt, int k)
@@ -90,7 +126,7 @@ void tracePlane(AirCells& cells, float dt, int k)
         sampleRow(cells, cells.carrier.data(), places, middle.quad);
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
             const Vec3<V> way = velocities(d, middle.quad + 4 * i) * cellsPerSpeed;
-            store(way, cells.way.x, cells.way.y, cells.way.z, column + i);
+            store(way, cells.forced.x, cells.forced.y, cells.forced.z, column + i);
             split(d, cells, centres(d, i, j, k) - way, i, places);
         }
         sampleRow(cells, cells.air.data(), places, cells.guess.data() + cells.quad.at(0, j, k));
@@ -98,21 +134,23 @@ void tracePlane(AirCells& cells, float dt, int k)
 }
 
 /// q' from the guess, for the cells of a row.
-HWY_INLINE void correctRow(const AirCells& cells, std::size_t here, const PlaceRow& from, const PlaceRow& to, float* HWY_RESTRICT out)
+/// @param back of the row's cells; becomes q'
+HWY_INLINE void correctRow(const AirCells& cells, std::size_t here, const PlaceRow& from, float* HWY_RESTRICT back)
 {
-    const QuadTag dq;
     const std::size_t row = cells.quad.row;
     const std::size_t plane = cells.quad.plane;
     const float* HWY_RESTRICT air = cells.air.data();
     const float* HWY_RESTRICT guess = cells.guess.data();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.grid.cells.x); ++i) {
-        for (std::size_t part = 0; part < 4; part += hn::Lanes(dq)) {
-            const std::size_t at = here + 4 * i + part;
-            const QuadVec back = sampled(guess + to.corner[i] + part, row, plane, to.between(i));
-            const QuadVec corrected = hn::LoadU(dq, guess + at) + 0.5F * (hn::LoadU(dq, air + at) - back);
-            hn::StoreU(limited(air + from.corner[i] + part, row, plane, corrected), dq, out + 4 * i + part);
-        }
-    }
+    const auto corrected = [&](auto d, std::size_t at) HWY_ATTR { return hn::LoadU(d, guess + here + at) + 0.5F * (hn::LoadU(d, air + here + at) - hn::LoadU(d, back + at)); };
+    const auto four = [&]([[maybe_unused]] std::size_t i) HWY_ATTR {
+#if HWY_MAX_BYTES >= 64
+        hn::StoreU(limitedFour(air + from.corner[i], row, plane, corrected(FourTag(), 4 * i)), FourTag(), back + 4 * i);
+#endif
+    };
+    forQuads(from, cells.grid.cells.x, four, [&](std::size_t i, std::size_t part) HWY_ATTR {
+        const QuadTag d;
+        hn::StoreU(limited(air + from.corner[i] + part, row, plane, corrected(d, 4 * i + part)), d, back + 4 * i + part);
+    });
 }
 
 void correctPlane(AirCells& cells, float dt, int k)
@@ -126,13 +164,14 @@ void correctPlane(AirCells& cells, float dt, int k)
         const std::size_t column = cells.column.at(0, j, k);
         const float* here = cells.carrier.data() + cells.quad.at(0, j, k);
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-            const Vec3<V> way = load(d, cells.way.x, cells.way.y, cells.way.z, column + i);
+            const Vec3<V> way = load(d, cells.forced.x, cells.forced.y, cells.forced.z, column + i);
             // What leaves here turns the other way than what arrives: (d+ + d-) / 2 = dt u.
             const Vec3<V> wayOn = velocities(d, here + 4 * i) * (2.0F * dt / cells.grid.cell) - way;
             split(d, cells, centres(d, i, j, k) - way, i, from);
             split(d, cells, centres(d, i, j, k) + wayOn, i, to);
         }
-        correctRow(cells, cells.quad.at(0, j, k), from, to, corrected.quad);
+        sampleRow(cells, cells.guess.data(), to, corrected.quad);
+        correctRow(cells, cells.quad.at(0, j, k), from, corrected.quad);
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
             Vec3<V> v;
             V heat;

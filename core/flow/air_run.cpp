@@ -44,7 +44,7 @@ std::size_t leastBudget(const AirGrid& grid)
 
 std::size_t airRoom(const AirGrid& grid)
 {
-    constexpr std::size_t kColumns = 22; // of AirCells, and of the levels of the pressure together
+    constexpr std::size_t kColumns = 16; // of AirCells, of the levels of the pressure together, and of the curl around a few threads
     return stateBytes(grid) + kColumns * ColumnLayout(grid.cells).size * sizeof(float) + leastBudget(grid);
 }
 

@@ -7,85 +7,111 @@ namespace fumage {
 
 namespace {
 
-/// Calls fill(axis, isHigh, border, ghost cell, cell within) for all ghosts beside plane k. Ghosts along x come first and are part of the rows that
-/// those along y are made from, and so on: corners are filled last.
+/// A row of ghosts beside the box, or a single one.
+struct GhostRow {
+    int axis; ///< across the side
+    bool isHigh;
+    Border border;
+    glm::ivec3 ghost; ///< the first, along x
+    glm::ivec3 within; ///< the cell in the box beside it
+    std::size_t count;
+
+    /// 1, or -1 where what is mirrored changes its sign.
+    [[nodiscard]] float signAt(Border mirror) const { return border == mirror ? -1.0F : 1.0F; }
+};
+
+/// Calls fill(row) for all ghosts beside plane k. Ghosts along x come first and are part of the rows that those along y are made from, and so on:
+/// corners are filled last.
 template <class Fill>
 void forGhosts(const AirCells& cells, int k, const Fill& fill)
 {
     const glm::ivec3 n = cells.grid.cells;
+    const AirBorders& borders = cells.borders;
     for (int j = 0; j < n.y; ++j) {
-        fill(0, false, cells.borders.low[0], glm::ivec3(-1, j, k), glm::ivec3(0, j, k));
-        fill(0, true, cells.borders.high[0], glm::ivec3(n.x, j, k), glm::ivec3(n.x - 1, j, k));
+        fill(GhostRow{0, false, borders.low[0], {-1, j, k}, {0, j, k}, 1});
+        fill(GhostRow{0, true, borders.high[0], {n.x, j, k}, {n.x - 1, j, k}, 1});
     }
-    for (int i = -1; i <= n.x; ++i) {
-        fill(1, false, cells.borders.low[1], glm::ivec3(i, -1, k), glm::ivec3(i, 0, k));
-        fill(1, true, cells.borders.high[1], glm::ivec3(i, n.y, k), glm::ivec3(i, n.y - 1, k));
+    const auto row = static_cast<std::size_t>(n.x) + 2;
+    fill(GhostRow{1, false, borders.low[1], {-1, -1, k}, {-1, 0, k}, row});
+    fill(GhostRow{1, true, borders.high[1], {-1, n.y, k}, {-1, n.y - 1, k}, row});
+    for (int j = -1; j <= n.y && k == 0; ++j) {
+        fill(GhostRow{2, false, borders.low[2], {-1, j, -1}, {-1, j, 0}, row});
     }
-    const auto plane = [&](bool isHigh, Border border, int ghost) {
-        for (int j = -1; j <= n.y; ++j) {
-            for (int i = -1; i <= n.x; ++i) {
-                fill(2, isHigh, border, glm::ivec3(i, j, ghost), glm::ivec3(i, j, k));
-            }
-        }
-    };
-    if (k == 0) {
-        plane(false, cells.borders.low[2], -1);
+    for (int j = -1; j <= n.y && k == n.z - 1; ++j) {
+        fill(GhostRow{2, true, borders.high[2], {-1, j, n.z}, {-1, j, n.z - 1}, row});
     }
-    if (k == n.z - 1) {
-        plane(true, cells.borders.high[2], n.z);
+}
+
+std::size_t placeOf(const ColumnLayout& layout, const glm::ivec3& cell)
+{
+    return layout.at(cell.x, cell.y, cell.z);
+}
+
+/// Each ghost is what is beside it, times a sign.
+void fillRow(const AirCells& cells, AirColumn& column, const GhostRow& row, float sign)
+{
+    const float* from = column.data() + placeOf(cells.column, row.within);
+    float* to = column.data() + placeOf(cells.column, row.ghost);
+    for (std::size_t i = 0; i < row.count; ++i) {
+        to[i] = sign * from[i];
+    }
+}
+
+/// What comes in through an open border, or goes out.
+void fillOpenRow(const GhostRow& row, const std::array<float, 4>& outside, const float* from, float* to)
+{
+    const auto axis = static_cast<std::size_t>(row.axis);
+    const float inwards = row.isHigh ? -1.0F : 1.0F;
+    const float wind = inwards * outside[axis];
+    for (std::size_t quad = 0; quad < 4 * row.count; quad += 4) {
+        const float across = from[quad + axis];
+        const bool comes = inwards * across + wind > 0.0F;
+        std::copy_n(comes ? outside.data() : from + quad, 4, to + quad);
+        to[quad + axis] = comes ? inwards * std::max(inwards * across, wind) : across;
+    }
+}
+
+void fillSolidRow(const GhostRow& row, const float* from, float* to)
+{
+    std::copy_n(from, 4 * row.count, to);
+    for (std::size_t at = static_cast<std::size_t>(row.axis); at < 4 * row.count; at += 4) {
+        to[at] = -from[at];
     }
 }
 
 } // namespace
 
-void fillQuadGhosts(const AirCells& cells, AirColumn& quads, const glm::vec3& outsideWind, int k)
+void fillQuadGhosts(const AirCells& cells, AirColumn& quads, const glm::vec3& wind, int k)
 {
-    const std::array outside{outsideWind.x, outsideWind.y, outsideWind.z};
+    const std::array outside{wind.x, wind.y, wind.z, 0.0F};
     const auto at = [&](const glm::ivec3& cell) { return quads.data() + cells.quad.at(cell.x, cell.y, cell.z); };
-    forGhosts(cells, k, [&](int axis, bool isHigh, Border border, const glm::ivec3& ghost, const glm::ivec3& within) {
-        float* to = at(ghost);
-        const float* from = at(within);
-        std::copy_n(from, 4, to);
-        if (border == Border::Solid) {
-            to[axis] = -from[axis];
-            return;
-        }
-        const float inwards = isHigh ? -1.0F : 1.0F;
-        const float wind = outside[static_cast<std::size_t>(axis)];
-        if (inwards * (from[axis] + wind) > 0.0F) {
-            std::copy_n(outside.data(), 3, to);
-            to[axis] = inwards * std::max(inwards * from[axis], inwards * wind);
-            to[3] = 0.0F;
+    forGhosts(cells, k, [&](const GhostRow& row) {
+        if (row.border == Border::Solid) {
+            fillSolidRow(row, at(row.within), at(row.ghost));
+        } else {
+            fillOpenRow(row, outside, at(row.within), at(row.ghost));
         }
     });
 }
 
 void fillVelocityGhosts(const AirCells& cells, AirVectors& velocity, int k)
 {
-    const std::array<float*, 3> column{velocity.x.data(), velocity.y.data(), velocity.z.data()};
-    forGhosts(cells, k, [&](int axis, bool /*isHigh*/, Border border, const glm::ivec3& ghost, const glm::ivec3& within) {
-        const std::size_t to = cells.column.at(ghost.x, ghost.y, ghost.z);
-        const std::size_t from = cells.column.at(within.x, within.y, within.z);
-        for (std::size_t each = 0; each < 3; ++each) {
-            const bool mirrored = border == Border::Solid && static_cast<int>(each) == axis;
-            column[each][to] = mirrored ? -column[each][from] : column[each][from];
+    const std::array column{&velocity.x, &velocity.y, &velocity.z};
+    forGhosts(cells, k, [&](const GhostRow& row) {
+        for (std::size_t each = 0; each < column.size(); ++each) {
+            fillRow(cells, *column[each], row, static_cast<int>(each) == row.axis ? row.signAt(Border::Solid) : 1.0F);
         }
     });
 }
 
 void fillEvenGhosts(const AirCells& cells, AirColumn& column, int k)
 {
-    forGhosts(cells, k, [&](int /*axis*/, bool /*isHigh*/, Border /*border*/, const glm::ivec3& ghost, const glm::ivec3& within) {
-        column[cells.column.at(ghost.x, ghost.y, ghost.z)] = column[cells.column.at(within.x, within.y, within.z)];
-    });
+    forGhosts(cells, k, [&](const GhostRow& row) { fillRow(cells, column, row, 1.0F); });
 }
 
 void fillPressureGhosts(const AirCells& cells, AirColumn& pressure, int k)
 {
-    forGhosts(cells, k, [&](int /*axis*/, bool /*isHigh*/, Border border, const glm::ivec3& ghost, const glm::ivec3& within) {
-        const float inside = pressure[cells.column.at(within.x, within.y, within.z)];
-        pressure[cells.column.at(ghost.x, ghost.y, ghost.z)] = border == Border::Solid ? inside : -inside;
-    });
+    forGhosts(cells, k, [&](const GhostRow& row) { fillRow(cells, pressure, row, row.signAt(Border::Open)); });
 }
 
 } // namespace fumage

@@ -19,6 +19,28 @@ struct AirVectors {
     }
 };
 
+/// The curl of the velocity in a plane of cells, with a ring of ghosts.
+struct CurlPlane {
+    AirVectors curl; ///< m/s a cell
+    AirColumn vorticity; ///< its length
+
+    /// Makes room, if there is none.
+    void makeRoom(const ColumnLayout& layout)
+    {
+        const std::size_t size = layout.plane + 2 * kAirLanes;
+        if (vorticity.size() != size) {
+            curl.resize(size);
+            vorticity.assign(size, 0.0F);
+        }
+    }
+
+    /// Cell (0, j).
+    static std::size_t at(const ColumnLayout& layout, int j) { return kAirLanes + static_cast<std::size_t>(j + 1) * layout.row; }
+};
+
+/// The curl of three planes, k - 1 to k + 1; beyond the first and the last plane of the box, that of those.
+using CurlAround = std::array<const CurlPlane*, 3>;
+
 /// What lives from one step to the next: quads of all cells, with their ghosts.
 struct AirState {
     AirColumn air; ///< velocity in the middle of each cell, and heat
@@ -38,10 +60,10 @@ struct AirCells {
         air.assign(quad.size, 0.0F);
         carrier.assign(quad.size, 0.0F);
         guess.assign(quad.size, 0.0F);
-        for (AirVectors* vectors : {&way, &velocity, &forced, &curl}) {
+        for (AirVectors* vectors : {&velocity, &forced}) {
             vectors->resize(column.size);
         }
-        for (AirColumn* numbers : {&heat, &vorticity, &divergence, &pressure}) {
+        for (AirColumn* numbers : {&heat, &divergence, &pressure}) {
             numbers->assign(column.size, 0.0F);
         }
     }
@@ -54,11 +76,8 @@ struct AirCells {
     AirColumn air; ///< quads, see AirState
     AirColumn carrier; ///< quads, see AirState
     AirColumn guess; ///< quads: the state carried, first guess of MacCormack's method
-    AirVectors way; ///< cells that the air comes along in a step
     AirVectors velocity; ///< carried, m/s
-    AirVectors forced; ///< carried and accelerated, m/s
-    AirVectors curl; ///< of the velocity, m/s a cell
-    AirColumn vorticity; ///< its length
+    AirVectors forced; ///< carried and accelerated, m/s; while the air is carried, the cells that it comes along in the step
     AirColumn heat;
     AirColumn divergence; ///< m/s a cell, less the expansion of the source
     AirColumn pressure; ///< times dt / density / cell: velocity loses its difference

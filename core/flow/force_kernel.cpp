@@ -8,6 +8,8 @@
 #include "core/flow/force_kernel.h"
 #include "core/noise/simplex-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
@@ -36,17 +38,25 @@ HWY_INLINE Vec3<V> rimNoise(D d, const AirSource& source, const Vec3<V>& away)
     return sum;
 }
 
-/// How far inside the source places are, m, less than 0 outside: from its rim, which wanders, and from its two ends.
-HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V wander)
+/// How much of places lies between the two ends of the source, 0 to 1. A sphere has none.
+HWY_INLINE V betweenEnds(D d, const AirSource& source, const Vec3<V>& away)
+{
+    if (source.shape == EmitterShape::Sphere) {
+        return hn::Set(d, 1.0F);
+    }
+    const V up = dot(away, source.normal);
+    return covered(d, hn::Min(up + 0.5F * source.softness, source.depth - up), source.softness);
+}
+
+/// How much of places the source covers, 0 to 1: within its rim, which wanders, and its two ends.
+HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends, V wander)
 {
     const V across = dot(away, source.basis.across);
     const V along = dot(away, source.basis.along);
-    const V up = dot(away, source.normal);
     const V edge = 1.0F + source.raggedness * wander;
     if (source.shape == EmitterShape::Sphere) {
         return covered(d, edge * source.reach.x - hn::Sqrt(dot(away, away)), source.softness);
     }
-    const V ends = covered(d, hn::Min(up + 0.5F * source.softness, source.depth - up), source.softness);
     if (source.shape == EmitterShape::Rectangle) {
         return ends * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)), source.softness);
     }
@@ -62,8 +72,12 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
         for (auto i = static_cast<std::size_t>(source.first.x); i < static_cast<std::size_t>(source.last.x); i += hn::Lanes(d)) {
             const std::size_t at = row + i;
             const Vec3<V> away{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
+            const V ends = betweenEnds(d, source, away);
+            if (hn::AllFalse(d, hn::Gt(ends, hn::Zero(d)))) {
+                continue;
+            }
             const Vec3<V> noise = rimNoise(d, source, away);
-            const V cover = coverage(d, source, away, noise.x);
+            const V cover = coverage(d, source, away, ends, noise.x);
             const V heat = hn::Load(d, cells.heat.data() + at);
             hn::Store(hn::Max(heat, cover * source.heat), d, cells.heat.data() + at);
             const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
@@ -81,7 +95,20 @@ HWY_INLINE V slope(D d, const float* HWY_RESTRICT at, std::size_t stride)
     return 0.5F * (hn::LoadU(d, at + stride) - hn::LoadU(d, at - stride));
 }
 
-void curlPlane(AirCells& cells, int k)
+/// Ghosts around a plane, as the cells beside them; corners stay as they are.
+HWY_INLINE void fillRing(const ColumnLayout& layout, float* numbers)
+{
+    const auto n = static_cast<std::size_t>(layout.cells.x);
+    for (int j = 0; j < layout.cells.y; ++j) {
+        float* row = numbers + CurlPlane::at(layout, j);
+        *(row - 1) = *row;
+        row[n] = row[n - 1];
+    }
+    std::copy_n(numbers + CurlPlane::at(layout, 0), n, numbers + CurlPlane::at(layout, -1));
+    std::copy_n(numbers + CurlPlane::at(layout, layout.cells.y - 1), n, numbers + CurlPlane::at(layout, layout.cells.y));
+}
+
+void curlPlane(const AirCells& cells, int k, CurlPlane& out)
 {
     const D d;
     const std::size_t row = cells.column.row;
@@ -89,25 +116,30 @@ void curlPlane(AirCells& cells, int k)
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
     for (int j = 0; j < cells.grid.cells.y; ++j) {
         const std::size_t start = cells.column.at(0, j, k);
-        for (std::size_t at = start; at < start + n; at += hn::Lanes(d)) {
-            const float* u = cells.velocity.x.data() + at;
-            const float* v = cells.velocity.y.data() + at;
-            const float* w = cells.velocity.z.data() + at;
+        const std::size_t to = CurlPlane::at(cells.column, j);
+        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+            const float* u = cells.velocity.x.data() + start + i;
+            const float* v = cells.velocity.y.data() + start + i;
+            const float* w = cells.velocity.z.data() + start + i;
             const Vec3<V> curl{slope(d, w, row) - slope(d, v, plane), slope(d, u, plane) - slope(d, w, 1), slope(d, v, 1) - slope(d, u, row)};
-            store(curl, cells.curl.x, cells.curl.y, cells.curl.z, at);
-            hn::Store(hn::Sqrt(dot(curl, curl)), d, cells.vorticity.data() + at);
+            store(curl, out.curl.x, out.curl.y, out.curl.z, to + i);
+            hn::Store(hn::Sqrt(dot(curl, curl)), d, out.vorticity.data() + to + i);
         }
     }
+    fillRing(cells.column, out.vorticity.data());
 }
 
 /// epsilon (N x w) dt, m/s. N is of length 1, or shorter where the vorticity is so even that it has no direction.
-HWY_INLINE Vec3<V> confinement(D d, const AirCells& cells, float strength, std::size_t at)
+/// @param at in the planes of the curl
+HWY_INLINE Vec3<V> confinement(D d, const CurlAround& around, std::size_t row, float strength, std::size_t at)
 {
-    const float* size = cells.vorticity.data() + at;
-    const Vec3<V> gradient{slope(d, size, 1), slope(d, size, cells.column.row), slope(d, size, cells.column.plane)};
+    const float* size = around[1]->vorticity.data() + at;
+    const V alongZ = 0.5F * (hn::Load(d, around[2]->vorticity.data() + at) - hn::Load(d, around[0]->vorticity.data() + at));
+    const Vec3<V> gradient{slope(d, size, 1), slope(d, size, row), alongZ};
     constexpr float kEven = 1e-6F; // m/s a cell
     const V scale = strength / (hn::Sqrt(dot(gradient, gradient)) + kEven);
-    return cross(gradient, load(d, cells.curl.x, cells.curl.y, cells.curl.z, at)) * scale;
+    const AirVectors& curl = around[1]->curl;
+    return cross(gradient, load(d, curl.x, curl.y, curl.z, at)) * scale;
 }
 
 /// What a wall in the cell leaves of the air's velocity in it: 1 / (1 + c dt |u| / h), which is stable for any drag c.
@@ -127,19 +159,21 @@ HWY_INLINE Vec3<V> bounded(D d, const Vec3<V>& v)
     return {within(v.x), within(v.y), within(v.z)};
 }
 
-void forcePlane(AirCells& cells, const AirStep& step, int k)
+void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& curl)
 {
     const D d;
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
     for (int j = 0; j < cells.grid.cells.y; ++j) {
         const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
         const std::size_t start = cells.column.at(0, j, k);
-        for (std::size_t at = start; at < start + n; at += hn::Lanes(d)) {
+        const std::size_t inPlane = CurlPlane::at(cells.column, j);
+        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+            const std::size_t at = start + i;
             const V heat = hn::Load(d, cells.heat.data() + at);
             Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at) + step.windChange;
             v.y = v.y + heat * (step.dt * step.buoyancy);
             if (step.confinement > 0.0F) {
-                v = v + confinement(d, cells, step.confinement * step.dt, at);
+                v = v + confinement(d, curl, cells.column.row, step.confinement * step.dt, inPlane + i);
             }
             if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
                 v = v * afterDrag(d, cells, step, onGround, v, at);
@@ -169,16 +203,16 @@ void addSource(AirCells& cells, const AirSource& source, int k)
     kernel(cells, source, k);
 }
 
-void findCurl(AirCells& cells, int k)
+void findCurl(const AirCells& cells, int k, CurlPlane& out)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(curlPlane);
-    kernel(cells, k);
+    kernel(cells, k, out);
 }
 
-void addForces(AirCells& cells, const AirStep& step, int k)
+void addForces(AirCells& cells, const AirStep& step, int k, const CurlAround& curl)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(forcePlane);
-    kernel(cells, step, k);
+    kernel(cells, step, k, curl);
 }
 
 } // namespace fumage

@@ -12,12 +12,14 @@ namespace fumage {
 /// Writes velocity and heat, and divergence: what the source adds by its expansion, everywhere else 0.
 void addSource(AirCells& cells, const AirSource& source, int k);
 
-/// Curl of the velocity, by central differences. Reads velocity with its ghosts; writes curl and vorticity.
-void findCurl(AirCells& cells, int k);
+/// Curl of the velocity in plane k, by central differences, and its length, whose ghosts beside the plane are as the cells within.
+/// Reads velocity with its ghosts.
+void findCurl(const AirCells& cells, int k, CurlPlane& out);
 
 /// forced = velocity + dt (buoyancy heat up + epsilon (N x w)) + change of the wind, with w the curl and N = grad |w| / |grad |w||; then friction.
-/// Heat cools. Reads velocity, heat, curl, and vorticity with its ghosts.
+/// Heat cools. Reads velocity, heat and curl.
+/// @param curl not read where there is no confinement
 /// Source: Steinhoff and Underhill 1994; Fedkiw, Stam, Jensen, "Visual Simulation of Smoke", SIGGRAPH 2001.
-void addForces(AirCells& cells, const AirStep& step, int k);
+void addForces(AirCells& cells, const AirStep& step, int k, const CurlAround& curl);
 
 } // namespace fumage

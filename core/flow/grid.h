@@ -100,6 +100,10 @@ struct ColumnLayout {
         return origin + static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * row + static_cast<std::size_t>(k) * plane;
     }
 
+    /// Where the numbers of a plane begin, ghosts and padding included.
+    /// @param k from -1 to cells + 1, which is their end
+    [[nodiscard]] std::ptrdiff_t planeStart(int k) const { return (k + 1) * static_cast<std::ptrdiff_t>(plane); }
+
 private:
     static constexpr std::size_t rounded(std::size_t count) { return (count + kAirLanes - 1) / kAirLanes * kAirLanes; }
 };

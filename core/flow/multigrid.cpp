@@ -212,7 +212,6 @@ void Multigrid::cycle(std::size_t level, AirColumn& pressure, AirColumn& rightSi
 
 void Multigrid::solve(AirColumn& pressure, AirColumn& rightSide, int cycles)
 {
-    std::fill(pressure.begin(), pressure.end(), 0.0F);
     for (int i = 0; i < cycles; ++i) {
         cycle(0, pressure, rightSide);
     }

@@ -44,7 +44,7 @@ public:
     /// @param open see AirCells::open; empty without obstacles
     Multigrid(const glm::ivec3& cells, const AirBorders& borders, const AirVectors& open);
 
-    /// @param pressure    columns of the cells; the solution, from nothing
+    /// @param pressure    columns of the cells, their ghosts 0; a first guess, which becomes the solution
     /// @param rightSide   read; where the box is closed its sum has to be 0
     /// The same bits for any number of threads and on every instruction set.
     void solve(AirColumn& pressure, AirColumn& rightSide, int cycles);

@@ -63,42 +63,67 @@ HWY_INLINE void invertRow(D d, const MultigridLevel& level, float own, float* HW
     }
 }
 
+/// Which of a row's cells are the second of two.
+HWY_ALIGN constexpr float kOdd[2 + kAirLanes] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+
+/// How many rows black cells are behind white ones: by then those have reached the cache, and what is loaded across two of their vectors need not wait.
+constexpr int kRowsBehind = 4;
+
+/// Relaxes every other cell of a row.
+/// @param lane 0 for the first and those with it, 1 for the others
 template <bool kObstacles>
-HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, int colour, int k)
+HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& weights, std::size_t lane, std::size_t start, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, const float* HWY_RESTRICT inverse)
+{
+    const auto n = static_cast<std::size_t>(level.layout.cells.x);
+    const auto relaxed = [&](std::size_t i) HWY_ATTR {
+        const auto isMine = hn::Eq(hn::LoadU(d, kOdd + (i + lane) % 2), hn::Zero(d));
+        const std::size_t at = start + i;
+        const V sum = neighbours<kObstacles>(d, level, weights, p, at, i) - hn::Load(d, rightSide + at);
+        return hn::IfThenElse(isMine, sum * hn::Load(d, inverse + i), hn::Load(d, p + at));
+    };
+    // A vector is stored after the next one has been loaded across its end, which would else wait for it to reach the cache. The other half of the cells,
+    // which is all that is read across, stays as it is.
+    V before = relaxed(0);
+    std::size_t i = hn::Lanes(d);
+    for (; i < n; i += hn::Lanes(d)) {
+        const V here = relaxed(i);
+        hn::Store(before, d, p + start + i - hn::Lanes(d));
+        before = here;
+    }
+    hn::Store(before, d, p + start + i - hn::Lanes(d));
+}
+
+/// A plane's white cells and, some rows behind them, its black ones.
+template <bool kObstacles>
+HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, int k)
 {
     const D d;
     HWY_ALIGN float rowInverse[kRowRoom];
-    // The row goes through memory of its own: a vector that is loaded across one that was just stored would wait for it to reach the cache.
-    HWY_ALIGN float relaxed[kRowRoom];
-    HWY_ALIGN constexpr float kOdd[2 + kAirLanes] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
     float invertedFor = -1.0F;
-    for (int j = 0; j < level.layout.cells.y; ++j) {
+    const auto relax = [&](int j, int colour) HWY_ATTR {
         const RowWeights weights(level, j, k);
         const std::size_t start = level.layout.at(0, j, k);
-        const auto lane = static_cast<std::size_t>((j + k + colour) % 2);
         if (!kObstacles && invertedFor != weights.own) {
             invertRow(d, level, weights.own, rowInverse);
             invertedFor = weights.own;
         }
-        const float* HWY_RESTRICT inverse = kObstacles ? level.inverse.data() + start : rowInverse;
-        const auto n = static_cast<std::size_t>(level.layout.cells.x);
-        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-            const auto isMine = hn::Eq(hn::LoadU(d, kOdd + (i + lane) % 2), hn::Zero(d));
-            const std::size_t at = start + i;
-            const V sum = neighbours<kObstacles>(d, level, weights, p, at, i) - hn::Load(d, rightSide + at);
-            hn::Store(hn::IfThenElse(isMine, sum * hn::Load(d, inverse + i), hn::Load(d, p + at)), d, relaxed + i);
+        const float* inverse = kObstacles ? level.inverse.data() + start : rowInverse;
+        relaxRow<kObstacles>(d, level, weights, static_cast<std::size_t>((j + k + colour) % 2), start, p, rightSide, inverse);
+    };
+    for (int j = 0; j < level.layout.cells.y + kRowsBehind; ++j) {
+        if (j < level.layout.cells.y) {
+            relax(j, 0);
         }
-        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-            hn::Store(hn::Load(d, relaxed + i), d, p + start + i);
+        if (j >= kRowsBehind) {
+            relax(j - kRowsBehind, 1);
         }
     }
 }
 
 void relaxPlane(const MultigridLevel& level, AirColumn& pressure, const AirColumn& rightSide, int k)
 {
-    const auto relaxColour = level.inverse.empty() ? &relaxWith<false> : &relaxWith<true>;
-    relaxColour(level, pressure.data(), rightSide.data(), 0, k);
-    relaxColour(level, pressure.data(), rightSide.data(), 1, k);
+    const auto relax = level.inverse.empty() ? &relaxWith<false> : &relaxWith<true>;
+    relax(level, pressure.data(), rightSide.data(), k);
 }
 
 /// Adds the weighted residual of a row of fine cells.

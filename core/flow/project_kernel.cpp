@@ -133,52 +133,107 @@ struct Smoothing {
 
 constexpr std::size_t kRowRoom = kMaxAirCells + 2 * kAirLanes;
 
-/// Columns of one row of nodes, each with a place before its first.
-struct NodeRow {
-    HWY_ALIGN float faces[kAirLanes + kRowRoom];
-    HWY_ALIGN float quads[4 * kRowRoom];
-    HWY_ALIGN std::uint16_t halfs[4 * kRowRoom];
+/// The latest rows of numbers of cells or faces: a row of nodes shares most of what it needs with the one before it.
+template <int kRows>
+struct LatestRows {
+    HWY_ALIGN float row[kRows][kRowRoom];
+
+    /// @param j -1 or more
+    [[nodiscard]] HWY_INLINE float* at(int j) { return row[(j + kRows) % kRows]; }
+    [[nodiscard]] HWY_INLINE const float* at(int j) const { return row[(j + kRows) % kRows]; }
 };
 
-/// The mean of four rows of faces across x, around a row of nodes, smoothed along it.
-HWY_INLINE void alongX(D d, const AirCells& cells, const Faces& faces, std::size_t nodeRow, NodeRow& room)
+/// Around a plane of nodes: of the planes of cells before and behind it, and of three planes of faces.
+struct NodeRows {
+    LatestRows<2> x[2]; ///< faces across x
+    LatestRows<2> heat[2]; ///< sums of a cell and the one before it
+    LatestRows<2> z[3]; ///< sums of a face across z and the one before it
+    LatestRows<3> y; ///< means of the four faces across y around a node
+};
+
+/// Sums of numbers and those before them.
+template <class At>
+HWY_INLINE void storePairs(D d, std::size_t start, std::size_t nodes, const At& at, float* HWY_RESTRICT out)
 {
-    const auto last = static_cast<std::size_t>(cells.grid.cells.x);
-    float* HWY_RESTRICT mean = room.faces + kAirLanes;
+    for (std::size_t i = 0; i < nodes; i += hn::Lanes(d)) {
+        hn::Store(at(start + i) + at(start + i - 1), d, out + i);
+    }
+}
+
+/// Row j of the cells around a plane of nodes, and of the faces across z.
+/// @param beyond whether there are faces on both sides of the plane of nodes
+HWY_INLINE void findRows(D d, const AirCells& cells, const AllFaces& faces, std::size_t start, int j, bool beyond, NodeRows& rows)
+{
+    const std::size_t nodes = static_cast<std::size_t>(cells.grid.cells.x) + 1;
+    const std::size_t plane = cells.column.plane;
+    const auto heat = [&](std::size_t at) HWY_ATTR { return hn::LoadU(d, cells.heat.data() + at); };
+    const auto acrossZ = [&](std::size_t at) HWY_ATTR { return faces.z.at(d, at); };
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t of = start + (side - 1) * plane;
+        float* HWY_RESTRICT x = rows.x[side].at(j);
+        for (std::size_t i = 0; i < nodes; i += hn::Lanes(d)) {
+            hn::Store(faces.x.at(d, of + i), d, x + i);
+        }
+        storePairs(d, of, nodes, heat, rows.heat[side].at(j));
+    }
+    for (std::size_t k = beyond ? 0 : 1; k < (beyond ? 3U : 2U); ++k) {
+        storePairs(d, start + (k - 1) * plane, nodes, acrossZ, rows.z[k].at(j));
+    }
+}
+
+/// The means of four faces across y around the nodes of row j.
+HWY_INLINE void findMeans(D d, const AirCells& cells, const Faces& faces, std::size_t start, int j, NodeRows& rows)
+{
+    const std::size_t plane = cells.column.plane;
+    float* HWY_RESTRICT mean = rows.y.at(j);
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(cells.grid.cells.x); i += hn::Lanes(d)) {
+        const std::size_t at = start + i;
+        hn::Store(0.25F * ((faces.at(d, at) + faces.at(d, at - 1)) + (faces.at(d, at - plane) + faces.at(d, at - plane - 1))), d, mean + i);
+    }
+}
+
+/// The mean of four rows of faces across x, around a row of nodes, smoothed along it.
+/// @param room for a row, with a place before its first
+HWY_INLINE void alongX(D d, const NodeRows& rows, int j, std::size_t last, float* HWY_RESTRICT room, float* HWY_RESTRICT out)
+{
+    const auto sum = [&](const LatestRows<2>& x, std::size_t i) HWY_ATTR { return hn::Load(d, x.at(j) + i) + hn::Load(d, x.at(j - 1) + i); };
+    float* HWY_RESTRICT mean = room + kAirLanes;
     for (std::size_t i = 0; i <= last; i += hn::Lanes(d)) {
-        const std::size_t at = nodeRow + i;
-        const V near = faces.at(d, at) + faces.at(d, at - cells.column.row);
-        const V far = faces.at(d, at - cells.column.plane) + faces.at(d, at - cells.column.plane - cells.column.row);
-        hn::Store(0.25F * (near + far), d, mean + i);
+        hn::Store(0.25F * (sum(rows.x[1], i) + sum(rows.x[0], i)), d, mean + i);
     }
     // Beyond the ends as if it went on straight: the smoothed value of the border is then that of its face.
     mean[-1] = 2.0F * mean[0] - mean[1];
     mean[last + 1] = 2.0F * mean[last] - mean[last - 1];
     for (std::size_t i = 0; i <= last; i += hn::Lanes(d)) {
         const V sides = hn::LoadU(d, mean + i - 1) + hn::LoadU(d, mean + i + 1);
-        hn::Store(0.25F * sides + 0.5F * hn::Load(d, mean + i), d, room.quads + i);
+        hn::Store(0.25F * sides + 0.5F * hn::Load(d, mean + i), d, out + i);
     }
 }
 
-/// The same across y or z, for one vector of nodes.
-/// @param other stride of the axis that is neither x nor that of the faces
-HWY_INLINE V acrossX(D d, const Faces& faces, const Smoothing& smoothing, std::size_t other, std::size_t at)
+/// The same across y or z.
+/// @param mean of the faces around node i before, at and behind it: -1, 0 or 1
+template <class Mean>
+HWY_INLINE V acrossX(const Smoothing& smoothing, const Mean& mean)
 {
-    const auto mean = [&](std::size_t face) HWY_ATTR { return 0.25F * ((faces.at(d, face) + faces.at(d, face - 1)) + (faces.at(d, face - other) + faces.at(d, face - other - 1))); };
-    V out = smoothing.own * mean(at);
+    V out = smoothing.own * mean(0);
     if (smoothing.beside != 0.0F) {
-        out = out + smoothing.beside * (mean(at - faces.stride) + mean(at + faces.stride));
+        out = out + smoothing.beside * (mean(-1) + mean(1));
     }
     return out;
 }
 
-HWY_INLINE V heatOfNode(D d, const AirCells& cells, std::size_t at)
+/// Velocity and heat of node i and those after it, as half floats.
+HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y, const Smoothing& z, const float* u, std::size_t i, std::uint16_t* halfs)
 {
-    const float* heat = cells.heat.data() + at;
-    const auto pair = [&](const float* of) HWY_ATTR { return hn::LoadU(d, of) + hn::LoadU(d, of - 1); };
-    const std::size_t row = cells.column.row;
-    const std::size_t plane = cells.column.plane;
-    return 0.125F * ((pair(heat) + pair(heat - row)) + (pair(heat - plane) + pair(heat - plane - row)));
+    const auto sum = [&](const LatestRows<2>& of) HWY_ATTR { return hn::Load(d, of.at(j) + i) + hn::Load(d, of.at(j - 1) + i); };
+    const V v = acrossX(y, [&](int side) HWY_ATTR { return hn::Load(d, rows.y.at(j + side) + i); });
+    const V w = acrossX(z, [&](int side) HWY_ATTR { return 0.25F * sum(rows.z[side + 1]); });
+    const V heat = 0.125F * (sum(rows.heat[1]) + sum(rows.heat[0]));
+    HWY_ALIGN float quads[4 * kAirLanes];
+    hn::StoreInterleaved4(hn::Load(d, u + i), v, w, heat, d, quads);
+    for (std::size_t part = 0; part < 4 * hn::Lanes(d); part += hn::Lanes(d)) {
+        storeHalfs(hn::Load(d, quads + part), halfs + 4 * i + part);
+    }
 }
 
 void nodePlane(const AirCells& cells, AirField& field, int k)
@@ -186,25 +241,26 @@ void nodePlane(const AirCells& cells, AirField& field, int k)
     const D d;
     const AllFaces faces(cells, true);
     const glm::ivec3 n = cells.grid.cells;
-    const auto nodes = static_cast<std::size_t>(n.x) + 1;
-    NodeRow room;
+    const auto last = static_cast<std::size_t>(n.x);
     const Smoothing z(k, n.z);
+    const auto rowOf = [&](int j) { return cells.column.at(0, j, k); };
+    NodeRows rows;
+    HWY_ALIGN float room[kAirLanes + kRowRoom];
+    HWY_ALIGN float u[kRowRoom];
+    HWY_ALIGN std::uint16_t halfs[4 * kRowRoom];
+    findRows(d, cells, faces, rowOf(-1), -1, z.beside != 0.0F, rows);
+    findMeans(d, cells, faces.y, rowOf(0), 0, rows);
     for (int j = 0; j <= n.y; ++j) {
+        findRows(d, cells, faces, rowOf(j), j, z.beside != 0.0F, rows);
+        if (j < n.y) {
+            findMeans(d, cells, faces.y, rowOf(j + 1), j + 1, rows);
+        }
+        alongX(d, rows, j, last, room, u);
         const Smoothing y(j, n.y);
-        const std::size_t start = cells.column.at(0, j, k);
-        alongX(d, cells, faces.x, start, room);
-        HWY_ALIGN float u[kRowRoom];
-        std::copy_n(room.quads, kRowRoom, u);
-        for (std::size_t i = 0; i < nodes; i += hn::Lanes(d)) {
-            const std::size_t at = start + i;
-            const V v = acrossX(d, faces.y, y, cells.column.plane, at);
-            const V w = acrossX(d, faces.z, z, cells.column.row, at);
-            hn::StoreInterleaved4(hn::Load(d, u + i), v, w, heatOfNode(d, cells, at), d, room.quads + 4 * i);
+        for (std::size_t i = 0; i <= last; i += hn::Lanes(d)) {
+            storeNodes(d, rows, j, y, z, u, i, halfs);
         }
-        for (std::size_t i = 0; i < 4 * nodes; i += hn::Lanes(d)) {
-            storeHalfs(hn::Load(d, room.quads + i), room.halfs + i);
-        }
-        std::copy_n(room.halfs, field.row, field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane);
+        std::copy_n(halfs, field.row, field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane);
     }
 }
 

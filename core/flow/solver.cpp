@@ -28,7 +28,36 @@ void forPlanes(int first, int last, const Body& body)
     parallelFor(static_cast<std::size_t>(last - first), [&](std::size_t i) { body(first + static_cast<int>(i)); });
 }
 
+/// Planes of a slab: enough that what is computed for both of two neighbours does not count, and few enough that all threads have some.
+constexpr int kSlab = 8;
+
+/// Calls body(first, last) for slabs of planes [first, last), on all threads.
+template <class Body>
+void forSlabs(int planes, const Body& body)
+{
+    forPlanes(0, (planes + kSlab - 1) / kSlab, [&](int slab) { body(slab * kSlab, std::min(planes, (slab + 1) * kSlab)); });
+}
+
+/// Makes the numbers of plane k 0, with their ghosts, and those of the plane of ghosts beyond it where it is the first or the last.
+void clearPlane(AirColumn& column, const ColumnLayout& layout, int k)
+{
+    const int first = k == 0 ? -1 : k;
+    const int end = k + 1 == layout.cells.z ? k + 2 : k + 1;
+    std::fill(column.begin() + layout.planeStart(first), column.begin() + layout.planeStart(end), 0.0F);
+}
+
 } // namespace
+
+CurlAround AirSolver::CurlPlanes::around(const AirCells& cells, int k, bool isFirst)
+{
+    const int last = cells.grid.cells.z - 1;
+    const auto of = [&](int plane) -> CurlPlane& { return planes[static_cast<std::size_t>(std::clamp(plane, 0, last)) % planes.size()]; };
+    for (int plane = isFirst ? std::max(0, k - 1) : k + 1; plane <= std::min(k + 1, last); ++plane) {
+        of(plane).makeRoom(cells.column);
+        findCurl(cells, plane, of(plane));
+    }
+    return {&of(k - 1), &of(k), &of(k + 1)};
+}
 
 AirSolver::AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind)
     : m_cells(cellsWith(grid, borders, solids))
@@ -53,13 +82,13 @@ void AirSolver::step(const AirStep& step)
         fillQuadGhosts(cells, cells.guess, step.wind, k);
     });
     fillSkin(cells, cells.guess);
-    std::fill(cells.divergence.begin(), cells.divergence.end(), 0.0F);
     const bool confines = step.confinement > 0.0F;
     forPlanes(0, planes, [&](int k) {
         correctTrace(cells, step.dt, k);
         if (keepsHeat) {
             m_heat.after(cells, k);
         }
+        clearPlane(cells.divergence, cells.column, k);
         if (step.source.acts && k >= step.source.first.z && k < step.source.last.z) {
             addSource(cells, step.source, k);
         }
@@ -67,19 +96,16 @@ void AirSolver::step(const AirStep& step)
             fillVelocityGhosts(cells, cells.velocity, k);
         }
     });
-    if (confines) {
-        forPlanes(0, planes, [&](int k) {
-            findCurl(cells, k);
-            fillEvenGhosts(cells, cells.vorticity, k);
-        });
-    }
     const HeatBudget::Correction correction = keepsHeat ? m_heat.correction() : HeatBudget::Correction();
-    forPlanes(0, planes, [&](int k) {
-        if (keepsHeat) {
-            HeatBudget::correct(cells, correction, k);
+    forSlabs(planes, [&](int first, int last) {
+        CurlPlanes& curl = m_curl.local();
+        for (int k = first; k < last; ++k) {
+            if (keepsHeat) {
+                HeatBudget::correct(cells, correction, k);
+            }
+            addForces(cells, step, k, confines ? curl.around(cells, k, k == first) : CurlAround{});
+            fillVelocityGhosts(cells, cells.forced, k);
         }
-        addForces(cells, step, k);
-        fillVelocityGhosts(cells, cells.forced, k);
     });
     project(step.wind);
 }
@@ -88,7 +114,10 @@ void AirSolver::project(const glm::vec3& wind)
 {
     AirCells& cells = m_cells;
     const int planes = cells.grid.cells.z;
-    forPlanes(0, planes, [&](int k) { findDivergence(cells, k); });
+    forPlanes(0, planes, [&](int k) {
+        findDivergence(cells, k);
+        clearPlane(cells.pressure, cells.column, k);
+    });
     if (cells.borders.closed()) {
         balance();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/parallel.h"
 #include "core/flow/cells.h"
 #include "core/flow/field.h"
 #include "core/flow/heat_budget.h"
@@ -71,7 +72,17 @@ private:
     /// Takes from every cell of a closed box the mean of what flows out of them: nothing can leave it.
     void balance();
 
+    /// The curl around the plane that a thread is at: kept no longer, so that it stays near the processor.
+    struct CurlPlanes {
+        std::array<CurlPlane, 3> planes; ///< plane k is the one of index k % 3
+
+        /// Finds what is missing for plane k.
+        /// @param isFirst false: plane k - 1 was the last one that was asked for
+        [[nodiscard]] CurlAround around(const AirCells& cells, int k, bool isFirst);
+    };
+
     AirCells m_cells;
+    PerThread<CurlPlanes> m_curl;
     Multigrid m_multigrid;
     HeatBudget m_heat;
 };
