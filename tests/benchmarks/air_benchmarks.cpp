@@ -4,6 +4,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
+#include "core/simulation/advance.h"
+#include "core/simulation/air_shelf.h"
 
 namespace fumage::benchmarks {
 
@@ -44,6 +46,85 @@ void obviousAir(benchmark::State& state, const glm::ivec3& cells)
     }
 }
 
+/// The default look in air, with two octaves of turbulence below the grid. A short loop, whose air is baked once for all numbers of particles.
+Effect inAir(int particles)
+{
+    Effect effect;
+    effect.emitter.count = particles;
+    effect.turbulence.octaves = 2;
+    effect.air.enabled = true;
+    effect.timeline.loop = true;
+    effect.timeline.length = 24;
+    return effect;
+}
+
+/// A step of particles through air that is baked.
+void carry(benchmark::State& state, AirShelf& shelf, int particles, int threads, const std::string& simd)
+{
+    const SampledEffect effect = sampled(inAir(particles));
+    const std::shared_ptr<BakedAir> air = shelf.airOf(effect);
+    if (!air->bake(0)) {
+        state.SkipWithError("the air was not baked");
+        return;
+    }
+    const ThreadLimit limit(threads);
+    if (!forceSimdTarget(simd)) {
+        state.SkipWithError("not on this machine");
+        return;
+    }
+    const Model model(effect, air);
+    Particles carried;
+    std::int64_t at = model.schedule().firstStep + model.schedule().lifetimeSteps;
+    (void)advanceFromNothing(model, carried, at);
+    for (auto _ : state) {
+        (void)advance(model, carried, at, at + 1);
+        ++at;
+    }
+    (void)forceSimdTarget("");
+}
+
+void obviousCarry(benchmark::State& state, int count)
+{
+    const glm::ivec3 cells{32, 64, 32};
+    ObviousAir air(cells.x, cells.y, cells.z, kHeight / static_cast<float>(cells.y));
+    air.heat();
+    for (int i = 0; i < 30; ++i) {
+        air.step(1.0F / 30.0F, 3.0F);
+    }
+    std::vector<ObviousAir::Place> particles;
+    for (int i = 0; i < count; ++i) {
+        particles.push_back({static_cast<float>(i % cells.x), static_cast<float>(i / 7 % cells.y), static_cast<float>(i / 11 % cells.z)});
+    }
+    for (auto _ : state) {
+        air.carry(particles, 1.0F / 30.0F);
+    }
+}
+
+void addCarried(std::vector<Claim>& claims)
+{
+    const auto add = [](const std::string& name, const auto& run) { benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond); };
+    const auto shelf = std::make_shared<AirShelf>();
+    struct Number {
+        int particles;
+        std::string text;
+        double target; ///< ms on two threads
+    };
+    for (const Number& number : {Number{100000, "100 000", 1.0}, Number{1000000, "1 000 000", 10.0}}) {
+        const int count = number.particles;
+        const std::string name = "carried/" + std::to_string(count);
+        add(name, [=](benchmark::State& state) { carry(state, *shelf, count, 2, ""); });
+        add(name + "_1thread", [=](benchmark::State& state) { carry(state, *shelf, count, 1, ""); });
+        add(name + "_obvious", [=](benchmark::State& state) { obviousCarry(state, count); });
+        claims.push_back({number.text + " particles through air, 2 octaves, a step, 2 threads", name, "", "", number.target, true});
+        claims.push_back({"  2 threads over 1", name, name + "_1thread", "", 1.7});
+        claims.push_back({"  1 thread over the obvious program without noise", name + "_1thread", name + "_obvious", ""});
+        for (const std::string& simd : availableSimdTargets()) {
+            add(name + "_" + simd, [=](benchmark::State& state) { carry(state, *shelf, count, 2, simd); });
+            claims.push_back({"  on " + simd, name + "_" + simd, "", ""});
+        }
+    }
+}
+
 } // namespace
 
 void addAirBenchmarks(std::vector<Claim>& claims)
@@ -68,6 +149,7 @@ void addAirBenchmarks(std::vector<Claim>& claims)
             claims.push_back({"  on " + simd, name + "_" + simd, "", ""});
         }
     }
+    addCarried(claims);
 }
 
 } // namespace fumage::benchmarks

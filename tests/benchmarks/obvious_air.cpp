@@ -125,4 +125,15 @@ void ObviousAir::step(float dt, float buoyancy)
     project();
 }
 
+void ObviousAir::carry(std::vector<Place>& particles, float dt) const
+{
+    const float scale = dt / m_cell;
+    for (Place& p : particles) {
+        const Cell here = sample(m_air, p.x, p.y, p.z, nullptr, nullptr);
+        const float half = 0.5F * scale;
+        const Cell midway = sample(m_air, p.x + half * here.u, p.y + half * here.v, p.z + half * here.w, nullptr, nullptr);
+        p = {p.x + scale * midway.u, p.y + scale * midway.v, p.z + scale * midway.w};
+    }
+}
+
 } // namespace fumage::benchmarks

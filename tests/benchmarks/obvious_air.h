@@ -13,6 +13,12 @@ public:
     void heat();
     void step(float dt, float buoyancy);
 
+    struct Place {
+        float x, y, z; ///< in cells
+    };
+    /// Takes particles along, second order; without any detail below the grid.
+    void carry(std::vector<Place>& particles, float dt) const;
+
 private:
     struct Cell {
         float u = 0.0F, v = 0.0F, w = 0.0F, heat = 0.0F;
