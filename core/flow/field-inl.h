@@ -37,6 +37,119 @@ struct LaneQuads {
     }
 };
 
+/// Where the lanes' places are among the nodes.
+struct LanePlaces {
+    HWY_ALIGN std::int32_t node[LaneQuads::kLanes]; ///< halfs from the first node to the lowest corner
+    HWY_ALIGN float x[LaneQuads::kLanes]; ///< how far beyond it, in cells
+    HWY_ALIGN float y[LaneQuads::kLanes];
+    HWY_ALIGN float z[LaneQuads::kLanes];
+};
+
+/// What is read for all lanes.
+struct LaneAir {
+    LaneQuads value;
+    LaneQuads slope[3]; ///< along x, y and z, a cell
+};
+
+/// Reads the air of one lane.
+template <bool kSlopes>
+HWY_INLINE void readLane(const AirField& field, const LanePlaces& at, std::size_t lane, LaneAir& out)
+{
+    for (std::size_t part = 0; part < 4; part += hn::Lanes(QuadTag())) {
+        const std::uint16_t* quad = field.quads.data() + at.node[lane] + part;
+        const QuadVec x = everyLane<QuadVec>(at.x[lane]);
+        const auto every = [](float number, auto like) HWY_ATTR { return everyLane<decltype(like)>(number); };
+        const auto read = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixedYZ(a, b, c, e, every(at.y[lane], a), every(at.z[lane], a)); };
+        const Ends ends = combinedRows(quad, field.row, field.plane, read);
+        out.value.put(4 * lane + part, mixed(ends.low, ends.high, x));
+        if constexpr (kSlopes) {
+            const Ends alongY = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, every(at.z[lane], a)); });
+            const Ends alongZ = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, every(at.y[lane], a)); });
+            out.slope[0].put(4 * lane + part, ends.high - ends.low);
+            out.slope[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
+            out.slope[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));
+        }
+    }
+}
+
+#if HWY_MAX_BYTES >= 64
+// The same for four lanes: two at a time until y and z are done, both ends of a row side by side, then all four with an end in each of two vectors.
+
+/// Both ends of two lanes.
+struct TwoLanes {
+    FourVec value, alongY, alongZ;
+};
+
+template <bool kSlopes>
+HWY_INLINE TwoLanes readTwo(const AirField& field, const LanePlaces& at, std::size_t first, std::size_t second)
+{
+    const FourTag d;
+    const hn::Half<FourTag> half;
+    const auto rowAt = [&](std::size_t offset) HWY_ATTR {
+        const hn::CappedTag<std::uint16_t, 16> both;
+        const auto ends = [&](std::size_t lane) HWY_ATTR { return hn::LoadU(hn::Half<decltype(both)>(), field.quads.data() + at.node[lane] + offset); };
+        return hn::PromoteTo(d, hn::BitCast(hn::Rebind<hwy::float16_t, FourTag>(), hn::Combine(both, ends(second), ends(first))));
+    };
+    const auto shares = [&](const float* of) HWY_ATTR { return hn::Combine(d, hn::Set(half, of[second]), hn::Set(half, of[first])); };
+    const FourVec a = rowAt(0);
+    const FourVec b = rowAt(field.row);
+    const FourVec c = rowAt(field.plane);
+    const FourVec e = rowAt(field.plane + field.row);
+    const FourVec y = shares(at.y);
+    const FourVec z = shares(at.z);
+    TwoLanes out{mixedYZ(a, b, c, e, y, z), a, a};
+    if constexpr (kSlopes) {
+        out.alongY = mixed(b - a, e - c, z);
+        out.alongZ = mixed(c - a, e - b, y);
+    }
+    return out;
+}
+
+/// The low and the high ends of four lanes.
+struct FourEnds {
+    FourEnds(FourVec firstAndThird, FourVec secondAndFourth)
+        : low(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(secondAndFourth), firstAndThird))
+        , high(hn::OddEvenBlocks(secondAndFourth, hn::SwapAdjacentBlocks(firstAndThird)))
+    {
+    }
+
+    FourVec low, high;
+};
+
+template <bool kSlopes>
+HWY_INLINE void readFour(const AirField& field, const LanePlaces& at, std::size_t lane, LaneAir& out)
+{
+    const TwoLanes even = readTwo<kSlopes>(field, at, lane, lane + 2);
+    const TwoLanes odd = readTwo<kSlopes>(field, at, lane + 1, lane + 3);
+    const FourVec x = eachForQuad(at.x + lane);
+    const auto put = [&](FourVec value, LaneQuads& to) HWY_ATTR { hn::Store(value, FourTag(), to.quad + 4 * lane); };
+    const FourEnds ends(even.value, odd.value);
+    put(mixed(ends.low, ends.high, x), out.value);
+    if constexpr (kSlopes) {
+        const FourEnds alongY(even.alongY, odd.alongY);
+        const FourEnds alongZ(even.alongZ, odd.alongZ);
+        put(ends.high - ends.low, out.slope[0]);
+        put(mixed(alongY.low, alongY.high, x), out.slope[1]);
+        put(mixed(alongZ.low, alongZ.high, x), out.slope[2]);
+    }
+}
+#endif
+
+/// Reads the air of all lanes.
+template <bool kSlopes>
+HWY_INLINE void readLanes(const AirField& field, const LanePlaces& at, std::size_t lanes, LaneAir& out)
+{
+#if HWY_MAX_BYTES >= 64
+    for (std::size_t lane = 0; lane < lanes; lane += 4) {
+        readFour<kSlopes>(field, at, lane, out);
+    }
+#else
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        readLane<kSlopes>(field, at, lane, out);
+    }
+#endif
+}
+
 /// The air at places, in metres. Outside the box the velocity goes over into the wind within its reach, so that smoke which leaves does not
 /// stop at the border.
 /// @param reach m
@@ -50,49 +163,24 @@ HWY_INLINE AirThere<V> airAt(D d, const AirField& field, float reach, const Vec3
     const Vec3<V> inside{within(cells.x, end.x), within(cells.y, end.y), within(cells.z, end.z)};
     const auto lowOf = [&](V p, float last) HWY_ATTR { return hn::Min(hn::Floor(p), hn::Set(d, last - 1.0F)); };
     const Vec3<V> low{lowOf(inside.x, end.x), lowOf(inside.y, end.y), lowOf(inside.z, end.z)};
-    HWY_ALIGN std::int32_t node[LaneQuads::kLanes];
-    HWY_ALIGN float rest[3][LaneQuads::kLanes];
-    const auto whole = [&](V number) HWY_ATTR { return hn::ConvertTo(di, number); };
-    hn::Store(whole(low.x) * 4 + whole(low.y) * static_cast<std::int32_t>(field.row) + whole(low.z) * static_cast<std::int32_t>(field.plane), di, node);
-    float* restX = rest[0];
-    float* restY = rest[1];
-    float* restZ = rest[2];
-    store(inside - low, restX, restY, restZ, 0);
-
-    LaneQuads values;
-    LaneQuads slopes[3];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-        for (std::size_t part = 0; part < 4; part += hn::Lanes(QuadTag())) {
-            const std::uint16_t* quad = field.quads.data() + node[lane] + part;
-            const QuadVec x = everyLane<QuadVec>(restX[lane]);
-            const auto mixedYZ = [&](auto a, auto b, auto c, auto e) HWY_ATTR {
-                using W = decltype(a);
-                const W y = everyLane<W>(restY[lane]);
-                return mixed(mixed(a, b, y), mixed(c, e, y), everyLane<W>(restZ[lane]));
-            };
-            const Ends ends = combinedRows(quad, field.row, field.plane, mixedYZ);
-            values.put(4 * lane + part, mixed(ends.low, ends.high, x));
-            if constexpr (kSlopes) {
-                const Ends alongY = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, everyLane<decltype(a)>(restZ[lane])); });
-                const Ends alongZ = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, everyLane<decltype(a)>(restY[lane])); });
-                slopes[0].put(4 * lane + part, ends.high - ends.low);
-                slopes[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
-                slopes[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));
-            }
-        }
-    }
+    LanePlaces at;
+    // Below 2^24, so that floats are exact.
+    hn::Store(hn::ConvertTo(di, low.x * 4.0F + low.y * static_cast<float>(field.row) + low.z * static_cast<float>(field.plane)), di, at.node);
+    store(inside - low, at.x, at.y, at.z, 0);
+    LaneAir air;
+    readLanes<kSlopes>(field, at, hn::Lanes(d), air);
 
     const Vec3<V> outside = cells - inside;
     const V beyond = hn::Sqrt(dot(outside, outside)) * (field.grid.cell / reach);
     const V near = hn::Max(hn::Zero(d), 1.0F - beyond);
     const V fade = near * near;
     AirThere<V> there;
-    there.heat = values.take(d, there.velocity) * fade;
+    there.heat = air.value.take(d, there.velocity) * fade;
     const Vec3<V> wind = broadcast(d, field.wind);
     there.velocity = wind + (there.velocity - wind) * fade;
     if constexpr (kSlopes) {
         for (int axis = 0; axis < 3; ++axis) {
-            (void)slopes[axis].take(d, there.slope[axis]);
+            (void)air.slope[axis].take(d, there.slope[axis]);
             there.slope[axis] = there.slope[axis] * fade;
         }
     }
