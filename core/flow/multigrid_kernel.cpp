@@ -100,7 +100,13 @@ HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, co
     const D d;
     HWY_ALIGN float rowInverse[kRowRoom];
     float invertedFor = -1.0F;
-    const auto relax = [&](int j, int colour) HWY_ATTR {
+    const int rows = level.layout.cells.y;
+    for (int turn = 0; turn < 2 * (rows + kRowsBehind); ++turn) {
+        const int colour = turn % 2;
+        const int j = turn / 2 - colour * kRowsBehind;
+        if (j < 0 || j >= rows) {
+            continue;
+        }
         const RowWeights weights(level, j, k);
         const std::size_t start = level.layout.at(0, j, k);
         if (!kObstacles && invertedFor != weights.own) {
@@ -109,14 +115,6 @@ HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, co
         }
         const float* inverse = kObstacles ? level.inverse.data() + start : rowInverse;
         relaxRow<kObstacles>(d, level, weights, static_cast<std::size_t>((j + k + colour) % 2), start, p, rightSide, inverse);
-    };
-    for (int j = 0; j < level.layout.cells.y + kRowsBehind; ++j) {
-        if (j < level.layout.cells.y) {
-            relax(j, 0);
-        }
-        if (j >= kRowsBehind) {
-            relax(j - kRowsBehind, 1);
-        }
     }
 }
 
