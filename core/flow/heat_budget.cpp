@@ -1,39 +1,12 @@
 #include "core/flow/heat_budget.h"
 
+#include "core/flow/heat_kernel.h"
+
 #include <algorithm>
-#include <array>
 
 namespace fumage {
 
 namespace {
-
-/// Adds up what some numbers of a plane's cells of air come to, in as many sums side by side as make the order that of no instruction set.
-/// @param numberOf row to what gives the number of its cell i
-template <class NumberOf>
-double sumOfPlane(const AirCells& cells, int k, const NumberOf& numberOf)
-{
-    std::array<double, kAirLanes> sums{};
-    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
-    for (int j = 0; j < cells.grid.cells.y; ++j) {
-        const float* fluid = cells.hasObstacles() ? cells.fluid.data() + cells.column.at(0, j, k) : nullptr;
-        const auto number = numberOf(j);
-        for (std::size_t i = 0; i < n; ++i) {
-            const double here = static_cast<double>(number(i));
-            sums[i % kAirLanes] += fluid == nullptr || fluid[i] != 0.0F ? here : 0.0;
-        }
-    }
-    double sum = 0.0;
-    for (const double each : sums) {
-        sum += each;
-    }
-    return sum;
-}
-
-/// The heat of the first guess, a quad apart, in a row of cells.
-const float* guessedHeat(const AirCells& cells, int j, int k)
-{
-    return cells.guess.data() + cells.quad.at(0, j, k) + 3;
-}
 
 /// Heat that leaves a cell through a side of the box.
 /// @param sign of the way out along the axis
@@ -74,23 +47,17 @@ double outOfPlane(const AirCells& cells, float dt, int k)
 void HeatBudget::before(const AirCells& cells, float dt, int k)
 {
     Plane& plane = m_planes[static_cast<std::size_t>(k)];
-    plane.before = sumOfPlane(cells, k, [&](int j) {
-        return [row = cells.air.data() + cells.quad.at(0, j, k) + 3](std::size_t i) { return row[4 * i]; };
-    });
+    plane.before = heatOfAir(cells, k);
     plane.out = outOfPlane(cells, dt, k);
 }
 
 void HeatBudget::after(const AirCells& cells, int k)
 {
     Plane& plane = m_planes[static_cast<std::size_t>(k)];
-    const auto sumOf = [&](const auto& part) {
-        return sumOfPlane(cells, k, [&, part](int j) {
-            return [heat = cells.heat.data() + cells.column.at(0, j, k), guess = guessedHeat(cells, j, k), part](std::size_t i) { return part(heat[i], guess[4 * i]); };
-        });
-    };
-    plane.after = sumOf([](float heat, float /*guess*/) { return heat; });
-    plane.more = sumOf([](float heat, float guess) { return std::max(0.0F, guess - heat); });
-    plane.less = sumOf([](float heat, float guess) { return std::max(0.0F, heat - guess); });
+    const CarriedHeat carried = carriedHeat(cells, k);
+    plane.after = carried.all;
+    plane.more = carried.more;
+    plane.less = carried.less;
 }
 
 HeatBudget::Correction HeatBudget::correction() const
@@ -109,14 +76,8 @@ HeatBudget::Correction HeatBudget::correction() const
 
 void HeatBudget::correct(AirCells& cells, const Correction& correction, int k)
 {
-    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
-    for (int j = 0; j < cells.grid.cells.y; ++j) {
-        float* heat = cells.heat.data() + cells.column.at(0, j, k);
-        const float* guess = guessedHeat(cells, j, k);
-        for (std::size_t i = 0; i < n; ++i) {
-            const float more = guess[4 * i] - heat[i];
-            heat[i] += correction.up * std::max(0.0F, more) + correction.down * std::min(0.0F, more);
-        }
+    if (correction.up != 0.0F || correction.down != 0.0F) {
+        correctHeat(cells, correction.up, correction.down, k);
     }
 }
 
