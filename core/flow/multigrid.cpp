@@ -21,7 +21,7 @@ constexpr int kSweeps = 2;
 constexpr int kSweepsOfLast = 40;
 
 /// A level with fewer cells is done by one thread: to share it would take longer.
-constexpr std::size_t kWorthSharing = 16384;
+constexpr std::size_t kWorthSharing = 32768;
 
 constexpr int halved(int cells)
 {

@@ -98,8 +98,8 @@ template <bool kObstacles>
 HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, int k)
 {
     const D d;
-    HWY_ALIGN float rowInverse[kRowRoom];
-    float invertedFor = -1.0F;
+    HWY_ALIGN float inverses[2][kRowRoom]; // of a colour each: they are rows apart, whose weights differ beside a border
+    float invertedFor[2] = {-1.0F, -1.0F};
     const int rows = level.layout.cells.y;
     for (int turn = 0; turn < 2 * (rows + kRowsBehind); ++turn) {
         const int colour = turn % 2;
@@ -109,9 +109,10 @@ HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, co
         }
         const RowWeights weights(level, j, k);
         const std::size_t start = level.layout.at(0, j, k);
-        if (!kObstacles && invertedFor != weights.own) {
+        float* rowInverse = inverses[colour];
+        if (!kObstacles && invertedFor[colour] != weights.own) {
             invertRow(d, level, weights.own, rowInverse);
-            invertedFor = weights.own;
+            invertedFor[colour] = weights.own;
         }
         const float* inverse = kObstacles ? level.inverse.data() + start : rowInverse;
         relaxRow<kObstacles>(d, level, weights, static_cast<std::size_t>((j + k + colour) % 2), start, p, rightSide, inverse);
