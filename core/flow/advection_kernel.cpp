@@ -141,7 +141,9 @@ HWY_INLINE void correctRow(const AirCells& cells, std::size_t here, const PlaceR
     const std::size_t plane = cells.quad.plane;
     const float* HWY_RESTRICT air = cells.air.data();
     const float* HWY_RESTRICT guess = cells.guess.data();
-    const auto corrected = [&](auto d, std::size_t at) HWY_ATTR { return hn::LoadU(d, guess + here + at) + 0.5F * (hn::LoadU(d, air + here + at) - hn::LoadU(d, back + at)); };
+    const auto corrected = [&](auto d, std::size_t at) HWY_ATTR {
+        return hn::LoadU(d, guess + here + at) + 0.5F * (hn::LoadU(d, air + here + at) - hn::LoadU(d, back + at));
+    };
     const auto four = [&]([[maybe_unused]] std::size_t i) HWY_ATTR {
 #if HWY_MAX_BYTES >= 64
         hn::StoreU(limitedFour(air + from.corner[i], row, plane, corrected(FourTag(), 4 * i)), FourTag(), back + 4 * i);

@@ -63,8 +63,10 @@ HWY_INLINE void readLane(const AirField& field, const LanePlaces& at, std::size_
         const Ends ends = combinedRows(quad, field.row, field.plane, read);
         out.value.put(4 * lane + part, mixed(ends.low, ends.high, x));
         if constexpr (kSlopes) {
-            const Ends alongY = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, every(at.z[lane], a)); });
-            const Ends alongZ = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, every(at.y[lane], a)); });
+            const auto changeY = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, every(at.z[lane], a)); };
+            const auto changeZ = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, every(at.y[lane], a)); };
+            const Ends alongY = combinedRows(quad, field.row, field.plane, changeY);
+            const Ends alongZ = combinedRows(quad, field.row, field.plane, changeZ);
             out.slope[0].put(4 * lane + part, ends.high - ends.low);
             out.slope[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
             out.slope[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));

@@ -70,7 +70,9 @@ double sumOfAir(const AirCells& cells, int k)
 {
     const D d;
     RowSums sum;
-    const auto visit = [&](std::size_t i, std::size_t /*cell*/, std::size_t quad, auto isAir) HWY_ATTR { sum.put(d, i, hn::IfThenElseZero(isAir, heatOf(d, cells.air, quad))); };
+    const auto visit = [&](std::size_t i, std::size_t /*cell*/, std::size_t quad, auto isAir) HWY_ATTR {
+        sum.put(d, i, hn::IfThenElseZero(isAir, heatOf(d, cells.air, quad)));
+    };
     forRows(d, cells, k, visit, [&](std::size_t n) HWY_ATTR { sum.add(n); });
     return sum.all();
 }

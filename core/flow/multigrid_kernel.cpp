@@ -72,7 +72,8 @@ constexpr int kRowsBehind = 4;
 /// Relaxes every other cell of a row.
 /// @param lane 0 for the first and those with it, 1 for the others
 template <bool kObstacles>
-HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& weights, std::size_t lane, std::size_t start, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, const float* HWY_RESTRICT inverse)
+HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& weights, std::size_t lane, std::size_t start, float* HWY_RESTRICT p,
+    const float* HWY_RESTRICT rightSide, const float* HWY_RESTRICT inverse)
 {
     const auto n = static_cast<std::size_t>(level.layout.cells.x);
     const auto relaxed = [&](std::size_t i) HWY_ATTR {
