@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/pass_options.h"
 #include "app/cli/picture_options.h"
 
 #include "core/base/text.h"
@@ -15,6 +16,7 @@ namespace {
 struct FlipbookArguments {
     PictureOptions picture;
     std::string grid = "8x8";
+    PassOptions passes;
 };
 
 /// Which edges, which frames, and what would help.
@@ -47,6 +49,9 @@ Status renderOne(const FlipbookArguments& arguments, const NamedEffect& named)
     if (!parseTwo(arguments.grid, kMaxSheetCells, plan.columns, plan.rows)) {
         return Error{ErrorCode::OutOfRange, said("the grid %1 is not understood", inQuotes(arguments.grid)), std::string("--grid"), said("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
     }
+    if (Status status = arguments.passes.applyTo(plan); !status) {
+        return status;
+    }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());
     if (!done) {
         return done.error();
@@ -70,11 +75,15 @@ void addFlipbook(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    arguments->passes.addTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
                     "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"
+                    "Passes are pictures of their own: smoke_sixway_a.png, smoke_sixway_b.png, smoke_motion.png. They are linear: engines must not take them for sRGB. The\n"
+                    "side-car says what their channels are, and the scale that light and vectors are multiplied by.\n"
                     "Examples:\n"
                     "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
-                    "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png");
+                    "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png\n"
+                    "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png");
     command->callback([arguments, &action] { action = [arguments] { return flipbook(*arguments); }; });
 }
 

@@ -4,6 +4,8 @@
 #include "core/base/file_error.h"
 
 #include <cerrno>
+#include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -72,19 +74,23 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view t
     return writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())), access);
 }
 
-Status writePairAtomically(const FileContents& first, const FileContents& second)
+Status writeTogetherAtomically(std::span<const FileContents> files)
 {
-    Result<FileDraft> one = FileDraft::make(first.path, first.bytes, FileAccess::Usual);
-    if (!one) {
-        return one.error();
+    std::vector<FileDraft> drafts;
+    for (const FileContents& file : files) {
+        Result<FileDraft> draft = FileDraft::make(file.path, file.bytes, FileAccess::Usual);
+        if (!draft) {
+            return draft.error();
+        }
+        drafts.push_back(std::move(draft).value());
     }
-    Result<FileDraft> other = FileDraft::make(second.path, second.bytes, FileAccess::Usual);
-    if (!other) {
-        return other.error();
+    drafts.front().lockFolder();
+    for (FileDraft& draft : drafts) {
+        if (Status status = draft.publish(); !status) {
+            return status;
+        }
     }
-    one.value().lockFolder();
-    const Status status = one.value().publish();
-    return status ? other.value().publish() : status;
+    return Done{};
 }
 
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)

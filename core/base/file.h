@@ -41,9 +41,10 @@ struct FileContents {
     std::span<const std::byte> bytes;
 };
 
-/// Writes two files of one folder that belong together. Of two programs that write the same pair at once one wins with both files.
-/// @error as writeFileAtomically(); nothing has changed then, unless the disk failed between taking the first place and the second
-[[nodiscard]] Status writePairAtomically(const FileContents& first, const FileContents& second);
+/// Writes files of one folder that belong together. Of two programs that write the same files at once one wins with all of them.
+/// @param files one or more
+/// @error as writeFileAtomically(); nothing has changed then, unless the disk failed between taking the first place and the last
+[[nodiscard]] Status writeTogetherAtomically(std::span<const FileContents> files);
 
 /// Whether two paths lead to one file that is there.
 [[nodiscard]] bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);

@@ -48,7 +48,9 @@ private:
 void describe(const ExrPixels& pixels, Imf::Header& header)
 {
     header.insert("software", Imf::StringAttribute("Fumage"));
-    if (pixels.channels > 1) {
+    if (!pixels.isLight) {
+        header.insert("comments", Imf::StringAttribute("linear data, not colours"));
+    } else if (pixels.channels > 1) {
         Imf::addChromaticities(header, Imf::Chromaticities());
     }
     if (pixels.frameRate > 0) {
@@ -64,7 +66,8 @@ void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream
     header.compression() = Imf::ZIP_COMPRESSION;
     describe(pixels, header);
     Imf::FrameBuffer buffer;
-    const std::string names = pixels.channels == 1 ? "Y" : "RGBA";
+    const std::string names = pixels.channels == 1 ? "Y" : pixels.channels == 3 ? "RGB"
+                                                                                : "RGBA";
     const std::size_t pixelStride = sizeof(Sample) * static_cast<std::size_t>(pixels.channels);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::string name(1, names[i]);

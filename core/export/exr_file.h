@@ -13,10 +13,11 @@ namespace fumage {
 struct ExrPixels {
     int width = 0;
     int height = 0;
-    int channels = 4; ///< 1: Y; 4: R, G, B, A, premultiplied
+    int channels = 4; ///< 1: Y; 3: R, G, B; 4: R, G, B, A
     bool half = true; ///< else 32-bit floats
     std::span<const float> values;
     int frameRate = 0; ///< frames/s of the pictures that it is one of; 0: not said
+    bool isLight = true; ///< premultiplied colours; else numbers that have no primaries
 };
 
 /// @error WriteFailed, Cancelled

@@ -1,17 +1,27 @@
 #include "core/export/flipbook.h"
 
 #include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/export/flipbook_description.h"
+#include "core/export/sheet.h"
 #include "core/rendering/framing.h"
-#include "core/rendering/renderer.h"
-#include "core/simulation/simulator.h"
 
 #include <algorithm>
-
-#include <nlohmann/json.hpp>
+#include <iterator>
 
 namespace fumage {
 
 namespace {
+
+/// How many layers passes keep in memory until all cells are there.
+std::int64_t layersOf(PassSet passes)
+{
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < kPassLayers; ++i) {
+        count += needsLayer(passes, static_cast<PassLayer>(i)) ? 1 : 0;
+    }
+    return count;
+}
 
 Status check(const Effect& effect, const FlipbookOptions& options)
 {
@@ -25,17 +35,10 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     }
     const std::int64_t width = static_cast<std::int64_t>(effect.output.width) * options.columns;
     const std::int64_t height = static_cast<std::int64_t>(effect.output.height) * options.rows;
-    if (width > kMaxSheetEdge || height > kMaxSheetEdge || width * height > static_cast<std::int64_t>(kMaxSheetPixels)) {
+    if (width > kMaxSheetEdge || height > kMaxSheetEdge || width * height > static_cast<std::int64_t>(kMaxSheetPixels) || width * height * layersOf(options.passes) > static_cast<std::int64_t>(kMaxLayerPixels)) {
         return Error{ErrorCode::TooLarge, said("a flipbook of %1 x %2 pixels", width, height), {}, said("Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all", kMaxSheetEdge, kMaxSheetPixels >> 20U)};
     }
     return Done{};
-}
-
-void place(const Image& cell, Image& sheet, int left, int top)
-{
-    for (int y = 0; y < cell.height; ++y) {
-        std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4, sheet.row(top + y) + static_cast<std::size_t>(left) * 4);
-    }
 }
 
 float mostAlphaOnTheBorder(const Image& cell)
@@ -100,51 +103,67 @@ private:
     std::optional<CutOff> m_cutOff;
 };
 
-std::string describe(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook)
+std::vector<int> framesOf(const FlipbookOptions& options)
 {
-    const bool png = fileEnding(options.format) == ".png";
-    nlohmann::ordered_json json;
-    json["format"] = "fumage-flipbook";
-    json["version"] = 1;
-    json["picture"] = flipbook.picture.filename().string();
-    json["columns"] = options.columns;
-    json["rows"] = options.rows;
-    json["cell_width"] = effect.output.width;
-    json["cell_height"] = effect.output.height;
-    json["order"] = "left to right, then top to bottom";
-    json["cells_per_second"] = flipbook.cellsPerSecond;
-    json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
-    json["loop"] = effect.timeline.loop;
-    json["alpha"] = png ? "straight" : "premultiplied";
-    json["colour"] = png ? "sRGB" : "linear";
-    return json.dump(2) + "\n";
+    std::vector<int> frames;
+    for (int cell = 0; cell < options.columns * options.rows; ++cell) {
+        frames.push_back(frameOfCell(options, cell));
+    }
+    return frames;
 }
 
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
-Status renderCells(const Effect& effect, const FlipbookOptions& options, Image& sheet, Flipbook& flipbook, const Progress& progress, const std::stop_token& stop)
+Status renderCells(const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Progress& progress, const std::stop_token& stop)
 {
-    const Output& output = effect.output;
     const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke);
-    Renderer renderer;
-    Image cell;
     BorderWatch borders(smoke);
-    const int cells = options.columns * options.rows;
-    sheet.resize(output.width * options.columns, output.height * options.rows);
-    for (int number = 0; number < cells; ++number) {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(frameOfCell(options, number), stop, progress);
-        if (!frame) {
-            return frame.error();
-        }
-        if (Status status = renderer.render(*frame.value(), smoke, output.width, output.height, cell, stop); !status) {
-            return status.error();
-        }
-        borders.look(cell, *frame.value(), renderer.appearance());
-        place(cell, sheet, number % options.columns * cell.width, number / options.columns * cell.height);
-        progress(Work::Frames, number + 1, cells);
+    PassSet rendered = options.passes;
+    rendered.add(Pass::Alpha); // it tells what is cut off
+    const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) { borders.look(cell.of(PassLayer::Colour), frame, appearance); };
+    if (Status status = renderSheet(effect, framesOf(options), options.columns, rendered, sheet, look, progress, stop); !status) {
+        return status;
     }
     borders.tell(flipbook);
     return Done{};
+}
+
+Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Output& output, ImageFormat format)
+{
+    const Image& colour = sheet.layers.of(PassLayer::Colour);
+    if (output.background == Background::Transparent) {
+        return encodeSheet(colour, output, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
+    }
+    Image filled = colour;
+    fillBackground(filled, output.backgroundColour);
+    return encodeSheet(filled, output, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
+}
+
+std::vector<Pass> listOf(PassSet passes)
+{
+    std::vector<Pass> list;
+    std::copy_if(kAllPasses.begin(), kAllPasses.end(), std::back_inserter(list), [&](Pass pass) { return passes.has(pass); });
+    return list;
+}
+
+/// The bytes of all pictures, each on a thread of its own.
+Result<std::vector<std::vector<std::byte>>> encodePasses(const PassSheet& sheet, const PassPictures& pictures, const Effect& effect, const FlipbookOptions& options, const std::stop_token& stop)
+{
+    const std::vector<Pass> passes = listOf(options.passes);
+    std::vector<Result<std::vector<std::byte>>> encoded(passes.size(), std::vector<std::byte>());
+    parallelFor(passes.size(), [&](std::size_t i) {
+        encoded[i] = passes[i] == Pass::Colour ? encodeColour(sheet, effect.output, options.format)
+                                               : encodeData(pictures.picture(passes[i]), options.format, effect.timeline.frameRate, stop);
+    });
+    std::vector<std::vector<std::byte>> out;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!encoded[i]) {
+            Error error = encoded[i].error();
+            error.place = pictureOf(withEnding(options.output, fileEnding(options.format)), passes[i]).string();
+            return error;
+        }
+        out.push_back(std::move(encoded[i]).value());
+    }
+    return out;
 }
 
 } // namespace
@@ -160,32 +179,63 @@ std::filesystem::path descriptionOf(const std::filesystem::path& picture)
     return std::filesystem::path(picture).replace_extension(".flipbook.json");
 }
 
+std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass)
+{
+    if (pass == Pass::Colour) {
+        return picture;
+    }
+    std::string suffix(passName(pass));
+    if (suffix.starts_with("six-way")) {
+        suffix.replace(0, std::string_view("six-way").size(), "sixway"); // as other tools write it
+    }
+    std::replace(suffix.begin(), suffix.end(), '-', '_');
+    return picture.parent_path() / (picture.stem().string() + "_" + suffix + picture.extension().string());
+}
+
+std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options)
+{
+    const std::filesystem::path picture = withEnding(options.output, fileEnding(options.format));
+    std::vector<std::filesystem::path> files;
+    for (const Pass pass : listOf(options.passes)) {
+        files.push_back(pictureOf(picture, pass));
+    }
+    files.push_back(descriptionOf(picture));
+    return files;
+}
+
 Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = check(effect, options); !status) {
         return status.error();
     }
     Flipbook flipbook;
-    flipbook.picture = withEnding(options.output, fileEnding(options.format));
-    flipbook.description = descriptionOf(flipbook.picture);
+    const std::vector<std::filesystem::path> all = filesOf(options);
+    flipbook.picture = all.front();
+    flipbook.pictures = static_cast<int>(all.size()) - 1;
+    flipbook.description = all.back();
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
     flipbook.cellsPerSecond = options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
     if (Status status = makeFolderOf(flipbook.picture); !status) {
         return status.error();
     }
 
-    Image sheet;
+    PassSheet sheet;
     if (Status status = renderCells(effect, options, sheet, flipbook, progress, stop); !status) {
         return status.error();
     }
-    const Result<std::vector<std::byte>> bytes = encodeSheet(sheet, effect.output, options.format, effect.output.width, effect.output.height);
+    const PassPictures pictures(sheet, options.passes, options.style);
+    const Result<std::vector<std::vector<std::byte>>> bytes = encodePasses(sheet, pictures, effect, options, stop);
     if (!bytes) {
-        Error error = bytes.error();
-        error.place = flipbook.picture.string();
-        return error;
+        return bytes.error();
     }
-    const std::string description = describe(effect, options, flipbook);
-    if (Status status = writePairAtomically({flipbook.picture, bytes.value()}, {flipbook.description, std::as_bytes(std::span(description))}); !status) {
+    const std::string description = describeFlipbook(effect, options, flipbook, pictures.scales());
+    std::vector<FileContents> files;
+    const std::vector<std::filesystem::path> paths = filesOf(options);
+    for (std::size_t i = 0; i < bytes.value().size(); ++i) {
+        files.push_back({paths[i], bytes.value()[i]});
+    }
+    files.push_back({flipbook.description, std::as_bytes(std::span(description))});
+    if (Status status = writeTogetherAtomically(files); !status) {
         return status.error();
     }
     return flipbook;

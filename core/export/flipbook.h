@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/pass_picture.h"
 #include "core/export/sequence.h"
 
 #include <optional>
@@ -9,6 +10,8 @@ namespace fumage {
 /// Largest edge of a flipbook's picture, which graphics cards still take as a texture, and most pixels of it (a GiB of floats).
 inline constexpr int kMaxSheetEdge = 16384;
 inline constexpr std::size_t kMaxSheetPixels = std::size_t{1} << 26U;
+/// Most pixels of all layers that its passes are made of.
+inline constexpr std::size_t kMaxLayerPixels = std::size_t{1} << 27U;
 /// Most columns or rows.
 inline constexpr int kMaxSheetCells = 64;
 
@@ -18,6 +21,8 @@ struct FlipbookOptions {
     int rows = 8;
     FrameRange frames; ///< at least as many as cells; spread evenly over them
     ImageFormat format = ImageFormat::Png8;
+    PassSet passes{Pass::Colour}; ///< one picture each; one or more
+    PassStyle style; ///< of those that are not the colour
 };
 
 /// Smoke that reaches the border of cells: it ends there abruptly, and seeps into the next cell when filtered.
@@ -30,7 +35,8 @@ struct CutOff {
 
 /// What engines must be told to play a flipbook; also in the file beside it.
 struct Flipbook {
-    std::filesystem::path picture;
+    std::filesystem::path picture; ///< the first
+    int pictures = 1; ///< as many as passes
     std::filesystem::path description;
     double cellsPerSecond = 0.0; ///< keeps the speed of the effect
     float edgeAlpha = 0.0F; ///< most alpha on a cell's border
@@ -44,10 +50,17 @@ struct Flipbook {
 /// The file beside the picture of a flipbook that says how it is to be played.
 [[nodiscard]] std::filesystem::path descriptionOf(const std::filesystem::path& picture);
 
+/// The picture of a pass: the colour's has the name that was given, others have what they are before the ending, as in smoke_sixway_a.png.
+/// @param picture with its ending
+[[nodiscard]] std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass);
+
+/// All files that a flipbook is made of: its pictures in the order of the passes, then the description.
+[[nodiscard]] std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options);
+
 /// Renders frames into one picture of columns by rows cells, each of effect.output's size, first at the top left, then along the rows, as Unity, Unreal,
 /// Godot and Effekseer read them. PNG: straight alpha in which transparent pixels have the colour of the smoke next to them, so that filtering and
-/// mipmaps bring no dark rims. Beside it NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). Both are written whole or not at all.
-/// @error TooLarge, OutOfRange, those of renderSequence()
+/// mipmaps bring no dark rims. Other passes are pictures of their own beside it, linear and without view transform. NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). All are written whole or not at all.
+/// @error TooLarge before allocating, OutOfRange, those of renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -6,6 +6,8 @@
 #include "core/export/png_file.h"
 #include "core/rendering/view_transform.h"
 
+#include <algorithm>
+#include <limits>
 #include <span>
 
 namespace fumage {
@@ -32,6 +34,14 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& outp
     case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels, frameRate}, stop);
     }
     return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
+}
+
+template <class Channel>
+Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const std::stop_token& stop)
+{
+    std::vector<Channel> pixels(image.values.size());
+    std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(quantised(value, image.isSigned, std::numeric_limits<Channel>::max())); });
+    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels)), true}, stop);
 }
 
 template <class Channel>
@@ -76,6 +86,23 @@ Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& out
 Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight)
 {
     return encodeWith(image, output, format, 0, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+}
+
+Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, int frameRate, const std::stop_token& stop)
+{
+    switch (format) {
+    case ImageFormat::Png8: return encodeNumbers<std::uint8_t>(image, stop);
+    case ImageFormat::Png16: return encodeNumbers<std::uint16_t>(image, stop);
+    case ImageFormat::ExrHalf:
+    case ImageFormat::ExrFloat: break;
+    }
+    return encodeExr({image.width, image.height, image.channels, format == ImageFormat::ExrHalf, image.values, frameRate, false}, stop);
+}
+
+int quantised(float value, bool isSigned, int full)
+{
+    const float share = std::clamp(isSigned ? 0.5F + 0.5F * value : value, 0.0F, 1.0F);
+    return static_cast<int>(share * static_cast<float>(full) + 0.5F);
 }
 
 Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format)

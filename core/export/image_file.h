@@ -40,6 +40,23 @@ enum class ImageFormat {
 /// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
 [[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight);
 
+/// Numbers that are no light for eyes: rows from the top, channels side by side.
+struct DataImage {
+    int width = 0;
+    int height = 0;
+    int channels = 4; ///< 1, 3 or 4
+    bool isSigned = false; ///< in [-1, 1], which PNG holds as (1 + value) / 2; else in [0, 1]
+    std::vector<float> values;
+};
+
+/// Encodes numbers as they are: PNG without a colour space, gamma 1, and what is out of range clipped; EXR with all of them.
+/// @error as encodeImage()
+[[nodiscard]] Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
+
+/// The number that a channel of a PNG holds for a value.
+/// @param full 255 or 65535
+[[nodiscard]] int quantised(float value, bool isSigned, int full);
+
 /// Encodes a tile of noise as a grey picture: PNG holds the values as they are, not as light.
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format);
 

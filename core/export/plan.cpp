@@ -6,6 +6,7 @@
 #include "core/export/output_name.h"
 #include "core/noise/texture.h"
 
+#include <algorithm>
 #include <span>
 
 namespace fumage {
@@ -70,7 +71,10 @@ bool overwritesSource(const ExportPlan& plan)
     switch (plan.kind) {
     case ExportKind::Sequence:
     case ExportKind::Picture: return isFileOfAFrame(plan.source, sequence.output, sequence.frames, fileEnding(plan.format));
-    case ExportKind::Flipbook: return isSameFile(firstFile(plan), plan.source) || isSameFile(descriptionOf(firstFile(plan)), plan.source);
+    case ExportKind::Flipbook: {
+        const std::vector<std::filesystem::path> files = filesOf(flipbookOf(plan));
+        return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
+    }
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: break;
     }
@@ -79,7 +83,7 @@ bool overwritesSource(const ExportPlan& plan)
 
 Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
-    const Result<Flipbook> flipbook = renderFlipbook(effect, {plan.output, plan.columns, plan.rows, plan.frames, plan.format}, progress, stop);
+    const Result<Flipbook> flipbook = renderFlipbook(effect, flipbookOf(plan), progress, stop);
     return flipbook ? Result<std::optional<Flipbook>>(flipbook.value()) : flipbook.error();
 }
 
@@ -100,11 +104,16 @@ std::filesystem::path firstFile(const ExportPlan& plan)
     switch (plan.kind) {
     case ExportKind::Sequence:
     case ExportKind::Picture: return framePath(sequenceOf(plan), plan.frames.first);
-    case ExportKind::Flipbook: return withEnding(plan.output, fileEnding(plan.format));
+    case ExportKind::Flipbook: return filesOf(flipbookOf(plan)).front();
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: break;
     }
     return plan.output;
+}
+
+FlipbookOptions flipbookOf(const ExportPlan& plan)
+{
+    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style};
 }
 
 std::filesystem::path lastFile(const ExportPlan& plan)

@@ -28,6 +28,8 @@ struct ExportPlan {
     ParticleFormat particles = ParticleFormat::Csv;
     int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
     int rows = 8;
+    PassSet passes{Pass::Colour}; ///< of a flipbook
+    PassStyle style; ///< of its passes
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
@@ -40,6 +42,8 @@ struct ExportPlan {
 /// The files of a plan, first and last; what describes a flipbook lies beside it.
 [[nodiscard]] std::filesystem::path firstFile(const ExportPlan& plan);
 [[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
+/// What a plan for a flipbook asks for.
+[[nodiscard]] FlipbookOptions flipbookOf(const ExportPlan& plan);
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
 /// @param progress hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit of the camera looked at

@@ -40,9 +40,15 @@ bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const st
     }
     // Fast enough for animation, and within a few per cent of the smallest file for soft pictures.
     constexpr int kCompression = 4;
-    png_set_compression_level(png, kCompression);
+    constexpr int kQuickCompression = 2;
+    png_set_compression_level(png, pixels.quick ? kQuickCompression : kCompression);
+    if (pixels.quick) {
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    }
     png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height), pixels.bits,
-        pixels.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        pixels.channels == 1 ? PNG_COLOR_TYPE_GRAY : pixels.channels == 3 ? PNG_COLOR_TYPE_RGB
+                                                                          : PNG_COLOR_TYPE_RGB_ALPHA,
+        PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (pixels.srgb) {
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     } else {

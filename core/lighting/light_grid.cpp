@@ -58,10 +58,10 @@ float smallestCell(const Appearance& appearance, const Light& light)
     return std::max(filled, std::sqrt(crossSection / kMostOwnDepth));
 }
 
-GridShape gridShape(const Appearance& appearance, const Light& light, int resolution)
+GridShape gridShape(const Appearance& appearance, const Light& light, const Axes& axes, int resolution)
 {
     GridShape shape;
-    shape.axes = lightAxes(light.direction);
+    shape.axes = axes;
     if (resolution == 1) {
         return shape;
     }
@@ -152,6 +152,17 @@ void addSunLight(const Effect& effect, const glm::vec3& eye, const LightWorkspac
 
 } // namespace
 
+void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, LightWorkspace& room, LightGrid& out)
+{
+    const bool dense = needsDensity(effect);
+    out.shape = gridShape(appearance, effect->light, axes, finestResolution(effect->light, dense));
+    if (dense) {
+        splatAll(frame, appearance, room, out);
+    } else {
+        out.density.assign(out.shape.cells() + kPadding, 0.0F);
+    }
+}
+
 void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out)
 {
     if (appearance.count == 0) {
@@ -159,14 +170,8 @@ void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearanc
         out.light.assign(4, 0.0F);
         return;
     }
-    const bool dense = needsDensity(effect);
-    out.shape = gridShape(appearance, effect->light, finestResolution(effect->light, dense));
+    fillDensity(frame, effect, appearance, lightAxes(effect->light.direction), room, out);
     const std::size_t cells = out.shape.cells();
-    if (dense) {
-        splatAll(frame, appearance, room, out);
-    } else {
-        out.density.assign(cells + kPadding, 0.0F);
-    }
     out.light.resize(cells * 4);
     room.air.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
     room.sky.assign(cells, 0.0F);

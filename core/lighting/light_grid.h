@@ -40,6 +40,11 @@ struct LightWorkspace {
 /// Axes with w along the light.
 [[nodiscard]] Axes lightAxes(const glm::vec3& direction);
 
+/// Splats the particles into a grid along given axes: the first half of lightSmoke(), which says how.
+/// @param appearance of the same frame, with bounds in these axes and one visible particle or more
+/// @param out        gets shape and density; the light stays as it is
+void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, LightWorkspace& room, LightGrid& out);
+
 /// Splats the particles into a grid and lets light through it.
 ///
 /// Each particle is an absorber of cross-section alpha * pi r^2 / 3 (the mean of the soft disc's profile); their sum over a cell's

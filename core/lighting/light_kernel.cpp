@@ -8,6 +8,7 @@
 #include "core/base/math-inl.h"
 #include "core/lighting/grid_cell-inl.h"
 #include "core/lighting/light_kernel.h"
+#include "core/lighting/scattering-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -183,30 +184,6 @@ void ambient(const LightGrid& grid, const AmbientDirection& direction, float occ
         addLight(at);
         before = here;
     }
-}
-
-/// Henyey-Greenstein relative to isotropic scattering: (1 - g^2) / (1 + g^2 - 2 g cosine)^(3/2).
-HWY_INLINE V phase(float g, V cosine)
-{
-    const V base = (1.0F + g * g) - 2.0F * g * cosine;
-    return (1.0F - g * g) / (base * hn::Sqrt(base));
-}
-
-/// Light of three orders of scattering that has come through an optical depth.
-HWY_INLINE V scattered(D d, const SunJob& job, V tau, V cosine)
-{
-    constexpr float kDeeper = 0.35F; // extinction that each order of scattering still sees, relative to the one before
-    V sum = hn::Zero(d);
-    float weight = job.intensity / (1.0F + job.scattering + job.scattering * job.scattering);
-    float reach = 1.0F;
-    float g = job.anisotropy;
-    for (int order = 0; order < 3; ++order) {
-        sum = weight * phase(g, cosine) * exponential(d, tau * -reach) + sum;
-        weight *= job.scattering;
-        reach *= kDeeper;
-        g *= 0.5F;
-    }
-    return sum;
 }
 
 void sun(const LightWorkspace& from, const SunJob& job, int row, LightGrid& grid)

@@ -92,12 +92,20 @@ void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std:
 
 Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop)
 {
+    const Layer own{nullptr, &image};
+    return composeAll(batch, texture, {&own, 1}, stop);
+}
+
+Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Layer> layers, const std::stop_token& stop)
+{
     const int width = batch.view.width;
     const int height = batch.view.height;
     if (width < 1 || height < 1 || width > kMaxImageEdge || height > kMaxImageEdge || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
         return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", width, height), {}, said("Choose a smaller size or less supersampling")};
     }
-    image.resize(width, height);
+    for (const Layer& layer : layers) {
+        layer.image->resize(width, height);
+    }
     const int columns = tilesAcross(width, kTileWidth);
     const int rows = tilesAcross(height, kTileHeight);
     const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
@@ -124,7 +132,9 @@ Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& textur
             workspace.tile.bottom = std::min(height, workspace.tile.top + kTileHeight);
             const std::span<DepthEntry> list(m_entries.data() + m_tileStarts[index], m_tileTotals[first + index]);
             sortByDepth(list, workspace.scratch);
-            paintTile(batch, texture, list, workspace.tile, image);
+            for (const Layer& layer : layers) {
+                paintTile(batch, texture, layer.colours, list, workspace.tile, *layer.image);
+            }
         });
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, said("painting was cancelled"), {}, {}};

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -34,6 +35,15 @@ public:
     /// @error TooLarge, Cancelled
     /// O(sprites + covered pixels). The same bits for any thread count and instruction set.
     [[nodiscard]] Status compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop = {});
+
+    /// One of the pictures of composeAll().
+    struct Layer {
+        const SpriteLayer* colours = nullptr; ///< null: the sprites' own
+        Image* image = nullptr; ///< resized; every pixel is written
+    };
+
+    /// Several pictures of the same sprites in other colours: they are binned and sorted once. As compose() else.
+    [[nodiscard]] Status composeAll(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Layer> layers, const std::stop_token& stop = {});
 
 private:
     void countTiles(const SpriteBatch& batch, std::size_t tiles, int columns);

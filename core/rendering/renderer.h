@@ -47,6 +47,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const SpriteTexture>& texture() const { return m_texture; }
     /// What the look has made of the particles; valid as batch() is, with bounds in the axes of the light.
     [[nodiscard]] const Appearance& appearance() const { return m_appearance; }
+    /// The light that the sprites of batch() are in; valid as batch() is.
+    [[nodiscard]] const LightGrid& light() const { return m_light; }
     /// How long the parts of the last picture took.
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 

@@ -4,6 +4,7 @@
 //
 #include <hwy/highway.h>
 
+#include "core/rendering/light_lookup-inl.h"
 #include "core/rendering/sprite_kernel.h"
 #include "core/rendering/sprite_projection-inl.h"
 
@@ -23,30 +24,9 @@ constexpr float kLargestRadius = 16384.0F;
 /// weaker, larger ones too: half the contrast needs twice the size to be seen.
 constexpr float kPlainRadius = 5.0F;
 
-HWY_INLINE Float4 load4(const float* from)
-{
-    Float4 out;
-    std::memcpy(&out, from, sizeof(out));
-    return out;
-}
-
-HWY_INLINE Float4 mix4(Float4 a, Float4 b, float t)
-{
-    return (b - a) * t + a;
-}
-
-/// Trilinear interpolation of the four light channels.
 HWY_INLINE Float4 lightAt(const LightGrid& grid, const SpriteBlock& block, std::size_t i)
 {
-    const std::size_t du = grid.shape.nu > 1 ? 4 : 0;
-    const std::size_t dv = grid.shape.nv > 1 ? static_cast<std::size_t>(grid.shape.nu) * 4 : 0;
-    const std::size_t dw = grid.shape.nw > 1 ? static_cast<std::size_t>(grid.shape.nu) * static_cast<std::size_t>(grid.shape.nv) * 4 : 0;
-    const float* at = grid.light.data() + static_cast<std::size_t>(block.corner[i]) * 4;
-    const float u = block.fu[i];
-    const auto line = [&](const float* from) { return mix4(load4(from), load4(from + du), u); };
-    const Float4 front = mix4(line(at), line(at + dv), block.fv[i]);
-    const Float4 back = mix4(line(at + dw), line(at + dw + dv), block.fv[i]);
-    return mix4(front, back, block.fw[i]);
+    return trilinear(grid.shape, grid.light.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
 }
 
 /// Multiplies a sprite's matrix by a symmetric one from the right.

@@ -124,6 +124,21 @@ struct SpriteBatch {
     }
 };
 
+/// The lights of a layer, one a channel, that shade the noise of sprites.
+enum class LayerLight {
+    Flat, ///< none: the channels are no light, or come from everywhere
+    RightTopBack, ///< from the right of the picture, from its top, from behind
+    LeftBottomFront, ///< from the left, from the bottom, from the eye
+};
+
+/// Other colours for the sprites of a batch: blended with the same opacities in the same order they make another picture of the same smoke.
+struct SpriteLayer {
+    static constexpr std::size_t kStride = 4;
+
+    LayerLight light = LayerLight::Flat;
+    AlignedArray<float> colours; ///< kStride floats a sprite: three channels, of any sign, and one that is not looked at
+};
+
 /// Projects and lights every particle.
 /// @param effect the look to apply
 /// O(particles). The same bits for any thread count and instruction set.

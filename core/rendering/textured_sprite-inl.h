@@ -21,14 +21,37 @@ constexpr int kFractionBits = 7;
 /// Weights of the texels at fraction t are kFull - t and t: the last step before the next texel gives that texel, so that no value jumps.
 constexpr int kFull = (1 << kFractionBits) - 1;
 
+/// What lights the inside of a textured sprite.
+enum class Shading {
+    None, ///< the same light everywhere
+    Sun, ///< one light along (lightX, lightY) of the style
+    Axes, ///< one a channel: red along (lightX, 0), green along (0, lightY), blue along the view, which shades nothing
+};
+
+/// How one light shades the inside of a sprite.
+struct LightOnSprite {
+    float reliefU, reliefV; ///< by the noise's slope, per grey value * kFull
+    float roundX, roundY; ///< by the place in the sprite, per pixel
+
+    /// @param scale of the sprite's matrix without which it only turns @param slope relief of one grey value * kFull
+    LightOnSprite(const SpriteStyle& style, const Sprite& sprite, float scale, float slope, float lightX, float lightY)
+    {
+        const float lightP = (sprite.m00 * lightX + sprite.m01 * lightY) * scale;
+        const float lightQ = (sprite.m10 * lightX + sprite.m11 * lightY) * scale;
+        reliefU = lightP * slope;
+        reliefV = lightQ * slope;
+        roundX = -(lightP * sprite.m00 + lightQ * sprite.m10) * style.roundness;
+        roundY = -(lightP * sprite.m01 + lightQ * sprite.m11) * style.roundness;
+    }
+};
+
 /// What a textured sprite needs for each of its pixels.
 struct TexturedSprite {
     const std::uint32_t* texels;
     int shift; ///< log2 of the level's edge
     float texelsAcross, u, v;
     float leastAlpha, alphaScale, alphaShift; ///< of grey values 0..255 * kFull^2; at most the sprite's opacity
-    float reliefU, reliefV; ///< shading by the noise's slope, per grey value * kFull
-    float roundX, roundY; ///< shading by the place in the sprite, per pixel
+    float turn, slope; ///< what LightOnSprite takes
 
     TexturedSprite(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite)
     {
@@ -46,15 +69,9 @@ struct TexturedSprite {
         alphaScale = disturbed / (255.0F * style.erosionSoftness * static_cast<float>(kFull * kFull));
         alphaShift = leastAlpha - disturbed * ref.erosion / style.erosionSoftness;
         // The way of the light in the sprite: turned by its matrix without the scale.
-        const float scale = 1.0F / std::sqrt(std::abs(sprite.m00 * sprite.m11 - sprite.m01 * sprite.m10));
-        const float lightP = (sprite.m00 * style.lightX + sprite.m01 * style.lightY) * scale;
-        const float lightQ = (sprite.m10 * style.lightX + sprite.m11 * style.lightY) * scale;
+        turn = 1.0F / std::sqrt(std::abs(sprite.m00 * sprite.m11 - sprite.m01 * sprite.m10));
         // A slope per texel times the texels across is one per radius, whatever the resolution.
-        const float slope = style.relief * texelsAcross / static_cast<float>(255 * kFull);
-        reliefU = lightP * slope;
-        reliefV = lightQ * slope;
-        roundX = -(lightP * sprite.m00 + lightQ * sprite.m10) * style.roundness;
-        roundY = -(lightP * sprite.m01 + lightQ * sprite.m11) * style.roundness;
+        slope = style.relief * texelsAcross / static_cast<float>(255 * kFull);
     }
 };
 
@@ -65,20 +82,20 @@ struct SpriteLines {
     struct Across {
         alignas(kAlignment) float dx[kLineRoom], bend[kLineRoom]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend + slope)
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< texture coordinates
-        alignas(kAlignment) float round[kLineRoom]; ///< shading
+        alignas(kAlignment) float round[kLineRoom], roundSecond[kLineRoom]; ///< shading, and that by the second of two lights
         alignas(kAlignment) float p[kLineRoom], q[kLineRoom]; ///< place in the sprite
     } across;
     struct Down {
         alignas(kAlignment) float slope[kLineRoom], rest[kLineRoom];
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< with kToFixed
-        alignas(kAlignment) float round[kLineRoom];
+        alignas(kAlignment) float round[kLineRoom], roundSecond[kLineRoom];
         alignas(kAlignment) float p[kLineRoom], q[kLineRoom];
     } down;
     // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
 };
 
-template <bool kSquare, bool kShaded>
-HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const Rim& rim, const Patches& box, const Tile& tile, SpriteLines& lines)
+template <bool kSquare, Shading kShading>
+HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const LightOnSprite& light, const LightOnSprite& second, const Rim& rim, const Patches& box, const Tile& tile, SpriteLines& lines)
 {
     const D d;
     const V bend = hn::Set(d, rim.xx * style.hardness);
@@ -90,8 +107,11 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
             const auto store = [&](float* HWY_RESTRICT to, float slope) HWY_ATTR { hn::Store(hn::Mul(hn::Set(d, slope), dx), d, to + at); };
             store(lines.across.u, sprite.m00 * look.texelsAcross);
             store(lines.across.v, sprite.m10 * look.texelsAcross);
-            if constexpr (kShaded) {
-                store(lines.across.round, look.roundX);
+            if constexpr (kShading != Shading::None) {
+                store(lines.across.round, light.roundX);
+            }
+            if constexpr (kShading == Shading::Axes) {
+                store(lines.across.roundSecond, second.roundX);
             }
             if constexpr (kSquare) {
                 store(lines.across.p, sprite.m00);
@@ -107,8 +127,11 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
             const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR { hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + at); };
             store(lines.down.u, sprite.m01 * look.texelsAcross, kToFixed + look.u);
             store(lines.down.v, sprite.m11 * look.texelsAcross, kToFixed + look.v);
-            if constexpr (kShaded) {
-                store(lines.down.round, look.roundY, 1.0F);
+            if constexpr (kShading != Shading::None) {
+                store(lines.down.round, light.roundY, 1.0F);
+            }
+            if constexpr (kShading == Shading::Axes) {
+                store(lines.down.roundSecond, second.roundY, 1.0F);
             }
             if constexpr (kSquare) {
                 store(lines.down.p, sprite.m01, 0.0F);
@@ -121,7 +144,7 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
     }
 }
 
-template <bool kSquare, bool kShaded>
+template <bool kSquare, Shading kShading>
 void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, Tile& tile)
 {
     const Patches box = patchesOf(sprite, tile);
@@ -132,8 +155,11 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const hn::RebindToSigned<D> di;
     const TexturedSprite look(style, texture, sprite);
     const Rim rim(sprite);
+    constexpr bool kAxes = kShading == Shading::Axes;
+    const LightOnSprite light(style, sprite, look.turn, look.slope, style.lightX, kAxes ? 0.0F : style.lightY);
+    const LightOnSprite second(style, sprite, look.turn, look.slope, 0.0F, style.lightY);
     SpriteLines lines;
-    fillLines<kSquare, kShaded>(style, sprite, look, rim, box, tile, lines);
+    fillLines<kSquare, kShading>(style, sprite, look, light, second, rim, box, tile, lines);
 
     const I wrap = hn::Set(di, (1 << look.shift) - 1);
     // The fraction in all bytes or halves of a lane, then full minus fraction in the first of each two.
@@ -148,8 +174,6 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const V alphaShift = hn::Set(d, look.alphaShift);
     const V leastAlpha = hn::Set(d, look.leastAlpha);
     const V mostAlpha = hn::Set(d, sprite.opacity);
-    const V reliefU = hn::Set(d, look.reliefU);
-    const V reliefV = hn::Set(d, look.reliefV);
     const V directRed = hn::Set(d, sprite.direct[0]);
     const V directGreen = hn::Set(d, sprite.direct[1]);
     const V directBlue = hn::Set(d, sprite.direct[2]);
@@ -180,13 +204,21 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
         const auto dot = [&](I x, I y) HWY_ATTR { return hn::ConvertTo(d, dotHalves(di, x, y)); };
         const I pairs = dotBytes(di, footprint, alongU);
         const V a = hn::Mul(mask, hn::Min(hn::Max(mulAdd(dot(pairs, alongV), alphaScale, alphaShift), leastAlpha), mostAlpha));
-        if constexpr (kShaded) {
-            const V slopeU = dot(dotBytes(di, footprint, rise), alongV);
-            const V slopeV = dot(pairs, riseOfHalves);
-            const V shade = hn::Max(zero, mulAdd(reliefV, slopeV, mulAdd(reliefU, slopeU, sum(lines.across.round, lines.down.round))));
+        if constexpr (kShading == Shading::None) {
+            under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
+            return;
+        }
+        const V slopeU = dot(dotBytes(di, footprint, rise), alongV);
+        const V slopeV = dot(pairs, riseOfHalves);
+        const auto shadeBy = [&](const LightOnSprite& by, const float* x, const float* y) HWY_ATTR {
+            return hn::Max(zero, mulAdd(hn::Set(d, by.reliefV), slopeV, mulAdd(hn::Set(d, by.reliefU), slopeU, sum(x, y))));
+        };
+        const V shade = shadeBy(light, lines.across.round, lines.down.round);
+        if constexpr (kShading == Shading::Sun) {
             under(d, at, a, mulAdd(shade, directRed, ambientRed), mulAdd(shade, directGreen, ambientGreen), mulAdd(shade, directBlue, ambientBlue));
         } else {
-            under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
+            const V other = shadeBy(second, lines.across.roundSecond, lines.down.roundSecond);
+            under(d, at, a, mulAdd(shade, directRed, ambientRed), mulAdd(other, directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
         }
     };
     const auto paintRow = [&](int row, int first, int last) HWY_ATTR {

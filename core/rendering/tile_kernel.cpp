@@ -82,11 +82,45 @@ void writeTile(const Tile& tile, Image& image)
     hwy::FlushStream();
 }
 
-void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+/// What lights the inside of the sprites of a picture.
+Shading shadingOf(const SpriteStyle& style, const SpriteLayer* layer)
 {
-    clearTile(tile);
-    const bool shaded = batch.style.relief != 0.0F || batch.style.roundness != 0.0F;
-    const auto paintSprite = batch.style.square ? (shaded ? paintTextured<true, true> : paintTextured<true, false>) : (shaded ? paintTextured<false, true> : paintTextured<false, false>);
+    if (style.relief == 0.0F && style.roundness == 0.0F) {
+        return Shading::None;
+    }
+    return layer == nullptr ? Shading::Sun : layer->light == LayerLight::Flat ? Shading::None
+                                                                              : Shading::Axes;
+}
+
+/// Those of the batch, under the lights of a layer.
+SpriteStyle styleOf(const SpriteBatch& batch, const SpriteLayer* layer)
+{
+    SpriteStyle style = batch.style;
+    if (layer != nullptr) {
+        // What comes from the right goes to the left; y runs down.
+        style.lightX = layer->light == LayerLight::RightTopBack ? -1.0F : 1.0F;
+        style.lightY = -style.lightX;
+    }
+    return style;
+}
+
+using PaintTextured = void (*)(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, Tile& tile);
+
+template <bool kSquare>
+PaintTextured painterOf(Shading shading)
+{
+    switch (shading) {
+    case Shading::None: break;
+    case Shading::Sun: return paintTextured<kSquare, Shading::Sun>;
+    case Shading::Axes: return paintTextured<kSquare, Shading::Axes>;
+    }
+    return paintTextured<kSquare, Shading::None>;
+}
+
+/// Calls paintSprite(index) near to far, until nothing behind can be seen.
+template <class PaintSprite, class FetchSprite>
+HWY_INLINE void forEntries(std::span<const DepthEntry> entries, const Tile& tile, const PaintSprite& paintSprite, const FetchSprite& fetchSprite)
+{
     constexpr std::size_t kBetweenLooks = 32;
     constexpr std::size_t kAhead = 12;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -94,14 +128,40 @@ void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<con
             break;
         }
         if (i + kAhead < entries.size()) {
-            hwy::Prefetch(&batch.sprites[entryIndex(entries[i + kAhead])]);
+            fetchSprite(entryIndex(entries[i + kAhead]));
         }
-        const Sprite& sprite = batch.sprites[entryIndex(entries[i])];
+        paintSprite(entryIndex(entries[i]));
+    }
+}
+
+void paint(const SpriteBatch& batch, const SpriteTexture& texture, const SpriteLayer* layer, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+{
+    clearTile(tile);
+    const Shading shading = shadingOf(batch.style, layer);
+    const SpriteStyle style = styleOf(batch, layer);
+    const PaintTextured paintWithTexture = style.square ? painterOf<true>(shading) : painterOf<false>(shading);
+    const auto paintSprite = [&](const Sprite& sprite) HWY_ATTR {
         if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
-            paintPlainSprite(batch.style, sprite, tile);
+            paintPlainSprite(style, sprite, tile);
         } else {
-            paintSprite(batch.style, texture, sprite, tile);
+            paintWithTexture(style, texture, sprite, tile);
         }
+    };
+    const auto fetch = [&](std::uint32_t index) HWY_ATTR { hwy::Prefetch(&batch.sprites[index]); };
+    if (layer == nullptr) {
+        forEntries(
+            entries, tile, [&](std::uint32_t index) HWY_ATTR { paintSprite(batch.sprites[index]); }, fetch);
+    } else {
+        forEntries(
+            entries, tile, [&](std::uint32_t index) HWY_ATTR {
+                Sprite sprite = batch.sprites[index];
+                std::copy_n(layer->colours.data() + std::size_t{index} * SpriteLayer::kStride, std::size(sprite.direct), sprite.direct);
+                std::fill_n(sprite.ambient, std::size(sprite.ambient), 0.0F);
+                paintSprite(sprite); },
+            [&](std::uint32_t index) HWY_ATTR {
+                fetch(index);
+                hwy::Prefetch(layer->colours.data() + std::size_t{index} * SpriteLayer::kStride);
+            });
     }
     writeTile(tile, image);
 }
@@ -114,10 +174,10 @@ namespace fumage {
 
 HWY_EXPORT(paint);
 
-void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, const SpriteLayer* layer, std::span<const DepthEntry> entries, Tile& tile, Image& image)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(paint);
-    kernel(batch, texture, entries, tile, image);
+    kernel(batch, texture, layer, entries, tile, image);
 }
 
 } // namespace fumage

@@ -25,7 +25,8 @@ struct Tile {
 };
 
 /// Paints sorted sprites into a tile that has been cleared, and writes the tile into the image.
+/// @param layer   colours and lights in place of the sprites' own; null: their own
 /// @param entries near to far
-void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const DepthEntry> entries, Tile& tile, Image& image);
+void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, const SpriteLayer* layer, std::span<const DepthEntry> entries, Tile& tile, Image& image);
 
 } // namespace fumage

@@ -189,14 +189,15 @@ private slots:
         std::filesystem::permissions(base, std::filesystem::perms(0755));
     }
 
-    void pairsThatAreWrittenAtOnceStayPairs()
+    void filesThatAreWrittenAtOnceStayTogether()
     {
         const QTemporaryDir folder;
         const std::string base = folder.path().toStdString();
         const auto write = [&](char mark) {
             const std::string one(100, mark);
             const std::string other(200, mark);
-            return writePairAtomically({base + "/one", bytesOf(one)}, {base + "/other", bytesOf(other)});
+            const std::array<FileContents, 2> files{{{base + "/one", bytesOf(one)}, {base + "/other", bytesOf(other)}}};
+            return writeTogetherAtomically(files);
         };
         for (int round = 0; round < 20; ++round) {
             std::vector<pid_t> writers;

@@ -74,7 +74,7 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "flipbook", "fit", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
+        for (const char* command : {"render", "flipbook", "check-sheet", "fit", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }
@@ -103,6 +103,9 @@ private slots:
         row("huge size", {"render", "default", "--size", "99999"}, "8192");
         row("quality", {"render", "default", "--quality", "best"}, "output.quality");
         row("grid", {"flipbook", "default", "--grid", "8x99"}, "8x99");
+        row("pass", {"flipbook", "default", "--passes", "colour,sixway"}, "six-way");
+        row("no pass", {"flipbook", "default", "--passes", ","}, "--passes");
+        row("signs of vectors", {"flipbook", "default", "--vectors", "godot"}, "unreal");
         row("too few frames", {"flipbook", "default", "--frames", "0-9"}, "64 cells");
         row("simd", {"--simd", "mmx", "render", "default"}, "mmx");
         row("format", {"render", "default", "--format", "gif"}, "gif");

@@ -1,0 +1,212 @@
+#include "core/export/pass_picture.h"
+
+#include "core/base/parallel.h"
+#include "core/export/spread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+/// Less smoke than this does not say what it looks like: what is around it does.
+constexpr float kEnough = 1.0F / 255.0F;
+/// Single particles at the rim go their own ways; the flow is that of all.
+constexpr float kEnoughToFlow = 1.0F / 16.0F;
+/// Less than half a step of 8 bits is not seen, and decides nothing.
+constexpr float kSeen = 0.5F / 255.0F;
+
+/// Calls visit(pixel) for all pixels, one after another.
+template <class Visit>
+void forPixels(const Image& image, const Visit& visit)
+{
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        visit(image.pixels.data() + i);
+    }
+}
+
+/// Makes a picture of values(index of the pixel, where they go).
+template <class Values>
+DataImage filled(const Image& like, int channels, bool isSigned, const Values& values)
+{
+    DataImage out{like.width, like.height, channels, isSigned, {}};
+    out.values.resize(static_cast<std::size_t>(like.width) * static_cast<std::size_t>(like.height) * static_cast<std::size_t>(channels));
+    const auto width = static_cast<std::size_t>(like.width);
+    parallelFor(static_cast<std::size_t>(like.height), [&](std::size_t y) {
+        for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+            values(i, out.values.data() + i * static_cast<std::size_t>(channels));
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+std::array<std::array<SixWayChannel, 4>, 2> channelsOf(SixWayLayout layout)
+{
+    using enum SixWayChannel;
+    switch (layout) {
+    case SixWayLayout::Unity: break;
+    case SixWayLayout::EmberGen: return {{{Top, Left, Right, Alpha}, {Bottom, Back, Front, Alpha}}};
+    case SixWayLayout::RltBbf: return {{{Right, Left, Top, Alpha}, {Bottom, Back, Front, Alpha}}};
+    case SixWayLayout::TlrbFb: return {{{Top, Left, Right, Bottom}, {Front, Back, Nothing, Alpha}}};
+    }
+    return {{{Right, Top, Back, Alpha}, {Left, Bottom, Front, Emissive}}};
+}
+
+std::string_view nameOf(SixWayChannel channel)
+{
+    constexpr std::array<std::string_view, 9> kNames{"right", "left", "top", "bottom", "back", "front", "alpha", "emissive", "nothing"};
+    return kNames[static_cast<std::size_t>(channel)];
+}
+
+std::string_view nameOf(SixWayLayout layout)
+{
+    constexpr std::array<std::string_view, 4> kNames{"unity", "embergen", "rlt-bbf", "tlrb-fb"};
+    return kNames[static_cast<std::size_t>(layout)];
+}
+
+std::string_view nameOf(VectorSigns signs)
+{
+    return signs == VectorSigns::Unity ? "unity" : "unreal";
+}
+
+PassPictures::PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style)
+    : m_sheet(sheet)
+    , m_style(style)
+{
+    const auto straighten = [&](PassLayer layer, float enough) { return straightened(sheet.layers.of(layer), sheet.grid.cellWidth, sheet.grid.cellHeight, enough); };
+    for (const PassLayer layer : {PassLayer::RightTopBack, PassLayer::LeftBottomFront, PassLayer::Emission, PassLayer::Albedo, PassLayer::Inner}) {
+        if (needsLayer(passes, layer)) {
+            m_straight[static_cast<std::size_t>(layer)] = straighten(layer, kEnough);
+        }
+    }
+    if (passes.has(Pass::Depth)) {
+        m_straight[static_cast<std::size_t>(PassLayer::Motion)] = straighten(PassLayer::Motion, kEnough);
+    }
+    if (passes.has(Pass::Motion)) {
+        m_motion = straighten(PassLayer::Motion, kEnoughToFlow);
+        refineMotion(sheet.layers.of(PassLayer::Colour), sheet.grid, m_motion);
+    }
+    findScales(passes);
+}
+
+void PassPictures::findScales(PassSet passes)
+{
+    const auto largest = [&](PassLayer layer, float& most) {
+        forPixels(straight(layer), [&](const float* p) { most = p[3] < kSeen ? most : std::max({most, p[0], p[1], p[2]}); });
+    };
+    largest(PassLayer::RightTopBack, m_scales.light);
+    largest(PassLayer::LeftBottomFront, m_scales.light);
+    largest(PassLayer::Emission, m_scales.emission);
+    if (passes.has(Pass::Motion)) {
+        constexpr float kStill = 1e-6F;
+        m_scales.motion = kStill;
+        forPixels(m_motion, [&](const float* p) { m_scales.motion = std::max({m_scales.motion, std::abs(p[0]), std::abs(p[1])}); });
+    }
+    if (passes.has(Pass::Depth)) {
+        float low = std::numeric_limits<float>::max();
+        float high = 0.0F;
+        forPixels(straight(PassLayer::Motion), [&](const float* p) {
+            low = p[3] < kSeen ? low : std::min(low, p[2]);
+            high = p[3] < kSeen ? high : std::max(high, p[2]);
+        });
+        m_scales.nearest = low < high ? low : 0.0F;
+        m_scales.farthest = low < high ? high : 1.0F;
+    }
+}
+
+DataImage PassPictures::sixWay(std::size_t map) const
+{
+    const std::array<std::array<SixWayChannel, 4>, 2> maps = channelsOf(m_style.layout);
+    const float share = 1.0F / m_scales.light;
+    const Image& above = written(PassLayer::RightTopBack);
+    const Image& below = written(PassLayer::LeftBottomFront);
+    return filled(above, 4, false, [&](std::size_t i, float* to) {
+        const float* a = above.pixels.data() + i * 4;
+        const float* b = below.pixels.data() + i * 4;
+        for (const SixWayChannel channel : maps[map]) {
+            switch (channel) {
+            case SixWayChannel::Right: *to = a[0] * share; break;
+            case SixWayChannel::Top: *to = a[1] * share; break;
+            case SixWayChannel::Back: *to = a[2] * share; break;
+            case SixWayChannel::Left: *to = b[0] * share; break;
+            case SixWayChannel::Bottom: *to = b[1] * share; break;
+            case SixWayChannel::Front: *to = b[2] * share; break;
+            case SixWayChannel::Alpha: *to = a[3]; break;
+            case SixWayChannel::Emissive: *to = written(PassLayer::Inner).pixels[i * 4]; break;
+            case SixWayChannel::Nothing: *to = 0.0F; break;
+            }
+            ++to;
+        }
+    });
+}
+
+DataImage PassPictures::motion() const
+{
+    const float x = (m_style.vectors == VectorSigns::Unity ? 1.0F : -1.0F) / m_scales.motion;
+    const float y = 1.0F / m_scales.motion;
+    return filled(m_motion, 3, true, [&](std::size_t i, float* to) {
+        to[0] = m_motion.pixels[i * 4] * x;
+        to[1] = m_motion.pixels[i * 4 + 1] * y;
+        to[2] = 0.0F;
+    });
+}
+
+/// Light from one side less that from the other is how much a place faces there; what faces nothing looks at the eye.
+DataImage PassPictures::normal() const
+{
+    const Image& above = straight(PassLayer::RightTopBack);
+    const Image& below = straight(PassLayer::LeftBottomFront);
+    return filled(above, 3, true, [&](std::size_t i, float* to) {
+        const float* a = above.pixels.data() + i * 4;
+        const float* b = below.pixels.data() + i * 4;
+        const glm::vec3 facing(a[0] - b[0], a[1] - b[1], std::max(0.0F, b[2] - a[2]));
+        const float length = std::sqrt(glm::dot(facing, facing));
+        constexpr float kFlat = 1e-6F;
+        const glm::vec3 normal = length > kFlat ? facing / length : glm::vec3(0.0F, 0.0F, 1.0F);
+        std::copy_n(&normal.x, 3, to);
+    });
+}
+
+/// One channel, shifted and scaled.
+DataImage PassPictures::measured(const Image& image, std::size_t channel, float zero, float one) const
+{
+    const float share = 1.0F / (one - zero);
+    return filled(image, 1, false, [&](std::size_t i, float* to) { *to = (image.pixels[i * 4 + channel] - zero) * share; });
+}
+
+DataImage PassPictures::colours(PassLayer layer, float scale) const
+{
+    const Image& image = written(layer);
+    const float share = 1.0F / scale;
+    return filled(image, 4, false, [&](std::size_t i, float* to) {
+        const float* from = image.pixels.data() + i * 4;
+        std::transform(from, from + 3, to, [&](float value) { return value * share; });
+        to[3] = from[3];
+    });
+}
+
+DataImage PassPictures::picture(Pass pass) const
+{
+    switch (pass) {
+    case Pass::Colour: break;
+    case Pass::Alpha: return measured(m_sheet.layers.of(PassLayer::Colour), 3, 0.0F, 1.0F);
+    case Pass::SixWayA: return sixWay(0);
+    case Pass::SixWayB: return sixWay(1);
+    case Pass::Motion: return motion();
+    case Pass::Normal: return normal();
+    case Pass::Depth: return measured(straight(PassLayer::Motion), 2, m_scales.nearest, m_scales.farthest);
+    case Pass::Emission: return colours(PassLayer::Emission, m_scales.emission);
+    case Pass::Albedo: return colours(PassLayer::Albedo, 1.0F);
+    case Pass::Temperature: return measured(straight(PassLayer::Inner), 0, 0.0F, 1.0F);
+    case Pass::Shadow: return measured(straight(PassLayer::Inner), 1, 0.0F, 1.0F);
+    }
+    return {};
+}
+
+} // namespace fumage

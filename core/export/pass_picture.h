@@ -1,0 +1,102 @@
+#pragma once
+
+#include "core/export/image_file.h"
+#include "core/export/motion_refine.h"
+#include "core/rendering/passes.h"
+
+#include <array>
+#include <string_view>
+
+namespace fumage {
+
+/// Which light stands in which channel of the two maps of six-way light.
+enum class SixWayLayout {
+    Unity, ///< right, top, back, alpha; left, bottom, front, emissive
+    EmberGen, ///< top, left, right, alpha; bottom, back, front, alpha
+    RltBbf, ///< right, left, top, alpha; bottom, back, front, alpha: O3DE's RtLftTp_BtBckFr
+    TlrbFb, ///< top, left, right, bottom; front, back, nothing, alpha: O3DE's TpLftRtBt_FrBck
+};
+
+/// What stands in one channel of a map.
+enum class SixWayChannel {
+    Right,
+    Left,
+    Top,
+    Bottom,
+    Back,
+    Front,
+    Alpha,
+    Emissive,
+    Nothing,
+};
+
+/// The channels of a layout's maps, A and B, red to alpha.
+[[nodiscard]] std::array<std::array<SixWayChannel, 4>, 2> channelsOf(SixWayLayout layout);
+/// "right", "top", as the side-car says it.
+[[nodiscard]] std::string_view nameOf(SixWayChannel channel);
+/// "unity", "embergen", "rlt-bbf", "tlrb-fb".
+[[nodiscard]] std::string_view nameOf(SixWayLayout layout);
+
+/// Signs of motion vectors.
+enum class VectorSigns {
+    Unity, ///< red is more than a half where the smoke goes right, green where it goes up
+    Unreal, ///< red is more than a half where it goes left, green where it goes up
+};
+/// "unity", "unreal".
+[[nodiscard]] std::string_view nameOf(VectorSigns signs);
+
+/// How passes are written.
+struct PassStyle {
+    SixWayLayout layout = SixWayLayout::Unity;
+    VectorSigns vectors = VectorSigns::Unity;
+    bool premultiplied = false; ///< colours and light times alpha; else they go on where there is no smoke. Motion and what is measured is always straight.
+};
+
+/// What the numbers of passes are divided by, so that they lie between 0 and 1, or -1 and 1; one for all pictures that belong together.
+struct PassScales {
+    float light = 1.0F; ///< of the maps of six-way light: 1, or more where there is more light
+    float motion = 1.0F; ///< the largest component, as a share of a cell
+    float emission = 1.0F; ///< 1, or more where there is more
+    float nearest = 0.0F; ///< depth that is 0, m
+    float farthest = 1.0F; ///< depth that is 1, m
+};
+
+/// The layers of the pictures of one sheet, side by side.
+struct PassSheet {
+    PassImages layers; ///< premultiplied
+    SheetGrid grid;
+};
+
+/// Makes the pictures of passes from the layers of a sheet: numbers in [0, 1], but for motion and normals, whose are in [-1, 1].
+/// The same bits for any thread count.
+class PassPictures {
+public:
+    /// Divides the layers by their alpha, fits the vectors to the colours, and finds the scales.
+    /// @param sheet  must stay; motion needs the layer of the colour too
+    /// O(pixels).
+    PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style);
+
+    /// What the numbers of all pictures were divided by.
+    [[nodiscard]] const PassScales& scales() const { return m_scales; }
+    /// @param pass one of the passes but the colour
+    /// O(pixels).
+    [[nodiscard]] DataImage picture(Pass pass) const;
+
+private:
+    [[nodiscard]] const Image& straight(PassLayer layer) const { return m_straight[static_cast<std::size_t>(layer)]; }
+    [[nodiscard]] const Image& written(PassLayer layer) const { return m_style.premultiplied ? m_sheet.layers.of(layer) : straight(layer); }
+    void findScales(PassSet passes);
+    [[nodiscard]] DataImage sixWay(std::size_t map) const;
+    [[nodiscard]] DataImage motion() const;
+    [[nodiscard]] DataImage normal() const;
+    [[nodiscard]] DataImage measured(const Image& image, std::size_t channel, float zero, float one) const;
+    [[nodiscard]] DataImage colours(PassLayer layer, float scale) const;
+
+    const PassSheet& m_sheet;
+    PassStyle m_style;
+    std::array<Image, kPassLayers> m_straight;
+    Image m_motion; ///< as engines take it, where it is asked for
+    PassScales m_scales;
+};
+
+} // namespace fumage

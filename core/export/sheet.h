@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/export/pass_picture.h"
+#include "core/rendering/pass_renderer.h"
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace fumage {
+
+/// Sees each cell as it is placed: its layers, its frame, and what the look has made of it.
+using CellWatch = std::function<void(const PassImages& cell, const Frame& frame, const Appearance& appearance)>;
+
+/// Renders frames into the cells of a sheet, first at the top left, then along the rows, each of effect.output's size and without background.
+/// @param frames  of the cells, in rising order; for motion one more frame is simulated, as far behind the last as that is behind the one before
+/// @param columns the cells fill rows of as many
+/// @param passes  what the layers must do for
+/// @error those of Simulator and PassRenderer
+[[nodiscard]] Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {});
+
+} // namespace fumage

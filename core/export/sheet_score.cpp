@@ -1,0 +1,292 @@
+#include "core/export/sheet_score.h"
+
+#include "core/base/math.h"
+#include "core/export/sheet.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+constexpr int kDirections = 20;
+
+/// Squared differences from a peak of 1.
+class Difference {
+public:
+    void add(float a, float b)
+    {
+        const double difference = static_cast<double>(a) - static_cast<double>(b);
+        m_sum += difference * difference;
+        ++m_count;
+    }
+    void add(const Difference& other)
+    {
+        m_sum += other.m_sum;
+        m_count += other.m_count;
+    }
+    [[nodiscard]] double decibels() const
+    {
+        constexpr double kMost = 99.0; // of what is the same
+        return m_sum > 0.0 ? std::min(kMost, 10.0 * std::log10(static_cast<double>(m_count) / m_sum)) : kMost;
+    }
+
+private:
+    double m_sum = 0.0;
+    std::size_t m_count = 0;
+};
+
+/// Directions on a spiral from pole to pole, each with as much of the sphere around it.
+std::array<glm::vec3, kDirections> lightDirections()
+{
+    std::array<glm::vec3, kDirections> out;
+    const float golden = kPi * (3.0F - std::sqrt(5.0F));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float y = 1.0F - (2.0F * static_cast<float>(i) + 1.0F) / static_cast<float>(kDirections);
+        const float across = std::sqrt(1.0F - y * y);
+        const float turn = std::fmod(golden * static_cast<float>(i), kTau);
+        out[i] = {across * portableCos(turn), y, across * portableSin(turn)};
+    }
+    return out;
+}
+
+/// What a file of a format holds.
+DataImage stored(DataImage image, ImageFormat format)
+{
+    if (fileEnding(format) == ".png") {
+        const int full = format == ImageFormat::Png8 ? 255 : 65535;
+        for (float& value : image.values) {
+            const float share = static_cast<float>(quantised(value, image.isSigned, full)) / static_cast<float>(full);
+            value = image.isSigned ? 2.0F * share - 1.0F : share;
+        }
+    }
+    return image;
+}
+
+/// White smoke under one white light from a direction of the camera's frame.
+Effect litFrom(const Effect& effect, const View& view, const glm::vec3& towards)
+{
+    Effect lit = effect;
+    lit.look.colour = glm::vec3(1.0F);
+    lit.look.colourGradient = Gradient{{0.0F, glm::vec3(1.0F)}};
+    lit.light.colour = glm::vec3(1.0F);
+    lit.light.intensity = 1.0F;
+    lit.light.ambient = 0.0F;
+    lit.light.emission = 0.0F;
+    lit.light.direction = -(view.right * towards.x + view.up * towards.y + view.forward * towards.z);
+    lit.output.background = Background::Transparent;
+    return lit;
+}
+
+/// A part of a sheet.
+struct Cell {
+    int left = 0;
+    int top = 0;
+    int width = 1;
+    int height = 1;
+};
+
+Cell cellOf(const PassSheet& sheet, int columns, int number)
+{
+    return {number % columns * sheet.grid.cellWidth, number / columns * sheet.grid.cellHeight, sheet.grid.cellWidth, sheet.grid.cellHeight};
+}
+
+/// Relit from Unity's maps: the premultiplied light of a pixel.
+float relit(const DataImage& a, const DataImage& b, std::size_t pixel, const glm::vec3& towards, float scale)
+{
+    float sum = 0.0F;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::vector<float>& map = towards[axis] >= 0.0F ? a.values : b.values;
+        sum += towards[axis] * towards[axis] * map[pixel * 4 + static_cast<std::size_t>(axis)];
+    }
+    return sum * scale * a.values[pixel * 4 + 3];
+}
+
+Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, int lit, SheetScore& score, const std::stop_token& stop)
+{
+    const PassPictures pictures(sheet, {Pass::SixWayA, Pass::SixWayB}, {});
+    const PassScales& scales = pictures.scales();
+    const DataImage a = stored(pictures.picture(Pass::SixWayA), options.format);
+    const DataImage b = stored(pictures.picture(Pass::SixWayB), options.format);
+    const std::array<glm::vec3, kDirections> directions = lightDirections();
+    std::array<Difference, kDirections> differences;
+    Simulator simulator(sampled(effect));
+    Renderer renderer;
+    Image truth;
+    for (int i = 0; i < lit; ++i) {
+        const int number = static_cast<int>((2 * static_cast<std::int64_t>(i) + 1) * static_cast<std::int64_t>(frames.size()) / (2 * lit));
+        const auto frame = simulator.frame(frames[static_cast<std::size_t>(number)], stop);
+        if (!frame) {
+            return frame.error();
+        }
+        const View view = makeView(effect.camera, secondsOf(effect.timeline, frame.value()->number), sheet.grid.cellWidth, sheet.grid.cellHeight);
+        const Cell cell = cellOf(sheet, options.columns, number);
+        for (std::size_t direction = 0; direction < kDirections; ++direction) {
+            if (Status status = renderer.render(*frame.value(), sampled(litFrom(effect, view, directions[direction])), cell.width, cell.height, truth, stop); !status) {
+                return status;
+            }
+            for (int y = 0; y < cell.height; ++y) {
+                for (int x = 0; x < cell.width; ++x) {
+                    const auto pixel = static_cast<std::size_t>((cell.top + y) * a.width + cell.left + x);
+                    differences[direction].add(relit(a, b, pixel, directions[direction], scales.light), truth.at(x, y).r);
+                }
+            }
+        }
+    }
+    Difference all;
+    for (const Difference& each : differences) {
+        all.add(each);
+    }
+    score.sixWay.scale = scales.light;
+    score.sixWay.decibels = all.decibels();
+    score.sixWay.worst = std::min_element(differences.begin(), differences.end(), [](const Difference& x, const Difference& y) { return x.decibels() < y.decibels(); })->decibels();
+    return Done{};
+}
+
+glm::vec4 shown(const glm::vec4& colour)
+{
+    return glm::min(colour, glm::vec4(1.0F));
+}
+
+/// Bilinear between the centres of a cell's pixels; beyond the outermost it is theirs.
+glm::vec4 sample(const Image& sheet, const Cell& cell, float x, float y)
+{
+    const float u = std::clamp(x - 0.5F, 0.0F, static_cast<float>(cell.width - 1));
+    const float v = std::clamp(y - 0.5F, 0.0F, static_cast<float>(cell.height - 1));
+    const int left = static_cast<int>(u);
+    const int top = static_cast<int>(v);
+    const int right = std::min(left + 1, cell.width - 1);
+    const int bottom = std::min(top + 1, cell.height - 1);
+    const auto at = [&](int i, int j) { return shown(sheet.at(cell.left + i, cell.top + j)); };
+    const float across = u - static_cast<float>(left);
+    const float down = v - static_cast<float>(top);
+    return glm::mix(glm::mix(at(left, top), at(right, top), across), glm::mix(at(left, bottom), at(right, bottom), across), down);
+}
+
+/// The middle between two cells as an engine shows it, with and without vectors, beside the frame that is there.
+class Between {
+public:
+    Between(const PassSheet& sheet, const DataImage& motion, float scale)
+        : m_colour(sheet.layers.of(PassLayer::Colour))
+        , m_motion(motion)
+        , m_scale(scale)
+    {
+    }
+
+    void compare(const Cell& one, const Cell& other, float f, const Image& truth)
+    {
+        for (int y = 0; y < one.height; ++y) {
+            for (int x = 0; x < one.width; ++x) {
+                const glm::vec4 there = shown(truth.at(x, y));
+                const glm::vec4 rebuilt = glm::mix(fetch(one, x, y, -f), fetch(other, x, y, 1.0F - f), f);
+                const glm::vec4 faded = glm::mix(fetch(one, x, y, 0.0F), fetch(other, x, y, 0.0F), f);
+                for (int channel = 0; channel < 4; ++channel) {
+                    m_rebuilt.add(rebuilt[channel], there[channel]);
+                    m_faded.add(faded[channel], there[channel]);
+                }
+            }
+        }
+        ++m_count;
+    }
+    [[nodiscard]] SheetScore::Motion score() const { return {m_rebuilt.decibels(), m_faded.decibels(), m_scale, m_count}; }
+
+private:
+    /// The colour that lies some way along the vector of a pixel.
+    [[nodiscard]] glm::vec4 fetch(const Cell& cell, int x, int y, float way) const
+    {
+        const float* vector = m_motion.values.data() + static_cast<std::size_t>((cell.top + y) * m_motion.width + cell.left + x) * 3;
+        const float right = vector[0] * m_scale * static_cast<float>(cell.width) * way;
+        const float up = vector[1] * m_scale * static_cast<float>(cell.height) * way;
+        return sample(m_colour, cell, static_cast<float>(x) + 0.5F + right, static_cast<float>(y) + 0.5F - up);
+    }
+
+    const Image& m_colour;
+    const DataImage& m_motion;
+    float m_scale;
+    Difference m_rebuilt;
+    Difference m_faded;
+    int m_count = 0;
+};
+
+Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, SheetScore& score, const std::stop_token& stop)
+{
+    const PassPictures pictures(sheet, {Pass::Motion}, {});
+    const DataImage motion = stored(pictures.picture(Pass::Motion), options.format);
+    Between between(sheet, motion, pictures.scales().motion);
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke);
+    Renderer renderer;
+    Image truth;
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const int middle = (frames[i] + frames[i + 1]) / 2;
+        if (middle == frames[i]) {
+            continue;
+        }
+        const auto frame = simulator.frame(middle, stop);
+        if (!frame) {
+            return frame.error();
+        }
+        if (Status status = renderer.render(*frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, truth, stop); !status) {
+            return status;
+        }
+        const float f = static_cast<float>(middle - frames[i]) / static_cast<float>(frames[i + 1] - frames[i]);
+        between.compare(cellOf(sheet, options.columns, static_cast<int>(i)), cellOf(sheet, options.columns, static_cast<int>(i) + 1), f, truth);
+    }
+    score.motion = between.score();
+    return Done{};
+}
+
+void scorePixels(const PassSheet& sheet, int columns, int cells, SheetScore& score)
+{
+    constexpr float kSeen = 0.5F / 255.0F;
+    const Image& colour = sheet.layers.of(PassLayer::Colour);
+    std::size_t smoke = 0;
+    std::size_t clipped = 0;
+    for (int number = 0; number < cells; ++number) {
+        const Cell cell = cellOf(sheet, columns, number);
+        const std::size_t before = smoke;
+        for (int y = 0; y < cell.height; ++y) {
+            for (int x = 0; x < cell.width; ++x) {
+                const glm::vec4 pixel = colour.at(cell.left + x, cell.top + y);
+                const bool isBorder = x == 0 || y == 0 || x + 1 == cell.width || y + 1 == cell.height;
+                score.edgeAlpha = isBorder ? std::max(score.edgeAlpha, pixel.a) : score.edgeAlpha;
+                smoke += pixel.a >= kSeen ? 1U : 0U;
+                clipped += pixel.a >= kSeen && std::max({pixel.r, pixel.g, pixel.b}) > pixel.a ? 1U : 0U;
+            }
+        }
+        score.empty += smoke == before ? 1 : 0;
+    }
+    score.clipped = smoke > 0 ? static_cast<double>(clipped) / static_cast<double>(smoke) : 0.0;
+}
+
+} // namespace
+
+Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Progress& progress, const std::stop_token& stop)
+{
+    std::vector<int> frames;
+    for (int cell = 0; cell < options.columns * options.rows; ++cell) {
+        frames.push_back(frameOfCell(options, cell));
+    }
+    Effect seen = effect;
+    seen.output.background = Background::Transparent;
+    PassSheet sheet;
+    if (Status status = renderSheet(seen, frames, options.columns, {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, progress, stop); !status) {
+        return status.error();
+    }
+    SheetScore score;
+    scorePixels(sheet, options.columns, options.columns * options.rows, score);
+    if (Status status = scoreSixWay(seen, options, sheet, frames, lit, score, stop); !status) {
+        return status.error();
+    }
+    if (Status status = scoreMotion(seen, options, sheet, frames, score, stop); !status) {
+        return status.error();
+    }
+    return score;
+}
+
+} // namespace fumage

@@ -1,0 +1,59 @@
+#include "core/lighting/six_way.h"
+
+#include "core/base/parallel.h"
+#include "core/lighting/six_way_kernel.h"
+
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::size_t kPadding = kAlignment / sizeof(float);
+
+/// Puts the directions of each cell together, as trilinear interpolation reads them.
+void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>& single, std::size_t first, std::size_t cells, AlignedArray<float>& to)
+{
+    to.resize(cells * SixWayLight::kStride);
+    constexpr std::size_t kBlock = 16384;
+    parallelFor((cells + kBlock - 1) / kBlock, [&](std::size_t block) {
+        const std::size_t last = std::min(cells, (block + 1) * kBlock);
+        for (std::size_t i = block * kBlock; i < last; ++i) {
+            float* cell = to.data() + i * SixWayLight::kStride;
+            cell[0] = single[first][i];
+            cell[1] = single[first + 2][i];
+            cell[2] = single[first + 4][i];
+            cell[3] = 0.0F;
+        }
+    });
+}
+
+} // namespace
+
+void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, const glm::vec3& eye, LightWorkspace& room, SixWayLight& out)
+{
+    if (appearance.count == 0) {
+        out.grid.shape = {};
+        out.fromAbove.assign(SixWayLight::kStride, 0.0F);
+        out.fromBelow.assign(SixWayLight::kStride, 0.0F);
+        return;
+    }
+    Effect lit = effect;
+    lit.light.intensity = 1.0F;
+    fillDensity(frame, sampled(lit), appearance, axes, room, out.grid);
+    SunJob sun;
+    sun.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
+    sun.intensity = lit.light.intensity;
+    sun.shadow = lit.light.shadow;
+    sun.scattering = lit.light.scattering;
+    sun.anisotropy = lit.light.anisotropy;
+    const std::size_t cells = out.grid.shape.cells();
+    parallelFor(SixWayLight::kDirections, [&](std::size_t direction) {
+        out.single[direction].resize(cells + kPadding);
+        addSunFrom(out.grid, sun, static_cast<int>(direction / 2), direction % 2 == 0, out.single[direction].data());
+    });
+    interleave(out.single, 0, cells, out.fromAbove);
+    interleave(out.single, 1, cells, out.fromBelow);
+}
+
+} // namespace fumage

@@ -1,0 +1,159 @@
+#include "core/rendering/pass_renderer.h"
+
+#include "core/base/parallel.h"
+#include "core/rendering/pass_kernel.h"
+#include "core/rendering/sprite_kernel.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+/// White sun, and no other light but what the smoke gives of itself: the sprites have their own colour as that of the sun, and their glow as all else.
+Effect inWhiteSun(const Effect& effect)
+{
+    Effect white = effect;
+    white.light.colour = glm::vec3(1.0F);
+    white.light.ambient = 0.0F;
+    return white;
+}
+
+/// A glow that says how hot the smoke is.
+Effect asThermometer(const Effect& effect)
+{
+    Effect thermometer = inWhiteSun(effect);
+    thermometer.light.emission = 1.0F;
+    thermometer.light.hotCore = effect.light.emission > 0.0F ? effect.light.hotCore : 0.0F;
+    thermometer.light.emissionColour = EmissionColour::Gradient;
+    thermometer.light.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F)}};
+    return thermometer;
+}
+
+/// @param frames how many frames later it is shown, less than 0: earlier
+OtherMoment momentOf(const Frame& now, const Frame* other, int frames, const Effect& effect, int width, int height)
+{
+    OtherMoment moment;
+    if (other == nullptr) {
+        return moment;
+    }
+    moment.particles = &other->particles;
+    // Where the loop starts again the numbers go back: the camera and the births are those of the turn that goes on.
+    moment.view = makeView(effect.camera, secondsOf(effect.timeline, now.number + frames), width, height);
+    moment.laps = static_cast<std::int32_t>(other->step - (now.step + frames * now.model->schedule().stepsPerFrame));
+    return moment;
+}
+
+} // namespace
+
+void PassRenderer::makeOtherSprites(const Frame& frame, const Effect& other, const LightGrid& light)
+{
+    makeSprites(frame, sampled(other), m_renderer.appearance(), light, *m_renderer.texture(), m_renderer.batch().view, m_other);
+}
+
+void PassRenderer::take(const float (Sprite::*colour)[3], SpriteLayer& to)
+{
+    constexpr std::size_t kBlock = 4096;
+    const std::size_t count = m_other.sprites.size();
+    parallelFor((count + kBlock - 1) / kBlock, [&](std::size_t block) {
+        for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
+            if (m_other.depth[i] != SpriteBatch::kHidden) {
+                std::copy_n(m_other.sprites[i].*colour, 3, to.colours.begin() + static_cast<std::ptrdiff_t>(i * SpriteLayer::kStride));
+            }
+        }
+    });
+}
+
+void PassRenderer::makeLayers(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes)
+{
+    const SpriteBatch& batch = m_renderer.batch();
+    for (const PassLayer each : {PassLayer::RightTopBack, PassLayer::LeftBottomFront, PassLayer::Motion, PassLayer::Emission, PassLayer::Albedo, PassLayer::Inner}) {
+        if (needsLayer(passes, each)) {
+            layer(each).colours.resize(batch.sprites.size() * SpriteLayer::kStride);
+        }
+    }
+    layer(PassLayer::RightTopBack).light = LayerLight::RightTopBack;
+    layer(PassLayer::LeftBottomFront).light = LayerLight::LeftBottomFront;
+    if (needsLayer(passes, PassLayer::RightTopBack)) {
+        const Axes axes{batch.view.right, batch.view.up, batch.view.forward};
+        findAppearance(*frames.now, effect, axes, m_inView);
+        lightSixWays(*frames.now, effect, m_inView, axes, batch.view.eye, m_lightWorkspace, m_sixWay);
+    }
+    if (needsLayer(passes, PassLayer::Emission) || needsLayer(passes, PassLayer::Albedo)) {
+        m_even = m_renderer.light();
+        for (std::size_t i = 0; i < m_even.light.size(); i += SixWayLight::kStride) {
+            m_even.light[i] = 1.0F;
+        }
+        makeOtherSprites(*frames.now, inWhiteSun(effect), m_even);
+        if (needsLayer(passes, PassLayer::Emission)) {
+            take(&Sprite::ambient, layer(PassLayer::Emission));
+        }
+        if (needsLayer(passes, PassLayer::Albedo)) {
+            take(&Sprite::direct, layer(PassLayer::Albedo));
+        }
+    }
+    if (needsLayer(passes, PassLayer::Inner)) {
+        makeOtherSprites(*frames.now, asThermometer(effect), m_renderer.light());
+        take(&Sprite::ambient, layer(PassLayer::Inner));
+    }
+    fillColours(frames, effect, passes);
+}
+
+void PassRenderer::fillColours(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes)
+{
+    const SpriteBatch& batch = m_renderer.batch();
+    PassJob job;
+    job.particles = &frames.now->particles;
+    job.batch = &batch;
+    job.view = batch.view;
+    if (needsLayer(passes, PassLayer::RightTopBack)) {
+        job.sixWay = &m_sixWay;
+        job.above = &layer(PassLayer::RightTopBack);
+        job.below = &layer(PassLayer::LeftBottomFront);
+    }
+    if (needsLayer(passes, PassLayer::Motion)) {
+        job.previous = momentOf(*frames.now, frames.previous, -frames.sincePrevious, effect, batch.view.width, batch.view.height);
+        job.next = momentOf(*frames.now, frames.next, frames.untilNext, effect, batch.view.width, batch.view.height);
+        job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect->timeline.frameRate);
+        job.motion = &layer(PassLayer::Motion);
+    }
+    if (needsLayer(passes, PassLayer::Inner)) {
+        job.light = &m_renderer.light();
+        job.inner = &layer(PassLayer::Inner);
+    }
+    parallelFor(batch.sprites.size() / kSpriteBlock, [&](std::size_t block) { makePassBlock(job, block * kSpriteBlock); });
+}
+
+Status PassRenderer::render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height, PassSet passes, PassImages& images, const std::stop_token& stop)
+{
+    const int factor = effect->output.supersample;
+    const View view = makeView(effect->camera, secondsOf(effect->timeline, frames.now->number), width * factor, height * factor);
+    if (Status status = m_renderer.prepare(*frames.now, effect, view, stop); !status) {
+        return status;
+    }
+    makeLayers(frames, effect, passes);
+    PassImages& painted = factor == 1 ? images : m_large;
+    std::vector<Compositor::Layer> wanted;
+    for (std::size_t i = 0; i < kPassLayers; ++i) {
+        const auto which = static_cast<PassLayer>(i);
+        if (needsLayer(passes, which)) {
+            wanted.push_back({which == PassLayer::Colour ? nullptr : &m_layers[i], &painted.layers[i]});
+        } else {
+            images.layers[i] = {};
+        }
+    }
+    if (Status status = m_compositor.composeAll(m_renderer.batch(), *m_renderer.texture(), wanted, stop); !status) {
+        return status;
+    }
+    for (std::size_t i = 0; factor > 1 && i < kPassLayers; ++i) {
+        if (needsLayer(passes, static_cast<PassLayer>(i))) {
+            images.layers[i] = downsample(m_large.layers[i], factor, stop);
+        }
+    }
+    if (stop.stop_requested()) {
+        return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
+    }
+    return Done{};
+}
+
+} // namespace fumage

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/rendering/image.h"
+#include "core/rendering/sprites.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace fumage {
+
+/// What can be seen of smoke at a place of a picture, beside its colour.
+enum class Pass {
+    Colour, ///< as the effect lights it
+    Alpha,
+    SixWayA, ///< white smoke under white light from the right, from the top and from behind
+    SixWayB, ///< from the left, from the bottom and from the front; its fourth channel is the temperature of what glows
+    Motion, ///< way to the next picture, as a share of its width and height
+    Normal, ///< the way that the smoke faces, as the six lights tell it
+    Depth, ///< distance along the view, m
+    Emission, ///< what the smoke gives of itself
+    Albedo, ///< its own colour
+    Temperature, ///< share of the heat at birth
+    Shadow, ///< share of the sun that comes through
+};
+inline constexpr std::size_t kPasses = 11;
+
+/// All of them, in the order in which they are told.
+inline constexpr std::array<Pass, kPasses> kAllPasses{Pass::Colour, Pass::Alpha, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Normal, Pass::Depth, Pass::Emission, Pass::Albedo, Pass::Temperature, Pass::Shadow};
+
+/// "colour", "six-way-a": what command lines and side-cars call it.
+[[nodiscard]] std::string_view passName(Pass pass);
+
+/// Some of the passes.
+class PassSet {
+public:
+    constexpr PassSet() = default;
+    constexpr PassSet(std::initializer_list<Pass> passes)
+    {
+        for (const Pass pass : passes) {
+            add(pass);
+        }
+    }
+    /// Takes one in.
+    constexpr void add(Pass pass) { m_bits |= bit(pass); }
+    /// Whether one is in it.
+    [[nodiscard]] constexpr bool has(Pass pass) const { return (m_bits & bit(pass)) != 0; }
+    /// Whether one of several is in it.
+    [[nodiscard]] constexpr bool hasAny(PassSet passes) const { return (m_bits & passes.m_bits) != 0; }
+
+    friend bool operator==(const PassSet&, const PassSet&) = default;
+
+private:
+    static constexpr std::uint32_t bit(Pass pass) { return 1U << static_cast<unsigned>(pass); }
+    std::uint32_t m_bits = 0;
+};
+
+/// The pictures that passes are made of: each three channels that are blended as the colour is, premultiplied, and the alpha of the smoke.
+enum class PassLayer {
+    Colour,
+    RightTopBack, ///< light of intensity 1 on white smoke, one direction a channel
+    LeftBottomFront,
+    Motion, ///< to the right and up, as shares of the picture, then the depth in m
+    Emission,
+    Albedo,
+    Inner, ///< temperature and shadow
+};
+inline constexpr std::size_t kPassLayers = 7;
+
+/// The layers that passes need.
+[[nodiscard]] bool needsLayer(PassSet passes, PassLayer layer);
+
+/// The layers of one frame; those that nobody asked for are empty.
+struct PassImages {
+    std::array<Image, kPassLayers> layers;
+
+    /// The picture of a layer.
+    [[nodiscard]] Image& of(PassLayer layer) { return layers[static_cast<std::size_t>(layer)]; }
+    /// As above.
+    [[nodiscard]] const Image& of(PassLayer layer) const { return layers[static_cast<std::size_t>(layer)]; }
+};
+
+} // namespace fumage
