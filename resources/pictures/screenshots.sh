@@ -15,12 +15,22 @@ open_editor() { # <theme: 1 dark, 2 light> <preset>
     pid=$!
     window=$(timeout 20 sh -c 'until xdotool search --onlyvisible --name "Fumage" 2>/dev/null | head -1 | grep .; do sleep 0.2; done')
     xdotool windowsize "$window" 1920 1056 windowmove "$window" 0 0
-    sleep 4
+    sleep 2
 }
 keys() {
     for key in "$@"; do
         xdotool key "$key"
         sleep 1.2
+    done
+}
+# Until nothing on the screen has changed for a while: air is baked, pictures are whole, previews are there.
+settle() {
+    local seen='' now
+    for _ in {1..12}; do
+        now=$(import -window root rgb:- | md5sum)
+        [ "$now" != "$seen" ] || return 0
+        seen=$now
+        sleep 2.5
     done
 }
 # Stored in 256 colours at most: a sixth of the size, and no difference that one sees at this scale.
@@ -31,25 +41,37 @@ close_editor() {
     rm -rf "$home/fumage"
 }
 
+# Stops at a frame, whose air may take seconds to bake.
+pause() {
+    keys space
+    sleep 10
+    settle
+}
+
 presets=$out/../presets
 open_editor 1 "$presets/volcano.json"
-keys space
+pause
+keys Right Right Right Right Right
+settle
 take editor_dark
 keys ctrl+e Down
+xdotool search --onlyvisible --name '^Export$' windowmove 420 240 || true # nobody places windows here
+settle
 take editor_export
 keys Escape ctrl+r
-sleep 3
+settle
 take editor_variations
 close_editor
 
 open_editor 2 "$presets/tyre-fire.json"
-keys space ctrl+b ctrl+shift+p
+pause
+keys ctrl+b ctrl+shift+p
 xdotool type 'wind angle'
 keys Return
 xdotool type '180'
 keys Return
 xdotool mousemove 900 500 click 1
 keys s
-sleep 3
+settle
 take editor_light
 close_editor

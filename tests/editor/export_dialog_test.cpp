@@ -39,6 +39,13 @@ private slots:
         m_job.reset();
     }
 
+    void nothingIsCutOffAtItsSide()
+    {
+        const auto* scroll = child<QScrollArea>(u"export.scroll"_q);
+        const int needed = scroll->widget()->minimumSizeHint().width();
+        QVERIFY2(scroll->viewport()->width() >= needed, qPrintable(QStringLiteral("%1 of %2 pixels").arg(scroll->viewport()->width()).arg(needed)));
+    }
+
     void aHiddenDialogDoesNotFollowTheDocument()
     {
         m_dialog->setKind(ExportKind::Flipbook);

@@ -101,6 +101,13 @@ private slots:
         }
     }
 
+    void theKeyboardBelongsToTheViewportAtFirst()
+    {
+        const QWidget* focused = m_window->focusWidget();
+        QVERIFY(focused != nullptr);
+        QVERIFY2(m_window->centralWidget()->isAncestorOf(focused), qPrintable(focused->objectName()));
+    }
+
     void playingShowsEveryFrameAndKeepsThePictures()
     {
         Player& player = m_window->player();

@@ -26,6 +26,7 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStyle>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -382,11 +383,14 @@ void ExportDialog::showEvent(QShowEvent* event)
 
 void ExportDialog::fitScreen()
 {
-    constexpr int kWidth = 440;
+    constexpr int kLeastWidth = 440;
     constexpr int kDecoration = 48; // of the window
     const int rest = sizeHint().height() - m_scroll->sizeHint().height();
     const int wanted = rest + m_scroll->widget()->sizeHint().height();
-    resize(kWidth, std::min(wanted, screen()->availableGeometry().height() - kDecoration));
+    // As wide as its words are, which differ by language; with room for a scroll bar where the screen is low.
+    const QMargins margins = layout()->contentsMargins();
+    const int width = m_scroll->widget()->minimumSizeHint().width() + margins.left() + margins.right() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    resize(std::max(kLeastWidth, width), std::min(wanted, screen()->availableGeometry().height() - kDecoration));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)

@@ -67,6 +67,7 @@ MainWindow::MainWindow(Session& session)
     connect(&m_document, &Document::loaded, &m_ear, [this] { showTitle(); });
     showTitle();
     restoreLayout(*this, m_docks, m_viewActions, session.settings());
+    centralWidget()->setFocus(); // or the first field would have it, and take Space for text
     m_player.play();
 }
 
