@@ -26,7 +26,6 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QStyle>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -383,14 +382,10 @@ void ExportDialog::showEvent(QShowEvent* event)
 
 void ExportDialog::fitScreen()
 {
-    constexpr int kLeastWidth = 440;
-    constexpr int kDecoration = 48; // of the window
-    const int rest = sizeHint().height() - m_scroll->sizeHint().height();
-    const int wanted = rest + m_scroll->widget()->sizeHint().height();
-    // As wide as its words are, which differ by language; with room for a scroll bar where the screen is low.
-    const QMargins margins = layout()->contentsMargins();
-    const int width = m_scroll->widget()->minimumSizeHint().width() + margins.left() + margins.right() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    resize(std::max(kLeastWidth, width), std::min(wanted, screen()->availableGeometry().height() - kDecoration));
+    constexpr QSize kMargin(32 + 16, 48); // of the layout with a scroll bar; of the window
+    const QSize content = m_scroll->widget()->minimumSizeHint();
+    const int wanted = sizeHint().height() - m_scroll->sizeHint().height() + m_scroll->widget()->sizeHint().height();
+    resize(content.width() + kMargin.width(), std::min(wanted, screen()->availableGeometry().height() - kMargin.height()));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)
