@@ -92,7 +92,7 @@ Status check(const CheckArguments& arguments)
             answer.push_back(jsonOf(named.name, score.value()));
             return Done{};
         }
-        const Status printed = print((first ? headline() : std::string()) + line(named.name, score.value()));
+        Status printed = print((first ? headline() : std::string()) + line(named.name, score.value()));
         first = false;
         return printed;
     });

@@ -64,7 +64,7 @@ void blurAlong(Field& field, int lines, int count, int lineStep, int step)
     constexpr int kReach = 2; // pixels
     std::vector<float> line(static_cast<std::size_t>(count));
     for (int i = 0; i < lines; ++i) {
-        const auto at = [&](int j) -> float& { return field[static_cast<std::size_t>(i * lineStep + j * step)]; };
+        const auto at = [&](int j) -> float& { return field[static_cast<std::size_t>(i) * static_cast<std::size_t>(lineStep) + static_cast<std::size_t>(j) * static_cast<std::size_t>(step)]; };
         for (int j = 0; j < count; ++j) {
             const int first = std::max(0, j - kReach);
             const int last = std::min(count - 1, j + kReach);

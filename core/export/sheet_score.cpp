@@ -132,7 +132,7 @@ Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const P
             }
             for (int y = 0; y < cell.height; ++y) {
                 for (int x = 0; x < cell.width; ++x) {
-                    const auto pixel = static_cast<std::size_t>((cell.top + y) * a.width + cell.left + x);
+                    const std::size_t pixel = static_cast<std::size_t>(cell.top + y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(cell.left + x);
                     differences[direction].add(relit(a, b, pixel, directions[direction], scales.light), truth.at(x, y).r);
                 }
             }

@@ -37,15 +37,15 @@ void densityAround(const GridShape& shape, const float* HWY_RESTRICT density, in
     for (int v = 0; v < shape.nv; ++v) {
         // A cell of nothing at either end, and room for a vector past it.
         std::array<float, 1 + kMaxLightResolution + 1 + kVector> sums{};
-        for (int dw = -1; dw <= 1; ++dw) {
-            for (int dv = -1; dv <= 1; ++dv) {
-                const int w = plane + dw;
-                const int row = v + dv;
+        for (std::size_t dw = 0; dw < kWeights.size(); ++dw) {
+            for (std::size_t dv = 0; dv < kWeights.size(); ++dv) {
+                const int w = plane + static_cast<int>(dw) - 1;
+                const int row = v + static_cast<int>(dv) - 1;
                 if (w < 0 || w >= shape.nw || row < 0 || row >= shape.nv) {
                     continue;
                 }
                 const std::size_t at = (static_cast<std::size_t>(w) * static_cast<std::size_t>(shape.nv) + static_cast<std::size_t>(row)) * count;
-                addRow(density + at, count, kWeights[static_cast<std::size_t>(dw + 1)] * kWeights[static_cast<std::size_t>(dv + 1)], sums.data() + 1);
+                addRow(density + at, count, kWeights[dw] * kWeights[dv], sums.data() + 1);
             }
         }
         sums[count + 1] = 0.0F; // the last vector went on into the next row

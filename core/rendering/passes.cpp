@@ -17,7 +17,7 @@ bool needsLayer(PassSet passes, PassLayer layer)
 {
     switch (layer) {
     case PassLayer::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha});
-    case PassLayer::RightTopBack: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal}); // both maps have one scale
+    case PassLayer::RightTopBack: // both maps have one scale
     case PassLayer::LeftBottomFront: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal});
     case PassLayer::Motion: return passes.hasAny({Pass::Motion, Pass::Depth});
     case PassLayer::Emission: return passes.has(Pass::Emission);
