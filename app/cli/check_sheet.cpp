@@ -71,8 +71,8 @@ Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedEffect& n
     }
     FlipbookOptions options;
     options.frames = job.value().plan.frames;
-    if (!parseTwo(arguments.grid, kMaxSheetCells, options.columns, options.rows)) {
-        return Error{ErrorCode::OutOfRange, said("the grid %1 is not understood", inQuotes(arguments.grid)), std::string("--grid"), said("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
+    if (Status status = parseGrid(arguments.grid, options.columns, options.rows); !status) {
+        return status.error();
     }
     options.format = job.value().plan.format;
     ProgressBar bar("Measuring");

@@ -46,8 +46,8 @@ Status renderOne(const FlipbookArguments& arguments, const NamedEffect& named)
     }
     ExportPlan& plan = job.value().plan;
     plan.kind = ExportKind::Flipbook;
-    if (!parseTwo(arguments.grid, kMaxSheetCells, plan.columns, plan.rows)) {
-        return Error{ErrorCode::OutOfRange, said("the grid %1 is not understood", inQuotes(arguments.grid)), std::string("--grid"), said("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
+    if (Status status = parseGrid(arguments.grid, plan.columns, plan.rows); !status) {
+        return status;
     }
     if (Status status = arguments.passes.applyTo(plan); !status) {
         return status;

@@ -31,6 +31,14 @@ bool parseTwo(const std::string& text, int most, int& first, int& second)
     return true;
 }
 
+Status parseGrid(const std::string& text, int& columns, int& rows)
+{
+    if (!parseTwo(text, kMaxSheetCells, columns, rows)) {
+        return Error{ErrorCode::OutOfRange, said("the grid %1 is not understood", inQuotes(text)), std::string("--grid"), said("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
+    }
+    return Done{};
+}
+
 void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp)
 {
     effect.addTo(command);

@@ -11,6 +11,9 @@ namespace fumage::cli {
 /// "640x360", or "512" for both. @return whether it is two numbers from 1 to most
 [[nodiscard]] bool parseTwo(const std::string& text, int most, int& first, int& second);
 
+/// What --grid says: columns and rows of a flipbook, or one number for both.
+[[nodiscard]] Status parseGrid(const std::string& text, int& columns, int& rows);
+
 /// What pictures are to be rendered.
 struct PictureJob {
     Effect effect;

@@ -103,15 +103,6 @@ private:
     std::optional<CutOff> m_cutOff;
 };
 
-std::vector<int> framesOf(const FlipbookOptions& options)
-{
-    std::vector<int> frames;
-    for (int cell = 0; cell < options.columns * options.rows; ++cell) {
-        frames.push_back(frameOfCell(options, cell));
-    }
-    return frames;
-}
-
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
 Status renderCells(const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Progress& progress, const std::stop_token& stop)
 {
@@ -120,7 +111,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
     PassSet rendered = options.passes;
     rendered.add(Pass::Alpha); // it tells what is cut off
     const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) { borders.look(cell.of(PassLayer::Colour), frame, appearance); };
-    if (Status status = renderSheet(effect, framesOf(options), options.columns, rendered, sheet, look, progress, stop); !status) {
+    if (Status status = renderSheet(effect, framesOfCells(options), options.columns, rendered, sheet, look, progress, stop); !status) {
         return status;
     }
     borders.tell(flipbook);
@@ -172,6 +163,15 @@ int frameOfCell(const FlipbookOptions& options, int cell)
 {
     const std::int64_t index = static_cast<std::int64_t>(cell) * options.frames.count() / (options.columns * options.rows);
     return options.frames.at(static_cast<int>(index));
+}
+
+std::vector<int> framesOfCells(const FlipbookOptions& options)
+{
+    std::vector<int> frames;
+    for (int cell = 0; cell < options.columns * options.rows; ++cell) {
+        frames.push_back(frameOfCell(options, cell));
+    }
+    return frames;
 }
 
 std::filesystem::path descriptionOf(const std::filesystem::path& picture)
@@ -230,9 +230,8 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     }
     const std::string description = describeFlipbook(effect, options, flipbook, pictures.scales());
     std::vector<FileContents> files;
-    const std::vector<std::filesystem::path> paths = filesOf(options);
     for (std::size_t i = 0; i < bytes.value().size(); ++i) {
-        files.push_back({paths[i], bytes.value()[i]});
+        files.push_back({all[i], bytes.value()[i]});
     }
     files.push_back({flipbook.description, std::as_bytes(std::span(description))});
     if (Status status = writeTogetherAtomically(files); !status) {

@@ -47,6 +47,9 @@ struct Flipbook {
 /// @param cell 0 at the top left, counted along rows
 [[nodiscard]] int frameOfCell(const FlipbookOptions& options, int cell);
 
+/// Those of all cells.
+[[nodiscard]] std::vector<int> framesOfCells(const FlipbookOptions& options);
+
 /// The file beside the picture of a flipbook that says how it is to be played.
 [[nodiscard]] std::filesystem::path descriptionOf(const std::filesystem::path& picture);
 

@@ -1,13 +1,10 @@
 #include "core/export/motion_refine.h"
 
-#include "core/base/parallel.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -30,29 +27,20 @@ public:
     /// Vector of a pixel, in pixels, y down.
     [[nodiscard]] glm::vec2 vector(int cell, int x, int y) const
     {
-        const float* p = m_motion.row(top(cell) + y) + static_cast<std::size_t>(left(cell) + x) * 4;
+        const SheetCell at = m_grid.cell(cell);
+        const float* p = m_motion.row(at.top + y) + static_cast<std::size_t>(at.left + x) * 4;
         return {p[0] * static_cast<float>(m_grid.cellWidth), -p[1] * static_cast<float>(m_grid.cellHeight)};
     }
     /// The colour of a pixel, as it is shown.
-    [[nodiscard]] glm::vec4 colour(int cell, int x, int y) const { return glm::min(m_colour.at(left(cell) + x, top(cell) + y), glm::vec4(1.0F)); }
-    /// That of a place in pixels from the first.
-    [[nodiscard]] glm::vec4 colour(int cell, glm::vec2 place) const
+    [[nodiscard]] glm::vec4 colour(int cell, int x, int y) const
     {
-        const float u = std::clamp(place.x, 0.0F, static_cast<float>(m_grid.cellWidth - 1));
-        const float v = std::clamp(place.y, 0.0F, static_cast<float>(m_grid.cellHeight - 1));
-        const int x = static_cast<int>(u);
-        const int y = static_cast<int>(v);
-        const int right = std::min(x + 1, m_grid.cellWidth - 1);
-        const int bottom = std::min(y + 1, m_grid.cellHeight - 1);
-        const auto at = [&](int i, int j) { return colour(cell, i, j); };
-        const float across = u - static_cast<float>(x);
-        return glm::mix(glm::mix(at(x, y), at(right, y), across), glm::mix(at(x, bottom), at(right, bottom), across), v - static_cast<float>(y));
+        const SheetCell at = m_grid.cell(cell);
+        return shown(m_colour.at(at.left + x, at.top + y));
     }
+    /// That of a place in pixels from the first.
+    [[nodiscard]] glm::vec4 colour(int cell, glm::vec2 place) const { return shownBetween(m_colour, m_grid.cell(cell), place.x, place.y); }
 
 private:
-    [[nodiscard]] int left(int cell) const { return cell % m_grid.columns * m_grid.cellWidth; }
-    [[nodiscard]] int top(int cell) const { return cell / m_grid.columns * m_grid.cellHeight; }
-
     const Image& m_colour;
     const Image& m_motion;
     const SheetGrid& m_grid;
@@ -143,9 +131,10 @@ void refineMotion(const Image& colour, const SheetGrid& grid, Image& motion)
         const Field& before = shares[cell == 0 ? 0 : cell - 1];
         const Field& after = shares[std::min(cell, shares.size() - 1)];
         const auto number = static_cast<int>(cell);
+        const SheetCell place = grid.cell(number);
         std::size_t i = 0;
         for (int y = 0; y < grid.cellHeight; ++y) {
-            float* pixel = motion.row(number / grid.columns * grid.cellHeight + y) + static_cast<std::size_t>(number % grid.columns * grid.cellWidth) * 4;
+            float* pixel = motion.row(place.top + y) + static_cast<std::size_t>(place.left) * 4;
             for (int x = 0; x < grid.cellWidth; ++x, ++i, pixel += 4) {
                 const float share = 0.5F * (before[i] + after[i]);
                 const float kept = share * beyondAPixel(share * cells.vector(number, x, y));

@@ -1,16 +1,8 @@
 #pragma once
 
-#include "core/rendering/image.h"
+#include "core/export/sheet_grid.h"
 
 namespace fumage {
-
-/// Where the cells of a sheet lie.
-struct SheetGrid {
-    int columns = 1;
-    int cells = 1; ///< the last row may be part of one
-    int cellWidth = 1;
-    int cellHeight = 1;
-};
 
 /// Fits motion vectors to the pictures that engines move by them.
 ///

@@ -6,10 +6,10 @@ namespace fumage {
 
 namespace {
 
-void place(const Image& cell, Image& sheet, int left, int top)
+void place(const Image& cell, Image& sheet, const SheetCell& at)
 {
     for (int y = 0; y < cell.height; ++y) {
-        std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4, sheet.row(top + y) + static_cast<std::size_t>(left) * 4);
+        std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4, sheet.row(at.top + y) + static_cast<std::size_t>(at.left) * 4);
     }
 }
 
@@ -96,7 +96,7 @@ Status renderSheet(const Effect& effect, const std::vector<int>& frames, int col
             watch(cell, *frame.value().now, renderer.appearance());
         }
         for (std::size_t i = 0; i < kPassLayers; ++i) {
-            place(cell.layers[i], sheet.layers.layers[i], number % columns * sheet.grid.cellWidth, number / columns * sheet.grid.cellHeight);
+            place(cell.layers[i], sheet.layers.layers[i], sheet.grid.cell(number));
         }
         progress(Work::Frames, number + 1, cells);
     }

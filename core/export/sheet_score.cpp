@@ -83,19 +83,6 @@ Effect litFrom(const Effect& effect, const View& view, const glm::vec3& towards)
     return lit;
 }
 
-/// A part of a sheet.
-struct Cell {
-    int left = 0;
-    int top = 0;
-    int width = 1;
-    int height = 1;
-};
-
-Cell cellOf(const PassSheet& sheet, int columns, int number)
-{
-    return {number % columns * sheet.grid.cellWidth, number / columns * sheet.grid.cellHeight, sheet.grid.cellWidth, sheet.grid.cellHeight};
-}
-
 /// Relit from Unity's maps: the premultiplied light of a pixel.
 float relit(const DataImage& a, const DataImage& b, std::size_t pixel, const glm::vec3& towards, float scale)
 {
@@ -125,7 +112,7 @@ Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const P
             return frame.error();
         }
         const View view = makeView(effect.camera, secondsOf(effect.timeline, frame.value()->number), sheet.grid.cellWidth, sheet.grid.cellHeight);
-        const Cell cell = cellOf(sheet, options.columns, number);
+        const SheetCell cell = sheet.grid.cell(number);
         for (std::size_t direction = 0; direction < kDirections; ++direction) {
             if (Status status = renderer.render(*frame.value(), sampled(litFrom(effect, view, directions[direction])), cell.width, cell.height, truth, stop); !status) {
                 return status;
@@ -148,26 +135,6 @@ Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const P
     return Done{};
 }
 
-glm::vec4 shown(const glm::vec4& colour)
-{
-    return glm::min(colour, glm::vec4(1.0F));
-}
-
-/// Bilinear between the centres of a cell's pixels; beyond the outermost it is theirs.
-glm::vec4 sample(const Image& sheet, const Cell& cell, float x, float y)
-{
-    const float u = std::clamp(x - 0.5F, 0.0F, static_cast<float>(cell.width - 1));
-    const float v = std::clamp(y - 0.5F, 0.0F, static_cast<float>(cell.height - 1));
-    const int left = static_cast<int>(u);
-    const int top = static_cast<int>(v);
-    const int right = std::min(left + 1, cell.width - 1);
-    const int bottom = std::min(top + 1, cell.height - 1);
-    const auto at = [&](int i, int j) { return shown(sheet.at(cell.left + i, cell.top + j)); };
-    const float across = u - static_cast<float>(left);
-    const float down = v - static_cast<float>(top);
-    return glm::mix(glm::mix(at(left, top), at(right, top), across), glm::mix(at(left, bottom), at(right, bottom), across), down);
-}
-
 /// The middle between two cells as an engine shows it, with and without vectors, beside the frame that is there.
 class Between {
 public:
@@ -178,7 +145,7 @@ public:
     {
     }
 
-    void compare(const Cell& one, const Cell& other, float f, const Image& truth)
+    void compare(const SheetCell& one, const SheetCell& other, float f, const Image& truth)
     {
         for (int y = 0; y < one.height; ++y) {
             for (int x = 0; x < one.width; ++x) {
@@ -197,12 +164,12 @@ public:
 
 private:
     /// The colour that lies some way along the vector of a pixel.
-    [[nodiscard]] glm::vec4 fetch(const Cell& cell, int x, int y, float way) const
+    [[nodiscard]] glm::vec4 fetch(const SheetCell& cell, int x, int y, float way) const
     {
         const float* vector = m_motion.values.data() + static_cast<std::size_t>((cell.top + y) * m_motion.width + cell.left + x) * 3;
         const float right = vector[0] * m_scale * static_cast<float>(cell.width) * way;
         const float up = vector[1] * m_scale * static_cast<float>(cell.height) * way;
-        return sample(m_colour, cell, static_cast<float>(x) + 0.5F + right, static_cast<float>(y) + 0.5F - up);
+        return shownBetween(m_colour, cell, static_cast<float>(x) + right, static_cast<float>(y) - up);
     }
 
     const Image& m_colour;
@@ -235,20 +202,20 @@ Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const P
             return status;
         }
         const float f = static_cast<float>(middle - frames[i]) / static_cast<float>(frames[i + 1] - frames[i]);
-        between.compare(cellOf(sheet, options.columns, static_cast<int>(i)), cellOf(sheet, options.columns, static_cast<int>(i) + 1), f, truth);
+        between.compare(sheet.grid.cell(static_cast<int>(i)), sheet.grid.cell(static_cast<int>(i) + 1), f, truth);
     }
     score.motion = between.score();
     return Done{};
 }
 
-void scorePixels(const PassSheet& sheet, int columns, int cells, SheetScore& score)
+void scorePixels(const PassSheet& sheet, SheetScore& score)
 {
     constexpr float kSeen = 0.5F / 255.0F;
     const Image& colour = sheet.layers.of(PassLayer::Colour);
     std::size_t smoke = 0;
     std::size_t clipped = 0;
-    for (int number = 0; number < cells; ++number) {
-        const Cell cell = cellOf(sheet, columns, number);
+    for (int number = 0; number < sheet.grid.cells; ++number) {
+        const SheetCell cell = sheet.grid.cell(number);
         const std::size_t before = smoke;
         for (int y = 0; y < cell.height; ++y) {
             for (int x = 0; x < cell.width; ++x) {
@@ -268,10 +235,7 @@ void scorePixels(const PassSheet& sheet, int columns, int cells, SheetScore& sco
 
 Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Progress& progress, const std::stop_token& stop)
 {
-    std::vector<int> frames;
-    for (int cell = 0; cell < options.columns * options.rows; ++cell) {
-        frames.push_back(frameOfCell(options, cell));
-    }
+    const std::vector<int> frames = framesOfCells(options);
     Effect seen = effect;
     seen.output.background = Background::Transparent;
     PassSheet sheet;
@@ -279,7 +243,7 @@ Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& optio
         return status.error();
     }
     SheetScore score;
-    scorePixels(sheet, options.columns, options.columns * options.rows, score);
+    scorePixels(sheet, score);
     if (Status status = scoreSixWay(seen, options, sheet, frames, lit, score, stop); !status) {
         return status.error();
     }

@@ -140,17 +140,22 @@ void addAmbientLight(const Effect& effect, LightWorkspace& room, LightGrid& out)
 
 void addSunLight(const Effect& effect, const glm::vec3& eye, const LightWorkspace& room, LightGrid& out)
 {
-    const Axes& axes = out.shape.axes;
-    SunJob job;
-    job.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
-    job.intensity = effect.light.intensity;
-    job.shadow = effect.light.shadow;
-    job.scattering = effect.light.scattering;
-    job.anisotropy = effect.light.anisotropy;
+    const SunJob job = sunJob(effect.light, out.shape.axes, eye);
     parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
 }
 
 } // namespace
+
+SunJob sunJob(const Light& light, const Axes& axes, const glm::vec3& eye)
+{
+    SunJob job;
+    job.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
+    job.intensity = light.intensity;
+    job.shadow = light.shadow;
+    job.scattering = light.scattering;
+    job.anisotropy = light.anisotropy;
+    return job;
+}
 
 void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, LightWorkspace& room, LightGrid& out)
 {

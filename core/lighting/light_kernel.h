@@ -29,6 +29,9 @@ struct SunJob {
     float anisotropy = 0.0F;
 };
 
+/// @param eye the camera, m
+[[nodiscard]] SunJob sunJob(const Light& light, const Axes& axes, const glm::vec3& eye);
+
 /// Sums optical depth along w for one row along v, and fills all four channels of its cells.
 /// @param from with sky and ground done
 void addSun(const LightWorkspace& from, const SunJob& job, int row, LightGrid& grid);

@@ -3,8 +3,6 @@
 #include "core/base/parallel.h"
 #include "core/lighting/six_way_kernel.h"
 
-#include <glm/geometric.hpp>
-
 namespace fumage {
 
 namespace {
@@ -41,12 +39,7 @@ void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appeara
     Effect lit = effect;
     lit.light.intensity = 1.0F;
     fillDensity(frame, sampled(lit), appearance, axes, room, out.grid);
-    SunJob sun;
-    sun.eye = {glm::dot(eye, axes.u), glm::dot(eye, axes.v), glm::dot(eye, axes.w)};
-    sun.intensity = lit.light.intensity;
-    sun.shadow = lit.light.shadow;
-    sun.scattering = lit.light.scattering;
-    sun.anisotropy = lit.light.anisotropy;
+    const SunJob sun = sunJob(lit.light, axes, eye);
     const std::size_t cells = out.grid.shape.cells();
     parallelFor(SixWayLight::kDirections, [&](std::size_t direction) {
         out.single[direction].resize(cells + kPadding);

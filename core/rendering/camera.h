@@ -9,6 +9,9 @@ namespace fumage {
 /// Edge of the square that a picture's shorter side sees: focal lengths are those of full-frame photography.
 inline constexpr float kSensorMillimetres = 36.0F;
 
+/// Nearer than this to the camera nothing is drawn, m.
+inline constexpr float kNear = 0.02F;
+
 /// A camera at one moment, ready to project: a pinhole with square pixels, image origin top-left, y down.
 struct View {
     glm::vec3 eye{0.0F};

@@ -16,9 +16,6 @@ using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-/// Nearer than this to the camera nothing has a place in the picture, m.
-constexpr float kNearest = 0.02F;
-
 /// Cells around the particles of a block.
 struct CellBlock {
     HWY_ALIGN std::int32_t corner[kSpriteBlock];
@@ -75,7 +72,7 @@ HWY_INLINE Vec3<V> seen(D d, const View& view, const Vec3<V>& place)
 {
     const Vec3<V> way = place - view.eye;
     const V depth = dot(way, view.forward);
-    const V perMetre = view.focal / hn::Max(depth, hn::Set(d, kNearest));
+    const V perMetre = view.focal / hn::Max(depth, hn::Set(d, kNear));
     return {dot(way, view.right) * perMetre * (1.0F / static_cast<float>(view.width)), dot(way, view.up) * perMetre * (1.0F / static_cast<float>(view.height)), depth};
 }
 
@@ -89,7 +86,7 @@ HWY_INLINE M seenAt(D d, const PassJob& job, const OtherMoment& moment, std::siz
     const auto same = hn::Eq(hn::Load(du, job.particles->key.data() + at), hn::Load(du, moment.particles->key.data() + at));
     place = seen(d, moment.view, load(d, moment.particles->x, moment.particles->y, moment.particles->z, at));
     const M both = hn::And(hn::RebindMask(d, born), hn::RebindMask(d, same));
-    return hn::And(both, hn::Gt(place.z, hn::Set(d, kNearest)));
+    return hn::And(both, hn::Gt(place.z, hn::Set(d, kNear)));
 }
 
 /// The way from the moment before to the one after, halved; from or to now where one is missing; by its velocity where it is nowhere else.

@@ -18,9 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// Nearer than this particles are not drawn, m.
-constexpr float kNear = 0.02F;
-
 /// Screen data of a block of particles, between the vector and the scalar half of the work.
 struct SpriteBlock {
     alignas(64) float x[kSpriteBlock];
