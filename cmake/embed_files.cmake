@@ -1,4 +1,4 @@
-set(text "#include \"core/preset/embedded_file.h\"\n\n#include <cstddef>\n\nnamespace fumage {\n\n")
+set(text "#include \"core/base/embedded_file.h\"\n\n#include <cstddef>\n\nnamespace fumage {\n\n")
 set(rows "")
 set(count 0)
 foreach(file IN LISTS FILES)

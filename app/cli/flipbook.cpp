@@ -38,8 +38,20 @@ std::string complaint(const Flipbook& flipbook)
     return text.str();
 }
 
-Status renderOne(const FlipbookArguments& arguments, const NamedEffect& named)
+/// A sheet that ends in _8x8 says itself how many cells it has: several tools read it off.
+NamedEffect namedForItsGrid(const FlipbookArguments& arguments, NamedEffect named)
 {
+    int columns = 0;
+    int rows = 0;
+    if (arguments.passes.isForAnEngine() && parseGrid(arguments.grid, columns, rows)) {
+        named.name += "_" + std::to_string(columns) + "x" + std::to_string(rows);
+    }
+    return named;
+}
+
+Status renderOne(const FlipbookArguments& arguments, const NamedEffect& unnumbered)
+{
+    const NamedEffect named = namedForItsGrid(arguments, unnumbered);
     Result<PictureJob> job = arguments.picture.jobFor(named);
     if (!job) {
         return job.error();
@@ -78,12 +90,15 @@ void addFlipbook(CLI::App& program, Action& action)
     arguments->passes.addTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
                     "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"
+                    "--for an engine writes what makes it play: a scene and a shader for Godot, scripts that import the textures for Unity and Unreal, a project for\n"
+                    "Effekseer, TexturePacker's JSON for PixiJS and Phaser, a tile source for Defold, or one web page that plays the sheet by itself.\n"
                     "Passes are pictures of their own: smoke_sixway_a.png, smoke_sixway_b.png, smoke_motion.png. They are linear: engines must not take them for sRGB. The\n"
                     "side-car says what their channels are, and the scale that light and vectors are multiplied by.\n"
                     "Examples:\n"
                     "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
                     "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png\n"
-                    "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png");
+                    "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png\n"
+                    "  fumage-cli flipbook chimney --for godot --size 256 --output project/smoke/");
     command->callback([arguments, &action] { action = [arguments] { return flipbook(*arguments); }; });
 }
 

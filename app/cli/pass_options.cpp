@@ -2,8 +2,10 @@
 
 #include "core/base/text.h"
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 namespace fumage::cli {
 
@@ -49,26 +51,41 @@ Result<PassSet> parsePasses(const std::string& text)
 
 void PassOptions::addTo(CLI::App& command)
 {
-    command.add_option("--passes", passes, "Pictures to write, with commas between: colour, alpha, six-way (light maps), motion (vectors), normal, depth, emission, albedo, temperature, shadow, all")
-        ->type_name("LIST")
+    std::vector<std::string> engines;
+    std::transform(kAllEngines.begin(), kAllEngines.end(), std::back_inserter(engines), [](Engine each) { return std::string(nameOf(each)); });
+    command.add_option("--for", engine, "What is to play it: generic, unity, unreal, godot (4), godot3, effekseer, pixi (Phaser, too), defold, web. Chooses passes and their signs, and writes the files that it needs")
+        ->type_name("ENGINE")
+        ->check(CLI::IsMember(engines))
         ->capture_default_str();
-    command.add_option("--layout", layout, "Channels of the light maps: unity (right top back alpha, left bottom front emissive), embergen (top left right, bottom back front), rlt-bbf, tlrb-fb")
-        ->check(CLI::IsMember({"unity", "embergen", "rlt-bbf", "tlrb-fb"}))
-        ->capture_default_str();
-    command.add_option("--vectors", vectors, "Signs of motion vectors: unity (red right, green up) or unreal (red left, green up)")->check(CLI::IsMember({"unity", "unreal"}))->capture_default_str();
+    command.add_option("--passes", passes, "Pictures to write, with commas between: colour, alpha, six-way (light maps), motion (vectors), normal, depth, emission, albedo, temperature, shadow, all. Default: colour, or what --for makes use of")
+        ->type_name("LIST");
+    command.add_option("--layout", layout, "Channels of the light maps: unity (right top back alpha, left bottom front emissive; the default), embergen (top left right, bottom back front; of unreal), rlt-bbf, tlrb-fb")
+        ->check(CLI::IsMember({"unity", "embergen", "rlt-bbf", "tlrb-fb"}));
+    command.add_option("--vectors", vectors, "Signs of motion vectors: unity (red right, green up; the default) or unreal (red left, green up)")->check(CLI::IsMember({"unity", "unreal"}));
     command.add_option("--alpha", alpha, "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR")->check(CLI::IsMember({"straight", "premultiplied"}));
 }
 
 Status PassOptions::applyTo(ExportPlan& plan) const
 {
-    const Result<PassSet> parsed = parsePasses(passes);
-    if (!parsed) {
-        return parsed.error();
+    plan.engine = named<Engine, kEngines>(engine);
+    plan.passes = passesFor(plan.engine);
+    plan.style = styleFor(plan.engine, plan.format);
+    if (!passes.empty()) {
+        const Result<PassSet> parsed = parsePasses(passes);
+        if (!parsed) {
+            return parsed.error();
+        }
+        plan.passes = parsed.value();
     }
-    plan.passes = parsed.value();
-    plan.style.layout = named<SixWayLayout, 4>(layout);
-    plan.style.vectors = named<VectorSigns, 2>(vectors);
-    plan.style.premultiplied = alpha.empty() ? fileEnding(plan.format) == ".exr" : alpha == "premultiplied";
+    if (!layout.empty()) {
+        plan.style.layout = named<SixWayLayout, 4>(layout);
+    }
+    if (!vectors.empty()) {
+        plan.style.vectors = named<VectorSigns, 2>(vectors);
+    }
+    if (!alpha.empty()) {
+        plan.style.premultiplied = alpha == "premultiplied";
+    }
     return Done{};
 }
 

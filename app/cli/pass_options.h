@@ -8,12 +8,15 @@ namespace fumage::cli {
 
 /// The options that say which passes are written, and how.
 struct PassOptions {
-    std::string passes = "colour";
-    std::string layout = "unity";
-    std::string vectors = "unity";
+    std::string engine = "generic";
+    std::string passes; ///< empty, as the others: what the engine takes
+    std::string layout;
+    std::string vectors;
     std::string alpha;
 
     void addTo(CLI::App& command);
+    /// Whether somebody has said what is to play it.
+    [[nodiscard]] bool isForAnEngine() const { return engine != nameOf(Engine::Generic); }
     /// @error UnknownName where a pass is not known
     [[nodiscard]] Status applyTo(ExportPlan& plan) const;
 };

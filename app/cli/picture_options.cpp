@@ -116,8 +116,8 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
     if (done) {
         const bool one = job.plan.kind != ExportKind::Sequence;
         const std::filesystem::path beside = done.value() ? done.value()->description : lastFile(job.plan);
-        tellWritten(done.value() ? done.value()->pictures + 1 : one ? 1
-                                                                    : job.plan.frames.count(),
+        tellWritten(done.value() ? done.value()->files : one ? 1
+                                                             : job.plan.frames.count(),
             firstFile(job.plan), beside);
     }
     return done;

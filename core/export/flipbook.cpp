@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/export/engines/engine_files.h"
 #include "core/export/flipbook_description.h"
 #include "core/export/sheet.h"
 #include "core/rendering/framing.h"
@@ -28,6 +29,9 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     const auto inRange = [](int count) { return count >= 1 && count <= kMaxSheetCells; };
     if (!inRange(options.columns) || !inRange(options.rows)) {
         return Error{ErrorCode::OutOfRange, said("a flipbook of %1 x %2 cells", options.columns, options.rows), {}, said("Use 1 to %1 columns and rows", kMaxSheetCells)};
+    }
+    if (Status status = checkEngine(options.engine, options.passes, options.format); !status) {
+        return status;
     }
     const int cells = options.columns * options.rows;
     if (options.frames.count() < cells) {
@@ -157,6 +161,17 @@ Result<std::vector<std::vector<std::byte>>> encodePasses(const PassSheet& sheet,
     return out;
 }
 
+EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales, const std::vector<std::vector<std::byte>>& bytes)
+{
+    EngineSheet sheet{effect, options.columns, options.rows, flipbook.cellsPerSecond, options.style, scales, {}};
+    const std::vector<Pass> passes = listOf(options.passes);
+    const std::vector<std::filesystem::path> files = picturesOf(options);
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        sheet.pictures.push_back({passes[i], files[i], bytes[i]});
+    }
+    return sheet;
+}
+
 } // namespace
 
 int frameOfCell(const FlipbookOptions& options, int cell)
@@ -192,14 +207,22 @@ std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass)
     return picture.parent_path() / (picture.stem().string() + "_" + suffix + picture.extension().string());
 }
 
-std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options)
+std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
 {
     const std::filesystem::path picture = withEnding(options.output, fileEnding(options.format));
     std::vector<std::filesystem::path> files;
     for (const Pass pass : listOf(options.passes)) {
         files.push_back(pictureOf(picture, pass));
     }
-    files.push_back(descriptionOf(picture));
+    return files;
+}
+
+std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options)
+{
+    std::vector<std::filesystem::path> files = picturesOf(options);
+    const std::vector<std::filesystem::path> more = engineFilesOf(options.engine, files);
+    files.insert(files.end(), more.begin(), more.end());
+    files.push_back(descriptionOf(withEnding(options.output, fileEnding(options.format))));
     return files;
 }
 
@@ -211,12 +234,14 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     Flipbook flipbook;
     const std::vector<std::filesystem::path> all = filesOf(options);
     flipbook.picture = all.front();
-    flipbook.pictures = static_cast<int>(all.size()) - 1;
+    flipbook.files = static_cast<int>(all.size());
     flipbook.description = all.back();
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
     flipbook.cellsPerSecond = options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
-    if (Status status = makeFolderOf(flipbook.picture); !status) {
-        return status.error();
+    for (const std::filesystem::path& file : all) {
+        if (Status status = makeFolderOf(file); !status) {
+            return status.error();
+        }
     }
 
     PassSheet sheet;
@@ -228,12 +253,13 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     if (!bytes) {
         return bytes.error();
     }
-    const std::string description = describeFlipbook(effect, options, flipbook, pictures.scales());
+    std::vector<std::string> texts = makeEngineFiles(options.engine, engineSheet(effect, options, flipbook, pictures.scales(), bytes.value()));
+    texts.push_back(describeFlipbook(effect, options, flipbook, pictures.scales()));
     std::vector<FileContents> files;
-    for (std::size_t i = 0; i < bytes.value().size(); ++i) {
-        files.push_back({all[i], bytes.value()[i]});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t text = i - bytes.value().size(); // of what is no picture
+        files.push_back({all[i], i < bytes.value().size() ? std::span<const std::byte>(bytes.value()[i]) : std::as_bytes(std::span(texts[text]))});
     }
-    files.push_back({flipbook.description, std::as_bytes(std::span(description))});
     if (Status status = writeTogetherAtomically(files); !status) {
         return status.error();
     }

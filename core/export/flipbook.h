@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/pass_picture.h"
+#include "core/export/engines/engine.h"
 #include "core/export/sequence.h"
 
 #include <optional>
@@ -23,6 +23,7 @@ struct FlipbookOptions {
     ImageFormat format = ImageFormat::Png8;
     PassSet passes{Pass::Colour}; ///< one picture each; one or more
     PassStyle style; ///< of those that are not the colour
+    Engine engine = Engine::Generic; ///< the files that make it play are written, too
 };
 
 /// Smoke that reaches the border of cells: it ends there abruptly, and seeps into the next cell when filtered.
@@ -36,7 +37,7 @@ struct CutOff {
 /// What engines must be told to play a flipbook; also in the file beside it.
 struct Flipbook {
     std::filesystem::path picture; ///< the first
-    int pictures = 1; ///< as many as passes
+    int files = 2; ///< pictures, what engines need, and the description
     std::filesystem::path description;
     double cellsPerSecond = 0.0; ///< keeps the speed of the effect
     float edgeAlpha = 0.0F; ///< most alpha on a cell's border
@@ -57,13 +58,16 @@ struct Flipbook {
 /// @param picture with its ending
 [[nodiscard]] std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass);
 
-/// All files that a flipbook is made of: its pictures in the order of the passes, then the description.
+/// All files that a flipbook is made of: its pictures in the order of the passes, what its engine needs, then the description.
 [[nodiscard]] std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options);
+/// The pictures alone.
+[[nodiscard]] std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options);
 
 /// Renders frames into one picture of columns by rows cells, each of effect.output's size, first at the top left, then along the rows, as Unity, Unreal,
 /// Godot and Effekseer read them. PNG: straight alpha in which transparent pixels have the colour of the smoke next to them, so that filtering and
-/// mipmaps bring no dark rims. Other passes are pictures of their own beside it, linear and without view transform. NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). All are written whole or not at all.
-/// @error TooLarge before allocating, OutOfRange, those of renderSequence()
+/// mipmaps bring no dark rims. Other passes are pictures of their own beside it, linear and without view transform. NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). What makes an engine play it lies beside
+/// it, too. All are written whole or not at all.
+/// @error TooLarge before allocating, OutOfRange, those of checkEngine() and renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

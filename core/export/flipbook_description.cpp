@@ -100,11 +100,12 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
     json["cells_per_second"] = flipbook.cellsPerSecond;
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
     json["loop"] = effect.timeline.loop;
+    json["for"] = std::string(nameOf(options.engine));
     const bool coloured = options.passes.has(Pass::Colour);
     json["alpha"] = (coloured ? png : !options.style.premultiplied) ? "straight" : "premultiplied";
     json["colour"] = coloured && png ? "sRGB" : "linear";
     json["pictures"] = Json::array();
-    const std::vector<std::filesystem::path> files = filesOf(options);
+    const std::vector<std::filesystem::path> files = picturesOf(options);
     std::size_t i = 0;
     for (const Pass pass : kAllPasses) {
         if (options.passes.has(pass)) {

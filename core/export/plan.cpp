@@ -113,7 +113,7 @@ std::filesystem::path firstFile(const ExportPlan& plan)
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
-    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style};
+    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
 }
 
 std::filesystem::path lastFile(const ExportPlan& plan)

@@ -30,6 +30,7 @@ struct ExportPlan {
     int rows = 8;
     PassSet passes{Pass::Colour}; ///< of a flipbook
     PassStyle style; ///< of its passes
+    Engine engine = Engine::Generic; ///< that is to play it
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1

@@ -32,6 +32,16 @@ void fail(png_structp png, png_const_charp message)
 
 void ignore(png_structp /*png*/, png_const_charp /*message*/) { }
 
+void setText(png_structp png, png_infop info, const char* key, const char* value)
+{
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    // The library takes pointers to non-const and does not write through them.
+    text.key = const_cast<char*>(key); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    text.text = const_cast<char*>(value); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    png_set_text(png, info, &text, 1);
+}
+
 /// Between setjmp and longjmp no object may be made that needs its destructor: all of them live in the caller.
 bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const std::stop_token& stop)
 {
@@ -51,15 +61,12 @@ bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const st
         PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (pixels.srgb) {
         png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    } else {
-        png_set_gAMA(png, info, 1.0);
     }
-    png_text text{};
-    text.compression = PNG_TEXT_COMPRESSION_NONE;
-    // The library takes pointers to non-const and does not write through them.
-    text.key = const_cast<char*>("Software"); // NOLINT(cppcoreguidelines-pro-type-const-cast)
-    text.text = const_cast<char*>("Fumage"); // NOLINT(cppcoreguidelines-pro-type-const-cast)
-    png_set_text(png, info, &text, 1);
+    // Data says so in words: engines that see a gamma of 1 bend the numbers back to sRGB when they read them.
+    setText(png, info, "Software", "Fumage");
+    if (!pixels.srgb) {
+        setText(png, info, "Comment", "Linear data, not sRGB");
+    }
     png_write_info(png, info);
     if (pixels.bits == 16 && std::endian::native == std::endian::little) {
         png_set_swap(png);

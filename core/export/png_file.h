@@ -16,7 +16,7 @@ struct PngPixels {
     int height = 0;
     int channels = 4; ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
     int bits = 8; ///< 8 or 16; 16 in the byte order of this machine
-    bool srgb = true; ///< the values are sRGB; else plain data: gamma 1, no colour space
+    bool srgb = true; ///< the values are sRGB; else plain data: no colour space, and a comment that says so
     std::span<const std::byte> bytes;
     bool quick = false; ///< a third of the time, for a file a few per cent larger
 };

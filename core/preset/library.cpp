@@ -1,7 +1,7 @@
 #include "core/preset/library.h"
 
 #include "core/base/text.h"
-#include "core/preset/embedded_file.h"
+#include "core/base/embedded_file.h"
 
 #include <algorithm>
 #include <cassert>

@@ -667,20 +667,8 @@
         <translation>Exportera till</translation>
     </message>
     <message>
-        <source>Columns</source>
-        <translation>Kolumner</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>Rader</translation>
-    </message>
-    <message>
         <source>Flipbook</source>
         <translation>Flipbook</translation>
-    </message>
-    <message>
-        <source>Columns × rows</source>
-        <translation>Kolumner × rader</translation>
     </message>
     <message>
         <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
@@ -729,6 +717,10 @@
     <message>
         <source>Size</source>
         <translation>Storlek</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4 more files</source>
+        <translation>%1, %2 × %3 bildpunkter, och %4 filer till</translation>
     </message>
 </context>
 <context>
@@ -783,6 +775,57 @@
     <message>
         <source>%1 of %2, %3 s left</source>
         <translation>%1 av %2, %3 s kvar</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::FlipbookChoices</name>
+    <message>
+        <source>Light maps</source>
+        <translation>Ljuskartor</translation>
+    </message>
+    <message>
+        <source>Motion vectors</source>
+        <translation>Rörelsevektorer</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolumner</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rader</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>För</translation>
+    </message>
+    <message>
+        <source>What is to play it: the files that it needs are written, too</source>
+        <translation>Vad som ska spela upp det: filerna som behövs skrivs också</translation>
+    </message>
+    <message>
+        <source>Any engine</source>
+        <translation>Valfri motor</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Webbsida</translation>
+    </message>
+    <message>
+        <source>Two pictures with light from six sides, so that an engine lights the smoke with its own lights</source>
+        <translation>Två bilder med ljus från sex håll, så att en motor belyser röken med sina egna ljus</translation>
+    </message>
+    <message>
+        <source>A picture of where the smoke goes, so that an engine moves it between the cells</source>
+        <translation>En bild av vart röken rör sig, så att en motor flyttar den mellan rutorna</translation>
+    </message>
+    <message>
+        <source>Beside the colour</source>
+        <translation>Utöver färgen</translation>
+    </message>
+    <message>
+        <source>Columns × rows</source>
+        <translation>Kolumner × rader</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1461,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Make the obstacle smaller, or move it</source>
         <translation>Gör hindret mindre, eller flytta det</translation>
+    </message>
+    <message>
+        <source>%1 plays the colour, which is not among the passes</source>
+        <translation>%1 spelar upp färgen, som inte finns bland passen</translation>
+    </message>
+    <message>
+        <source>Add colour to the passes</source>
+        <translation>Lägg till colour bland passen</translation>
+    </message>
+    <message>
+        <source>what is written for %1 reads PNG</source>
+        <translation>det som skrivs för %1 läser PNG</translation>
+    </message>
+    <message>
+        <source>Choose PNG</source>
+        <translation>Välj PNG</translation>
     </message>
 </context>
 <context>

@@ -667,20 +667,8 @@
         <translation>导出到</translation>
     </message>
     <message>
-        <source>Columns</source>
-        <translation>列数</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>行数</translation>
-    </message>
-    <message>
         <source>Flipbook</source>
         <translation>序列帧图集</translation>
-    </message>
-    <message>
-        <source>Columns × rows</source>
-        <translation>列 × 行</translation>
     </message>
     <message>
         <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
@@ -729,6 +717,10 @@
     <message>
         <source>Size</source>
         <translation>大小</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4 more files</source>
+        <translation>%1，%2 × %3 像素，以及另外 %4 个文件</translation>
     </message>
 </context>
 <context>
@@ -783,6 +775,57 @@
     <message>
         <source>%1 of %2, %3 s left</source>
         <translation>%1 / %2，剩余 %3 秒</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::FlipbookChoices</name>
+    <message>
+        <source>Light maps</source>
+        <translation>光照贴图</translation>
+    </message>
+    <message>
+        <source>Motion vectors</source>
+        <translation>运动矢量</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>用于</translation>
+    </message>
+    <message>
+        <source>What is to play it: the files that it needs are written, too</source>
+        <translation>由谁来播放：所需的文件也会一并写出</translation>
+    </message>
+    <message>
+        <source>Any engine</source>
+        <translation>任意引擎</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>网页</translation>
+    </message>
+    <message>
+        <source>Two pictures with light from six sides, so that an engine lights the smoke with its own lights</source>
+        <translation>两张含六个方向光照的图片，引擎可以用自己的灯光照亮烟雾</translation>
+    </message>
+    <message>
+        <source>A picture of where the smoke goes, so that an engine moves it between the cells</source>
+        <translation>一张记录烟雾去向的图片，引擎可以在两格之间移动它</translation>
+    </message>
+    <message>
+        <source>Beside the colour</source>
+        <translation>除颜色外</translation>
+    </message>
+    <message>
+        <source>Columns × rows</source>
+        <translation>列 × 行</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1461,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Make the obstacle smaller, or move it</source>
         <translation>请缩小或移动障碍物</translation>
+    </message>
+    <message>
+        <source>%1 plays the colour, which is not among the passes</source>
+        <translation>%1 播放颜色，而它不在通道之中</translation>
+    </message>
+    <message>
+        <source>Add colour to the passes</source>
+        <translation>请在通道中加入 colour</translation>
+    </message>
+    <message>
+        <source>what is written for %1 reads PNG</source>
+        <translation>为 %1 写出的文件读取 PNG</translation>
+    </message>
+    <message>
+        <source>Choose PNG</source>
+        <translation>请选择 PNG</translation>
     </message>
 </context>
 <context>

@@ -62,16 +62,41 @@ private slots:
         QCOMPARE(field->text(), u"50"_q + before[1].mid(3));
     }
 
+    void anEngineBringsItsPassesAndFiles()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        auto* engine = child<QComboBox>(u"export.engine"_q);
+        QCOMPARE(m_dialog->plan().engine, Engine::Generic);
+        QVERIFY(m_dialog->plan().passes == PassSet{Pass::Colour});
+        engine->setCurrentIndex(engine->findText(u"Unreal Engine"_q));
+        const ExportPlan unreal = m_dialog->plan();
+        QCOMPARE(unreal.engine, Engine::Unreal);
+        QVERIFY(unreal.passes == passesFor(Engine::Unreal));
+        QCOMPARE(unreal.style.vectors, VectorSigns::Unreal);
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"5 more"_q));
+        child<QCheckBox>(u"export.sixWay"_q)->setChecked(false);
+        QVERIFY(!m_dialog->plan().passes.has(Pass::SixWayA));
+        QVERIFY(m_dialog->plan().passes.has(Pass::Motion));
+        // What it cannot read cannot be exported, and the dialog says why.
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(2);
+        QVERIFY(!child<QPushButton>(u"export.begin"_q)->isEnabled());
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"PNG"_q));
+        m_dialog->setKind(ExportKind::Sequence);
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+        QVERIFY(!engine->isVisible());
+    }
+
     void theFileIsSuggestedUntilOneIsTyped()
     {
         auto* path = child<QLineEdit>(u"export.path"_q);
         QVERIFY(path->text().endsWith(u"_####.png"_q));
         m_dialog->setKind(ExportKind::Flipbook);
-        QVERIFY(path->text().endsWith(u"-8x8.png"_q));
+        QVERIFY(path->text().endsWith(u"_8x8.png"_q));
         child<QSpinBox>(u"export.columns"_q)->setValue(4);
-        QVERIFY(path->text().endsWith(u"-4x8.png"_q));
+        QVERIFY(path->text().endsWith(u"_4x8.png"_q));
         child<QComboBox>(u"export.format"_q)->setCurrentIndex(2);
-        QVERIFY(path->text().endsWith(u"-4x8.exr"_q));
+        QVERIFY(path->text().endsWith(u"_4x8.exr"_q));
         typePath(u"mine"_q);
         child<QSpinBox>(u"export.columns"_q)->setValue(2);
         QCOMPARE(path->text(), u"mine"_q);

@@ -69,7 +69,7 @@ private slots:
         QVERIFY(!childOf<QSpinBox>(*dialog, u"export.columns"_q)->isVisible());
         kind->setCurrentIndex(kind->findText(u"Flipbook"_q));
         QVERIFY(childOf<QSpinBox>(*dialog, u"export.columns"_q)->isVisible());
-        QVERIFY(childOf<QLineEdit>(*dialog, u"export.path"_q)->text().endsWith(u"-8x8.png"_q));
+        QVERIFY(childOf<QLineEdit>(*dialog, u"export.path"_q)->text().endsWith(u"_8x8.png"_q));
         auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
         field->selectAll();
         QTest::keyClicks(field, m_folder.filePath(u"book.png"_q));

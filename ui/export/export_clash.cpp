@@ -50,11 +50,13 @@ QStringList filesThere(const ExportPlan& plan)
         }
         return there;
     }
-    const std::filesystem::path picture = firstFile(plan);
-    addIfThere(there, picture);
     if (plan.kind == ExportKind::Flipbook) {
-        addIfThere(there, descriptionOf(picture));
+        for (const std::filesystem::path& file : filesOf(flipbookOf(plan))) {
+            addIfThere(there, file);
+        }
+        return there;
     }
+    addIfThere(there, firstFile(plan));
     return there;
 }
 

@@ -4,6 +4,8 @@
 #include "ui/export/export_clash.h"
 #include "ui/export/export_progress.h"
 #include "ui/export/export_summary.h"
+#include "ui/export/flipbook_choices.h"
+#include "ui/export/number_box.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
@@ -58,13 +60,11 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_format(new QComboBox(this))
     , m_scroll(new QScrollArea(this))
     , m_path(new QLineEdit(this))
-    , m_first(addNumber(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame))
-    , m_last(addNumber(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame))
-    , m_step(addNumber(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame))
-    , m_columns(addNumber(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells))
-    , m_rowsOfCells(addNumber(QStringLiteral("export.rows"), tr("Rows"), 1, kMaxSheetCells))
-    , m_noiseSize(addNumber(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize))
-    , m_grid(new QWidget(this))
+    , m_first(makeNumberBox(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame, this))
+    , m_last(makeNumberBox(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame, this))
+    , m_step(makeNumberBox(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame, this))
+    , m_noiseSize(makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
+    , m_flipbook(new FlipbookChoices(this))
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
     , m_files(new QLabel(this))
     , m_progress(new ExportProgress(job, this))
@@ -82,9 +82,6 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     m_path->setObjectName(QStringLiteral("export.path"));
     m_path->setAccessibleName(tr("File"));
     m_path->setToolTip(tr("A run of # becomes the number of the frame"));
-    const ExportPlan usual;
-    m_columns->setValue(usual.columns);
-    m_rowsOfCells->setValue(usual.rows);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
@@ -102,21 +99,12 @@ void ExportDialog::connectPlan()
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followFormat);
     connect(m_path, &QLineEdit::textEdited, this, &ExportDialog::takePath);
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::followPlan);
-    for (QSpinBox* field : {m_first, m_last, m_step, m_columns, m_rowsOfCells, m_noiseSize}) {
+    for (QSpinBox* field : {m_first, m_last, m_step, m_noiseSize}) {
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
+    connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
     connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
     connect(&m_document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
-}
-
-QSpinBox* ExportDialog::addNumber(const QString& name, const QString& spoken, int least, int most)
-{
-    auto* field = new QSpinBox(this);
-    field->setObjectName(name);
-    field->setAccessibleName(spoken);
-    field->setToolTip(spoken);
-    field->setRange(least, most);
-    return field;
 }
 
 QHBoxLayout* ExportDialog::makeRange()
@@ -130,17 +118,6 @@ QHBoxLayout* ExportDialog::makeRange()
     range->addWidget(m_step);
     range->addStretch();
     return range;
-}
-
-void ExportDialog::fillGrid()
-{
-    auto* grid = new QHBoxLayout(m_grid);
-    grid->setContentsMargins({});
-    grid->setSpacing(8);
-    grid->addWidget(m_columns);
-    grid->addWidget(new QLabel(QStringLiteral("×"), m_grid));
-    grid->addWidget(m_rowsOfCells);
-    grid->addStretch();
 }
 
 void ExportDialog::buildForm()
@@ -163,8 +140,7 @@ void ExportDialog::buildForm()
     place->addWidget(choose);
     addRow(tr("File"), place);
     addRow(tr("Frames"), makeRange());
-    fillGrid();
-    m_gridLabel = addRow(tr("Columns × rows"), m_grid);
+    form->addRow(m_flipbook);
     m_fit->setObjectName(QStringLiteral("export.fit"));
     m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
     form->addRow(QString(), m_fit);
@@ -245,8 +221,6 @@ ExportPlan ExportDialog::plan() const
     ExportPlan plan;
     plan.kind = kind();
     plan.frames = {m_first->value(), m_last->value(), m_step->value()};
-    plan.columns = m_columns->value();
-    plan.rows = m_rowsOfCells->value();
     plan.fitCamera = m_fit->isChecked();
     plan.source = m_document.filePath().toStdString();
     plan.noiseSize = m_noiseSize->value();
@@ -255,6 +229,7 @@ ExportPlan ExportDialog::plan() const
     } else {
         plan.format = static_cast<ImageFormat>(std::max(0, m_format->currentIndex()));
     }
+    m_flipbook->applyTo(plan);
     if (!m_path->text().trimmed().isEmpty()) {
         plan.output = withEnding(m_path->text().toStdString(), fileEnding(plan));
     }
@@ -312,8 +287,7 @@ void ExportDialog::followPlan()
     const bool many = kind() == ExportKind::Sequence || kind() == ExportKind::Flipbook;
     m_last->setEnabled(many);
     m_step->setEnabled(many);
-    m_grid->setVisible(kind() == ExportKind::Flipbook);
-    m_gridLabel->setVisible(kind() == ExportKind::Flipbook);
+    m_flipbook->setVisible(kind() == ExportKind::Flipbook);
     m_noiseSize->setVisible(kind() == ExportKind::NoiseTexture);
     m_noiseSizeLabel->setVisible(kind() == ExportKind::NoiseTexture);
     if (m_pathIsSuggested) {

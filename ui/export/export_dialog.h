@@ -23,6 +23,7 @@ class QSpinBox;
 namespace fumage::ui {
 
 class ExportProgress;
+class FlipbookChoices;
 class ParameterRow;
 
 /// What is to be written and where; does not block the window it belongs to. Size and background are parameters of the document.
@@ -46,9 +47,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    QSpinBox* addNumber(const QString& name, const QString& spoken, int least, int most);
     [[nodiscard]] QHBoxLayout* makeRange();
-    void fillGrid();
     void buildForm();
     void buildProgress();
     void connectPlan();
@@ -79,12 +78,9 @@ private:
     QSpinBox* m_first;
     QSpinBox* m_last;
     QSpinBox* m_step;
-    QSpinBox* m_columns;
-    QSpinBox* m_rowsOfCells;
     QSpinBox* m_noiseSize; ///< 0: the effect's own
-    QWidget* m_grid; ///< columns and rows
+    FlipbookChoices* m_flipbook;
     QCheckBox* m_fit;
-    QLabel* m_gridLabel = nullptr;
     QLabel* m_noiseSizeLabel = nullptr;
     QLabel* m_files;
     ExportProgress* m_progress;

@@ -1,5 +1,6 @@
 #include "ui/export/export_summary.h"
 
+#include "core/export/engines/engine_files.h"
 #include "core/export/output_name.h"
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
@@ -25,14 +26,19 @@ std::optional<int> withEnding(std::string_view ending, std::initializer_list<For
 
 bool isPossible(const ExportPlan& plan)
 {
-    const bool filled = plan.kind != ExportKind::Flipbook || plan.frames.count() >= plan.columns * plan.rows;
-    return !plan.output.empty() && plan.frames.first <= plan.frames.last && filled;
+    const bool flipbook = plan.kind != ExportKind::Flipbook || (plan.frames.count() >= plan.columns * plan.rows && checkEngine(plan.engine, plan.passes, plan.format).ok());
+    return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook;
 }
 
 QString summaryOf(const ExportPlan& plan, const Effect& effect)
 {
     if (plan.output.empty() || plan.frames.first > plan.frames.last) {
         return ExportDialog::tr("Choose a file, and a first frame that comes before the last.");
+    }
+    if (plan.kind == ExportKind::Flipbook) {
+        if (const Status status = checkEngine(plan.engine, plan.passes, plan.format); !status) {
+            return told(status.error());
+        }
     }
     if (!isPossible(plan)) {
         return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
@@ -43,6 +49,10 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
     }
     if (plan.kind == ExportKind::Flipbook) {
         const Output& output = effect.output;
+        const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
+        if (more > 1) {
+            return ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows).arg(more);
+        }
         return ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows);
     }
     return first;
@@ -54,7 +64,7 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
     QString name = fileNameOf(document.displayName()).toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
     switch (plan.kind) {
     case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
-    case ExportKind::Flipbook: name += QStringLiteral("-%1x%2").arg(plan.columns).arg(plan.rows); break;
+    case ExportKind::Flipbook: name += QStringLiteral("_%1x%2").arg(plan.columns).arg(plan.rows); break;
     case ExportKind::Picture: break;
     case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
     case ExportKind::Particles: name += QStringLiteral("-particles"); break;

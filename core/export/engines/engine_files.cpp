@@ -1,0 +1,81 @@
+#include "core/export/engines/engine_files.h"
+
+#include "core/export/engines/texture_packer.h"
+#include "core/export/engines/template_text.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+std::filesystem::path beside(const std::filesystem::path& picture, std::string_view ending)
+{
+    return std::filesystem::path(picture).replace_extension(ending);
+}
+
+std::filesystem::path importOf(const std::filesystem::path& picture)
+{
+    return picture.parent_path() / (picture.filename().string() + ".import");
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> engineFilesOf(Engine engine, std::span<const std::filesystem::path> pictures)
+{
+    const std::filesystem::path& picture = pictures.front();
+    const auto withImports = [&](std::vector<std::filesystem::path> files) {
+        std::transform(pictures.begin(), pictures.end(), std::back_inserter(files), importOf);
+        return files;
+    };
+    switch (engine) {
+    case Engine::Generic: break;
+    case Engine::Unity: return {picture.parent_path() / "Editor" / (picture.stem().string() + ".cs")};
+    case Engine::Unreal: return {picture.parent_path() / (picture.stem().string() + "_unreal.py")};
+    case Engine::Godot: return withImports({beside(picture, ".tscn"), beside(picture, ".gdshader")});
+    case Engine::Godot3: return withImports({beside(picture, ".tscn"), beside(picture, ".shader")});
+    case Engine::Effekseer: return {beside(picture, ".efkproj")};
+    case Engine::Pixi: return {beside(picture, ".atlas.json")};
+    case Engine::Defold: return {beside(picture, ".tilesource")};
+    case Engine::Web: return {beside(picture, ".html")};
+    }
+    return {};
+}
+
+std::vector<std::string> makeEngineFiles(Engine engine, const EngineSheet& sheet)
+{
+    const auto withImports = [&](std::string_view importTemplate, std::vector<std::string> texts) {
+        for (const EnginePicture& picture : sheet.pictures) {
+            texts.push_back(importText(importTemplate, picture));
+        }
+        return texts;
+    };
+    switch (engine) {
+    case Engine::Generic: break;
+    case Engine::Unity: return {sheetText("unity_editor", TextKind::Code, sheet)};
+    case Engine::Unreal: return {sheetText("unreal_import", TextKind::Code, sheet)};
+    case Engine::Godot: return withImports("godot_import", {sheetText("godot_scene", TextKind::Code, sheet), sheetText("godot_shader", TextKind::Code, sheet)});
+    case Engine::Godot3: return withImports("godot3_import", {sheetText("godot3_scene", TextKind::Code, sheet), sheetText("godot3_shader", TextKind::Code, sheet)});
+    case Engine::Effekseer: return {sheetText("effekseer_project", TextKind::Markup, sheet)};
+    case Engine::Pixi: return {texturePackerText(sheet)};
+    case Engine::Defold: return {sheetText("defold_tilesource", TextKind::Code, sheet)};
+    case Engine::Web: return {sheetText("web_page", TextKind::Markup, sheet)};
+    }
+    return {};
+}
+
+Status checkEngine(Engine engine, PassSet passes, ImageFormat format)
+{
+    if (engine == Engine::Generic) {
+        return Done{};
+    }
+    if (!passes.has(Pass::Colour)) {
+        return Error{ErrorCode::OutOfRange, said("%1 plays the colour, which is not among the passes", titleOf(engine)), {}, said("Add colour to the passes")};
+    }
+    if (format != ImageFormat::Png8 && format != ImageFormat::Png16) {
+        return Error{ErrorCode::OutOfRange, said("what is written for %1 reads PNG", titleOf(engine)), {}, said("Choose PNG")};
+    }
+    return Done{};
+}
+
+} // namespace fumage

@@ -1,0 +1,214 @@
+// What is written for engines: all of it, readable by their languages, and true of the sheet. tests/clients plays it in the engines that run here.
+
+#include "tests/helpers.h"
+
+#include "core/base/file.h"
+#include "core/export/engines/engine_files.h"
+#include "core/export/flipbook.h"
+
+#include <QDir>
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+/// All that a name of a file may hold to break a language that it is written into.
+constexpr const char* kHostileName = "a\"b'c\\{{columns}}<&>\n\xC3\xA9 \";DROP";
+
+/// A small flipbook for an engine in a folder of its own.
+struct Sheet {
+    QTemporaryDir folder;
+    FlipbookOptions options;
+    Effect effect = thesisEffect(300);
+
+    explicit Sheet(Engine engine, const std::string& name = "smoke_4x2")
+    {
+        effect.output.width = 24;
+        effect.output.height = 16;
+        effect.timeline.frameRate = 30;
+        options.output = folder.path().toStdString() + "/" + name + ".png";
+        options.columns = 4;
+        options.rows = 2;
+        options.frames = {0, 15, 1};
+        options.engine = engine;
+        options.passes = passesFor(engine);
+        options.style = styleFor(engine, options.format);
+    }
+    void write() const
+    {
+        const Result<Flipbook> done = renderFlipbook(effect, options, {});
+        if (!done) {
+            qFatal("%s", done.error().text().c_str());
+        }
+    }
+    [[nodiscard]] std::string text(const std::string& file) const { return readFile(folder.path().toStdString() + "/" + file, 100'000'000).value(); }
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+class EnginesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFileIsNamedBeforeAndWritten_data()
+    {
+        QTest::addColumn<int>("engine");
+        for (const Engine engine : kAllEngines) {
+            QTest::newRow(std::string(nameOf(engine)).c_str()) << static_cast<int>(engine);
+        }
+    }
+    void everyFileIsNamedBeforeAndWritten()
+    {
+        QFETCH(int, engine);
+        for (const std::string& name : {std::string("smoke_4x2"), std::string(kHostileName)}) {
+            const Sheet sheet(static_cast<Engine>(engine), name);
+            sheet.write();
+            QStringList named;
+            for (const std::filesystem::path& file : filesOf(sheet.options)) {
+                named << QString::fromStdString(file.string());
+            }
+            QStringList there;
+            for (QDirIterator at(sheet.folder.path(), QDir::Files, QDirIterator::Subdirectories); at.hasNext();) {
+                there << at.next();
+            }
+            named.sort();
+            there.sort();
+            QCOMPARE(there, named);
+            for (const QString& file : there) {
+                if (!file.endsWith(QStringLiteral(".png")) && name == "smoke_4x2") {
+                    const std::string text = readFile(file.toStdString(), 100'000'000).value();
+                    QVERIFY2(!contains(text, "{{") && !contains(text, "}}") && !contains(text, "nan") && !contains(text, "inf,"), qPrintable(file));
+                }
+            }
+        }
+    }
+
+    void cellsForPixiLieWhereTheyAre()
+    {
+        for (const std::string& name : {std::string("smoke_4x2"), std::string(kHostileName)}) {
+            const Sheet sheet(Engine::Pixi, name);
+            sheet.write();
+            QJsonParseError error;
+            const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text(name + ".atlas.json")), &error).object();
+            QVERIFY2(error.error == QJsonParseError::NoError, qPrintable(error.errorString()));
+            QCOMPARE(json["meta"].toObject()["image"].toString().toStdString(), name + ".png");
+            const QJsonArray order = json["animations"].toObject()[QString::fromStdString(name)].toArray();
+            QCOMPARE(order.size(), 8);
+            const QJsonObject sixth = json["frames"].toObject()[order[5].toString()].toObject()["frame"].toObject();
+            QCOMPARE(sixth["x"].toInt(), 24);
+            QCOMPARE(sixth["y"].toInt(), 16);
+            QCOMPARE(sixth["w"].toInt(), 24);
+            QCOMPARE(sixth["h"].toInt(), 16);
+        }
+    }
+
+    void effekseersProjectIsXmlThatPlaysAtTheRightSpeed()
+    {
+        for (const std::string& name : {std::string("smoke_4x2"), std::string(kHostileName)}) {
+            const Sheet sheet(Engine::Effekseer, name);
+            sheet.write();
+            QXmlStreamReader xml(QByteArray::fromStdString(sheet.text(name + ".efkproj")));
+            QMap<QString, QString> values;
+            while (!xml.atEnd()) {
+                if (xml.readNext() == QXmlStreamReader::StartElement) {
+                    const QString key = xml.name().toString();
+                    if (key == QStringLiteral("FrameLength")) {
+                        xml.readNextStartElement();
+                        values[key] = xml.readElementText();
+                    } else if (key == QStringLiteral("ColorTexture") || key == QStringLiteral("FrameCountX") || key == QStringLiteral("LoopType")) {
+                        values[key] = xml.readElementText();
+                    }
+                }
+            }
+            QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+            QCOMPARE(values[QStringLiteral("ColorTexture")].toStdString(), name + ".png");
+            QCOMPARE(values[QStringLiteral("FrameCountX")], QStringLiteral("4"));
+            QCOMPARE(values[QStringLiteral("FrameLength")], QStringLiteral("4")); // 8 cells of 16 frames of 1/30 s: 4/60 s each
+            QCOMPARE(values[QStringLiteral("LoopType")], QStringLiteral("0"));
+        }
+    }
+
+    void unrealsScriptIsPython()
+    {
+        for (const std::string& name : {std::string("smoke_4x2"), std::string(kHostileName)}) {
+            const Sheet sheet(Engine::Unreal, name);
+            sheet.write();
+            QProcess python;
+            python.start(QStringLiteral("python3"), {QStringLiteral("-c"), QStringLiteral("import runpy, sys; print(len(runpy.run_path(sys.argv[1])['TEXTURES']))"), sheet.folder.filePath(QString::fromStdString(name + "_unreal.py"))});
+            QVERIFY(python.waitForFinished());
+            QCOMPARE(python.readAllStandardOutput().trimmed(), QByteArray("4"));
+            QCOMPARE(python.readAllStandardError(), QByteArray());
+        }
+    }
+
+    void godotsSceneHasSizeAndPlaceOfTheSmoke()
+    {
+        Sheet sheet(Engine::Godot);
+        // A camera 10 m away with a focal length of half the sensor sees 2 x 10 m in the shorter side.
+        sheet.effect.camera = Camera{.target = {1.0F, 4.0F, 0.0F}, .distance = 10.0F, .pitch = 0.0F, .focalLength = 18.0F};
+        sheet.effect.emitter.position = {0.0F, 1.0F, 0.0F};
+        sheet.effect.timeline.loop = false;
+        sheet.write();
+        const std::string scene = sheet.text("smoke_4x2.tscn");
+        QVERIFY2(contains(scene, "size = Vector2(30, 20)"), scene.c_str());
+        QVERIFY2(contains(scene, "0, 0, 1, 1, 3, 0)"), scene.c_str());
+        QVERIFY2(contains(scene, "one_shot = true"), scene.c_str());
+        QVERIFY2(contains(scene, "path=\"smoke_4x2_motion.png\""), scene.c_str());
+        const std::string shader = sheet.text("smoke_4x2.gdshader");
+        QVERIFY(contains(shader, "unshaded") && contains(shader, "vec2(4.0, 2.0)") && !contains(shader, "void light"));
+        QVERIFY(contains(sheet.text("smoke_4x2_motion.png.import"), "mipmaps/generate=false"));
+    }
+
+    void godotsLightReadsTheChannelsOfItsLayout()
+    {
+        Sheet sheet(Engine::Godot);
+        sheet.options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB};
+        sheet.options.style.layout = SixWayLayout::EmberGen;
+        sheet.write();
+        const std::string shader = sheet.text("smoke_4x2.gdshader");
+        QVERIFY2(contains(shader, "LIGHT.x >= 0.0 ? a.b : a.g"), shader.c_str());
+        QVERIFY2(contains(shader, "LIGHT.y >= 0.0 ? a.r : b.r"), shader.c_str());
+        QVERIFY2(contains(shader, "LIGHT.z >= 0.0 ? b.b : b.g"), shader.c_str());
+        QVERIFY(!contains(shader, "glow_strength") && !contains(shader, "motion_scale"));
+    }
+
+    void thePageHoldsThePicturesThemselves()
+    {
+        const Sheet sheet(Engine::Web);
+        sheet.write();
+        const QByteArray page = QByteArray::fromStdString(sheet.text("smoke_4x2.html"));
+        for (const char* file : {"smoke_4x2.png", "smoke_4x2_motion.png"}) {
+            const QByteArray picture = QByteArray::fromStdString(sheet.text(file));
+            QVERIFY2(page.contains("\"data:image/png;base64," + picture.toBase64() + "\""), file);
+        }
+    }
+
+    void whatAnEngineCannotReadIsRefused()
+    {
+        Sheet sheet(Engine::Godot);
+        sheet.options.format = ImageFormat::ExrHalf;
+        const Result<Flipbook> exr = renderFlipbook(sheet.effect, sheet.options, {});
+        QVERIFY(!exr.ok());
+        QVERIFY2(contains(exr.error().text(), "Godot 4") && contains(exr.error().text(), "PNG"), exr.error().text().c_str());
+        sheet.options.format = ImageFormat::Png8;
+        sheet.options.passes = {Pass::Motion};
+        QVERIFY(!renderFlipbook(sheet.effect, sheet.options, {}).ok());
+        QVERIFY(QDir(sheet.folder.path()).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(EnginesTest)
+#include "engines_test.moc"

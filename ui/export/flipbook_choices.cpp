@@ -1,0 +1,106 @@
+#include "ui/export/flipbook_choices.h"
+
+#include "ui/document/text.h"
+#include "ui/export/number_box.h"
+#include "ui/panels/parameter_row.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+namespace fumage::ui {
+
+namespace {
+
+QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets)
+{
+    auto* box = new QHBoxLayout;
+    box->setSpacing(8);
+    for (QWidget* widget : widgets) {
+        box->addWidget(widget);
+    }
+    box->addStretch();
+    return box;
+}
+
+} // namespace
+
+FlipbookChoices::FlipbookChoices(QWidget* parent)
+    : QWidget(parent)
+    , m_engine(new QComboBox(this))
+    , m_sixWay(new QCheckBox(tr("Light maps"), this))
+    , m_motion(new QCheckBox(tr("Motion vectors"), this))
+    , m_columns(makeNumberBox(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells, this))
+    , m_rows(makeNumberBox(QStringLiteral("export.rows"), tr("Rows"), 1, kMaxSheetCells, this))
+{
+    m_engine->setObjectName(QStringLiteral("export.engine"));
+    m_engine->setAccessibleName(tr("For"));
+    m_engine->setToolTip(tr("What is to play it: the files that it needs are written, too"));
+    for (const Engine each : kAllEngines) {
+        m_engine->addItem(each == Engine::Generic ? tr("Any engine") : each == Engine::Web ? tr("Web page")
+                                                                                           : toQString(titleOf(each)));
+    }
+    m_sixWay->setObjectName(QStringLiteral("export.sixWay"));
+    m_sixWay->setToolTip(tr("Two pictures with light from six sides, so that an engine lights the smoke with its own lights"));
+    m_motion->setObjectName(QStringLiteral("export.motion"));
+    m_motion->setToolTip(tr("A picture of where the smoke goes, so that an engine moves it between the cells"));
+    const ExportPlan usual;
+    m_columns->setValue(usual.columns);
+    m_rows->setValue(usual.rows);
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins({});
+    form->setLabelAlignment(Qt::AlignLeft);
+    form->setHorizontalSpacing(4);
+    const auto addRow = [&](const QString& text, auto* content) {
+        auto* label = new QLabel(text, this);
+        label->setFixedWidth(ParameterRow::kLabelWidth);
+        form->addRow(label, content);
+    };
+    addRow(tr("For"), m_engine);
+    addRow(tr("Beside the colour"), sideBySide({m_sixWay, m_motion}));
+    addRow(tr("Columns × rows"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
+    connect(m_engine, &QComboBox::currentIndexChanged, this, &FlipbookChoices::followEngine);
+    connect(m_sixWay, &QCheckBox::toggled, this, &FlipbookChoices::changed);
+    connect(m_motion, &QCheckBox::toggled, this, &FlipbookChoices::changed);
+    connect(m_columns, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
+    connect(m_rows, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
+}
+
+Engine FlipbookChoices::engine() const
+{
+    return kAllEngines[static_cast<std::size_t>(m_engine->currentIndex())];
+}
+
+void FlipbookChoices::followEngine()
+{
+    const PassSet passes = passesFor(engine());
+    {
+        const QSignalBlocker sixWay(m_sixWay);
+        const QSignalBlocker motion(m_motion);
+        m_sixWay->setChecked(passes.has(Pass::SixWayA));
+        m_motion->setChecked(passes.has(Pass::Motion));
+    }
+    emit changed();
+}
+
+void FlipbookChoices::applyTo(ExportPlan& plan) const
+{
+    plan.engine = engine();
+    plan.passes = {Pass::Colour};
+    if (m_sixWay->isChecked()) {
+        plan.passes.add(Pass::SixWayA);
+        plan.passes.add(Pass::SixWayB);
+    }
+    if (m_motion->isChecked()) {
+        plan.passes.add(Pass::Motion);
+    }
+    plan.style = styleFor(plan.engine, plan.format);
+    plan.columns = m_columns->value();
+    plan.rows = m_rows->value();
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,17 @@
+#include "ui/export/number_box.h"
+
+#include <QSpinBox>
+
+namespace fumage::ui {
+
+QSpinBox* makeNumberBox(const QString& name, const QString& spoken, int least, int most, QWidget* parent)
+{
+    auto* field = new QSpinBox(parent);
+    field->setObjectName(name);
+    field->setAccessibleName(spoken);
+    field->setToolTip(spoken);
+    field->setRange(least, most);
+    return field;
+}
+
+} // namespace fumage::ui
