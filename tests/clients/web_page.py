@@ -6,19 +6,16 @@ Needs chromium, python3-numpy and python3-pil. A sheet has every fourth frame; t
 vectors, with the signs of Unity, of Unreal and wrong ones. Fails where vectors are worse than blending or wrong ones better, where Unity's and
 Unreal's differ in what is seen, or where a cell that is shown as it is differs from the picture.
 """
-import base64
-import http.server
-import io
 import json
 import pathlib
-import queue
 import subprocess
 import sys
 import tempfile
-import threading
 
 import numpy
 from PIL import Image
+
+from browser import decibels, over_grey, pictures_of
 
 SIZE = 128
 CELLS = 8
@@ -27,16 +24,6 @@ STEP = 4 # of the frames in the sheet; those between are rebuilt
 SHOWN = (1.5, 3.5, 5.5)
 # What Chromium adds: it stores eight bits, premultiplied, and takes them apart again.
 LEAST_OF_A_CELL = 40.0
-
-
-def decibels(a, b):
-    error = numpy.mean((a - b) ** 2)
-    return 99.0 if error == 0 else -10.0 * numpy.log10(error)
-
-
-def over_grey(image):
-    pixels = numpy.asarray(image.convert("RGBA"), dtype=numpy.float64) / 255.0
-    return pixels[..., :3] * pixels[..., 3:] + 0.5 * (1.0 - pixels[..., 3:])
 
 
 PROBE = """<script>
@@ -60,44 +47,11 @@ PROBE = """<script>
 </script></body>"""
 
 
-class Listener(http.server.BaseHTTPRequestHandler):
-    """Gives out one page, and takes what it sends back."""
-
-    def do_GET(self):
-        page = self.server.page if self.path == "/" else b""
-        self.send_response(200 if page else 404)
-        self.send_header("Content-Length", str(len(page)))
-        self.end_headers()
-        self.wfile.write(page)
-
-    def do_POST(self):
-        self.server.answers.put(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-        self.send_response(204)
-        self.end_headers()
-
-    def log_message(self, *_):
-        pass
-
-
 def shown(page, shots):
     """The canvas of a page at places of its sheet: (place, whether cells are blended, whether along vectors: 0, 1, or -1 for the wrong way)."""
     wanted = json.dumps([{"place": place, "blend": blend, "vectors": vectors} for place, blend, vectors in shots])
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
-    server.page = page.read_text(encoding="utf-8").replace("</body>", PROBE.replace("SHOTS", wanted)).encode()
-    server.answers = queue.Queue()
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        command = ["chromium", "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", f"--user-data-dir={profile}", f"http://127.0.0.1:{server.server_port}/"]
-        browser = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            pictures = server.answers.get(timeout=120)
-        except queue.Empty:
-            sys.exit(f"{page.name} showed nothing within two minutes")
-        finally:
-            browser.terminate()
-            browser.wait()
-            server.shutdown()
-    return [over_grey(Image.open(io.BytesIO(base64.b64decode(picture.split(",")[1])))) for picture in pictures]
+    text = page.read_text(encoding="utf-8").replace("</body>", PROBE.replace("SHOTS", wanted))
+    return pictures_of({"/": ("text/html", text.encode())})
 
 
 def main():
