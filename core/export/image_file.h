@@ -49,7 +49,7 @@ struct DataImage {
     std::vector<float> values;
 };
 
-/// Encodes numbers as they are: PNG without a colour space, gamma 1, and what is out of range clipped; EXR with all of them.
+/// Encodes numbers as they are: PNG without a colour space, and what is out of range clipped; EXR with all of them.
 /// @error as encodeImage()
 [[nodiscard]] Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
 
