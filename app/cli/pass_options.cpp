@@ -65,6 +65,13 @@ void PassOptions::addTo(CLI::App& command)
     command.add_option("--alpha", alpha, "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR")->check(CLI::IsMember({"straight", "premultiplied"}));
 }
 
+void PassOptions::addLayersTo(CLI::App& command)
+{
+    command.add_option("--passes", passes, "Layers of an EXR, with commas between: colour, alpha, six-way (light from six sides), motion (vectors), normal, depth, emission, albedo, temperature, shadow, all. Default: colour")
+        ->type_name("LIST");
+    command.add_option("--alpha", alpha, "Light, emission and albedo: premultiplied (the default), or straight")->check(CLI::IsMember({"straight", "premultiplied"}));
+}
+
 Status PassOptions::applyTo(ExportPlan& plan) const
 {
     plan.engine = named<Engine, kEngines>(engine);

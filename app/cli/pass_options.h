@@ -14,7 +14,10 @@ struct PassOptions {
     std::string vectors;
     std::string alpha;
 
+    /// Those of flipbooks.
     void addTo(CLI::App& command);
+    /// Those of frames, whose passes are layers.
+    void addLayersTo(CLI::App& command);
     /// Whether somebody has said what is to play it.
     [[nodiscard]] bool isForAnEngine() const { return engine != nameOf(Engine::Generic); }
     /// @error UnknownName where a pass is not known

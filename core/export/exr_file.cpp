@@ -50,7 +50,7 @@ void describe(const ExrPixels& pixels, Imf::Header& header)
     header.insert("software", Imf::StringAttribute("Fumage"));
     if (!pixels.isLight) {
         header.insert("comments", Imf::StringAttribute("linear data, not colours"));
-    } else if (pixels.channels > 1) {
+    } else if (pixels.layers.front().channels.size() > 1) {
         Imf::addChromaticities(header, Imf::Chromaticities());
     }
     if (pixels.frameRate > 0) {
@@ -61,20 +61,19 @@ void describe(const ExrPixels& pixels, Imf::Header& header)
 template <class Sample>
 void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream, const std::stop_token& stop)
 {
-    const std::vector<Sample> samples(pixels.values.begin(), pixels.values.end());
+    std::vector<std::vector<Sample>> samples; // until the file is written
     Imf::Header header(pixels.width, pixels.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     describe(pixels, header);
     Imf::FrameBuffer buffer;
-    const std::string names = pixels.channels == 1 ? "Y" : pixels.channels == 3 ? "RGB"
-                                                                                : "RGBA";
-    const std::size_t pixelStride = sizeof(Sample) * static_cast<std::size_t>(pixels.channels);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string name(1, names[i]);
-        header.channels().insert(name, Imf::Channel(type));
-        // The library takes pointers to non-const and does not write through them.
-        char* base = reinterpret_cast<char*>(const_cast<Sample*>(samples.data() + i)); // NOLINT(cppcoreguidelines-pro-type-const-cast)
-        buffer.insert(name, Imf::Slice(type, base, pixelStride, pixelStride * static_cast<std::size_t>(pixels.width)));
+    for (const ExrLayer& layer : pixels.layers) {
+        samples.emplace_back(layer.values.begin(), layer.values.end());
+        const std::size_t pixelStride = sizeof(Sample) * layer.channels.size();
+        for (std::size_t i = 0; i < layer.channels.size(); ++i) {
+            const std::string name = (layer.name.empty() ? "" : layer.name + ".") + layer.channels[i];
+            header.channels().insert(name, Imf::Channel(type));
+            buffer.insert(name, Imf::Slice(type, reinterpret_cast<char*>(samples.back().data() + i), pixelStride, pixelStride * static_cast<std::size_t>(pixels.width)));
+        }
     }
     // No threads of its own: pictures are written beside one another.
     Imf::OutputFile file(stream, header, 0);
@@ -86,6 +85,12 @@ void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream
 }
 
 } // namespace
+
+std::string exrChannels(int count)
+{
+    return count == 1 ? "Y" : count == 3 ? "RGB"
+                                         : "RGBA";
+}
 
 Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::stop_token& stop)
 {

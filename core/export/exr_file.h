@@ -5,17 +5,27 @@
 #include <cstddef>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace fumage {
 
-/// A picture in memory for OpenEXR: interleaved floats, rows from the top.
+/// Channels that belong together: interleaved floats, rows from the top.
+struct ExrLayer {
+    std::string name; ///< stands before each channel, with a dot; empty: the picture itself
+    std::string channels = "RGBA"; ///< a letter each
+    std::span<const float> values;
+};
+
+/// "Y", "RGB" or "RGBA".
+[[nodiscard]] std::string exrChannels(int count);
+
+/// A picture in memory for OpenEXR.
 struct ExrPixels {
     int width = 0;
     int height = 0;
-    int channels = 4; ///< 1: Y; 3: R, G, B; 4: R, G, B, A
+    std::vector<ExrLayer> layers;
     bool half = true; ///< else 32-bit floats
-    std::span<const float> values;
     int frameRate = 0; ///< frames/s of the pictures that it is one of; 0: not said
     bool isLight = true; ///< premultiplied colours; else numbers that have no primaries
 };

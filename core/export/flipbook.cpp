@@ -199,12 +199,7 @@ std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass)
     if (pass == Pass::Colour) {
         return picture;
     }
-    std::string suffix(passName(pass));
-    if (suffix.starts_with("six-way")) {
-        suffix.replace(0, std::string_view("six-way").size(), "sixway"); // as other tools write it
-    }
-    std::replace(suffix.begin(), suffix.end(), '-', '_');
-    return picture.parent_path() / (picture.stem().string() + "_" + suffix + picture.extension().string());
+    return picture.parent_path() / (picture.stem().string() + "_" + fileNameOf(pass) + picture.extension().string());
 }
 
 std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)

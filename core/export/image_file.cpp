@@ -31,7 +31,7 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& outp
     case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output, stop, finish);
     case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output, stop, finish);
     case ImageFormat::ExrHalf:
-    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, 4, format == ImageFormat::ExrHalf, image.pixels, frameRate}, stop);
+    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, {{{}, exrChannels(4), image.pixels}}, format == ImageFormat::ExrHalf, frameRate}, stop);
     }
     return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
 }
@@ -96,7 +96,7 @@ Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat fo
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: break;
     }
-    return encodeExr({image.width, image.height, image.channels, format == ImageFormat::ExrHalf, image.values, frameRate, false}, stop);
+    return encodeExr({image.width, image.height, {{{}, exrChannels(image.channels), image.values}}, format == ImageFormat::ExrHalf, frameRate, false}, stop);
 }
 
 int quantised(float value, bool isSigned, int full)
@@ -118,7 +118,7 @@ Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat fo
     for (std::ptrdiff_t y = size - 1; y >= 0; --y) {
         flipped.insert(flipped.end(), tile.values.begin() + y * size, tile.values.begin() + (y + 1) * size);
     }
-    return encodeExr({tile.size, tile.size, 1, format == ImageFormat::ExrHalf, flipped});
+    return encodeExr({tile.size, tile.size, {{{}, exrChannels(1), flipped}}, format == ImageFormat::ExrHalf});
 }
 
 } // namespace fumage

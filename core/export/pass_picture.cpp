@@ -75,6 +75,16 @@ std::string_view nameOf(VectorSigns signs)
     return signs == VectorSigns::Unity ? "unity" : "unreal";
 }
 
+std::string fileNameOf(Pass pass)
+{
+    std::string name(passName(pass));
+    if (name.starts_with("six-way")) {
+        name.replace(0, std::string_view("six-way").size(), "sixway"); // as other tools write it
+    }
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 PassPictures::PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style)
     : m_sheet(sheet)
     , m_style(style)

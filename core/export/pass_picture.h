@@ -5,6 +5,7 @@
 #include "core/rendering/passes.h"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace fumage {
@@ -36,6 +37,9 @@ enum class SixWayChannel {
 [[nodiscard]] std::string_view nameOf(SixWayChannel channel);
 /// "unity", "embergen", "rlt-bbf", "tlrb-fb".
 [[nodiscard]] std::string_view nameOf(SixWayLayout layout);
+
+/// "sixway_a", "motion": what names of files and layers call a pass.
+[[nodiscard]] std::string fileNameOf(Pass pass);
 
 /// Signs of motion vectors.
 enum class VectorSigns {

@@ -16,7 +16,7 @@ namespace {
 SequenceOptions sequenceOf(const ExportPlan& plan)
 {
     const bool single = plan.kind == ExportKind::Picture;
-    return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format};
+    return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format, plan.passes, plan.style.premultiplied};
 }
 
 Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
@@ -45,7 +45,7 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
             return Error{ErrorCode::OutOfRange, said("these are several files"), {}, said("Name a file, or one frame")};
         }
         [[fallthrough]];
-    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, plan.format, stop, progress);
+    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, sequenceOf(plan), stop, progress);
     case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
     case ExportKind::Particles: return particleBytes(effect, plan, progress, stop);
     }

@@ -28,7 +28,7 @@ struct ExportPlan {
     ParticleFormat particles = ParticleFormat::Csv;
     int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
     int rows = 8;
-    PassSet passes{Pass::Colour}; ///< of a flipbook
+    PassSet passes{Pass::Colour}; ///< of a flipbook, and of frames in EXR
     PassStyle style; ///< of its passes
     Engine engine = Engine::Generic; ///< that is to play it
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own

@@ -2,6 +2,8 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/export/frame_layers.h"
+#include "core/export/frame_neighbours.h"
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
 
@@ -12,21 +14,127 @@ namespace fumage {
 
 namespace {
 
-Status writeImage(const Image& image, const Effect& effect, ImageFormat format, const std::filesystem::path& path, const std::stop_token& stop)
-{
-    const Result<std::vector<std::byte>> bytes = encodeImage(image, effect.output, format, effect.timeline.frameRate, stop);
-    if (!bytes) {
-        Error error = bytes.error();
-        error.place = path.string();
-        return error;
-    }
-    return writeFileAtomically(path, bytes.value());
-}
-
 std::string padded(int number, std::size_t digits)
 {
     std::string text = std::to_string(number);
     return text.size() >= digits ? text : std::string(digits - text.size(), '0') + text;
+}
+
+bool isLayered(const SequenceOptions& options)
+{
+    return options.passes != PassSet{Pass::Colour};
+}
+
+Status check(const SequenceOptions& options)
+{
+    if (isLayered(options) && fileEnding(options.format) != ".exr") {
+        return Error{ErrorCode::OutOfRange, said("the passes of frames are layers of EXR"), {}, said("Choose EXR, or a flipbook")};
+    }
+    return Done{};
+}
+
+/// Frames of which the colour is written. Two are kept: one is encoded while the next is made.
+class ColourFrames {
+public:
+    ColourFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
+        : m_smoke(sampled(effect))
+        , m_format(options.format)
+        , m_numbers(std::move(numbers))
+        , m_simulator(m_smoke)
+    {
+    }
+
+    [[nodiscard]] Status render(std::size_t place, const std::stop_token& stop, const Progress& progress)
+    {
+        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(m_numbers[place], stop, progress);
+        return frame ? m_renderer.render(*frame.value(), m_smoke, m_smoke->output.width, m_smoke->output.height, m_images[place % 2], stop) : Status(frame.error());
+    }
+    [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
+    {
+        return encodeImage(m_images[place % 2], m_smoke->output, m_format, m_smoke->timeline.frameRate, stop);
+    }
+
+private:
+    SampledEffect m_smoke;
+    ImageFormat m_format;
+    std::vector<int> m_numbers;
+    Simulator m_simulator;
+    Renderer m_renderer;
+    std::array<Image, 2> m_images;
+};
+
+/// The same for all passes, as layers.
+class LayeredFrames {
+public:
+    LayeredFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
+        : m_smoke(sampled(effect))
+        , m_options(options)
+        , m_numbers(std::move(numbers))
+        , m_neighbours(m_smoke, m_numbers, options.passes.has(Pass::Motion))
+    {
+        m_options.passes.add(Pass::Colour);
+        for (PassSheet& sheet : m_sheets) {
+            sheet.grid = {1, 1, m_smoke->output.width, m_smoke->output.height};
+        }
+    }
+    LayeredFrames(const LayeredFrames&) = delete; // what hands out frames looks at the numbers
+    LayeredFrames& operator=(const LayeredFrames&) = delete;
+
+    [[nodiscard]] Status render(std::size_t place, const std::stop_token& stop, const Progress& progress)
+    {
+        const Result<FrameAmongOthers> frame = m_neighbours.at(place, stop, progress);
+        if (!frame) {
+            return frame.error();
+        }
+        PassSheet& sheet = m_sheets[place % 2];
+        return m_renderer.render(frame.value(), m_smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes, sheet.layers, stop);
+    }
+    [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
+    {
+        return encodeLayers(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output, m_options.format, m_smoke->timeline.frameRate, stop);
+    }
+
+private:
+    SampledEffect m_smoke;
+    SequenceOptions m_options;
+    std::vector<int> m_numbers;
+    FrameNeighbours m_neighbours;
+    PassRenderer m_renderer;
+    std::array<PassSheet, 2> m_sheets;
+};
+
+template <class Frames>
+Status writeFrames(Frames& frames, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    std::future<Status> writing;
+    const auto finishWriting = [&]() -> Status { return writing.valid() ? writing.get() : Status(Done{}); };
+    const int total = options.frames.count();
+    for (int done = 0; done < total; ++done) {
+        const auto place = static_cast<std::size_t>(done);
+        if (Status status = frames.render(place, stop, progress); !status) {
+            return status;
+        }
+        if (Status status = finishWriting(); !status) {
+            return status;
+        }
+        if (done > 0) {
+            progress(Work::Frames, done, total);
+        }
+        writing = std::async(std::launch::async, [&frames, &stop, place, path = framePath(options, options.frames.at(done))]() -> Status {
+            Result<std::vector<std::byte>> bytes = frames.encode(place, stop);
+            if (!bytes) {
+                Error error = bytes.error();
+                error.place = path.string();
+                return error;
+            }
+            return writeFileAtomically(path, bytes.value());
+        });
+    }
+    if (Status status = finishWriting(); !status) {
+        return status;
+    }
+    progress(Work::Frames, total, total);
+    return Done{};
 }
 
 } // namespace
@@ -78,55 +186,36 @@ std::filesystem::path framePath(const SequenceOptions& options, int frame)
     return framePath(options.output, options.frames, fileEnding(options.format), frame);
 }
 
-Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop, const Progress& progress)
+Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options, const std::stop_token& stop, const Progress& progress)
 {
-    const SampledEffect smoke = sampled(effect);
-    const Result<std::shared_ptr<const Frame>> simulated = Simulator(smoke).frame(frame, stop, progress);
-    if (!simulated) {
-        return simulated.error();
-    }
-    Image image;
-    if (const Status status = Renderer().render(*simulated.value(), smoke, effect.output.width, effect.output.height, image, stop); !status) {
+    const auto encoded = [&](auto frames) -> Result<std::vector<std::byte>> {
+        const Status status = frames.render(0, stop, progress);
+        return status ? frames.encode(0, stop) : status.error();
+    };
+    if (Status status = check(options); !status) {
         return status.error();
     }
-    return encodeImage(image, effect.output, format, effect.timeline.frameRate, stop);
+    return isLayered(options) ? encoded(LayeredFrames(effect, options, {frame})) : encoded(ColourFrames(effect, options, {frame}));
 }
 
 Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
+    if (Status status = check(options); !status) {
+        return status;
+    }
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
     }
-    const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke);
-    Renderer renderer;
-    std::array<Image, 2> images;
-    std::future<Status> writing;
-    const int total = options.frames.count();
-    const auto finishWriting = [&]() -> Status { return writing.valid() ? writing.get() : Status(Done{}); };
-    for (int done = 0; done < total; ++done) {
-        const int number = options.frames.at(done);
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
-        if (!frame) {
-            return frame.error();
-        }
-        Image& image = images[static_cast<std::size_t>(done % 2)];
-        if (Status status = renderer.render(*frame.value(), smoke, effect.output.width, effect.output.height, image, stop); !status) {
-            return status;
-        }
-        if (Status status = finishWriting(); !status) {
-            return status;
-        }
-        if (done > 0) {
-            progress(Work::Frames, done, total);
-        }
-        writing = std::async(std::launch::async, [&image, &effect, &stop, format = options.format, path = framePath(options, number)] { return writeImage(image, effect, format, path, stop); });
+    std::vector<int> numbers;
+    for (int i = 0; i < options.frames.count(); ++i) {
+        numbers.push_back(options.frames.at(i));
     }
-    if (Status status = finishWriting(); !status) {
-        return status;
+    if (isLayered(options)) {
+        LayeredFrames frames(effect, options, std::move(numbers));
+        return writeFrames(frames, options, progress, stop);
     }
-    progress(Work::Frames, total, total);
-    return Done{};
+    ColourFrames frames(effect, options, std::move(numbers));
+    return writeFrames(frames, options, progress, stop);
 }
 
 } // namespace fumage

@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/effect/effect.h"
 #include "core/export/image_file.h"
+#include "core/rendering/passes.h"
 
 #include <filesystem>
 #include <functional>
@@ -44,18 +45,21 @@ struct SequenceOptions {
     std::filesystem::path output; ///< a run of # in the file name becomes the frame number; see framePath()
     FrameRange frames;
     ImageFormat format = ImageFormat::Png8;
+    PassSet passes{Pass::Colour}; ///< with others than the colour each file is an EXR of layers; see encodeLayers()
+    bool premultiplied = true; ///< light, emission and albedo of the layers
 };
 
 [[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);
 
 /// Renders one frame into the bytes of a file.
+/// @param options what the file holds; its range and name mean nothing here
 /// @error those of renderSequence()
-[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, ImageFormat format, const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options, const std::stop_token& stop = {}, const Progress& progress = {});
 
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
 /// A file is encoded and written while the next frame is simulated.
 /// @param progress hears of Work::Frames after each, and of what leads to them
-/// @error that of the first frame that fails; files before it stay
+/// @error OutOfRange where passes are asked for that the format cannot hold; else that of the first frame that fails; files before it stay
 [[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

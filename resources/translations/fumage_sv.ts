@@ -1478,6 +1478,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Choose PNG</source>
         <translation>Välj PNG</translation>
     </message>
+    <message>
+        <source>the passes of frames are layers of EXR</source>
+        <translation>passen av bildrutor är lager i EXR</translation>
+    </message>
+    <message>
+        <source>Choose EXR, or a flipbook</source>
+        <translation>Välj EXR, eller en flipbook</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

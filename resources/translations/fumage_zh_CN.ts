@@ -1478,6 +1478,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Choose PNG</source>
         <translation>请选择 PNG</translation>
     </message>
+    <message>
+        <source>the passes of frames are layers of EXR</source>
+        <translation>帧的通道是 EXR 的图层</translation>
+    </message>
+    <message>
+        <source>Choose EXR, or a flipbook</source>
+        <translation>请选择 EXR 或序列帧图集</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/export/sequence.h"
 #include "core/export/sheet.h"
 #include "core/export/sheet_score.h"
 #include "core/preset/preset.h"
@@ -14,6 +15,10 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <png.h>
 
 using namespace fumage;
@@ -98,6 +103,27 @@ struct PngSpace {
         std::fclose(file);
     }
 };
+
+/// The four channels of the picture itself, of an EXR in memory.
+std::vector<float> colourOf(const std::vector<std::byte>& bytes)
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.path().toStdString() + "/picture.exr";
+    if (!writeFileAtomically(path, bytes)) {
+        qFatal("%s", path.c_str());
+    }
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i window = file.header().dataWindow();
+    const std::size_t width = static_cast<std::size_t>(window.max.x) + 1;
+    std::vector<float> values(width * (static_cast<std::size_t>(window.max.y) + 1) * 4);
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < 4; ++i) {
+        buffer.insert(std::string(1, "RGBA"[i]), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + i), 4 * sizeof(float), 4 * sizeof(float) * width));
+    }
+    file.setFrameBuffer(buffer);
+    file.readPixels(0, window.max.y);
+    return values;
+}
 
 Effect preset(const char* name)
 {
@@ -306,6 +332,61 @@ private slots:
         QVERIFY(renderFlipbook(effect, options, {}).ok());
         const auto bytes = [&](const char* name) { return readFile(folder.path().toStdString() + name, 10'000'000).value(); };
         QVERIFY(bytes("/alone.png") == bytes("/both.png"));
+    }
+
+    void layersOfAnExrAreThePassesInTheirUnits()
+    {
+        const QTemporaryDir folder;
+        const Effect effect = drifting({1.0F, 1.0F, 0.0F});
+        SequenceOptions options;
+        options.output = folder.path().toStdString() + "/smoke_##.exr";
+        options.frames = {20, 22, 1};
+        options.format = ImageFormat::ExrFloat;
+        options.passes = {Pass::Motion, Pass::Depth, Pass::SixWayA};
+        QVERIFY(renderSequence(effect, options, {}).ok());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_20.exr", "smoke_21.exr", "smoke_22.exr"}));
+        Imf::InputFile file(folder.filePath("smoke_21.exr").toStdString().c_str());
+        QStringList names;
+        for (auto channel = file.header().channels().begin(); channel != file.header().channels().end(); ++channel) {
+            names << channel.name();
+        }
+        QCOMPARE(names, QStringList({"A", "B", "G", "R", "depth.Z", "motion.X", "motion.Y", "sixway_a.A", "sixway_a.B", "sixway_a.G", "sixway_a.R"}));
+        constexpr int kSize = 64;
+        std::vector<float> values(std::size_t{4} * kSize * kSize);
+        Imf::FrameBuffer buffer;
+        for (const auto& [name, at] : {std::pair{"A", 0}, std::pair{"motion.X", 1}, std::pair{"motion.Y", 2}, std::pair{"depth.Z", 3}}) {
+            buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + at), 4 * sizeof(float), 4 * sizeof(float) * kSize));
+        }
+        file.setFrameBuffer(buffer);
+        file.readPixels(0, kSize - 1);
+        double sum[4] = {};
+        for (std::size_t i = 0; i < values.size(); i += 4) {
+            for (std::size_t channel = 1; channel < 4; ++channel) {
+                sum[channel] += double(values[i]) * double(values[i + channel]);
+            }
+            sum[0] += double(values[i]);
+        }
+        // 1 m/s at 30 frames/s, 9 m away, through the focal length in pixels; the cloud is about its middle.
+        const View view = makeView(effect.camera, 0.0F, kSize, kSize);
+        const double expected = double(view.focal) / 9.0 / 30.0;
+        QVERIFY2(std::abs(sum[1] / sum[0] / expected - 1.0) < 0.05, qPrintable(QString::number(sum[1] / sum[0] / expected)));
+        QVERIFY2(std::abs(sum[2] / sum[0] / expected - 1.0) < 0.05, qPrintable(QString::number(sum[2] / sum[0] / expected)));
+        QVERIFY2(std::abs(sum[3] / sum[0] - 9.0) < 0.5, qPrintable(QString::number(sum[3] / sum[0])));
+    }
+
+    void theColourOfLayersIsTheFrameAlone()
+    {
+        const Effect effect = everythingOn();
+        SequenceOptions options;
+        options.format = ImageFormat::ExrFloat;
+        const auto alone = encodeFrame(effect, 20, options);
+        options.passes = {Pass::Colour, Pass::Depth};
+        const auto layered = encodeFrame(effect, 20, options);
+        QVERIFY(alone.ok() && layered.ok());
+        QVERIFY(colourOf(layered.value()) == colourOf(alone.value()));
+        options.format = ImageFormat::Png8;
+        const auto png = encodeFrame(effect, 20, options);
+        QVERIFY(!png.ok() && png.error().text().find("EXR") != std::string::npos);
     }
 
     void dataIsLinearAndSaysSo()

@@ -229,7 +229,9 @@ ExportPlan ExportDialog::plan() const
     } else {
         plan.format = static_cast<ImageFormat>(std::max(0, m_format->currentIndex()));
     }
-    m_flipbook->applyTo(plan);
+    if (kind() == ExportKind::Flipbook) {
+        m_flipbook->applyTo(plan);
+    }
     if (!m_path->text().trimmed().isEmpty()) {
         plan.output = withEnding(m_path->text().toStdString(), fileEnding(plan));
     }

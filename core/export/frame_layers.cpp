@@ -1,0 +1,81 @@
+#include "core/export/frame_layers.h"
+
+#include "core/export/exr_file.h"
+#include "core/rendering/compositor.h"
+
+#include <deque>
+
+namespace fumage {
+
+namespace {
+
+/// Letters of a pass's channels, as Blender and Nuke name them.
+std::string lettersOf(Pass pass)
+{
+    switch (pass) {
+    case Pass::Motion: return "XY";
+    case Pass::Normal: return "XYZ";
+    case Pass::Depth: return "Z";
+    case Pass::Alpha:
+    case Pass::Temperature:
+    case Pass::Shadow: return "Y";
+    default: return "RGBA";
+    }
+}
+
+/// What was divided to lie between 0 and 1 is multiplied again.
+void unscale(Pass pass, const PassScales& scales, DataImage& image)
+{
+    const auto everyColour = [&](float scale) {
+        for (std::size_t i = 0; i < image.values.size(); ++i) {
+            image.values[i] *= i % 4 == 3 ? 1.0F : scale;
+        }
+    };
+    switch (pass) {
+    case Pass::SixWayA:
+    case Pass::SixWayB: everyColour(scales.light); break;
+    case Pass::Emission: everyColour(scales.emission); break;
+    case Pass::Depth:
+        for (float& value : image.values) {
+            value = value * (scales.farthest - scales.nearest) + scales.nearest;
+        }
+        break;
+    case Pass::Motion: {
+        std::vector<float> pixels;
+        pixels.reserve(image.values.size() / 3 * 2);
+        for (std::size_t i = 0; i < image.values.size(); i += 3) {
+            pixels.push_back(image.values[i] * scales.motion * static_cast<float>(image.width));
+            pixels.push_back(image.values[i + 1] * scales.motion * static_cast<float>(image.height));
+        }
+        image.values = std::move(pixels);
+        image.channels = 2;
+        break;
+    }
+    default: break;
+    }
+}
+
+} // namespace
+
+Result<std::vector<std::byte>> encodeLayers(const PassSheet& frame, PassSet passes, bool premultiplied, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop)
+{
+    // Vectors right and up, as those who composite expect them; light from the right, the top and behind, then from the left, the bottom and the front.
+    const PassPictures pictures(frame, passes, {SixWayLayout::Unity, VectorSigns::Unity, premultiplied});
+    Image colour = frame.layers.of(PassLayer::Colour);
+    if (output.background != Background::Transparent) {
+        fillBackground(colour, output.backgroundColour);
+    }
+    ExrPixels pixels{colour.width, colour.height, {{{}, "RGBA", colour.pixels}}, format == ImageFormat::ExrHalf, frameRate};
+    std::deque<DataImage> images; // which stay where they are
+    for (const Pass pass : kAllPasses) {
+        if (pass == Pass::Colour || !passes.has(pass)) {
+            continue;
+        }
+        images.push_back(pictures.picture(pass));
+        unscale(pass, pictures.scales(), images.back());
+        pixels.layers.push_back({fileNameOf(pass), lettersOf(pass), images.back().values});
+    }
+    return encodeExr(pixels, stop);
+}
+
+} // namespace fumage
