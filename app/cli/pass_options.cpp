@@ -53,21 +53,33 @@ void PassOptions::addTo(CLI::App& command)
 {
     std::vector<std::string> engines;
     std::transform(kAllEngines.begin(), kAllEngines.end(), std::back_inserter(engines), [](Engine each) { return std::string(nameOf(each)); });
-    command.add_option("--for", engine, "What is to play it: generic, unity, unreal, godot (4), godot3, effekseer, pixi (Phaser, too), defold, web. Chooses passes and their signs, and writes the files that it needs")
+    command.add_option("--for", engine,
+               "What is to play it: generic, unity, unreal, godot (4), godot3, effekseer, pixi (Phaser, too), defold, web. Chooses passes and "
+               "their signs, and writes the files that it needs")
         ->type_name("ENGINE")
         ->check(CLI::IsMember(engines))
         ->capture_default_str();
-    command.add_option("--passes", passes, "Pictures to write, with commas between: colour, alpha, six-way (light maps), motion (vectors), normal, depth, emission, albedo, temperature, shadow, all. Default: colour, or what --for makes use of")
+    command.add_option("--passes", passes,
+               "Pictures to write, with commas between: colour, alpha, six-way (light maps), motion (vectors), normal, depth, emission, albedo, "
+               "temperature, shadow, all. Default: colour, or what --for makes use of")
         ->type_name("LIST");
-    command.add_option("--layout", layout, "Channels of the light maps: unity (right top back alpha, left bottom front emissive; the default), embergen (top left right, bottom back front; of unreal), rlt-bbf, tlrb-fb")
+    command.add_option("--layout", layout,
+               "Channels of the light maps: unity (right top back alpha, left bottom front emissive; the default), embergen (top left right, "
+               "bottom back front; of unreal), rlt-bbf, tlrb-fb")
         ->check(CLI::IsMember({"unity", "embergen", "rlt-bbf", "tlrb-fb"}));
-    command.add_option("--vectors", vectors, "Signs of motion vectors: unity (red right, green up; the default) or unreal (red left, green up)")->check(CLI::IsMember({"unity", "unreal"}));
-    command.add_option("--alpha", alpha, "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR")->check(CLI::IsMember({"straight", "premultiplied"}));
+    command.add_option("--vectors", vectors,
+               "Signs of motion vectors: unity (red right, green up; the default) or unreal (red left, green up)")
+        ->check(CLI::IsMember({"unity", "unreal"}));
+    command.add_option("--alpha", alpha,
+               "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR")
+        ->check(CLI::IsMember({"straight", "premultiplied"}));
 }
 
 void PassOptions::addLayersTo(CLI::App& command)
 {
-    command.add_option("--passes", passes, "Layers of an EXR, with commas between: colour, alpha, six-way (light from six sides), motion (vectors), normal, depth, emission, albedo, temperature, shadow, all. Default: colour")
+    command.add_option("--passes", passes,
+               "Layers of an EXR, with commas between: colour, alpha, six-way (light from six sides), motion (vectors), normal, depth, emission, "
+               "albedo, temperature, shadow, all. Default: colour")
         ->type_name("LIST");
     command.add_option("--alpha", alpha, "Light, emission and albedo: premultiplied (the default), or straight")->check(CLI::IsMember({"straight", "premultiplied"}));
 }

@@ -69,27 +69,15 @@ std::string number(double value)
     return formatFloat(static_cast<float>(value));
 }
 
-std::string_view passKey(Pass pass)
-{
-    switch (pass) {
-    case Pass::Motion: return "motion";
-    case Pass::SixWayA: return "six_way_a";
-    case Pass::SixWayB: return "six_way_b";
-    default: return passName(pass);
-    }
-}
-
 /// What a picture is to an engine that imports it.
 data pictureFacts(const EnginePicture& picture)
 {
     data facts;
     facts.set("file", picture.file.filename().string());
-    facts.set("pass", std::string(passName(picture.pass)));
     facts.set("srgb", picture.pass == Pass::Colour);
     facts.set("linear", picture.pass != Pass::Colour);
     // Vectors and normals are no colours: mixed or compressed as such they point elsewhere.
     facts.set("exact", picture.pass == Pass::Motion || picture.pass == Pass::Normal);
-    facts.set("smoke", picture.pass == Pass::Colour || picture.pass == Pass::SixWayA || picture.pass == Pass::SixWayB);
     return facts;
 }
 
@@ -128,14 +116,16 @@ void addPictures(const EngineSheet& sheet, data& facts)
     int index = 2; // resources of a Godot scene: the shader is the first
     for (const EnginePicture& picture : sheet.pictures) {
         data each = pictureFacts(picture);
-        each.set("index", std::to_string(index++));
-        const std::string key(passKey(picture.pass));
+        const std::string key = fileNameOf(picture.pass);
+        each.set("index", std::to_string(index));
         each.set(key, true);
-        each.set("bytes", base64(picture.bytes));
+        // Megabytes, made only for the template that asks for them.
+        each.set("bytes", data(kainjow::mustache::lambda([bytes = picture.bytes](const std::string&) { return base64(bytes); })));
         facts.set("has_" + key, true);
-        facts.set("index_" + key, std::to_string(index - 1));
+        facts.set("index_" + key, std::to_string(index));
         facts.set("file_" + key, picture.file.filename().string());
         list << each;
+        ++index;
     }
     facts.set("pictures", list);
 }
@@ -159,8 +149,9 @@ data factsOf(const EngineSheet& sheet)
     facts.set("whole_cells_per_second", std::to_string(std::max(1, static_cast<int>(sheet.cellsPerSecond + 0.5)))); // Defold takes no other
     facts.set("seconds", number(cells / sheet.cellsPerSecond));
     // Effekseer counts in sixtieths of a second.
-    facts.set("sixtieths", std::to_string(std::max(1, static_cast<int>(60.0 / sheet.cellsPerSecond + 0.5))));
-    facts.set("life_sixtieths", std::to_string(std::max(1, static_cast<int>(60.0 / sheet.cellsPerSecond + 0.5)) * cells));
+    const int sixtieths = std::max(1, static_cast<int>(60.0 / sheet.cellsPerSecond + 0.5));
+    facts.set("sixtieths", std::to_string(sixtieths));
+    facts.set("life_sixtieths", std::to_string(sixtieths * cells));
     facts.set("loop", sheet.effect.timeline.loop);
     facts.set("once", !sheet.effect.timeline.loop);
     facts.set("motion_scale", number(sheet.scales.motion));
@@ -169,7 +160,7 @@ data factsOf(const EngineSheet& sheet)
     facts.set("layout", std::string(nameOf(sheet.style.layout)));
     facts.set("light_scale", number(sheet.scales.light));
     addPictures(sheet, facts);
-    const bool lit = facts.get("has_six_way_a") != nullptr && facts.get("has_six_way_b") != nullptr;
+    const bool lit = facts.get("has_sixway_a") != nullptr && facts.get("has_sixway_b") != nullptr;
     facts.set("six_way", lit);
     facts.set("unlit", !lit);
     facts.set("resources", std::to_string(sheet.pictures.size() + 4));
