@@ -17,9 +17,11 @@ namespace fumage::HWY_NAMESPACE {
 /// Nothing yet in the way of anything. What lies beyond the image's edge counts as covered, or the last tiles would never be full.
 void clearTile(Tile& tile)
 {
+    const D d;
     for (std::size_t patch = 0; patch < tile.patches.size(); patch += Tile::kPatchFloats) {
-        std::fill_n(tile.patches.begin() + static_cast<std::ptrdiff_t>(patch), Tile::kPatchPixels, 1.0F);
-        std::fill_n(tile.patches.begin() + static_cast<std::ptrdiff_t>(patch + Tile::kPatchPixels), Tile::kPatchFloats - Tile::kPatchPixels, 0.0F);
+        for (std::size_t i = 0; i < Tile::kPatchFloats; i += hn::Lanes(d)) {
+            hn::Store(i < Tile::kPatchPixels ? hn::Set(d, 1.0F) : hn::Zero(d), d, tile.patches.data() + patch + i);
+        }
     }
     const int width = tile.right - tile.left;
     const int height = tile.bottom - tile.top;
@@ -61,22 +63,101 @@ void joinRow(const float* HWY_RESTRICT from, int width, float* HWY_RESTRICT to)
     }
 }
 
-/// Past the cache where rows of the image lie on its lines: nothing reads it before the whole picture, which is larger than the cache, is done.
-void writeTile(const Tile& tile, Image& image)
+#if HWY_TARGET != HWY_SCALAR
+
+/// Writes rows of four pixels: block i of each vector is one pixel of row i.
+template <class DRows, class VRows>
+HWY_INLINE void streamRows(DRows d, VRows first, VRows second, VRows third, VRows fourth, float* HWY_RESTRICT to, std::size_t stride)
+{
+    constexpr std::size_t kBlock = 4; // floats
+    if constexpr (hn::MaxLanes(d) == kBlock) {
+        hn::Stream(first, d, to);
+        hn::Stream(second, d, to + kBlock);
+        hn::Stream(third, d, to + 2 * kBlock);
+        hn::Stream(fourth, d, to + 3 * kBlock);
+    } else if constexpr (hn::MaxLanes(d) == 2 * kBlock) {
+        hn::Stream(hn::ConcatLowerLower(d, second, first), d, to);
+        hn::Stream(hn::ConcatLowerLower(d, fourth, third), d, to + 2 * kBlock);
+        hn::Stream(hn::ConcatUpperUpper(d, second, first), d, to + stride);
+        hn::Stream(hn::ConcatUpperUpper(d, fourth, third), d, to + stride + 2 * kBlock);
+    } else {
+        const hn::Half<DRows> half;
+        streamRows(half, hn::LowerHalf(half, first), hn::LowerHalf(half, second), hn::LowerHalf(half, third), hn::LowerHalf(half, fourth), to, stride);
+        to += hn::Lanes(half) / kBlock * stride;
+        streamRows(half, hn::UpperHalf(half, first), hn::UpperHalf(half, second), hn::UpperHalf(half, third), hn::UpperHalf(half, fourth), to, stride);
+    }
+}
+
+/// Puts a patch of the image together from its planes.
+/// @param stride floats from one row of the image to the next
+HWY_INLINE void streamPatch(const float* HWY_RESTRICT from, float* HWY_RESTRICT to, std::size_t stride)
 {
     const D d;
+    const hn::Repartition<double, D> pairs;
+    for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d), to += hn::Lanes(d) / Tile::kPatch * stride) {
+        const auto plane = [&](std::size_t number) HWY_ATTR { return hn::Load(d, from + number * Tile::kPatchPixels + part); };
+        const V alpha = hn::Sub(hn::Set(d, 1.0F), plane(0));
+        const auto lowRg = hn::BitCast(pairs, hn::InterleaveLower(d, plane(1), plane(2)));
+        const auto highRg = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(1), plane(2)));
+        const auto lowBa = hn::BitCast(pairs, hn::InterleaveLower(d, plane(3), alpha));
+        const auto highBa = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(3), alpha));
+        streamRows(d, hn::BitCast(d, hn::InterleaveLower(pairs, lowRg, lowBa)), hn::BitCast(d, hn::InterleaveUpper(pairs, lowRg, lowBa)),
+            hn::BitCast(d, hn::InterleaveLower(pairs, highRg, highBa)), hn::BitCast(d, hn::InterleaveUpper(pairs, highRg, highBa)), to, stride);
+    }
+}
+
+#endif
+
+/// Whether rows of the image lie on cache lines as patches do.
+bool hasWholePatches(const Image& image)
+{
+    return HWY_TARGET != HWY_SCALAR && image.width % Tile::kPatch == 0;
+}
+
+float* pixelsOf(const Tile& tile, Image& image, int row)
+{
+    return image.row(tile.top + row) + static_cast<std::size_t>(tile.left) * 4;
+}
+
+/// Past the cache where that can be: nothing reads the image before the whole picture, which is larger than the cache, is done.
+void writeTile(const Tile& tile, Image& image)
+{
     const int width = tile.right - tile.left;
-    alignas(kAlignment) float line[static_cast<std::size_t>(Compositor::kTileWidth) * 4]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
-    const bool whole = image.width % Tile::kPatch == 0;
-    for (int y = 0; y < tile.bottom - tile.top; ++y) {
-        float* HWY_RESTRICT to = image.row(tile.top + y) + static_cast<std::size_t>(tile.left) * 4;
-        joinRow(tile.patches.data() + patchOffset(0, y / Tile::kPatch) + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch), width, line);
-        if (whole) {
-            for (std::size_t i = 0; i < static_cast<std::size_t>(width) * 4; i += hn::Lanes(d)) {
-                hn::Stream(hn::Load(d, line + i), d, to + i);
+    const int height = tile.bottom - tile.top;
+    int y = 0;
+#if HWY_TARGET != HWY_SCALAR
+    if (hasWholePatches(image)) {
+        const std::size_t stride = static_cast<std::size_t>(image.width) * 4;
+        for (; y + Tile::kPatch <= height; y += Tile::kPatch) {
+            const float* from = tile.patches.data() + patchOffset(0, y / Tile::kPatch);
+            float* to = pixelsOf(tile, image, y);
+            for (int x = 0; x < width; x += Tile::kPatch, from += Tile::kPatchFloats, to += Tile::kPatchPixels) {
+                streamPatch(from, to, stride);
             }
-        } else {
-            std::copy_n(line, static_cast<std::size_t>(width) * 4, to);
+        }
+    }
+#endif
+    for (; y < height; ++y) {
+        alignas(kAlignment) float line[static_cast<std::size_t>(Compositor::kTileWidth) * 4]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+        joinRow(tile.patches.data() + patchOffset(0, y / Tile::kPatch) + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch), width, line);
+        std::copy_n(line, static_cast<std::size_t>(width) * 4, pixelsOf(tile, image, y));
+    }
+    hwy::FlushStream();
+}
+
+/// What writeTile() writes when nothing was painted.
+void writeNothing(const Tile& tile, Image& image)
+{
+    const D d;
+    const std::size_t floats = static_cast<std::size_t>(tile.right - tile.left) * 4;
+    for (int y = 0; y < tile.bottom - tile.top; ++y) {
+        float* HWY_RESTRICT to = pixelsOf(tile, image, y);
+        if (!hasWholePatches(image)) {
+            std::fill_n(to, floats, 0.0F);
+            continue;
+        }
+        for (std::size_t i = 0; i < floats; i += hn::Lanes(d)) {
+            hn::Stream(hn::Zero(d), d, to + i);
         }
     }
     hwy::FlushStream();
@@ -136,6 +217,10 @@ HWY_INLINE void forEntries(std::span<const DepthEntry> entries, const Tile& tile
 
 void paint(const SpriteBatch& batch, const SpriteTexture& texture, const SpriteLayer* layer, std::span<const DepthEntry> entries, Tile& tile, Image& image)
 {
+    if (entries.empty()) {
+        writeNothing(tile, image);
+        return;
+    }
     clearTile(tile);
     const Shading shading = shadingOf(batch.style, layer);
     const SpriteStyle style = styleOf(batch, layer);
