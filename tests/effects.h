@@ -27,6 +27,7 @@ inline Effect everythingOn()
     e.look.stretch = 0.05F;
     e.light.emission = 2.0F;
     e.light.hotCore = 0.3F;
+    e.light.flameOpacity = 0.5F;
     e.noise.basis = NoiseBasis::Gradient;
     e.noise.resolution = 32;
     e.noise.slices = 8;

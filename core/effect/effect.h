@@ -219,6 +219,7 @@ struct Light {
     float emission = 0.0F;
     float emissionCooling = 2.0F;
     float hotCore = 0.0F;
+    float flameOpacity = 1.0F;
     EmissionColour emissionColour = EmissionColour::Gradient;
     float temperature = 1900.0F;
     Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},

@@ -6,6 +6,7 @@
 
 #include "core/base/hash-inl.h"
 #include "core/lighting/appearance_kernel.h"
+#include "core/lighting/glow-inl.h"
 #include "core/lighting/grid_cell-inl.h"
 #include "core/simulation/ages-inl.h"
 #include "core/simulation/streams.h"
@@ -67,7 +68,10 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         if (job.heatOpacity > 0.0F) {
             dense = dense * (1.0F - job.heatOpacity * (1.0F - hn::Min(one, hn::Load(d, particles.heat.data() + i))));
         }
-        const V alpha = hn::Min(one, dense);
+        V alpha = hn::Min(one, dense);
+        if (job.glow.clears) {
+            alpha = alpha * opaqueShare(d, job.glow, glowingHeat(d, job.glow, particles, i, key, age * job.dt));
+        }
         const V varied = 1.0F - job.sizeVariance * unitStream(d, key, kSizeStream);
         const V radius = job.radius * hn::GatherIndex(d, job.size.data(), entry) * varied;
         const auto visible = hn::And(alive, hn::Gt(alpha, zero));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/lighting/appearance.h"
+#include "core/lighting/glow.h"
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct AppearanceJob {
     float radius = 0.0F;
     float sizeVariance = 0.0F;
     float heatOpacity = 0.0F; ///< share of the opacity that is the heat's, where air carries the particles
+    Glow glow;
     Axes axes;
 };
 

@@ -143,7 +143,7 @@ HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std:
         // Sky and ground together tell how open a place is.
         const float open = std::min(1.0F, light[1] + light[2]);
         const float heat = std::clamp(block.heat[i] * (1.0F - job.hotCore * open), 0.0F, 1.0F);
-        ambient += job.emission[static_cast<std::size_t>(heat * static_cast<float>(kColourTableSize - 1))];
+        ambient += job.emission[static_cast<std::size_t>(heat * static_cast<float>(kGlowTableSize - 1))] * block.emission[i];
     }
     std::memcpy(sprite.direct, &direct, sizeof(sprite.direct));
     std::memcpy(sprite.ambient, &ambient, sizeof(sprite.ambient));

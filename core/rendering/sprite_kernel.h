@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lighting/glow.h"
 #include "core/rendering/sprites.h"
 
 #include <array>
@@ -22,7 +23,7 @@ struct SpriteJob {
 
     View view;
     std::array<Float4, kColourTableSize> albedo{}; ///< by life
-    std::array<Float4, kColourTableSize> emission{}; ///< by heat
+    std::array<Float4, kGlowTableSize> emission{}; ///< by heat
     Float4 sun{};
     Float4 sky{};
     Float4 ground{};
@@ -36,8 +37,7 @@ struct SpriteJob {
     float spinVariance = 0.0F;
     float roll = 0.0F; ///< share of the particle's own turn
     float textureSlicesPerSecond = 0.0F;
-    float emissionCooling = 0.0F;
-    float heatVariance = 0.0F;
+    Glow glow;
     float hotCore = 0.0F;
     float erosion = 0.0F;
     float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1

@@ -10,6 +10,7 @@
 #include "core/base/hash-inl.h"
 #include "core/base/math-inl.h"
 #include "core/base/math.h"
+#include "core/lighting/glow-inl.h"
 #include "core/lighting/grid_cell-inl.h"
 #include "core/rendering/sprite_kernel.h"
 #include "core/simulation/ages-inl.h"
@@ -27,6 +28,7 @@ struct SpriteBlock {
     alignas(64) float sine[kSpriteBlock];
     alignas(64) float cosine[kSpriteBlock];
     alignas(64) float heat[kSpriteBlock];
+    alignas(64) float emission[kSpriteBlock]; ///< factor that makes up for opacity that flames lack
     alignas(64) float slice[kSpriteBlock];
     alignas(64) float stretchX[kSpriteBlock]; ///< velocity on the screen, pixels/s
     alignas(64) float stretchY[kSpriteBlock];
@@ -132,9 +134,9 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
         hn::Store(turn.cosine, d, block.cosine + i);
         hn::Store(sliceOf(d, job, key, age), d, block.slice + i);
         if (job.glows) {
-            const V heat = 1.0F - job.heatVariance * unitStream(d, key, kHeatStream);
-            const V cooled = heat * exponential(d, -job.emissionCooling * age);
-            hn::Store(particles.inAir() ? cooled * hn::Load(d, particles.heat.data() + at) : cooled, d, block.heat + i);
+            const V heat = glowingHeat(d, job.glow, particles, at, key, age);
+            hn::Store(heat, d, block.heat + i);
+            hn::Store(1.0F / opaqueShare(d, job.glow, heat), d, block.emission + i);
         }
         if (job.stretch > 0.0F) {
             const Vec3<V> velocity = load(d, particles.vx, particles.vy, particles.vz, at);

@@ -2,7 +2,6 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/lighting/black_body.h"
 #include "core/rendering/sprite_kernel.h"
 #include "core/rendering/sprite_mask.h"
 
@@ -35,22 +34,16 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
     return style;
 }
 
-/// The glow of a share of the heat at birth.
-glm::vec3 glowAt(const Light& light, const BlackBody& body, float share)
-{
-    return light.emissionColour == EmissionColour::BlackBody ? body.at(light.temperature * share) : light.emissionGradient.at(share);
-}
-
 void fillTables(const Effect& effect, SpriteJob& job)
 {
-    const BlackBody body(effect.light.temperature);
-    job.glows = effect.light.emission > 0.0F;
     for (std::size_t i = 0; i < kColourTableSize; ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(kColourTableSize - 1);
         job.albedo[i] = colour4(effect.look.colour * effect.look.colourGradient.at(share));
-        if (job.glows) {
-            job.emission[i] = colour4(glowAt(effect.light, body, share) * effect.light.emission);
-        }
+    }
+    job.glows = effect.light.emission > 0.0F;
+    if (job.glows) {
+        const std::array<glm::vec3, kGlowTableSize> colours = glowColours(effect.light);
+        std::transform(colours.begin(), colours.end(), job.emission.begin(), [&](const glm::vec3& colour) { return colour4(colour * effect.light.emission); });
     }
     job.sun = colour4(effect.light.colour);
     job.sky = colour4(effect.light.sky * effect.light.ambient);
@@ -70,9 +63,8 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.roll = effect.look.roll;
     job.spinVariance = radians(effect.look.spinVariance);
     job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(slices) / effect.noise.depth;
-    job.emissionCooling = effect.light.emissionCooling;
+    job.glow = Glow(effect);
     job.hotCore = effect.light.hotCore;
-    job.heatVariance = effect.motion.heatVariance;
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;
     job.deformation = effect.look.deformation;

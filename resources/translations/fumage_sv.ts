@@ -3035,6 +3035,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Axes of a stretched particle are at most this many times its own, and at least the same part of it.</source>
         <translation>En utsträckt partikels axlar är högst så många gånger dess egen, och minst samma bråkdel av den.</translation>
     </message>
+    <message>
+        <source>Flame opacity</source>
+        <translation>Lågornas täthet</translation>
+    </message>
+    <message>
+        <source>How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that one sees into, from which soot forms as it cools.</source>
+        <translation>Hur tät röken är medan den glöder, mot när den är kall. 1: den glöder som lava. 0,1: en klar låga som man ser in i och där sot bildas när den svalnar.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>

@@ -3035,6 +3035,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Axes of a stretched particle are at most this many times its own, and at least the same part of it.</source>
         <translation>被拉伸粒子的轴长至多为原来的此倍数，至少为其倒数。</translation>
     </message>
+    <message>
+        <source>Flame opacity</source>
+        <translation>火焰不透明度</translation>
+    </message>
+    <message>
+        <source>How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that one sees into, from which soot forms as it cools.</source>
+        <translation>烟雾发光时相对于冷却后的不透明度。1：像熔岩一样发光。0.1：可以看进去的清澈火焰，冷却后形成烟炱。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>

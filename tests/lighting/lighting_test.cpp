@@ -193,6 +193,7 @@ private slots:
         effect.life.sizeCurve = Curve{{0.0F, 1.0F}};
         effect.look.dilution = 0.0F;
         effect.look.opacity = 1.0F;
+        effect.light.flameOpacity = 1.0F;
         const auto frame = frameOf(effect, 13);
         Appearance appearance;
         findAppearance(*frame, sampled(effect), Axes{}, appearance);

@@ -53,6 +53,36 @@ Image compose(const SpriteBatch& batch, const SpriteTexture& texture)
     return image;
 }
 
+/// One particle, as hot as at birth, in no other light.
+Effect loneFlame()
+{
+    Effect effect = thesisEffect(1);
+    effect.emitter.mode = EmissionMode::Burst;
+    effect.emitter.speed = 0.0F;
+    effect.emitter.width = effect.emitter.depth = 0.0F;
+    effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
+    effect.motion.heatVariance = 0.0F;
+    effect.light.intensity = 0.0F;
+    effect.light.ambient = 0.0F;
+    effect.light.occlusion = 0.0F; // nothing hides the sky
+    effect.light.emission = 3.0F;
+    effect.light.emissionCooling = 0.0F;
+    effect.camera.target = {0.0F, 0.0F, 0.0F};
+    effect.output.width = effect.output.height = 64;
+    return effect;
+}
+
+glm::vec4 sumOf(const Image& image)
+{
+    glm::vec4 sum(0.0F);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            sum += image.at(x, y);
+        }
+    }
+    return sum;
+}
+
 float profile(float r2)
 {
     const float t = std::max(0.0F, 1.0F - r2);
@@ -375,33 +405,51 @@ private slots:
 
     void rimOfAHotCoreIsDark()
     {
-        Effect effect = thesisEffect(1);
-        effect.emitter.mode = EmissionMode::Burst;
-        effect.emitter.speed = 0.0F;
-        effect.emitter.width = effect.emitter.depth = 0.0F;
-        effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
-        effect.motion.heatVariance = 0.0F;
-        effect.light.intensity = 0.0F;
-        effect.light.ambient = 0.0F;
-        effect.light.occlusion = 0.0F; // nothing hides the sky: all of it is rim
-        effect.light.emission = 3.0F;
-        effect.light.emissionCooling = 0.0F;
-        effect.camera.target = {0.0F, 0.0F, 0.0F};
-        const auto glow = [&](float hotCore) {
-            effect.light.hotCore = hotCore;
-            Renderer renderer;
-            Image image;
-            [&] { QVERIFY(renderer.render(*frameOf(effect, 0), sampled(effect), 64, 64, image)); }();
-            float sum = 0.0F;
-            for (int y = 0; y < 64; ++y) {
-                for (int x = 0; x < 64; ++x) {
-                    sum += image.at(x, y).r;
-                }
-            }
-            return sum;
-        };
-        QVERIFY(glow(0.0F) > 0.0F);
-        QVERIFY2(glow(1.0F) < 0.05F * glow(0.0F), qPrintable(QString("%1 %2").arg(glow(1.0F)).arg(glow(0.0F))));
+        Effect effect = loneFlame();
+        effect.light.hotCore = 0.0F;
+        const float without = sumOf(render(effect, 0)).r;
+        effect.light.hotCore = 1.0F;
+        const float with = sumOf(render(effect, 0)).r;
+        QVERIFY(without > 0.0F);
+        QVERIFY2(with < 0.05F * without, qPrintable(QString("%1 %2").arg(with).arg(without)));
+    }
+
+    void flamesAreClearAndSootIsNot()
+    {
+        Effect effect = loneFlame();
+        const glm::vec4 lava = sumOf(render(effect, 0));
+        effect.light.flameOpacity = 0.1F;
+        const glm::vec4 flame = sumOf(render(effect, 0));
+        // A lone particle hides nothing: it gives as much light through a tenth of the smoke.
+        QVERIFY2(std::abs(flame.r - lava.r) < 1e-3F * lava.r, qPrintable(QString("%1 %2").arg(flame.r).arg(lava.r)));
+        QVERIFY2(std::abs(flame.a - 0.1F * lava.a) < 1e-3F * lava.a, qPrintable(QString("%1 %2").arg(flame.a).arg(lava.a)));
+        // At once cold, or with nothing that glows, it is smoke as any other.
+        effect.light.emissionCooling = 100.0F;
+        effect.light.flameOpacity = 1.0F;
+        const glm::vec4 smoke = sumOf(render(effect, 10));
+        effect.light.flameOpacity = 0.1F;
+        QCOMPARE(sumOf(render(effect, 10)), smoke);
+        effect.light.emission = 0.0F;
+        QCOMPARE(sumOf(render(effect, 0)).a, lava.a);
+    }
+
+    void flamesLieOverEachOther()
+    {
+        // The one behind shines through the one in front, and their light adds up.
+        constexpr int kBothBorn = 10;
+        Effect effect = loneFlame();
+        effect.look.opacity = 100.0F;
+        effect.look.texture = 0.0F;
+        effect.look.size = 2.0F; // many pixels
+        effect.look.sizeVariance = 0.0F;
+        effect.look.overlap = 0.0F;
+        const float one = sumOf(render(effect, kBothBorn)).r;
+        effect.emitter.count = 2;
+        const float lava = sumOf(render(effect, kBothBorn)).r;
+        QVERIFY2(lava > one && lava < 1.6F * one, qPrintable(QString("%1 %2").arg(lava).arg(one)));
+        effect.light.flameOpacity = 0.01F;
+        const float flames = sumOf(render(effect, kBothBorn)).r;
+        QVERIFY2(flames > 1.95F * one && flames < 2.001F * one, qPrintable(QString("%1 %2").arg(flames).arg(one)));
     }
 };
 

@@ -147,6 +147,16 @@ inline constexpr std::array kRows<Light>{
                "gaps.",
         .stage = Stage::Shade,
     }),
+    row<&Light::flameOpacity>({
+        .key = "light.flame_opacity",
+        .label = "Flame opacity",
+        .synonyms = "fire clear transparent soot additive",
+        .hard = {0.01, 1},
+        .step = 0.01,
+        .tip = "How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that "
+               "one sees into, from which soot forms as it cools.",
+        .stage = Stage::Shade,
+    }),
     row<&Light::emissionColour>({
         .key = "light.emission_colour",
         .label = "Emission from",

@@ -1,0 +1,52 @@
+#include "core/lighting/glow.h"
+
+#include "core/lighting/black_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fumage {
+
+namespace {
+
+float brightest(const glm::vec3& colour)
+{
+    return std::max({colour.r, colour.g, colour.b});
+}
+
+} // namespace
+
+std::array<glm::vec3, kGlowTableSize> glowColours(const Light& light)
+{
+    const BlackBody body(light.temperature);
+    std::array<glm::vec3, kGlowTableSize> colours;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(colours.size() - 1);
+        colours[i] = light.emissionColour == EmissionColour::BlackBody ? body.at(light.temperature * share) : light.emissionGradient.at(share);
+    }
+    return colours;
+}
+
+Glow::Glow(const Effect& effect)
+    : heatVariance(effect.motion.heatVariance)
+    , cooling(effect.light.emissionCooling)
+    , clears(effect.light.emission > 0.0F && effect.light.flameOpacity < 1.0F)
+{
+    opaque.fill(1.0F);
+    if (!clears) {
+        return;
+    }
+    const std::array<glm::vec3, kGlowTableSize> colours = glowColours(effect.light);
+    float most = 1e-12F; // black everywhere glows nowhere
+    for (const glm::vec3& colour : colours) {
+        most = std::max(most, brightest(colour));
+    }
+    // A quarter of the brightest is a flame yet; the root brings what is dim nearer to the eye.
+    constexpr float kFlame = 0.25F;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const float t = std::min(1.0F, std::sqrt(brightest(colours[i]) / (kFlame * most)));
+        opaque[i] = 1.0F - (1.0F - effect.light.flameOpacity) * (t * t * (3.0F - 2.0F * t));
+    }
+}
+
+} // namespace fumage
