@@ -104,6 +104,42 @@ void fillVelocityGhosts(const AirCells& cells, AirVectors& velocity, int k)
     });
 }
 
+void slowInflow(AirCells& cells, const glm::vec3& wind, float dt, int k)
+{
+    const float halfStep = 0.5F * dt / cells.grid.cell;
+    const auto slow = [&](AirColumn& velocity, int axis, bool isHigh, const glm::ivec3& cell, int count) {
+        if ((isHigh ? cells.borders.high : cells.borders.low)[static_cast<std::size_t>(axis)] != Border::Open) {
+            return;
+        }
+        const float inwards = isHigh ? -1.0F : 1.0F;
+        const float outside = inwards * wind[axis];
+        // The carrying velocity has no ripple from cell to cell.
+        const float* carrier = cells.carrier.data() + cells.quad.at(cell.x, cell.y, cell.z) + static_cast<std::size_t>(axis);
+        float* each = velocity.data() + placeOf(cells.column, cell);
+        for (int i = 0; i < count; ++i, carrier += 4) {
+            const float faster = std::max(0.0F, inwards * *carrier - std::max(outside, 0.0F));
+            each[i] -= inwards * (faster - faster / (1.0F + halfStep * faster));
+        }
+    };
+    const glm::ivec3 n = cells.grid.cells;
+    for (int j = 0; j < n.y; ++j) {
+        slow(cells.forced.x, 0, false, {0, j, k}, 1);
+        slow(cells.forced.x, 0, true, {n.x - 1, j, k}, 1);
+    }
+    slow(cells.forced.y, 1, false, {0, 0, k}, n.x);
+    slow(cells.forced.y, 1, true, {0, n.y - 1, k}, n.x);
+    if (k == 0 || k == n.z - 1) {
+        for (int j = 0; j < n.y; ++j) {
+            if (k == 0) {
+                slow(cells.forced.z, 2, false, {0, j, k}, n.x);
+            }
+            if (k == n.z - 1) {
+                slow(cells.forced.z, 2, true, {0, j, k}, n.x);
+            }
+        }
+    }
+}
+
 void fillEvenGhosts(const AirCells& cells, AirColumn& column, int k)
 {
     forGhosts(cells, k, [&](const GhostRow& row) { fillRow(cells, column, row, 1.0F); });

@@ -104,6 +104,7 @@ void AirSolver::step(const AirStep& step)
                 HeatBudget::correct(cells, correction, k);
             }
             addForces(cells, step, k, confines ? curl.around(cells, k, k == first) : CurlAround{});
+            slowInflow(cells, step.wind, step.dt, k);
             fillVelocityGhosts(cells, cells.forced, k);
         }
     });

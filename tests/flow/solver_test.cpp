@@ -204,6 +204,29 @@ private slots:
         QVERIFY2(off < 1e-5F, qPrintable(QString::number(static_cast<double>(off))));
     }
 
+    void aDraughtThroughADuctDiesDownAsItsHeadIsLost()
+    {
+        // What comes in was at rest outside: du/dt = -u^2 / (2 L), so that u = u0 / (1 + u0 t / (2 L)).
+        const AirGrid grid = boxOf({32, 16, 16}, 2.0F);
+        AirBorders duct = onGround();
+        duct.low = {Border::Open, Border::Solid, Border::Solid};
+        duct.high = duct.low;
+        AirSolver air(grid, duct);
+        air.set([](const glm::vec3&) { return glm::vec4(-1.0F, 0.0F, 0.0F, 0.0F); });
+        AirStep step = plainStep();
+        constexpr float kSeconds = 4.0F;
+        const int steps = static_cast<int>(std::lround(kSeconds / step.dt));
+        for (int i = 0; i < steps; ++i) {
+            air.step(step);
+        }
+        const float length = static_cast<float>(grid.cells.x) * grid.cell;
+        const float expected = 1.0F / (1.0F + kSeconds / (2.0F * length));
+        double sum = 0.0;
+        forCells(grid.cells, [&](const glm::ivec3& c) { sum -= static_cast<double>(air.at(c).x); });
+        const double mean = sum / static_cast<double>(grid.cells.x * grid.cells.y * grid.cells.z);
+        QVERIFY2(std::abs(mean - static_cast<double>(expected)) < 0.03, qPrintable(QString("%1 for %2").arg(mean).arg(expected)));
+    }
+
     void vorticesThatStandStillConvergeAtTheOrderOfTheScheme()
     {
         // Second in space, first in time, since the pressure acts once a step: steps that are a quarter as long keep up with cells half as large.
