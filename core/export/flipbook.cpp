@@ -122,15 +122,15 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
     return Done{};
 }
 
-Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Output& output, ImageFormat format)
+Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Effect& effect, ImageFormat format)
 {
     const Image& colour = sheet.layers.of(PassLayer::Colour);
-    if (output.background == Background::Transparent) {
-        return encodeSheet(colour, output, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
+    if (effect.output.background == Background::Transparent) {
+        return encodeSheet(colour, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
     }
     Image filled = colour;
-    fillBackground(filled, output.backgroundColour);
-    return encodeSheet(filled, output, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
+    fillBackground(filled, effect.output.backgroundColour);
+    return encodeSheet(filled, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
 }
 
 std::vector<Pass> listOf(PassSet passes)
@@ -146,7 +146,7 @@ Result<std::vector<std::vector<std::byte>>> encodePasses(const PassSheet& sheet,
     const std::vector<Pass> passes = listOf(options.passes);
     std::vector<Result<std::vector<std::byte>>> encoded(passes.size(), std::vector<std::byte>());
     parallelFor(passes.size(), [&](std::size_t i) {
-        encoded[i] = passes[i] == Pass::Colour ? encodeColour(sheet, effect.output, options.format)
+        encoded[i] = passes[i] == Pass::Colour ? encodeColour(sheet, effect, options.format)
                                                : encodeData(pictures.picture(passes[i]), options.format, effect.timeline.frameRate, stop);
     });
     std::vector<std::vector<std::byte>> out;

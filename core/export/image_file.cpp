@@ -4,6 +4,7 @@
 #include "core/export/exr_file.h"
 #include "core/export/output_name.h"
 #include "core/export/png_file.h"
+#include "core/lighting/glow.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -15,21 +16,21 @@ namespace fumage {
 namespace {
 
 template <class Channel, class Finish>
-Result<std::vector<std::byte>> encodePngOf(const Image& image, const Output& output, const std::stop_token& stop, const Finish& finish)
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const std::stop_token& stop, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
-    encode(image, output, encoded);
+    encode(image, effect.output, encoded, hasClearFlames(effect.light) ? Cover::Light : Cover::Alpha);
     finish(encoded);
     return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels))}, stop);
 }
 
 /// @param finish called with the encoded picture of a PNG
 template <class Finish>
-Result<std::vector<std::byte>> encodeWith(const Image& image, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop, const Finish& finish)
+Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format, int frameRate, const std::stop_token& stop, const Finish& finish)
 {
     switch (format) {
-    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, output, stop, finish);
-    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, output, stop, finish);
+    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, effect, stop, finish);
+    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, effect, stop, finish);
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, {{{}, exrChannels(4), image.pixels}}, format == ImageFormat::ExrHalf, frameRate}, stop);
     }
@@ -78,14 +79,14 @@ std::filesystem::path withEnding(const std::filesystem::path& path, std::string_
     return endingOf(path) == ending ? path : path.parent_path() / (path.filename().string() + std::string(ending));
 }
 
-Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, int frameRate, const std::stop_token& stop)
 {
-    return encodeWith(image, output, format, frameRate, stop, [](auto&) {});
+    return encodeWith(image, effect, format, frameRate, stop, [](auto&) {});
 }
 
-Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight)
+Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
 {
-    return encodeWith(image, output, format, 0, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+    return encodeWith(image, effect, format, 0, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
 Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, int frameRate, const std::stop_token& stop)

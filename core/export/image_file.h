@@ -32,13 +32,13 @@ enum class ImageFormat {
 [[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending);
 
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
-/// @param output    exposure and view transform for PNG
+/// @param effect    for PNG its exposure and view transform; where its flames are clear, alpha covers at least the light that they give
 /// @param frameRate of the pictures that it is one of, for readers of EXR; 0: not said
 /// @error WriteFailed when the library refuses; Cancelled
-[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Output& output, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
 
 /// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
-[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Output& output, ImageFormat format, int cellWidth, int cellHeight);
+[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
 
 /// Numbers that are no light for eyes: rows from the top, channels side by side.
 struct DataImage {

@@ -51,7 +51,7 @@ public:
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeImage(m_images[place % 2], m_smoke->output, m_format, m_smoke->timeline.frameRate, stop);
+        return encodeImage(m_images[place % 2], m_smoke, m_format, m_smoke->timeline.frameRate, stop);
     }
 
 private:

@@ -30,7 +30,7 @@ std::array<glm::vec3, kGlowTableSize> glowColours(const Light& light)
 Glow::Glow(const Effect& effect)
     : heatVariance(effect.motion.heatVariance)
     , cooling(effect.light.emissionCooling)
-    , clears(effect.light.emission > 0.0F && effect.light.flameOpacity < 1.0F)
+    , clears(hasClearFlames(effect.light))
 {
     opaque.fill(1.0F);
     if (!clears) {

@@ -8,6 +8,12 @@
 
 namespace fumage {
 
+/// Whether what glows is less opaque than its smoke.
+[[nodiscard]] inline bool hasClearFlames(const Light& light)
+{
+    return light.emission > 0.0F && light.flameOpacity < 1.0F;
+}
+
 /// By heat, from none to that at birth.
 inline constexpr int kGlowTableSize = 256;
 

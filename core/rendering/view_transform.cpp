@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/rendering/view_transform.h"
 
+#include <algorithm>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -30,10 +31,48 @@ HWY_INLINE V filmic(D d, V x)
     return hn::Div(top, bottom);
 }
 
+/// What is shown of count numbers of light.
+HWY_INLINE void show(float* HWY_RESTRICT light, std::size_t count, bool isFilmic)
+{
+    const D d;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const V linear = hn::LoadU(d, light + i);
+        hn::StoreU(clamp01(d, srgb(d, isFilmic ? filmic(d, linear) : linear)), d, light + i);
+    }
+}
+
+/// Raises the alpha of straight colours that cannot show the light there is.
+/// @param shown room for the row
+void coverLight(const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT shown, float* HWY_RESTRICT straight)
+{
+    for (std::size_t i = 0; i < count * 4; ++i) {
+        shown[i] = from[i] * gain;
+    }
+    show(shown, count * 4, isFilmic);
+    constexpr float kLeastAlpha = 1e-6F;
+    constexpr float kLit = 1.0F; // as bright as smoke in the sun
+    constexpr float kBurning = 3.0F;
+    for (std::size_t i = 0; i < count; ++i, from += 4, shown += 4, straight += 4) {
+        const float alpha = straight[3];
+        const float brightest = std::max({shown[0], shown[1], shown[2]});
+        const float colour = gain * std::max({from[0], from[1], from[2]}) / std::max(alpha, kLeastAlpha);
+        if (!(brightest > alpha) || colour <= kLit) {
+            continue;
+        }
+        const float t = std::min(1.0F, (colour - kLit) / (kBurning - kLit));
+        const float share = t * t * (3.0F - 2.0F * t);
+        const float cover = alpha + share * (brightest - alpha);
+        for (int channel = 0; channel < 3; ++channel) {
+            const float covered = straight[channel] * alpha;
+            straight[channel] = std::min(1.0F, (covered + share * (shown[channel] - covered)) / cover);
+        }
+        straight[3] = cover;
+    }
+}
+
 /// Encodes one row of RGBA floats into floats in [0, 1]; all channels go through the same operations and alpha is put back.
 void encodeRow(const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT straight)
 {
-    const D d;
     for (std::size_t i = 0; i < count; ++i) {
         const float alpha = from[i * 4 + 3];
         const float share = alpha > 0.0F ? gain / alpha : 0.0F;
@@ -42,10 +81,7 @@ void encodeRow(const float* HWY_RESTRICT from, std::size_t count, float gain, bo
         straight[i * 4 + 2] = from[i * 4 + 2] * share;
         straight[i * 4 + 3] = 0.0F;
     }
-    for (std::size_t i = 0; i < count * 4; i += hn::Lanes(d)) {
-        const V linear = hn::LoadU(d, straight + i);
-        hn::StoreU(clamp01(d, srgb(d, isFilmic ? filmic(d, linear) : linear)), d, straight + i);
-    }
+    show(straight, count * 4, isFilmic);
     for (std::size_t i = 0; i < count; ++i) {
         straight[i * 4 + 3] = from[i * 4 + 3];
     }
@@ -58,11 +94,12 @@ HWY_AFTER_NAMESPACE();
 namespace fumage {
 
 HWY_EXPORT(encodeRow);
+HWY_EXPORT(coverLight);
 
 namespace {
 
 template <class Channel>
-void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& out)
+void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& out, Cover cover)
 {
     constexpr std::size_t kPadding = kAlignment;
     constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
@@ -75,6 +112,11 @@ void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& 
         AlignedArray<float> line(width * 4 + kPadding);
         const auto kernel = HWY_DYNAMIC_DISPATCH(encodeRow);
         kernel(image.row(static_cast<int>(y)), width, gain, output.viewTransform == ViewTransform::Filmic, line.data());
+        if (cover == Cover::Light) {
+            AlignedArray<float> shown(width * 4 + kPadding);
+            HWY_DYNAMIC_DISPATCH(coverLight)
+            (image.row(static_cast<int>(y)), width, gain, output.viewTransform == ViewTransform::Filmic, shown.data(), line.data());
+        }
         Channel* to = out.pixels.data() + y * width * 4;
         for (std::size_t i = 0; i < width * 4; ++i) {
             to[i] = static_cast<Channel>(static_cast<int>(line[i] * kFull + 0.5F));
@@ -84,14 +126,14 @@ void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& 
 
 } // namespace
 
-void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out)
+void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out, Cover cover)
 {
-    encodeAll(image, output, out);
+    encodeAll(image, output, out, cover);
 }
 
-void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out)
+void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t>& out, Cover cover)
 {
-    encodeAll(image, output, out);
+    encodeAll(image, output, out, cover);
 }
 
 float exposureGain(float stops)

@@ -104,7 +104,7 @@ private slots:
     void png8ReadsBackThroughLibpng()
     {
         const Image image = ramp();
-        const std::vector<std::byte> bytes = encodeImage(image, Output{}, ImageFormat::Png8).value();
+        const std::vector<std::byte> bytes = encodeImage(image, Effect{}, ImageFormat::Png8).value();
         png_image png{};
         png.version = PNG_IMAGE_VERSION;
         QVERIFY(png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) != 0);
@@ -120,7 +120,7 @@ private slots:
 
     void png16HasSixteenBits()
     {
-        const std::vector<std::byte> bytes = encodeImage(ramp(), Output{}, ImageFormat::Png16).value();
+        const std::vector<std::byte> bytes = encodeImage(ramp(), Effect{}, ImageFormat::Png16).value();
         QCOMPARE(int(bytes[24]), 16); // IHDR: bit depth
         QCOMPARE(int(bytes[25]), 6); // RGBA
         EncodedImage<std::uint16_t> expected;
@@ -133,7 +133,7 @@ private slots:
         const QTemporaryDir folder;
         for (const auto& [format, type] : {std::pair{ImageFormat::ExrHalf, "16-bit floating-point"}, std::pair{ImageFormat::ExrFloat, "32-bit floating-point"}}) {
             const std::string path = folder.path().toStdString() + "/a.exr";
-            QVERIFY(writeFileAtomically(path, encodeImage(ramp(), Output{}, format).value()).ok());
+            QVERIFY(writeFileAtomically(path, encodeImage(ramp(), Effect{}, format).value()).ok());
             QProcess header;
             header.start("exrheader", {QString::fromStdString(path)});
             QVERIFY2(header.waitForFinished() && header.exitCode() == 0, "exrheader (package openexr) must be installed");
@@ -146,7 +146,7 @@ private slots:
     void sameInputGivesTheSameBytes()
     {
         for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat}) {
-            QVERIFY(encodeImage(ramp(), Output{}, format).value() == encodeImage(ramp(), Output{}, format).value());
+            QVERIFY(encodeImage(ramp(), Effect{}, format).value() == encodeImage(ramp(), Effect{}, format).value());
         }
     }
 
@@ -392,12 +392,12 @@ private slots:
 
     void filesSayWhatTheyHold()
     {
-        const std::string exr = textOf(encodeImage(ramp(), Output{}, ImageFormat::ExrHalf, 24).value());
+        const std::string exr = textOf(encodeImage(ramp(), Effect{}, ImageFormat::ExrHalf, 24).value());
         for (const char* attribute : {"chromaticities", "framesPerSecond", "software", "Fumage"}) {
             QVERIFY2(exr.find(attribute) != std::string::npos, attribute);
         }
-        QVERIFY(textOf(encodeImage(ramp(), Output{}, ImageFormat::ExrHalf).value()).find("framesPerSecond") == std::string::npos);
-        QVERIFY(textOf(encodeImage(ramp(), Output{}, ImageFormat::Png8).value()).find(std::string("tEXtSoftware\0Fumage", 19)) != std::string::npos);
+        QVERIFY(textOf(encodeImage(ramp(), Effect{}, ImageFormat::ExrHalf).value()).find("framesPerSecond") == std::string::npos);
+        QVERIFY(textOf(encodeImage(ramp(), Effect{}, ImageFormat::Png8).value()).find(std::string("tEXtSoftware\0Fumage", 19)) != std::string::npos);
     }
 
     void encodingCanBeCancelled()
@@ -405,7 +405,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat}) {
-            const auto bytes = encodeImage(ramp(), Output{}, format, 0, stop.get_token());
+            const auto bytes = encodeImage(ramp(), Effect{}, format, 0, stop.get_token());
             QVERIFY(!bytes.ok());
             QCOMPARE(bytes.error().code, ErrorCode::Cancelled);
         }

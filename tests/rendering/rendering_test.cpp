@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -450,6 +451,39 @@ private slots:
         effect.light.flameOpacity = 0.01F;
         const float flames = sumOf(render(effect, kBothBorn)).r;
         QVERIFY2(flames > 1.95F * one && flames < 2.001F * one, qPrintable(QString("%1 %2").arg(flames).arg(one)));
+    }
+
+    void filesShowTheLightOfClearFlames()
+    {
+        // Premultiplied: a clear flame, smoke, what glows a little, a hot flame, and thin smoke.
+        const std::vector<glm::vec4> pixels{{0.3F, 0.1F, 0.02F, 0.02F}, {0.1F, 0.1F, 0.1F, 0.5F}, {0.022F, 0.01F, 0.01F, 0.02F}, {9.0F, 3.0F, 0.5F, 0.1F}, {0.008F, 0.008F, 0.008F, 0.01F}};
+        Image image;
+        image.resize(static_cast<int>(pixels.size()), 1);
+        std::memcpy(image.pixels.data(), pixels.data(), pixels.size() * sizeof(glm::vec4));
+        for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {
+            Output output;
+            output.viewTransform = transform;
+            EncodedImage<std::uint16_t> plain;
+            EncodedImage<std::uint16_t> covered;
+            encode(image, output, plain);
+            encode(image, output, covered, Cover::Light);
+            Image opaque = image;
+            fillBackground(opaque, glm::vec3(0.0F));
+            EncodedImage<std::uint16_t> overBlack;
+            encode(opaque, output, overBlack);
+            const auto at = [](const EncodedImage<std::uint16_t>& of, std::size_t pixel, std::size_t channel) { return of.pixels[pixel * 4 + channel] / 65535.0; };
+            for (const std::size_t flame : {0U, 3U}) {
+                for (std::size_t channel = 0; channel < 3; ++channel) {
+                    QVERIFY(std::abs(at(covered, flame, channel) * at(covered, flame, 3) - at(overBlack, flame, channel)) < 1e-4);
+                }
+                QVERIFY(at(covered, flame, 3) > 5.0 * static_cast<double>(pixels[flame].a));
+            }
+            for (const std::size_t same : {1U, 4U}) {
+                QVERIFY(std::equal(plain.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same), plain.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same + 1), covered.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same)));
+            }
+            // From what alpha covers to what it does not nothing jumps.
+            QVERIFY(std::abs(at(covered, 2, 0) * at(covered, 2, 3) - at(plain, 2, 0) * at(plain, 2, 3)) < 0.03);
+        }
     }
 };
 
