@@ -16,6 +16,8 @@ struct GhostRow {
     glm::ivec3 within; ///< the cell in the box beside it
     std::size_t count;
 
+    /// Sign of the way in along the axis.
+    [[nodiscard]] float inwards() const { return isHigh ? -1.0F : 1.0F; }
     /// 1, or -1 where what is mirrored changes its sign.
     [[nodiscard]] float signAt(Border mirror) const { return border == mirror ? -1.0F : 1.0F; }
 };
@@ -61,7 +63,7 @@ void fillRow(const AirCells& cells, AirColumn& column, const GhostRow& row, floa
 void fillOpenRow(const GhostRow& row, const std::array<float, 4>& outside, const float* from, float* to)
 {
     const auto axis = static_cast<std::size_t>(row.axis);
-    const float inwards = row.isHigh ? -1.0F : 1.0F;
+    const float inwards = row.inwards();
     const float wind = inwards * outside[axis];
     for (std::size_t quad = 0; quad < 4 * row.count; quad += 4) {
         const float across = from[quad + axis];
@@ -106,38 +108,22 @@ void fillVelocityGhosts(const AirCells& cells, AirVectors& velocity, int k)
 
 void slowInflow(AirCells& cells, const glm::vec3& wind, float dt, int k)
 {
+    const std::array velocity{&cells.forced.x, &cells.forced.y, &cells.forced.z};
     const float halfStep = 0.5F * dt / cells.grid.cell;
-    const auto slow = [&](AirColumn& velocity, int axis, bool isHigh, const glm::ivec3& cell, int count) {
-        if ((isHigh ? cells.borders.high : cells.borders.low)[static_cast<std::size_t>(axis)] != Border::Open) {
+    forGhosts(cells, k, [&](const GhostRow& row) {
+        if (row.border != Border::Open) {
             return;
         }
-        const float inwards = isHigh ? -1.0F : 1.0F;
-        const float outside = inwards * wind[axis];
+        const auto axis = static_cast<std::size_t>(row.axis);
+        const float outside = std::max(0.0F, row.inwards() * wind[row.axis]);
         // The carrying velocity has no ripple from cell to cell.
-        const float* carrier = cells.carrier.data() + cells.quad.at(cell.x, cell.y, cell.z) + static_cast<std::size_t>(axis);
-        float* each = velocity.data() + placeOf(cells.column, cell);
-        for (int i = 0; i < count; ++i, carrier += 4) {
-            const float faster = std::max(0.0F, inwards * *carrier - std::max(outside, 0.0F));
-            each[i] -= inwards * (faster - faster / (1.0F + halfStep * faster));
+        const float* carrier = cells.carrier.data() + cells.quad.at(row.within.x, row.within.y, row.within.z) + axis;
+        float* each = velocity[axis]->data() + placeOf(cells.column, row.within);
+        for (std::size_t i = 0; i < row.count; ++i) {
+            const float faster = std::max(0.0F, row.inwards() * carrier[4 * i] - outside);
+            each[i] -= row.inwards() * (faster - faster / (1.0F + halfStep * faster));
         }
-    };
-    const glm::ivec3 n = cells.grid.cells;
-    for (int j = 0; j < n.y; ++j) {
-        slow(cells.forced.x, 0, false, {0, j, k}, 1);
-        slow(cells.forced.x, 0, true, {n.x - 1, j, k}, 1);
-    }
-    slow(cells.forced.y, 1, false, {0, 0, k}, n.x);
-    slow(cells.forced.y, 1, true, {0, n.y - 1, k}, n.x);
-    if (k == 0 || k == n.z - 1) {
-        for (int j = 0; j < n.y; ++j) {
-            if (k == 0) {
-                slow(cells.forced.z, 2, false, {0, j, k}, n.x);
-            }
-            if (k == n.z - 1) {
-                slow(cells.forced.z, 2, true, {0, j, k}, n.x);
-            }
-        }
-    }
+    });
 }
 
 void fillEvenGhosts(const AirCells& cells, AirColumn& column, int k)

@@ -23,7 +23,7 @@ void fillPressureGhosts(const AirCells& cells, AirColumn& pressure, int k);
 
 /// Air outside is at rest but for the wind: what comes in through an open border faster got that speed from a pressure u^2 / 2 below the one outside,
 /// which the border, at 0, does not have. That difference acts on the border's cells; without it a draught through the box never ends.
-/// Changes forced, in plane k.
+/// Changes forced, in plane k and in the ghosts beside it, which are to be filled afterwards.
 void slowInflow(AirCells& cells, const glm::vec3& wind, float dt, int k);
 
 } // namespace fumage

@@ -27,7 +27,9 @@ AppearanceJob makeJob(const Frame& frame, const Effect& effect, const Axes& axes
     job.radius = 0.5F * effect.look.size;
     job.sizeVariance = effect.look.sizeVariance;
     job.heatOpacity = frame.particles.inAir() ? effect.air.heatOpacity : 0.0F;
-    job.glow = Glow(effect);
+    if (hasClearFlames(effect.light)) {
+        job.glow = Glow(effect, glowColours(effect.light));
+    }
     job.axes = axes;
     // A particle that starts from nothing would be infinitely dense: dilution counts from a tenth of the size on.
     constexpr float kSmallestShare = 0.1F;

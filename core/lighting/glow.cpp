@@ -16,10 +16,10 @@ float brightest(const glm::vec3& colour)
 
 } // namespace
 
-std::array<glm::vec3, kGlowTableSize> glowColours(const Light& light)
+GlowColours glowColours(const Light& light)
 {
     const BlackBody body(light.temperature);
-    std::array<glm::vec3, kGlowTableSize> colours;
+    GlowColours colours;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(colours.size() - 1);
         colours[i] = light.emissionColour == EmissionColour::BlackBody ? body.at(light.temperature * share) : light.emissionGradient.at(share);
@@ -27,7 +27,7 @@ std::array<glm::vec3, kGlowTableSize> glowColours(const Light& light)
     return colours;
 }
 
-Glow::Glow(const Effect& effect)
+Glow::Glow(const Effect& effect, const GlowColours& colours)
     : heatVariance(effect.motion.heatVariance)
     , cooling(effect.light.emissionCooling)
     , clears(hasClearFlames(effect.light))
@@ -36,7 +36,6 @@ Glow::Glow(const Effect& effect)
     if (!clears) {
         return;
     }
-    const std::array<glm::vec3, kGlowTableSize> colours = glowColours(effect.light);
     float most = 1e-12F; // black everywhere glows nowhere
     for (const glm::vec3& colour : colours) {
         most = std::max(most, brightest(colour));

@@ -17,8 +17,10 @@ namespace fumage {
 /// By heat, from none to that at birth.
 inline constexpr int kGlowTableSize = 256;
 
-/// Colours of the glow, without its strength.
-[[nodiscard]] std::array<glm::vec3, kGlowTableSize> glowColours(const Light& light);
+using GlowColours = std::array<glm::vec3, kGlowTableSize>;
+
+/// Colours of the glow, without its strength. A quarter of a millisecond for a black body.
+[[nodiscard]] GlowColours glowColours(const Light& light);
 
 /// How hot particles look, and how opaque they are while they glow.
 struct Glow {
@@ -28,8 +30,8 @@ struct Glow {
     std::array<float, kGlowTableSize> opaque{}; ///< share of the opacity; soot forms where the glow ends
 
     Glow() = default;
-    /// O(table); a quarter of a millisecond for a black body that clears.
-    explicit Glow(const Effect& effect);
+    /// @param colours of the effect's light
+    Glow(const Effect& effect, const GlowColours& colours);
 };
 
 } // namespace fumage

@@ -42,7 +42,8 @@ void fillTables(const Effect& effect, SpriteJob& job)
     }
     job.glows = effect.light.emission > 0.0F;
     if (job.glows) {
-        const std::array<glm::vec3, kGlowTableSize> colours = glowColours(effect.light);
+        const GlowColours colours = glowColours(effect.light);
+        job.glow = Glow(effect, colours);
         std::transform(colours.begin(), colours.end(), job.emission.begin(), [&](const glm::vec3& colour) { return colour4(colour * effect.light.emission); });
     }
     job.sun = colour4(effect.light.colour);
@@ -63,7 +64,6 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.roll = effect.look.roll;
     job.spinVariance = radians(effect.look.spinVariance);
     job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(slices) / effect.noise.depth;
-    job.glow = Glow(effect);
     job.hotCore = effect.light.hotCore;
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;

@@ -111,7 +111,7 @@ HWY_INLINE void streamPatch(const float* HWY_RESTRICT from, float* HWY_RESTRICT 
 /// Whether rows of the image lie on cache lines as patches do.
 bool hasWholePatches(const Image& image)
 {
-    return HWY_TARGET != HWY_SCALAR && image.width % Tile::kPatch == 0;
+    return image.width % Tile::kPatch == 0;
 }
 
 float* pixelsOf(const Tile& tile, Image& image, int row)
