@@ -11,6 +11,12 @@ inline constexpr float kTau = 6.28318530717958648F;
     return degrees * (kPi / 180.0F);
 }
 
+/// From 0 to 1 with level ends, for t in [0, 1]: 3 t^2 - 2 t^3.
+[[nodiscard]] constexpr float smoothStep(float t)
+{
+    return t * t * (3.0F - 2.0F * t);
+}
+
 /// Scalar functions with the same bits on every machine and the same bits as one lane of the SIMD kernels.
 /// Errors and ranges: see math-inl.h, of which these are the one-lane form.
 [[nodiscard]] float portableSin(float angle);

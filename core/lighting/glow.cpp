@@ -1,5 +1,6 @@
 #include "core/lighting/glow.h"
 
+#include "core/base/math.h"
 #include "core/lighting/black_body.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Glow::Glow(const Effect& effect, const GlowColours& colours)
     constexpr float kFlame = 0.25F;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const float t = std::min(1.0F, std::sqrt(brightest(colours[i]) / (kFlame * most)));
-        opaque[i] = 1.0F - (1.0F - effect.light.flameOpacity) * (t * t * (3.0F - 2.0F * t));
+        opaque[i] = 1.0F - (1.0F - effect.light.flameOpacity) * smoothStep(t);
     }
 }
 

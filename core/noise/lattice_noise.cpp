@@ -67,7 +67,7 @@ float interpolationWeight(Interpolation kind, float t)
     switch (kind) {
     case Interpolation::Linear: return t;
     case Interpolation::Cosine: return 0.5F * (1.0F - portableCos(kPi * t));
-    case Interpolation::Cubic: return t * t * (3.0F - 2.0F * t);
+    case Interpolation::Cubic: return smoothStep(t);
     case Interpolation::Quintic: return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
     }
     return t;

@@ -45,11 +45,6 @@ float firstAmplitude(const Turbulence& turbulence)
     return turbulence.strength / std::sqrt(kComponents * squares);
 }
 
-float smoothStep(float t)
-{
-    return t * t * (3.0F - 2.0F * t);
-}
-
 /// What is left of turbulence below a grid: it begins where the grid ends, goes on changing as fast as its sizes do, and takes its strength from the air.
 Turbulence belowTheGrid(const Turbulence& whole, float cell, float detail)
 {
