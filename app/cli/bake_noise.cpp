@@ -17,9 +17,9 @@ struct BakeOptions {
     bool wide = false;
 };
 
-Status bakeOne(const BakeOptions& options, const NamedEffect& named)
+Status bakeOne(const BakeOptions& options, const NamedPreset& named)
 {
-    PictureJob job{named.effect, {}};
+    PictureJob job{named.preset.effect, {}};
     job.plan.kind = ExportKind::NoiseTexture;
     job.plan.source = named.file;
     job.plan.noiseSize = options.size;
@@ -34,7 +34,7 @@ Status bakeOne(const BakeOptions& options, const NamedEffect& named)
 
 Status bake(const BakeOptions& options)
 {
-    return options.effect.forEach(options.output, [&](const NamedEffect& named) { return bakeOne(options, named); });
+    return options.effect.forEach(options.output, [&](const NamedPreset& named) { return bakeOne(options, named); });
 }
 
 } // namespace

@@ -63,7 +63,7 @@ nlohmann::ordered_json jsonOf(const std::string& name, const SheetScore& score)
         {"empty_cells", score.empty}};
 }
 
-Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedEffect& named)
+Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedPreset& named)
 {
     const Result<PictureJob> job = arguments.picture.jobFor(named);
     if (!job) {
@@ -83,7 +83,7 @@ Status check(const CheckArguments& arguments)
 {
     nlohmann::ordered_json answer = nlohmann::ordered_json::array();
     bool first = true;
-    const Status status = arguments.picture.effect.forEach({}, [&](const NamedEffect& named) -> Status {
+    const Status status = arguments.picture.effect.forEach([&](const NamedPreset& named) -> Status {
         const Result<SheetScore> score = scoreOf(arguments, named);
         if (!score) {
             return score.error();

@@ -9,7 +9,7 @@ namespace fumage::cli {
 
 namespace {
 
-Result<NamedEffect> load(const std::string& preset, const std::vector<std::string>& assignments)
+Result<NamedPreset> load(const std::string& preset, const std::vector<std::string>& assignments)
 {
     const Result<PresetReading> reading = readPreset(preset);
     if (!reading) {
@@ -18,14 +18,14 @@ Result<NamedEffect> load(const std::string& preset, const std::vector<std::strin
     for (const Message& warning : reading.value().warnings) {
         warn(warning.text());
     }
-    NamedEffect named{reading.value().preset.effect, "smoke", {}};
+    NamedPreset named{reading.value().preset, "smoke", {}};
     if (preset != kStandardStream) {
         const Result<LibraryEntry> entry = findPreset(preset);
         named.name = entry ? entry.value().id : named.name;
         named.file = entry ? entry.value().path : named.file;
     }
     for (const std::string& assignment : assignments) {
-        const Result<bool> clamped = applyAssignment(named.effect, assignment);
+        const Result<bool> clamped = applyAssignment(named.preset.effect, assignment);
         if (!clamped) {
             Error error = clamped.error();
             error.place = "--set " + assignment;
@@ -39,12 +39,22 @@ Result<NamedEffect> load(const std::string& preset, const std::vector<std::strin
 }
 
 /// Presets of one name in different folders would be written to the same files.
-Status refuseSameNames(const std::vector<NamedEffect>& effects)
+Status refuseSameNames(const std::vector<NamedPreset>& presets)
 {
     std::set<std::string> names;
-    for (const NamedEffect& named : effects) {
+    for (const NamedPreset& named : presets) {
         if (!names.insert(named.name).second) {
             return Error{ErrorCode::OutOfRange, said("two presets are called %1, and one's files would overwrite the other's", inQuotes(named.name)), named.file.string(), said("Write them to different folders")};
+        }
+    }
+    return Done{};
+}
+
+Status forAll(const std::vector<NamedPreset>& presets, const std::function<Status(const NamedPreset&)>& work)
+{
+    for (const NamedPreset& named : presets) {
+        if (Status status = work(named); !status) {
+            return status;
         }
     }
     return Done{};
@@ -58,30 +68,40 @@ void EffectOptions::addTo(CLI::App& command)
     command.add_option("-s,--set", assignments, "Change a parameter, for example --set motion.wind=1.5; may be repeated")->type_name("KEY=VALUE")->take_all()->allow_extra_args(false)->option_text("KEY=VALUE");
 }
 
-Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedEffect&)>& work) const
+Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const
 {
     std::error_code missing;
     const bool isFolder = output.empty() || output.ends_with('/') || std::filesystem::is_directory(output, missing);
     if (presets.size() > 1 && !isFolder) {
         return Error{ErrorCode::OutOfRange, said("several presets cannot be written to one file"), output, said("Name a folder, as in --output out/")};
     }
-    std::vector<NamedEffect> effects;
+    const Result<std::vector<NamedPreset>> loaded = loadAll();
+    if (!loaded) {
+        return loaded.error();
+    }
+    if (Status status = refuseSameNames(loaded.value()); !status) {
+        return status;
+    }
+    return forAll(loaded.value(), work);
+}
+
+Status EffectOptions::forEach(const std::function<Status(const NamedPreset&)>& work) const
+{
+    const Result<std::vector<NamedPreset>> loaded = loadAll();
+    return loaded ? forAll(loaded.value(), work) : Status(loaded.error());
+}
+
+Result<std::vector<NamedPreset>> EffectOptions::loadAll() const
+{
+    std::vector<NamedPreset> loaded;
     for (const std::string& preset : presets) {
-        Result<NamedEffect> named = load(preset, assignments);
+        Result<NamedPreset> named = load(preset, assignments);
         if (!named) {
             return named.error();
         }
-        effects.push_back(std::move(named.value()));
+        loaded.push_back(std::move(named).value());
     }
-    if (Status status = refuseSameNames(effects); !status) {
-        return status;
-    }
-    for (const NamedEffect& named : effects) {
-        if (Status status = work(named); !status) {
-            return status;
-        }
-    }
-    return Done{};
+    return loaded;
 }
 
 void addJson(CLI::App& command, bool& asJson)

@@ -29,8 +29,8 @@ enum ExitCode {
 using Action = std::function<Status()>;
 
 /// A preset with the changes of the command line.
-struct NamedEffect {
-    Effect effect;
+struct NamedPreset {
+    Preset preset;
     std::string name; ///< files are named after it where the user does not say how
     std::filesystem::path file; ///< of the preset; empty where it is built in or came from standard input
 };
@@ -45,7 +45,12 @@ struct EffectOptions {
 
     /// Loads all presets and applies --set in order, then does the work for each; warnings go to standard error.
     /// @param output what the user named for what is written: with several presets only a folder will do
-    [[nodiscard]] Status forEach(const std::string& output, const std::function<Status(const NamedEffect&)>& work) const;
+    [[nodiscard]] Status forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const;
+    /// The same for work that writes no files.
+    [[nodiscard]] Status forEach(const std::function<Status(const NamedPreset&)>& work) const;
+
+private:
+    [[nodiscard]] Result<std::vector<NamedPreset>> loadAll() const;
 };
 
 /// Adds --json to a subcommand whose answer a program may want to read.

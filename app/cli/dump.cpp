@@ -36,23 +36,23 @@ Status chooseOutput(const DumpOptions& options, const std::string& name, Particl
     return Done{};
 }
 
-Status dumpToStandardOutput(const DumpOptions& options, const NamedEffect& named, const ParticleSequenceOptions& sequence)
+Status dumpToStandardOutput(const DumpOptions& options, const NamedPreset& named, const ParticleSequenceOptions& sequence)
 {
     if (sequence.frames.count() > 1) {
         return Error{ErrorCode::OutOfRange, said("several frames are several files"), "--frames " + options.frames, said("Name a file for them, as in --output smoke_####.csv")};
     }
     const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
-    const Result<std::string> text = dumpParticles(named.effect, sequence.frames.first, format, interruption(), sequence.up, ProgressBar("Writing").listener());
+    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first, format, interruption(), sequence.up, ProgressBar("Writing").listener());
     return text ? print(text.value()) : Status(text.error());
 }
 
-Status dumpToFiles(const NamedEffect& named, const ParticleSequenceOptions& sequence)
+Status dumpToFiles(const NamedPreset& named, const ParticleSequenceOptions& sequence)
 {
     const auto fileOf = [&](int index) { return framePath(sequence.output, sequence.frames, fileEnding(sequence.format), sequence.frames.at(index)); };
     const int count = sequence.frames.count();
     {
         ProgressBar bar("Writing");
-        if (Status status = dumpSequence(named.effect, sequence, bar.listener(), interruption()); !status) {
+        if (Status status = dumpSequence(named.preset.effect, sequence, bar.listener(), interruption()); !status) {
             return status;
         }
     }
@@ -60,7 +60,7 @@ Status dumpToFiles(const NamedEffect& named, const ParticleSequenceOptions& sequ
     return Done{};
 }
 
-Status dumpOne(const DumpOptions& options, const NamedEffect& named)
+Status dumpOne(const DumpOptions& options, const NamedPreset& named)
 {
     ParticleSequenceOptions sequence;
     const Result<FrameRange> frames = parseFrameRange(options.frames);
@@ -81,7 +81,7 @@ Status dumpOne(const DumpOptions& options, const NamedEffect& named)
 
 Status dump(const DumpOptions& options)
 {
-    return options.effect.forEach(options.output, [&](const NamedEffect& named) { return dumpOne(options, named); });
+    return options.effect.forEach(options.output, [&](const NamedPreset& named) { return dumpOne(options, named); });
 }
 
 } // namespace

@@ -37,7 +37,7 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
 
 Status fit(const PictureOptions& options)
 {
-    return options.effect.forEach({}, [&](const NamedEffect& named) -> Status {
+    return options.effect.forEach([&](const NamedPreset& named) -> Status {
         const Result<PictureJob> job = options.jobFor(named);
         if (!job) {
             return job.error();

@@ -39,7 +39,7 @@ std::string complaint(const Flipbook& flipbook)
 }
 
 /// A sheet that ends in _8x8 says itself how many cells it has: several tools read it off.
-NamedEffect namedForItsGrid(const FlipbookArguments& arguments, NamedEffect named)
+NamedPreset namedForItsGrid(const FlipbookArguments& arguments, NamedPreset named)
 {
     int columns = 0;
     int rows = 0;
@@ -49,9 +49,9 @@ NamedEffect namedForItsGrid(const FlipbookArguments& arguments, NamedEffect name
     return named;
 }
 
-Status renderOne(const FlipbookArguments& arguments, const NamedEffect& unnumbered)
+Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
 {
-    const NamedEffect named = namedForItsGrid(arguments, unnumbered);
+    const NamedPreset named = namedForItsGrid(arguments, unnumbered);
     Result<PictureJob> job = arguments.picture.jobFor(named);
     if (!job) {
         return job.error();
@@ -76,7 +76,7 @@ Status renderOne(const FlipbookArguments& arguments, const NamedEffect& unnumber
 
 Status flipbook(const FlipbookArguments& arguments)
 {
-    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedEffect& named) { return renderOne(arguments, named); });
+    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named); });
 }
 
 } // namespace

@@ -49,13 +49,14 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     addWhole(command, "--supersample", supersample, 1, kMaxSupersample, "Render this many times larger and average. Default: the preset's");
     command.add_flag("--fit", fit, "Move the camera so that all smoke of all frames is in the picture, and fills it");
+    command.add_flag("!--no-preset", carriesPreset, "Leave the preset out of the pictures, which else open as it");
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
 }
 
-Result<PictureJob> PictureOptions::jobFor(const NamedEffect& named) const
+Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
 {
     PictureJob job;
-    job.effect = named.effect;
+    job.effect = named.preset.effect;
     job.plan.source = named.file;
     if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
         return Error{ErrorCode::OutOfRange, said("the size %1 is not understood", inQuotes(size)), std::string("--size"), said("Write 512 or 640x360, with edges from 1 to %1", kMaxOutputEdge)};
@@ -72,6 +73,9 @@ Result<PictureJob> PictureOptions::jobFor(const NamedEffect& named) const
         job.plan.frames = range.value();
     }
     job.plan.fitCamera = fit;
+    if (carriesPreset) {
+        job.plan.project = named.preset;
+    }
     if (Status status = chooseOutput(output, format, named.name, job.plan); !status) {
         return status.error();
     }

@@ -29,10 +29,11 @@ struct PictureOptions {
     int supersample = 0;
     std::string format;
     bool fit = false;
+    bool carriesPreset = true;
 
     void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
     /// What is to be done with one of the presets.
-    [[nodiscard]] Result<PictureJob> jobFor(const NamedEffect& named) const;
+    [[nodiscard]] Result<PictureJob> jobFor(const NamedPreset& named) const;
 };
 
 /// Fills in format and path of a plan for pictures.

@@ -15,7 +15,7 @@ struct RenderArguments {
 
 Status render(const RenderArguments& arguments)
 {
-    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedEffect& named) -> Status {
+    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedPreset& named) -> Status {
         Result<PictureJob> job = arguments.picture.jobFor(named);
         if (!job) {
             return job.error();

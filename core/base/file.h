@@ -15,6 +15,11 @@ namespace fumage {
 /// @error FileNotFound, NotAFile, PermissionDenied, TooLarge, ReadFailed; the place is the path
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path, std::size_t mostBytes);
 
+/// Reads the beginning of a regular file of any size.
+/// @param mostBytes of it; a shorter file is read whole
+/// @error as readFile(), but never TooLarge
+[[nodiscard]] Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t mostBytes);
+
 /// Makes the folder that a file is to lie in, and those above it; clears away what writers that were killed have left in it.
 /// @error PermissionDenied
 [[nodiscard]] Status makeFolderOf(const std::filesystem::path& file);

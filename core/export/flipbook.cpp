@@ -122,15 +122,15 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
     return Done{};
 }
 
-Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Effect& effect, ImageFormat format)
+Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Effect& effect, ImageFormat format, const PictureNotes& notes)
 {
     const Image& colour = sheet.layers.of(PassLayer::Colour);
     if (effect.output.background == Background::Transparent) {
-        return encodeSheet(colour, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
+        return encodeSheet(colour, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
     }
     Image filled = colour;
     fillBackground(filled, effect.output.backgroundColour);
-    return encodeSheet(filled, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight);
+    return encodeSheet(filled, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
 }
 
 std::vector<Pass> listOf(PassSet passes)
@@ -144,10 +144,11 @@ std::vector<Pass> listOf(PassSet passes)
 Result<std::vector<std::vector<std::byte>>> encodePasses(const PassSheet& sheet, const PassPictures& pictures, const Effect& effect, const FlipbookOptions& options, const std::stop_token& stop)
 {
     const std::vector<Pass> passes = listOf(options.passes);
+    const PictureNotes notes{0, options.preset, options.frames.first};
     std::vector<Result<std::vector<std::byte>>> encoded(passes.size(), std::vector<std::byte>());
     parallelFor(passes.size(), [&](std::size_t i) {
-        encoded[i] = passes[i] == Pass::Colour ? encodeColour(sheet, effect, options.format)
-                                               : encodeData(pictures.picture(passes[i]), options.format, effect.timeline.frameRate, stop);
+        encoded[i] = passes[i] == Pass::Colour ? encodeColour(sheet, effect, options.format, notes)
+                                               : encodeData(pictures.picture(passes[i]), options.format, notes, stop);
     });
     std::vector<std::vector<std::byte>> out;
     for (std::size_t i = 0; i < passes.size(); ++i) {

@@ -1,6 +1,6 @@
 #include "core/export/frame_layers.h"
 
-#include "core/export/exr_file.h"
+#include "core/picture_files/exr_file.h"
 #include "core/rendering/compositor.h"
 
 #include <deque>
@@ -57,7 +57,7 @@ void unscale(Pass pass, const PassScales& scales, DataImage& image)
 
 } // namespace
 
-Result<std::vector<std::byte>> encodeLayers(const PassSheet& frame, PassSet passes, bool premultiplied, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeLayers(const PassSheet& frame, PassSet passes, bool premultiplied, const Output& output, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)
 {
     // Vectors right and up, as those who composite expect them; light from the right, the top and behind, then from the left, the bottom and the front.
     const PassPictures pictures(frame, passes, {SixWayLayout::Unity, VectorSigns::Unity, premultiplied});
@@ -65,7 +65,7 @@ Result<std::vector<std::byte>> encodeLayers(const PassSheet& frame, PassSet pass
     if (output.background != Background::Transparent) {
         fillBackground(colour, output.backgroundColour);
     }
-    ExrPixels pixels{colour.width, colour.height, {{{}, "RGBA", colour.pixels}}, format == ImageFormat::ExrHalf, frameRate};
+    ExrPixels pixels{colour.width, colour.height, {{{}, "RGBA", colour.pixels}}, format == ImageFormat::ExrHalf, notes};
     std::deque<DataImage> images; // which stay where they are
     for (const Pass pass : kAllPasses) {
         if (pass == Pass::Colour || !passes.has(pass)) {

@@ -10,6 +10,6 @@ namespace fumage {
 /// Light, emission and albedo are premultiplied or straight; motion, normals and what is measured goes on beyond the smoke.
 /// @param frame one cell, with the layers that the passes need
 /// @error those of encodeImage()
-[[nodiscard]] Result<std::vector<std::byte>> encodeLayers(const PassSheet& frame, PassSet passes, bool premultiplied, const Output& output, ImageFormat format, int frameRate, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeLayers(const PassSheet& frame, PassSet passes, bool premultiplied, const Output& output, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop = {});
 
 } // namespace fumage

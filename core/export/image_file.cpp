@@ -1,9 +1,9 @@
 #include "core/export/image_file.h"
 
 #include "core/export/bleed.h"
-#include "core/export/exr_file.h"
+#include "core/picture_files/exr_file.h"
 #include "core/export/output_name.h"
-#include "core/export/png_file.h"
+#include "core/picture_files/png_file.h"
 #include "core/lighting/glow.h"
 #include "core/rendering/view_transform.h"
 
@@ -16,33 +16,33 @@ namespace fumage {
 namespace {
 
 template <class Channel, class Finish>
-Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const std::stop_token& stop, const Finish& finish)
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
     encode(image, effect.output, encoded, hasClearFlames(effect.light) ? Cover::Light : Cover::Alpha);
     finish(encoded);
-    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels))}, stop);
+    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels)), false, notes}, stop);
 }
 
 /// @param finish called with the encoded picture of a PNG
 template <class Finish>
-Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format, int frameRate, const std::stop_token& stop, const Finish& finish)
+Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
 {
     switch (format) {
-    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, effect, stop, finish);
-    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, effect, stop, finish);
+    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, effect, notes, stop, finish);
+    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, effect, notes, stop, finish);
     case ImageFormat::ExrHalf:
-    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, {{{}, exrChannels(4), image.pixels}}, format == ImageFormat::ExrHalf, frameRate}, stop);
+    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, {{{}, exrChannels(4), image.pixels}}, format == ImageFormat::ExrHalf, notes}, stop);
     }
     return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
 }
 
 template <class Channel>
-Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const PictureNotes& notes, const std::stop_token& stop)
 {
     std::vector<Channel> pixels(image.values.size());
     std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(quantised(value, image.isSigned, std::numeric_limits<Channel>::max())); });
-    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels)), true}, stop);
+    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels)), true, notes}, stop);
 }
 
 template <class Channel>
@@ -79,25 +79,25 @@ std::filesystem::path withEnding(const std::filesystem::path& path, std::string_
     return endingOf(path) == ending ? path : path.parent_path() / (path.filename().string() + std::string(ending));
 }
 
-Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, int frameRate, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)
 {
-    return encodeWith(image, effect, format, frameRate, stop, [](auto&) {});
+    return encodeWith(image, effect, format, notes, stop, [](auto&) {});
 }
 
-Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
+Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight, const PictureNotes& notes)
 {
-    return encodeWith(image, effect, format, 0, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+    return encodeWith(image, effect, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
-Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, int frameRate, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)
 {
     switch (format) {
-    case ImageFormat::Png8: return encodeNumbers<std::uint8_t>(image, stop);
-    case ImageFormat::Png16: return encodeNumbers<std::uint16_t>(image, stop);
+    case ImageFormat::Png8: return encodeNumbers<std::uint8_t>(image, notes, stop);
+    case ImageFormat::Png16: return encodeNumbers<std::uint16_t>(image, notes, stop);
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: break;
     }
-    return encodeExr({image.width, image.height, {{{}, exrChannels(image.channels), image.values}}, format == ImageFormat::ExrHalf, frameRate, false}, stop);
+    return encodeExr({image.width, image.height, {{{}, exrChannels(image.channels), image.values}}, format == ImageFormat::ExrHalf, notes, false}, stop);
 }
 
 int quantised(float value, bool isSigned, int full)

@@ -3,6 +3,7 @@
 #include "core/base/result.h"
 #include "core/effect/effect.h"
 #include "core/noise/texture.h"
+#include "core/picture_files/picture_notes.h"
 #include "core/rendering/image.h"
 
 #include <cstddef>
@@ -33,12 +34,11 @@ enum class ImageFormat {
 
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
 /// @param effect    for PNG its exposure and view transform; where its flames are clear, alpha covers at least the light that they give
-/// @param frameRate of the pictures that it is one of, for readers of EXR; 0: not said
 /// @error WriteFailed when the library refuses; Cancelled
-[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes = {}, const std::stop_token& stop = {});
 
 /// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
-[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
+[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight, const PictureNotes& notes = {});
 
 /// Numbers that are no light for eyes: rows from the top, channels side by side.
 struct DataImage {
@@ -51,7 +51,7 @@ struct DataImage {
 
 /// Encodes numbers as they are: PNG without a colour space, and what is out of range clipped; EXR with all of them.
 /// @error as encodeImage()
-[[nodiscard]] Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, int frameRate = 0, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes = {}, const std::stop_token& stop = {});
 
 /// The number that a channel of a PNG holds for a value.
 /// @param full 255 or 65535

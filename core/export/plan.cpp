@@ -13,10 +13,21 @@ namespace fumage {
 
 namespace {
 
-SequenceOptions sequenceOf(const ExportPlan& plan)
+SequenceOptions sequenceOf(const ExportPlan& plan, std::string preset = {})
 {
     const bool single = plan.kind == ExportKind::Picture;
-    return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format, plan.passes, plan.style.premultiplied};
+    return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format, plan.passes, plan.style.premultiplied, std::move(preset)};
+}
+
+/// The preset that pictures of an effect carry, as JSON.
+std::string projectOf(const Effect& effect, const ExportPlan& plan)
+{
+    if (!plan.project) {
+        return {};
+    }
+    Preset project = *plan.project;
+    project.effect = effect;
+    return formatPreset(project);
 }
 
 Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
@@ -45,7 +56,7 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
             return Error{ErrorCode::OutOfRange, said("these are several files"), {}, said("Name a file, or one frame")};
         }
         [[fallthrough]];
-    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, sequenceOf(plan), stop, progress);
+    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), stop, progress);
     case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
     case ExportKind::Particles: return particleBytes(effect, plan, progress, stop);
     }
@@ -83,7 +94,9 @@ bool overwritesSource(const ExportPlan& plan)
 
 Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
-    const Result<Flipbook> flipbook = renderFlipbook(effect, flipbookOf(plan), progress, stop);
+    FlipbookOptions options = flipbookOf(plan);
+    options.preset = projectOf(effect, plan);
+    const Result<Flipbook> flipbook = renderFlipbook(effect, options, progress, stop);
     return flipbook ? Result<std::optional<Flipbook>>(flipbook.value()) : flipbook.error();
 }
 
@@ -113,7 +126,7 @@ std::filesystem::path firstFile(const ExportPlan& plan)
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
-    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
+    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine, {}};
 }
 
 std::filesystem::path lastFile(const ExportPlan& plan)
@@ -142,7 +155,7 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     const auto plainly = [](const Status& status) { return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error(); };
     switch (plan.kind) {
     case ExportKind::Sequence:
-    case ExportKind::Picture: return plainly(renderSequence(effect, sequenceOf(plan), progress, stop));
+    case ExportKind::Picture: return plainly(renderSequence(effect, sequenceOf(plan, projectOf(effect, plan)), progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: return plainly(writeOne(effect, plan, progress, stop));

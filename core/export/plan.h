@@ -2,6 +2,7 @@
 
 #include "core/export/flipbook.h"
 #include "core/export/particle_dump.h"
+#include "core/preset/preset.h"
 
 #include <optional>
 
@@ -34,6 +35,7 @@ struct ExportPlan {
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
+    std::optional<Preset> project; ///< that pictures carry, so that they open as it, with the effect that they show in place of its own; none: they carry nothing
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
 };
 

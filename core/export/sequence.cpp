@@ -20,6 +20,11 @@ std::string padded(int number, std::size_t digits)
     return text.size() >= digits ? text : std::string(digits - text.size(), '0') + text;
 }
 
+PictureNotes notesOf(const Effect& effect, const SequenceOptions& options, int frame)
+{
+    return {effect.timeline.frameRate, options.preset, frame};
+}
+
 bool isLayered(const SequenceOptions& options)
 {
     return options.passes != PassSet{Pass::Colour};
@@ -38,7 +43,7 @@ class ColourFrames {
 public:
     ColourFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
         : m_smoke(sampled(effect))
-        , m_format(options.format)
+        , m_options(options)
         , m_numbers(std::move(numbers))
         , m_simulator(m_smoke)
     {
@@ -51,12 +56,12 @@ public:
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeImage(m_images[place % 2], m_smoke, m_format, m_smoke->timeline.frameRate, stop);
+        return encodeImage(m_images[place % 2], m_smoke, m_options.format, notesOf(m_smoke, m_options, m_numbers[place]), stop);
     }
 
 private:
     SampledEffect m_smoke;
-    ImageFormat m_format;
+    SequenceOptions m_options;
     std::vector<int> m_numbers;
     Simulator m_simulator;
     Renderer m_renderer;
@@ -91,7 +96,7 @@ public:
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeLayers(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output, m_options.format, m_smoke->timeline.frameRate, stop);
+        return encodeLayers(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output, m_options.format, notesOf(m_smoke, m_options, m_numbers[place]), stop);
     }
 
 private:

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
+#include "core/picture_files/picture_notes.h"
 #include "core/preset/json_tree.h"
 
 #include <algorithm>
@@ -235,6 +236,29 @@ void writeUnknown(const Preset& preset, std::string_view group, std::string_view
     }
 }
 
+/// The preset that a picture carries.
+Result<PresetReading> readPicture(const std::filesystem::path& path)
+{
+    const Result<std::string> head = readFileHead(path, kPictureHead);
+    if (!head) {
+        return head.error();
+    }
+    const Result<PictureNotes> notes = readPictureNotes(head.value());
+    if (!notes) {
+        Error error = notes.error();
+        error.place = path.string();
+        return error;
+    }
+    if (notes.value().preset.empty()) {
+        return Error{ErrorCode::WrongType, said("this picture carries no preset"), path.string(), said("Choose one that Fumage has written, or the preset's own file")};
+    }
+    Result<PresetReading> reading = parsePreset(notes.value().preset, path.string());
+    if (reading) {
+        reading.value().frame = std::max(0, notes.value().frame);
+    }
+    return reading;
+}
+
 } // namespace
 
 Result<PresetReading> parsePreset(std::string_view json, const std::string& place)
@@ -268,6 +292,10 @@ std::string formatPreset(const Preset& preset)
 
 Result<PresetReading> readPresetFile(const std::filesystem::path& path)
 {
+    constexpr std::size_t kSignature = 8;
+    if (const Result<std::string> begin = readFileHead(path, kSignature); begin && isPicture(begin.value())) {
+        return readPicture(path);
+    }
     const Result<std::string> text = readFile(path, kMaxPresetBytes);
     return text ? parsePreset(text.value(), path.string()) : Result<PresetReading>(text.error());
 }

@@ -4,6 +4,7 @@
 #include "core/effect/effect.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,7 @@ struct Preset {
 /// A preset that was read, and what the reader had to put right.
 struct PresetReading {
     Preset preset;
+    std::optional<int> frame; ///< that the picture shows which carries the preset; none: the file is the preset's own
     std::vector<Message> warnings; ///< unknown keys with the nearest known one, clamped values, missing parameters; the first 20, then how many more
 };
 
@@ -44,7 +46,8 @@ struct PresetReading {
 /// parsePreset() of it gives the same preset; writing that again gives the same text.
 [[nodiscard]] std::string formatPreset(const Preset& preset);
 
-/// @error those of readFile() with kMaxPresetBytes, and of parsePreset()
+/// Reads a preset, or the one that a picture carries: a PNG or EXR that Fumage has written.
+/// @error those of readFile() with kMaxPresetBytes, of readPictureNotes(), and of parsePreset(); WrongType: a picture without a preset
 [[nodiscard]] Result<PresetReading> readPresetFile(const std::filesystem::path& path);
 /// Writes formatPreset(), whole or not at all.
 /// @error those of writeFileAtomically()

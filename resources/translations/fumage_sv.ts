@@ -458,6 +458,10 @@
         <source>The clipboard</source>
         <translation>Urklipp</translation>
     </message>
+    <message>
+        <source>Presets, and pictures that carry one (*.json *.png *.exr)</source>
+        <translation>Förinställningar, och bilder som bär en (*.json *.png *.exr)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::EditActions</name>
@@ -721,6 +725,14 @@
     <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
         <translation>%1, %2 × %3 bildpunkter, och %4 filer till</translation>
+    </message>
+    <message>
+        <source>Pictures carry the preset</source>
+        <translation>Bilderna bär förinställningen</translation>
+    </message>
+    <message>
+        <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
+        <translation>Fumage öppnar då en bild som den förinställning den gjordes av, vid dess bildruta</translation>
     </message>
 </context>
 <context>
@@ -1485,6 +1497,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Choose EXR, or a flipbook</source>
         <translation>Välj EXR, eller en flipbook</translation>
+    </message>
+    <message>
+        <source>the picture is broken: %1</source>
+        <translation>bilden är trasig: %1</translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor an EXR</source>
+        <translation>detta är varken en PNG eller en EXR</translation>
+    </message>
+    <message>
+        <source>this picture carries no preset</source>
+        <translation>den här bilden bär ingen förinställning</translation>
+    </message>
+    <message>
+        <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
+        <translation>Välj en som Fumage har skrivit, eller förinställningens egen fil</translation>
     </message>
 </context>
 <context>

@@ -458,6 +458,10 @@
         <source>The clipboard</source>
         <translation>剪贴板</translation>
     </message>
+    <message>
+        <source>Presets, and pictures that carry one (*.json *.png *.exr)</source>
+        <translation>预设，以及携带预设的图片 (*.json *.png *.exr)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::EditActions</name>
@@ -721,6 +725,14 @@
     <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
         <translation>%1，%2 × %3 像素，以及另外 %4 个文件</translation>
+    </message>
+    <message>
+        <source>Pictures carry the preset</source>
+        <translation>图片携带预设</translation>
+    </message>
+    <message>
+        <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
+        <translation>这样 Fumage 打开图片时会还原生成它的预设，并停在对应的帧</translation>
     </message>
 </context>
 <context>
@@ -1485,6 +1497,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Choose EXR, or a flipbook</source>
         <translation>请选择 EXR 或序列帧图集</translation>
+    </message>
+    <message>
+        <source>the picture is broken: %1</source>
+        <translation>图片已损坏：%1</translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor an EXR</source>
+        <translation>这既不是 PNG 也不是 EXR</translation>
+    </message>
+    <message>
+        <source>this picture carries no preset</source>
+        <translation>此图片没有携带预设</translation>
+    </message>
+    <message>
+        <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
+        <translation>请选择由 Fumage 写出的图片，或预设文件本身</translation>
     </message>
 </context>
 <context>

@@ -287,6 +287,29 @@ private slots:
         QCOMPARE(run({"validate", "--strict", copy}).code, 0);
     }
 
+    void aPictureIsThePresetThatItWasMadeOf()
+    {
+        const QTemporaryDir folder;
+        const QStringList changed = kSmall + QStringList{"--set", "motion.gravity=2", "--frames", "5", "-o"};
+        QCOMPARE(runIn(folder, QStringList{"render", "default"} + changed + QStringList{"a.png"}).code, 0);
+        QCOMPARE(runIn(folder, {"render", "a.png", "--frames", "5", "--size", "48", "-o", "b.png"}).code, 0);
+        QCOMPARE(runIn(folder, {"render", "a.png", "--frames", "5", "--size", "48", "-o", "c/"}).code, 0);
+        const auto bytes = [&](const char* name) { return readFile((folder.path() + "/" + name).toStdString(), std::size_t{1} << 24U).value(); };
+        QVERIFY(bytes("a.png") == bytes("b.png") && bytes("a.png") == bytes("c/a.png"));
+        QVERIFY(runIn(folder, {"presets", "--show", "a.png"}).out.contains("\"gravity\": 2"));
+        const Outcome over = runIn(folder, {"render", "a.png", "--frames", "5"});
+        QVERIFY2(over.code == 3 && over.error.contains("a.png"), over.error);
+        QCOMPARE(runIn(folder, QStringList{"render", "default", "--no-preset"} + changed + QStringList{"bare.png"}).code, 0);
+        const Outcome bare = runIn(folder, {"render", "bare.png", "-o", "d.png"});
+        QVERIFY2(bare.code == 3 && bare.error.contains("carries no preset"), bare.error);
+    }
+
+    void fitWritesNothingAndTakesPresetsOfOneName()
+    {
+        const Outcome twice = run({"fit", "thesis-2012", "thesis-2012", "--frames", "5"});
+        QVERIFY2(twice.code == 0 && twice.out.count('\n') == 2, twice.error);
+    }
+
     void builtinPresetFilesAreCanonical()
     {
         const QDir presets(FUMAGE_SOURCE_DIR "/resources/presets");

@@ -4,6 +4,7 @@
 #include "ui/presets/preset_browser.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/export/plan.h"
 #include "core/preset/library.h"
 #include "core/preset/preset.h"
 
@@ -282,6 +283,45 @@ private slots:
         preset.setData(PresetList::mimeType(), "campfire");
         drop(preset);
         QTRY_VERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.effect);
+    }
+
+    void aPictureOpensAsThePresetThatItCarries()
+    {
+        Preset preset = smallPreset();
+        preset.name = "Of a picture";
+        preset.effect.motion.gravity = 2.0F;
+        const QString path = m_folder.filePath(u"smoke.png"_q);
+        ExportPlan plan;
+        plan.kind = ExportKind::Picture;
+        plan.output = path.toStdString();
+        plan.frames = {7, 7, 1};
+        plan.project = preset;
+        QVERIFY(runExport(preset.effect, plan, {}).ok());
+        QMimeData file;
+        file.setUrls({QUrl::fromLocalFile(path)});
+        drop(file);
+        QTRY_VERIFY(m_window->document().effect() == preset.effect);
+        QVERIFY(m_window->windowTitle().contains(u"Of a picture"_q));
+        QCOMPARE(m_window->player().frame(), 7);
+        QVERIFY(!m_window->player().isPlaying());
+        // Saving asks for a file: the picture stays a picture.
+        QVERIFY(m_window->document().filePath().isEmpty());
+    }
+
+    void aPictureThatCarriesNothingIsToldAbout()
+    {
+        const QString path = m_folder.filePath(u"smoke.png"_q);
+        ExportPlan plan;
+        plan.kind = ExportKind::Picture;
+        plan.output = path.toStdString();
+        QVERIFY(runExport(smallPreset().effect, plan, {}).ok());
+        QString seen;
+        answerNext("errorBox", [&](QMessageBox& box) {
+            seen = box.text();
+            pressButton(box, QMessageBox::Ok);
+        });
+        QVERIFY(!m_window->files().openFile(path));
+        QVERIFY2(seen.contains(u"carries no preset"_q), qPrintable(seen));
     }
 
     void aPresetThatOnlyAnotherProgramKnowsIsDroppedInVain()

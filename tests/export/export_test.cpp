@@ -392,7 +392,7 @@ private slots:
 
     void filesSayWhatTheyHold()
     {
-        const std::string exr = textOf(encodeImage(ramp(), Effect{}, ImageFormat::ExrHalf, 24).value());
+        const std::string exr = textOf(encodeImage(ramp(), Effect{}, ImageFormat::ExrHalf, {24, {}, 0}).value());
         for (const char* attribute : {"chromaticities", "framesPerSecond", "software", "Fumage"}) {
             QVERIFY2(exr.find(attribute) != std::string::npos, attribute);
         }
@@ -405,7 +405,7 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat}) {
-            const auto bytes = encodeImage(ramp(), Effect{}, format, 0, stop.get_token());
+            const auto bytes = encodeImage(ramp(), Effect{}, format, {}, stop.get_token());
             QVERIFY(!bytes.ok());
             QCOMPARE(bytes.error().code, ErrorCode::Cancelled);
         }

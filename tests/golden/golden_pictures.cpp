@@ -1,7 +1,7 @@
 #include "tests/golden/golden_pictures.h"
 
 #include "core/base/file.h"
-#include "core/export/png_file.h"
+#include "core/picture_files/png_file.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>

@@ -31,9 +31,10 @@ if [ -n "$boxes" ]; then
     printf '%s\n%s\n' 'texts of files are shown by MessageBox, which takes nothing for HTML:' "$boxes"
     failed=1
 fi
-forbid core/base 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export)/' 'base stands below everything'
-forbid core/effect 'core/(preset|noise|flow|simulation|lighting|rendering|export)/' 'effect knows only base'
-forbid core/preset 'core/(noise|flow|simulation|lighting|rendering|export)/' 'preset knows effect and base'
+forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export)/' 'base stands below everything'
+forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export)/' 'files of pictures know only base'
+forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export)/' 'effect knows only base'
+forbid core/preset 'core/(noise|flow|simulation|lighting|rendering|export)/' 'preset knows effect, files of pictures and base'
 forbid core/noise 'core/(preset|flow|simulation|lighting|rendering|export)/' 'noise does not know what uses it'
 forbid core/flow 'core/(preset|simulation|lighting|rendering|export)/' 'the air knows no particles'
 forbid core/simulation 'core/(preset|lighting|rendering|export)/' 'simulation does not know rendering'

@@ -66,6 +66,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_noiseSize(makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
     , m_flipbook(new FlipbookChoices(this))
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
+    , m_carries(new QCheckBox(tr("Pictures carry the preset"), this))
     , m_files(new QLabel(this))
     , m_progress(new ExportProgress(job, this))
     , m_export(new QPushButton(tr("Export"), this))
@@ -144,6 +145,10 @@ void ExportDialog::buildForm()
     m_fit->setObjectName(QStringLiteral("export.fit"));
     m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
     form->addRow(QString(), m_fit);
+    m_carries->setObjectName(QStringLiteral("export.carries"));
+    m_carries->setToolTip(tr("Fumage then opens a picture as the preset that it was made of, at its frame"));
+    m_carries->setChecked(true);
+    form->addRow(QString(), m_carries);
     m_noiseSize->setSpecialValueText(tr("as in the effect"));
     m_noiseSize->setSuffix(tr(" pixels"));
     m_noiseSizeLabel = addRow(tr("Size"), m_noiseSize);
@@ -222,6 +227,9 @@ ExportPlan ExportDialog::plan() const
     plan.kind = kind();
     plan.frames = {m_first->value(), m_last->value(), m_step->value()};
     plan.fitCamera = m_fit->isChecked();
+    if (m_carries->isChecked()) {
+        plan.project = m_document.preset();
+    }
     plan.source = m_document.filePath().toStdString();
     plan.noiseSize = m_noiseSize->value();
     if (kind() == ExportKind::Particles) {
@@ -281,6 +289,7 @@ void ExportDialog::followPlan()
     }
     const bool picture = isPicture(kind());
     m_fit->setVisible(picture);
+    m_carries->setVisible(picture);
     for (ParameterRow* row : m_rows) {
         row->sync();
         row->setVisible(picture && fumage::isVisible(row->parameter(), m_document.effect()));

@@ -81,6 +81,7 @@ private:
     QSpinBox* m_noiseSize; ///< 0: the effect's own
     FlipbookChoices* m_flipbook;
     QCheckBox* m_fit;
+    QCheckBox* m_carries; ///< whether pictures carry the preset
     QLabel* m_noiseSizeLabel = nullptr;
     QLabel* m_files;
     ExportProgress* m_progress;

@@ -23,6 +23,11 @@ QString presetFilter()
     return DocumentFiles::tr("Presets (*.json)") + QStringLiteral(";;") + DocumentFiles::tr("All files (*)");
 }
 
+QString openFilter()
+{
+    return DocumentFiles::tr("Presets, and pictures that carry one (*.json *.png *.exr)") + QStringLiteral(";;") + presetFilter();
+}
+
 /// Takes over what is being typed into a field: it is meant to be saved too.
 void finishTyping()
 {
@@ -113,7 +118,7 @@ void DocumentFiles::newDocument()
 void DocumentFiles::open()
 {
     const QString folder = m_document.filePath().isEmpty() ? m_settings.lastFolder() : QFileInfo(m_document.filePath()).path();
-    const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Open, .title = tr("Open"), .start = folder, .filter = presetFilter(), .ending = kEnding});
+    const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Open, .title = tr("Open"), .start = folder, .filter = openFilter(), .ending = kEnding});
     if (!path.isEmpty()) {
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
         openFile(path);
@@ -135,7 +140,12 @@ bool DocumentFiles::openFile(const QString& name)
     if (!mayLeave()) {
         return false;
     }
-    m_document.load(reading.value().preset, path);
+    const std::optional<int> frame = reading.value().frame;
+    // A picture is no place to save a preset to.
+    m_document.load(reading.value().preset, frame ? QString() : path);
+    if (frame) {
+        emit pictureOpened(*frame);
+    }
     m_settings.addRecentFile(path);
     showWarnings(QFileInfo(path).fileName(), reading.value().warnings);
     return true;

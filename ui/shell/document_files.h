@@ -41,6 +41,8 @@ public:
 signals:
     /// A file was written to the user's presets.
     void libraryChanged();
+    /// A picture was opened as the preset that it carries, and shows this frame of it.
+    void pictureOpened(int frame);
 
 private:
     bool saveTo(const QString& path);

@@ -122,6 +122,10 @@ void MainWindow::connectFileActions()
     m_actions.on("file.quit", &m_session, &Session::closeAll);
     m_actions.on("edit.copyPreset", &m_files, &DocumentFiles::copyPreset);
     m_actions.on("edit.pastePreset", &m_files, &DocumentFiles::pastePreset);
+    connect(&m_files, &DocumentFiles::pictureOpened, &m_player, [this](int frame) {
+        m_player.pause();
+        m_player.setFrame(frame);
+    });
 }
 
 void MainWindow::connectWindowActions()

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/picture_files/picture_notes.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace fumage {
@@ -19,9 +21,13 @@ struct PngPixels {
     bool srgb = true; ///< the values are sRGB; else plain data: no colour space, and a comment that says so
     std::span<const std::byte> bytes;
     bool quick = false; ///< a third of the time, for a file a few per cent larger
+    PictureNotes notes;
 };
 
 /// @error WriteFailed, Cancelled
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::stop_token& stop = {});
+
+/// readPictureNotes() of a PNG.
+[[nodiscard]] Result<PictureNotes> readPngNotes(std::string_view head);
 
 } // namespace fumage

@@ -1,4 +1,6 @@
-#include "core/export/exr_file.h"
+#include "core/picture_files/exr_file.h"
+
+#include "core/version.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,9 +12,12 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfIntAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+
+#include <openexr.h>
 
 namespace fumage {
 
@@ -47,14 +52,18 @@ private:
 /// Says what the numbers mean: linear light in the primaries of Rec. 709 and sRGB, which are those that readers take where nothing is said.
 void describe(const ExrPixels& pixels, Imf::Header& header)
 {
-    header.insert("software", Imf::StringAttribute("Fumage"));
+    header.insert("software", Imf::StringAttribute("Fumage " FUMAGE_VERSION));
     if (!pixels.isLight) {
         header.insert("comments", Imf::StringAttribute("linear data, not colours"));
     } else if (pixels.layers.front().channels.size() > 1) {
         Imf::addChromaticities(header, Imf::Chromaticities());
     }
-    if (pixels.frameRate > 0) {
-        Imf::addFramesPerSecond(header, Imf::Rational(pixels.frameRate, 1));
+    if (pixels.notes.frameRate > 0) {
+        Imf::addFramesPerSecond(header, Imf::Rational(pixels.notes.frameRate, 1));
+    }
+    if (!pixels.notes.preset.empty()) {
+        header.insert(kPresetNote.data(), Imf::StringAttribute(pixels.notes.preset));
+        header.insert(kFrameNote.data(), Imf::IntAttribute(pixels.notes.frame));
     }
 }
 
@@ -84,6 +93,40 @@ void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream
     }
 }
 
+/// A callback of OpenEXR's C library, which has no limits but those of what it reads from.
+std::int64_t readHead(exr_const_context_t /*context*/, void* user, void* to, std::uint64_t size, std::uint64_t at, exr_stream_error_func_ptr_t /*error*/)
+{
+    const auto& head = *static_cast<const std::string_view*>(user);
+    const std::uint64_t count = at < head.size() ? std::min<std::uint64_t>(size, head.size() - at) : 0;
+    if (count > 0) {
+        std::memcpy(to, head.data() + at, count);
+    }
+    return static_cast<std::int64_t>(count);
+}
+
+/// What an attribute says that it holds, and does not, is found by the size of the file.
+std::int64_t sizeOfHead(exr_const_context_t /*context*/, void* user)
+{
+    return static_cast<std::int64_t>(static_cast<const std::string_view*>(user)->size());
+}
+
+void ignore(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*message*/) { }
+
+PictureNotes notesOf(exr_const_context_t file)
+{
+    PictureNotes notes;
+    const char* text = nullptr;
+    std::int32_t length = 0;
+    if (exr_attr_get_string(file, 0, kPresetNote.data(), &length, &text) == EXR_ERR_SUCCESS && length > 0 && static_cast<std::size_t>(length) <= kMostNoteBytes) {
+        notes.preset.assign(text, static_cast<std::size_t>(length));
+    }
+    std::int32_t frame = 0;
+    if (exr_attr_get_int(file, 0, kFrameNote.data(), &frame) == EXR_ERR_SUCCESS) {
+        notes.frame = frame;
+    }
+    return notes;
+}
+
 } // namespace
 
 std::string exrChannels(int count)
@@ -108,6 +151,23 @@ Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::sto
     } catch (const std::exception& cause) {
         return Error{ErrorCode::WriteFailed, said("the picture cannot be written as EXR: %1", cause.what()), {}, {}};
     }
+}
+
+Result<PictureNotes> readExrNotes(std::string_view head)
+{
+    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    start.error_handler_fn = ignore;
+    start.user_data = &head;
+    start.read_fn = readHead;
+    start.size_fn = sizeOfHead;
+    exr_context_t file = nullptr;
+    const exr_result_t opened = exr_start_read(&file, "memory", &start);
+    if (opened != EXR_ERR_SUCCESS) {
+        return Error{ErrorCode::Syntax, said("the picture is broken: %1", exr_get_default_error_message(opened)), {}, {}};
+    }
+    const PictureNotes notes = notesOf(file);
+    exr_finish(&file);
+    return notes;
 }
 
 } // namespace fumage

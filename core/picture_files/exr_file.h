@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/picture_files/picture_notes.h"
 
 #include <cstddef>
 #include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fumage {
@@ -26,11 +28,14 @@ struct ExrPixels {
     int height = 0;
     std::vector<ExrLayer> layers;
     bool half = true; ///< else 32-bit floats
-    int frameRate = 0; ///< frames/s of the pictures that it is one of; 0: not said
+    PictureNotes notes;
     bool isLight = true; ///< premultiplied colours; else numbers that have no primaries
 };
 
 /// @error WriteFailed, Cancelled
 [[nodiscard]] Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::stop_token& stop = {});
+
+/// readPictureNotes() of an EXR.
+[[nodiscard]] Result<PictureNotes> readExrNotes(std::string_view head);
 
 } // namespace fumage
