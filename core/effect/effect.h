@@ -220,6 +220,7 @@ struct Light {
     float emissionCooling = 2.0F;
     float hotCore = 0.0F;
     float flameOpacity = 1.0F;
+    float fireLight = 1.0F;
     EmissionColour emissionColour = EmissionColour::Gradient;
     float temperature = 1900.0F;
     Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},

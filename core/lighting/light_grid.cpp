@@ -79,39 +79,6 @@ GridShape gridShape(const Appearance& appearance, const Light& light, const Axes
     return shape;
 }
 
-void splatAll(const Frame& frame, const Appearance& appearance, LightWorkspace& room, LightGrid& out)
-{
-    const std::size_t cells = out.shape.cells();
-    const std::size_t chunks = frame.particles.chunks();
-    // The sum over all particles must fit into 32 bits, whatever cell they meet in.
-    constexpr float kMostUnits = 0x1p31F;
-    constexpr float kSmallestMass = 1e-20F;
-    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(appearance.count));
-    const auto workers = std::min(chunks, parallelThreads());
-    room.partial.resize(workers);
-    parallelFor(workers, [&](std::size_t worker) {
-        room.partial[worker].assign(cells, 0U);
-        for (std::size_t chunk = worker; chunk < chunks; chunk += workers) {
-            splatChunk(frame.particles, appearance, out.shape, unitsPerMass, chunk, room.partial[worker].data());
-        }
-    });
-    const float volume = out.shape.cell * out.shape.cell * out.shape.cell;
-    const float perUnit = kPi * kProfileMean / (unitsPerMass * volume);
-    out.density.resize(cells + kPadding);
-    const auto planes = static_cast<std::size_t>(out.shape.nw);
-    const std::size_t plane = cells / planes;
-    parallelFor(planes, [&](std::size_t w) {
-        for (std::size_t i = w * plane; i < (w + 1) * plane; ++i) {
-            std::uint32_t sum = 0;
-            for (const AlignedArray<std::uint32_t>& part : room.partial) {
-                sum += part[i];
-            }
-            out.density[i] = static_cast<float>(sum) * perUnit;
-        }
-    });
-    std::fill(out.density.begin() + static_cast<std::ptrdiff_t>(cells), out.density.end(), 0.0F);
-}
-
 std::array<AmbientDirection, 6> ambientDirections(const Axes& axes)
 {
     std::array<AmbientDirection, 6> out;
@@ -157,12 +124,45 @@ SunJob sunJob(const Light& light, const Axes& axes, const glm::vec3& eye)
     return job;
 }
 
+void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out)
+{
+    const std::size_t cells = shape.cells();
+    const std::size_t chunks = frame.particles.chunks();
+    // The sum over all particles must fit into 32 bits, whatever cell they meet in.
+    constexpr float kMostUnits = 0x1p31F;
+    constexpr float kSmallestMass = 1e-20F;
+    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(appearance.count));
+    const auto workers = std::min(chunks, parallelThreads());
+    room.partial.resize(workers);
+    parallelFor(workers, [&](std::size_t worker) {
+        room.partial[worker].assign(cells, 0U);
+        for (std::size_t chunk = worker; chunk < chunks; chunk += workers) {
+            splatChunk(frame.particles, appearance, shape, unitsPerMass, chunk, room.partial[worker].data());
+        }
+    });
+    const float volume = shape.cell * shape.cell * shape.cell;
+    const float perUnit = kPi * kProfileMean / (unitsPerMass * volume);
+    out.resize(cells + kPadding);
+    const auto planes = static_cast<std::size_t>(shape.nw);
+    const std::size_t plane = cells / planes;
+    parallelFor(planes, [&](std::size_t w) {
+        for (std::size_t i = w * plane; i < (w + 1) * plane; ++i) {
+            std::uint32_t sum = 0;
+            for (const AlignedArray<std::uint32_t>& part : room.partial) {
+                sum += part[i];
+            }
+            out[i] = static_cast<float>(sum) * perUnit;
+        }
+    });
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(cells), out.end(), 0.0F);
+}
+
 void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, LightWorkspace& room, LightGrid& out)
 {
     const bool dense = needsDensity(effect);
     out.shape = gridShape(appearance, effect->light, axes, finestResolution(effect->light, dense));
     if (dense) {
-        splatAll(frame, appearance, room, out);
+        splatParticles(frame, appearance, out.shape, room, out.density);
     } else {
         out.density.assign(out.shape.cells() + kPadding, 0.0F);
     }

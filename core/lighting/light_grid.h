@@ -27,6 +27,8 @@ struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
     AlignedArray<float> light; ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+    AlignedArray<float> fire; ///< one float a cell: light of what glows in the smoke; empty: there is none
+    glm::vec3 fireColour{0.0F};
 };
 
 /// What lightSmoke() needs while it works; kept, so that its memory is allocated once.
@@ -39,6 +41,10 @@ struct LightWorkspace {
 
 /// Axes with w along the light.
 [[nodiscard]] Axes lightAxes(const glm::vec3& direction);
+
+/// Adds up alpha * pi r^2 / 3 of the particles around each cell, over its volume.
+/// @param out gets a vector of zeros after the last cell
+void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out);
 
 /// Splats the particles into a grid along given axes: the first half of lightSmoke(), which says how.
 /// @param appearance of the same frame, with bounds in these axes and one visible particle or more

@@ -42,6 +42,18 @@ HWY_INLINE Float4 trilinear(const GridShape& shape, const float* cells, std::int
     return mix4(front, back, w);
 }
 
+/// The same of one channel.
+HWY_INLINE float trilinearOne(const GridShape& shape, const float* cells, std::int32_t corner, float u, float v, float w)
+{
+    const std::size_t du = shape.nu > 1 ? 1 : 0;
+    const std::size_t dv = shape.nv > 1 ? static_cast<std::size_t>(shape.nu) : 0;
+    const std::size_t dw = shape.nw > 1 ? static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv) : 0;
+    const float* at = cells + corner;
+    const auto mix = [](float a, float b, float t) { return (b - a) * t + a; };
+    const auto line = [&](const float* from) { return mix(from[0], from[du], u); };
+    return mix(mix(line(at), line(at + dv), v), mix(line(at + dw), line(at + dw + dv), v), w);
+}
+
 } // namespace fumage::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -26,6 +26,7 @@ Effect asThermometer(const Effect& effect)
     thermometer.light.emission = 1.0F;
     thermometer.light.hotCore = effect.light.emission > 0.0F ? effect.light.hotCore : 0.0F;
     thermometer.light.flameOpacity = 1.0F;
+    thermometer.light.fireLight = 0.0F;
     thermometer.light.emissionColour = EmissionColour::Gradient;
     thermometer.light.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F)}};
     return thermometer;

@@ -48,6 +48,7 @@ Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const 
         const Stopwatch stopwatch(m_times.light);
         findAppearance(frame, effect, lightAxes(effect->light.direction), m_appearance);
         lightSmoke(frame, effect, m_appearance, view.eye, m_lightWorkspace, m_light);
+        lightByFire(frame, effect, m_appearance, m_fireWorkspace, m_lightWorkspace, m_light);
         growLoneParticles(frame, effect, m_light, m_overlapWorkspace, m_appearance);
     }
     const Stopwatch stopwatch(m_times.sprites);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/lighting/fire_light.h"
 #include "core/lighting/overlap.h"
 #include "core/rendering/compositor.h"
 #include "core/simulation/frame.h"
@@ -60,6 +61,7 @@ private:
     Appearance m_appearance;
     LightGrid m_light;
     LightWorkspace m_lightWorkspace;
+    FireWorkspace m_fireWorkspace;
     OverlapWorkspace m_overlapWorkspace;
     SpriteBatch m_batch;
     Compositor m_compositor;

@@ -139,6 +139,9 @@ HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std:
     const Float4 albedo = job.albedo[static_cast<std::size_t>(life * static_cast<float>(kColourTableSize - 1))];
     const Float4 direct = albedo * job.sun * light[0];
     Float4 ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
+    if (job.isLitByFire) {
+        ambient += albedo * job.fire * trilinearOne(job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
+    }
     if (job.glows) {
         // Sky and ground together tell how open a place is.
         const float open = std::min(1.0F, light[1] + light[2]);

@@ -27,6 +27,8 @@ struct SpriteJob {
     Float4 sun{};
     Float4 sky{};
     Float4 ground{};
+    Float4 fire{}; ///< colour of the light of what glows
+    bool isLitByFire = false;
     bool glows = false;
 
     std::int32_t step = 0;

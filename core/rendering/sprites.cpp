@@ -2,6 +2,7 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
+#include "core/lighting/fire_light.h"
 #include "core/rendering/sprite_kernel.h"
 #include "core/rendering/sprite_mask.h"
 
@@ -85,6 +86,8 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     job.deforms = frame.particles.deforms();
     job.appearance = &appearance;
     job.light = &light;
+    job.isLitByFire = isLitByFire(effect->light) && !light.fire.empty();
+    job.fire = colour4(light.fireColour * effect->light.fireLight);
     job.texture = &texture;
     job.out = &out;
     const std::size_t padded = frame.particles.x.size();

@@ -3071,6 +3071,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that one sees into, from which soot forms as it cools.</source>
         <translation>Hur tät röken är medan den glöder, mot när den är kall. 1: den glöder som lava. 0,1: en klar låga som man ser in i och där sot bildas när den svalnar.</translation>
     </message>
+    <message>
+        <source>Light of the fire</source>
+        <translation>Eldens ljus</translation>
+    </message>
+    <message>
+        <source>How much what glows lights the smoke around it. 1: as much as it gives off.</source>
+        <translation>Hur mycket det som glöder lyser upp röken omkring. 1: så mycket som det avger.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -3146,10 +3154,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Campfire</source>
         <translation>Lägereld</translation>
-    </message>
-    <message>
-        <source>Flames that turn into dark smoke.</source>
-        <translation>Lågor som övergår i mörk rök.</translation>
     </message>
     <message>
         <source>Chimney</source>
@@ -3302,6 +3306,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>A ball of hot air that rises, turns inside out and draws a stem of smoke after it.</source>
         <translation>Ett klot av het luft som stiger, vänder ut och in på sig och drar en stam av rök efter sig.</translation>
+    </message>
+    <message>
+        <source>Tongues of clear flame, and thin smoke above them.</source>
+        <translation>Tungor av klar låga, och tunn rök ovanför dem.</translation>
     </message>
 </context>
 <context>

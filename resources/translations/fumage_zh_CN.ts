@@ -3071,6 +3071,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that one sees into, from which soot forms as it cools.</source>
         <translation>烟雾发光时相对于冷却后的不透明度。1：像熔岩一样发光。0.1：可以看进去的清澈火焰，冷却后形成烟炱。</translation>
     </message>
+    <message>
+        <source>Light of the fire</source>
+        <translation>火光照明</translation>
+    </message>
+    <message>
+        <source>How much what glows lights the smoke around it. 1: as much as it gives off.</source>
+        <translation>发光部分照亮周围烟雾的程度。1：与其发出的光一样多。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -3146,10 +3154,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Campfire</source>
         <translation>篝火</translation>
-    </message>
-    <message>
-        <source>Flames that turn into dark smoke.</source>
-        <translation>火焰化为浓黑的烟。</translation>
     </message>
     <message>
         <source>Chimney</source>
@@ -3302,6 +3306,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>A ball of hot air that rises, turns inside out and draws a stem of smoke after it.</source>
         <translation>上升的热空气团，翻卷内外并拖出一条烟柱。</translation>
+    </message>
+    <message>
+        <source>Tongues of clear flame, and thin smoke above them.</source>
+        <translation>清透的火舌，上方飘着薄烟。</translation>
     </message>
 </context>
 <context>

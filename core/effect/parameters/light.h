@@ -157,6 +157,16 @@ inline constexpr std::array kRows<Light>{
                "one sees into, from which soot forms as it cools.",
         .stage = Stage::Shade,
     }),
+    row<&Light::fireLight>({
+        .key = "light.fire_light",
+        .label = "Light of the fire",
+        .synonyms = "flame glow bounce illuminate indirect",
+        .hard = {0, 100},
+        .soft = {0, 4},
+        .step = 0.05,
+        .tip = "How much what glows lights the smoke around it. 1: as much as it gives off.",
+        .stage = Stage::Shade,
+    }),
     row<&Light::emissionColour>({
         .key = "light.emission_colour",
         .label = "Emission from",

@@ -1,0 +1,230 @@
+#include "core/lighting/fire_light.h"
+
+#include "core/base/parallel.h"
+#include "core/lighting/fire_light_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+void GridField::resize(int u, int v, int w)
+{
+    nu = u;
+    nv = v;
+    nw = w;
+    values.resize(static_cast<std::size_t>(u) * static_cast<std::size_t>(v) * static_cast<std::size_t>(w));
+}
+
+namespace {
+
+constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F}; // of Rec. 709
+
+FireJob fireJob(const Frame& frame, const Effect& effect, const GlowColours& colours)
+{
+    FireJob job;
+    job.glow = Glow(effect, colours);
+    std::transform(colours.begin(), colours.end(), job.brightness.begin(), [&](const glm::vec3& colour) { return effect.light.emission * glm::dot(colour, kLuminance); });
+    job.hotCore = effect.light.hotCore;
+    job.step = static_cast<std::int32_t>(frame.step);
+    job.dt = frame.model->schedule().dt;
+    job.bornBetweenSteps = frame.model->schedule().betweenSteps;
+    return job;
+}
+
+/// The mean heat of what glows, weighted by what it gives off: one order of the sum for any number of threads and lanes.
+float meanHeat(const FireWorkspace& room)
+{
+    double sum = 0.0;
+    double heat = 0.0;
+    for (std::size_t i = 0; i < room.heat.size(); ++i) {
+        const float radius = room.glowing.radius[i];
+        const double given = room.glowing.alpha[i] * (radius * radius);
+        sum += given;
+        heat += given * room.heat[i];
+    }
+    return sum > 0.0 ? static_cast<float>(heat / sum) : 0.0F;
+}
+
+/// Cells along an axis of a grid of twice the size: their centres lie half a cell before the first one and after the last.
+int halved(int count)
+{
+    return (count + 1) / 2 + 1;
+}
+
+/// (1 3 3 1) / 8 around each cell of twice the size, along u. What lies outside of a field is 0.
+void halveAlongU(const GridField& from, GridField& to)
+{
+    to.resize(halved(from.nu), from.nv, from.nw);
+    parallelFor(static_cast<std::size_t>(from.nw), [&](std::size_t plane) {
+        const int w = static_cast<int>(plane);
+        for (int v = 0; v < from.nv; ++v) {
+            const float* in = from.line(v, w);
+            float* out = to.line(v, w);
+            const auto at = [&](int u) { return u < 0 || u >= from.nu ? 0.0F : in[u]; };
+            for (int u = 0; u < to.nu; ++u) {
+                out[u] = 0.125F * (at(2 * u - 2) + at(2 * u + 1)) + 0.375F * (at(2 * u - 1) + at(2 * u));
+            }
+        }
+    });
+}
+
+/// The same across lines.
+/// @param line of cells along u of the field, by its place along the axis; outside of it a line of zeros
+template <class Line>
+void halveLines(int count, int first, const Line& line, float* out)
+{
+    const float* a = line(first - 2);
+    const float* b = line(first - 1);
+    const float* c = line(first);
+    const float* d = line(first + 1);
+    for (int u = 0; u < count; ++u) {
+        out[u] = 0.125F * (a[u] + d[u]) + 0.375F * (b[u] + c[u]);
+    }
+}
+
+void halve(const GridField& from, FireWorkspace::Level& room, GridField& to)
+{
+    halveAlongU(from, room.halfU);
+    const GridField& u = room.halfU;
+    const AlignedArray<float> nothing(static_cast<std::size_t>(u.nu), 0.0F);
+    room.halfV.resize(u.nu, halved(u.nv), u.nw);
+    parallelFor(static_cast<std::size_t>(u.nw), [&](std::size_t plane) {
+        const int w = static_cast<int>(plane);
+        for (int v = 0; v < room.halfV.nv; ++v) {
+            halveLines(u.nu, 2 * v, [&](int at) { return at < 0 || at >= u.nv ? nothing.data() : u.line(at, w); }, room.halfV.line(v, w));
+        }
+    });
+    const GridField& uv = room.halfV;
+    to.resize(uv.nu, uv.nv, halved(uv.nw));
+    parallelFor(static_cast<std::size_t>(to.nw), [&](std::size_t plane) {
+        const int w = static_cast<int>(plane);
+        for (int v = 0; v < to.nv; ++v) {
+            halveLines(uv.nu, 2 * w, [&](int at) { return at < 0 || at >= uv.nw ? nothing.data() : uv.line(v, at); }, to.line(v, w));
+        }
+    });
+}
+
+/// The nearer of the two larger cells beside a cell, and the other.
+struct Beside {
+    int near = 0;
+    int far = 0;
+};
+
+Beside beside(int at)
+{
+    return at % 2 == 0 ? Beside{at / 2, at / 2 + 1} : Beside{at / 2 + 1, at / 2};
+}
+
+/// Adds a field of larger cells to one of half their size, linearly between their centres.
+void addDoubled(const GridField& from, GridField& to)
+{
+    parallelFor(static_cast<std::size_t>(to.nw), [&](std::size_t plane) {
+        const Beside w = beside(static_cast<int>(plane));
+        for (int v = 0; v < to.nv; ++v) {
+            const Beside b = beside(v);
+            const float* nearNear = from.line(b.near, w.near);
+            const float* farNear = from.line(b.far, w.near);
+            const float* nearFar = from.line(b.near, w.far);
+            const float* farFar = from.line(b.far, w.far);
+            const auto at = [&](int u) { return 0.5625F * nearNear[u] + 0.1875F * (farNear[u] + nearFar[u]) + 0.0625F * farFar[u]; };
+            float* out = to.line(v, static_cast<int>(plane));
+            for (int u = 0; u < to.nu; ++u) {
+                const Beside c = beside(u);
+                out[u] += 0.75F * at(c.near) + 0.25F * at(c.far);
+            }
+        }
+    });
+}
+
+/// What a level adds: its glow, by the weight of its octave, through the smoke that lies around.
+/// @param deviation of the Gaussian that the level is blurred by, m
+void fillLight(FireWorkspace::Level& level, float deviation, float extinction)
+{
+    constexpr float kOctave = 0.69314718F; // of d(ln s)
+    constexpr float kHalfPiRoot = 1.2533141F; // sqrt(pi / 2)
+    const float weight = kHalfPiRoot * kOctave * deviation;
+    // Light that has come r has the mean deviation sqrt(pi / 2) r: in thin, even smoke this takes as much as the way itself.
+    const float depthOfDensity = extinction * deviation / kHalfPiRoot;
+    level.light.resize(level.glow.nu, level.glow.nv, level.glow.nw);
+    const std::size_t plane = static_cast<std::size_t>(level.glow.nu) * static_cast<std::size_t>(level.glow.nv);
+    parallelFor(static_cast<std::size_t>(level.glow.nw), [&](std::size_t w) {
+        for (std::size_t i = w * plane; i < (w + 1) * plane; ++i) {
+            const float depth = depthOfDensity * level.density.values[i];
+            // exp(-depth) to a few per cent, by operations that have the same bits everywhere.
+            const float through = 1.0F / (1.0F + depth * (1.0F + depth * (0.5F + depth * (1.0F / 6.0F))));
+            level.light.values[i] = weight * level.glow.values[i] * through;
+        }
+    });
+}
+
+/// Blurs the glow of the first level over all octaves, and adds them up in it.
+void spread(FireWorkspace& room, float cell, float extinction)
+{
+    // Deviation of a level in its own cells: what splatting, halving and linear interpolation blur.
+    constexpr float kDeviation = 0.70710678F;
+    constexpr float kFirstDeviation = 0.57735027F; // of splatting and reading alone
+    constexpr int kSmallest = 4;
+    std::size_t last = 0;
+    const auto largestOf = [&](std::size_t level) { return std::max({room.levels[level].glow.nu, room.levels[level].glow.nv, room.levels[level].glow.nw}); };
+    for (; largestOf(last) > kSmallest; ++last) {
+        if (room.levels.size() <= last + 1) {
+            room.levels.resize(last + 2);
+        }
+        halve(room.levels[last].glow, room.levels[last], room.levels[last + 1].glow);
+        halve(room.levels[last].density, room.levels[last], room.levels[last + 1].density);
+    }
+    for (std::size_t level = last + 1; level-- > 0;) {
+        const float size = std::ldexp(cell, static_cast<int>(level));
+        fillLight(room.levels[level], size * (level == 0 ? kFirstDeviation : kDeviation), extinction);
+        if (level < last) {
+            addDoubled(room.levels[level + 1].light, room.levels[level].light);
+        }
+    }
+}
+
+} // namespace
+
+bool isLitByFire(const Light& light)
+{
+    return light.emission > 0.0F && light.fireLight > 0.0F;
+}
+
+void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, FireWorkspace& room, LightWorkspace& splats, LightGrid& light)
+{
+    light.fire.clear();
+    if (!isLitByFire(effect->light) || appearance.count == 0 || light.shape.cells() == 1) {
+        return;
+    }
+    const std::size_t padded = appearance.radius.size();
+    room.glowing.radius.resize(padded);
+    room.glowing.alpha.resize(padded);
+    room.heat.resize(padded);
+    const GlowColours colours = glowColours(effect->light);
+    const FireJob job = fireJob(frame, effect, colours);
+    const std::size_t chunks = frame.particles.chunks();
+    std::vector<float> largest(chunks);
+    parallelFor(chunks, [&](std::size_t chunk) { largest[chunk] = findFireOfChunk(job, frame, appearance, light, chunk, room); });
+    room.glowing.largestMass = *std::max_element(largest.begin(), largest.end());
+    room.glowing.count = appearance.count;
+    const auto entry = static_cast<std::size_t>(meanHeat(room) * static_cast<float>(kGlowTableSize - 1));
+    const float brightness = job.brightness[entry];
+    if (!(room.glowing.largestMass > 0.0F) || !(brightness > 0.0F)) {
+        return;
+    }
+    light.fireColour = colours[entry] * (effect->light.emission / brightness);
+    if (room.levels.empty()) {
+        room.levels.resize(1);
+    }
+    FireWorkspace::Level& finest = room.levels.front();
+    finest.glow.resize(light.shape.nu, light.shape.nv, light.shape.nw);
+    finest.density.resize(light.shape.nu, light.shape.nv, light.shape.nw);
+    splatParticles(frame, room.glowing, light.shape, splats, finest.glow.values);
+    std::copy_n(light.density.begin(), light.shape.cells(), finest.density.values.begin());
+    spread(room, light.shape.cell, effect->light.shadow);
+    light.fire = room.levels.front().light.values;
+}
+
+} // namespace fumage

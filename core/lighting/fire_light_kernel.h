@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/lighting/fire_light.h"
+#include "core/lighting/glow.h"
+
+#include <array>
+
+namespace fumage {
+
+/// How bright particles are.
+struct FireJob {
+    Glow glow;
+    std::array<float, kGlowTableSize> brightness{}; ///< by heat
+    float hotCore = 0.0F;
+    std::int32_t step = 0;
+    float dt = 0.0F;
+    bool bornBetweenSteps = false;
+};
+
+/// Fills radius and alpha of what glows, and its heat, for one chunk.
+/// @return the largest mass
+float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light, std::size_t chunk, FireWorkspace& out);
+
+} // namespace fumage
