@@ -94,7 +94,8 @@ void halve(const GridField& from, FireWorkspace::Level& room, GridField& to)
     parallelFor(static_cast<std::size_t>(u.nw), [&](std::size_t plane) {
         const int w = static_cast<int>(plane);
         for (int v = 0; v < room.halfV.nv; ++v) {
-            halveLines(u.nu, 2 * v, [&](int at) { return at < 0 || at >= u.nv ? nothing.data() : u.line(at, w); }, room.halfV.line(v, w));
+            halveLines(
+                u.nu, 2 * v, [&](int at) { return at < 0 || at >= u.nv ? nothing.data() : u.line(at, w); }, room.halfV.line(v, w));
         }
     });
     const GridField& uv = room.halfV;
@@ -102,7 +103,8 @@ void halve(const GridField& from, FireWorkspace::Level& room, GridField& to)
     parallelFor(static_cast<std::size_t>(to.nw), [&](std::size_t plane) {
         const int w = static_cast<int>(plane);
         for (int v = 0; v < to.nv; ++v) {
-            halveLines(uv.nu, 2 * w, [&](int at) { return at < 0 || at >= uv.nw ? nothing.data() : uv.line(v, at); }, to.line(v, w));
+            halveLines(
+                uv.nu, 2 * w, [&](int at) { return at < 0 || at >= uv.nw ? nothing.data() : uv.line(v, at); }, to.line(v, w));
         }
     });
 }

@@ -28,7 +28,7 @@ struct ExrPixels {
     int height = 0;
     std::vector<ExrLayer> layers;
     bool half = true; ///< else 32-bit floats
-    PictureNotes notes;
+    PictureNotes notes{};
     bool isLight = true; ///< premultiplied colours; else numbers that have no primaries
 };
 

@@ -21,7 +21,7 @@ struct PngPixels {
     bool srgb = true; ///< the values are sRGB; else plain data: no colour space, and a comment that says so
     std::span<const std::byte> bytes;
     bool quick = false; ///< a third of the time, for a file a few per cent larger
-    PictureNotes notes;
+    PictureNotes notes{};
 };
 
 /// @error WriteFailed, Cancelled

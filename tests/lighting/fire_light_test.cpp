@@ -67,11 +67,11 @@ struct LitByFire {
     [[nodiscard]] std::pair<double, double> at(const glm::vec3& place) const
     {
         const Axes& axes = grid.shape.axes;
-        const auto in = [&](const glm::vec3& p) { return glm::vec3(glm::dot(p, axes.u), glm::dot(p, axes.v), glm::dot(p, axes.w)); };
-        const glm::ivec3 cell(glm::round((in(place) - grid.shape.origin) / grid.shape.cell));
+        const auto along = [&](const glm::vec3& p) { return glm::vec3(glm::dot(p, axes.u), glm::dot(p, axes.v), glm::dot(p, axes.w)); };
+        const glm::ivec3 cell(glm::round((along(place) - grid.shape.origin) / grid.shape.cell));
         const glm::vec3 centre = grid.shape.origin + glm::vec3(cell) * grid.shape.cell;
         const auto i = static_cast<std::size_t>((cell.z * grid.shape.nv + cell.y) * grid.shape.nu + cell.x);
-        return {grid.fire[i], glm::distance(centre, in(glm::vec3(0.5F * kEdge)))};
+        return {grid.fire[i], glm::distance(centre, along(glm::vec3(0.5F * kEdge)))};
     }
 };
 
