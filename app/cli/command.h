@@ -62,6 +62,7 @@ void addJson(CLI::App& command, bool& asJson);
 // One function a subcommand: adds it to the program and sets the action when it is chosen.
 void addRender(CLI::App& program, Action& action);
 void addFlipbook(CLI::App& program, Action& action);
+void addVideo(CLI::App& program, Action& action);
 void addCheckSheet(CLI::App& program, Action& action);
 void addFit(CLI::App& program, Action& action);
 void addBakeNoise(CLI::App& program, Action& action);

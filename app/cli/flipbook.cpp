@@ -86,6 +86,7 @@ void addFlipbook(CLI::App& program, Action& action)
     auto arguments = std::make_shared<FlipbookArguments>();
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
+    arguments->picture.addFormat(*command);
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     arguments->passes.addTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"

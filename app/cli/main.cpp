@@ -100,6 +100,7 @@ void addCommands(CLI::App& program, Action& action)
     program.require_subcommand(1);
     addRender(program, action);
     addFlipbook(program, action);
+    addVideo(program, action);
     addCheckSheet(program, action);
     addFit(program, action);
     addBakeNoise(program, action);

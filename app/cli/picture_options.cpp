@@ -49,11 +49,26 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     addWhole(command, "--supersample", supersample, 1, kMaxSupersample, "Render this many times larger and average. Default: the preset's");
     command.add_flag("--fit", fit, "Move the camera so that all smoke of all frames is in the picture, and fills it");
+}
+
+void PictureOptions::addFormat(CLI::App& command)
+{
     command.add_flag("!--no-preset", carriesPreset, "Leave the preset out of the pictures, which else open as it");
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
 }
 
 Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
+{
+    Result<PictureJob> job = jobWithoutOutput(named);
+    if (job) {
+        if (Status status = chooseOutput(output, format, named.name, job.value().plan); !status) {
+            return status.error();
+        }
+    }
+    return job;
+}
+
+Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named) const
 {
     PictureJob job;
     job.effect = named.preset.effect;
@@ -75,9 +90,6 @@ Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
     job.plan.fitCamera = fit;
     if (carriesPreset) {
         job.plan.project = named.preset;
-    }
-    if (Status status = chooseOutput(output, format, named.name, job.plan); !status) {
-        return status.error();
     }
     return job;
 }

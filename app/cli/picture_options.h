@@ -32,8 +32,12 @@ struct PictureOptions {
     bool carriesPreset = true;
 
     void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
+    /// Adds what only pictures have.
+    void addFormat(CLI::App& command);
     /// What is to be done with one of the presets.
     [[nodiscard]] Result<PictureJob> jobFor(const NamedPreset& named) const;
+    /// The same, but for what it is to be written to.
+    [[nodiscard]] Result<PictureJob> jobWithoutOutput(const NamedPreset& named) const;
 };
 
 /// Fills in format and path of a plan for pictures.

@@ -130,7 +130,7 @@ Result<FileDraft> FileDraft::make(const std::filesystem::path& path, std::span<c
         failure = takeOver(draft.m_file.get(), information);
     }
     if (failure == 0) {
-        failure = flush(draft.m_file.get());
+        failure = fumage::flush(draft.m_file.get());
     }
     return failure == 0 ? Result<FileDraft>(std::move(draft)) : draft.error(failure);
 }
@@ -206,11 +206,17 @@ int FileDraft::takePlace()
     return 0;
 }
 
+Status FileDraft::flush()
+{
+    const int failure = fumage::flush(m_file.get());
+    return failure == 0 ? Status(Done{}) : error(failure);
+}
+
 Status FileDraft::publish()
 {
     int failure = takePlace();
     if (failure == 0) {
-        failure = flush(m_folder.get());
+        failure = fumage::flush(m_folder.get());
     }
     return failure == 0 ? Status(Done{}) : error(failure);
 }

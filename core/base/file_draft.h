@@ -28,6 +28,9 @@ public:
     FileDraft(const FileDraft&) = delete;
     FileDraft& operator=(const FileDraft&) = delete;
 
+    /// Where another program may write the contents while it has a temporary name; flush() then brings them to the disk.
+    [[nodiscard]] std::filesystem::path path() const { return m_folderPath / m_temporary; }
+    [[nodiscard]] Status flush();
     /// Takes the place of what is there.
     [[nodiscard]] Status publish();
     /// Waits until no other program publishes a pair in the folder; lasts until the draft is gone. Does nothing where there are no locks.

@@ -24,7 +24,7 @@ struct FlipbookOptions {
     PassSet passes{Pass::Colour}; ///< one picture each; one or more
     PassStyle style; ///< of those that are not the colour
     Engine engine = Engine::Generic; ///< the files that make it play are written, too
-    std::string preset; ///< that the pictures carry, as JSON; empty: none
+    std::string preset{}; ///< that the pictures carry, as JSON; empty: none
 };
 
 /// Smoke that reaches the border of cells: it ends there abruptly, and seeps into the next cell when filtered.

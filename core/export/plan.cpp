@@ -57,6 +57,7 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
         }
         [[fallthrough]];
     case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), stop, progress);
+    case ExportKind::Video: return Error{ErrorCode::OutOfRange, said("a video is not written as a stream"), {}, said("Name a file")};
     case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
     case ExportKind::Particles: return particleBytes(effect, plan, progress, stop);
     }
@@ -86,6 +87,7 @@ bool overwritesSource(const ExportPlan& plan)
         const std::vector<std::filesystem::path> files = filesOf(flipbookOf(plan));
         return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
     }
+    case ExportKind::Video:
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: break;
     }
@@ -104,12 +106,16 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
 
 bool isPicture(ExportKind kind)
 {
-    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Picture;
+    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Video || kind == ExportKind::Picture;
 }
 
 std::string_view fileEnding(const ExportPlan& plan)
 {
-    return plan.kind == ExportKind::Particles ? fileEnding(plan.particles) : fileEnding(plan.format);
+    switch (plan.kind) {
+    case ExportKind::Video: return fileEnding(plan.video);
+    case ExportKind::Particles: return fileEnding(plan.particles);
+    default: return fileEnding(plan.format);
+    }
 }
 
 std::filesystem::path firstFile(const ExportPlan& plan)
@@ -118,6 +124,7 @@ std::filesystem::path firstFile(const ExportPlan& plan)
     case ExportKind::Sequence:
     case ExportKind::Picture: return framePath(sequenceOf(plan), plan.frames.first);
     case ExportKind::Flipbook: return filesOf(flipbookOf(plan)).front();
+    case ExportKind::Video:
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: break;
     }
@@ -126,7 +133,7 @@ std::filesystem::path firstFile(const ExportPlan& plan)
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
-    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine, {}};
+    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
 }
 
 std::filesystem::path lastFile(const ExportPlan& plan)
@@ -157,6 +164,7 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     case ExportKind::Sequence:
     case ExportKind::Picture: return plainly(renderSequence(effect, sequenceOf(plan, projectOf(effect, plan)), progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
+    case ExportKind::Video: return plainly(renderVideo(effect, {plan.output, plan.frames, plan.video}, progress, stop));
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: return plainly(writeOne(effect, plan, progress, stop));
     }

@@ -2,6 +2,7 @@
 
 #include "core/export/flipbook.h"
 #include "core/export/particle_dump.h"
+#include "core/export/video.h"
 #include "core/preset/preset.h"
 
 #include <optional>
@@ -12,6 +13,7 @@ namespace fumage {
 enum class ExportKind {
     Sequence, ///< a picture for every frame of a range
     Flipbook, ///< frames of a range side by side in one picture
+    Video, ///< frames of a range as a film
     Picture, ///< one frame
     NoiseTexture, ///< one tile, as particles read it
     Particles, ///< where they are at one frame
@@ -26,6 +28,7 @@ struct ExportPlan {
     std::filesystem::path output; ///< of pictures: # stands for the frame number, a missing ending is added; else the file as it is named
     FrameRange frames; ///< of one picture and of particles: the first
     ImageFormat format = ImageFormat::Png8;
+    VideoFormat video = VideoFormat::Mp4;
     ParticleFormat particles = ParticleFormat::Csv;
     int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
     int rows = 8;

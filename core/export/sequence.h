@@ -48,7 +48,7 @@ struct SequenceOptions {
     ImageFormat format = ImageFormat::Png8;
     PassSet passes{Pass::Colour}; ///< with others than the colour each file is an EXR of layers; see encodeLayers()
     bool premultiplied = true; ///< light, emission and albedo of the layers
-    std::string preset; ///< that the pictures carry, as JSON; empty: none
+    std::string preset{}; ///< that the pictures carry, as JSON; empty: none
 };
 
 [[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);

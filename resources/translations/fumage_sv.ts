@@ -734,6 +734,34 @@
         <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
         <translation>Fumage öppnar då en bild som den förinställning den gjordes av, vid dess bildruta</translation>
     </message>
+    <message>
+        <source>Video</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264), on the background colour</source>
+        <translation>MP4 (H.264), på bakgrundsfärgen</translation>
+    </message>
+    <message>
+        <source>WebM (VP9), transparent</source>
+        <translation>WebM (VP9), genomskinlig</translation>
+    </message>
+    <message>
+        <source>QuickTime (ProRes 4444), transparent</source>
+        <translation>QuickTime (ProRes 4444), genomskinlig</translation>
+    </message>
+    <message>
+        <source>GIF, on the background colour</source>
+        <translation>GIF, på bakgrundsfärgen</translation>
+    </message>
+    <message>
+        <source>APNG, transparent</source>
+        <translation>APNG, genomskinlig</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, %4 s</source>
+        <translation>%1, %2 × %3 bildpunkter, %4 s</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -1513,6 +1541,30 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
         <translation>Välj en som Fumage har skrivit, eller förinställningens egen fil</translation>
+    </message>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>programmet kan inte startas: %1</translation>
+    </message>
+    <message>
+        <source>the program ended by itself</source>
+        <translation>programmet avslutade sig självt</translation>
+    </message>
+    <message>
+        <source>the program failed: %1</source>
+        <translation>programmet misslyckades: %1</translation>
+    </message>
+    <message>
+        <source>the video was cancelled</source>
+        <translation>filmen avbröts</translation>
+    </message>
+    <message>
+        <source>a video is not written as a stream</source>
+        <translation>en film skrivs inte som en ström</translation>
+    </message>
+    <message>
+        <source>Videos are made by ffmpeg: install it, or render pictures</source>
+        <translation>Filmer görs av ffmpeg: installera det, eller rendera bilder</translation>
     </message>
 </context>
 <context>

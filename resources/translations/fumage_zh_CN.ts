@@ -734,6 +734,34 @@
         <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
         <translation>这样 Fumage 打开图片时会还原生成它的预设，并停在对应的帧</translation>
     </message>
+    <message>
+        <source>Video</source>
+        <translation>视频</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264), on the background colour</source>
+        <translation>MP4 (H.264)，以背景色为底</translation>
+    </message>
+    <message>
+        <source>WebM (VP9), transparent</source>
+        <translation>WebM (VP9)，透明</translation>
+    </message>
+    <message>
+        <source>QuickTime (ProRes 4444), transparent</source>
+        <translation>QuickTime (ProRes 4444)，透明</translation>
+    </message>
+    <message>
+        <source>GIF, on the background colour</source>
+        <translation>GIF，以背景色为底</translation>
+    </message>
+    <message>
+        <source>APNG, transparent</source>
+        <translation>APNG，透明</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, %4 s</source>
+        <translation>%1，%2 × %3 像素，%4 秒</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -1513,6 +1541,30 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
         <translation>请选择由 Fumage 写出的图片，或预设文件本身</translation>
+    </message>
+    <message>
+        <source>the program cannot be started: %1</source>
+        <translation>无法启动该程序：%1</translation>
+    </message>
+    <message>
+        <source>the program ended by itself</source>
+        <translation>该程序自行结束了</translation>
+    </message>
+    <message>
+        <source>the program failed: %1</source>
+        <translation>该程序失败：%1</translation>
+    </message>
+    <message>
+        <source>the video was cancelled</source>
+        <translation>视频已取消</translation>
+    </message>
+    <message>
+        <source>a video is not written as a stream</source>
+        <translation>视频不能以流的形式写出</translation>
+    </message>
+    <message>
+        <source>Videos are made by ffmpeg: install it, or render pictures</source>
+        <translation>视频由 ffmpeg 生成：请安装它，或改为渲染图片</translation>
     </message>
 </context>
 <context>

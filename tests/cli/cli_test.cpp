@@ -74,7 +74,7 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "flipbook", "check-sheet", "fit", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
+        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }

@@ -2,6 +2,7 @@
 
 #include "ui/export/export_dialog.h"
 #include "ui/panels/number_field.h"
+#include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
 
@@ -118,6 +119,27 @@ private slots:
         QCOMPARE(child<QLabel>(u"export.files"_q)->text(), u"a.b.ply"_q);
     }
 
+    void aVideoIsWhatItsNameSays()
+    {
+        m_dialog->setKind(ExportKind::Video);
+        auto* format = child<QComboBox>(u"export.format"_q);
+        auto* path = child<QLineEdit>(u"export.path"_q);
+        QVERIFY(path->text().endsWith(u".mp4"_q));
+        const auto hasColourBehind = [&] {
+            const auto rows = m_dialog->findChildren<ParameterRow*>();
+            return std::ranges::any_of(rows, [](const ParameterRow* row) { return row->parameter().key == "output.background_colour" && !row->isHidden(); });
+        };
+        QVERIFY(hasColourBehind()); // an MP4 has no transparency, whatever the background is
+        format->setCurrentIndex(1);
+        QVERIFY(path->text().endsWith(u".webm"_q));
+        QVERIFY(!hasColourBehind());
+        typePath(u"/tmp/smoke.GIF"_q);
+        QCOMPARE(m_dialog->plan().video, VideoFormat::Gif);
+        QCOMPARE(m_dialog->plan().output.string(), std::string("/tmp/smoke.GIF"));
+        QVERIFY(child<QSpinBox>(u"export.last"_q)->isEnabled());
+        QVERIFY(child<QCheckBox>(u"export.carries"_q)->isHidden());
+    }
+
     void theFileOfTheDocumentIsNotOverwritten()
     {
         const QTemporaryDir folder;
@@ -157,7 +179,7 @@ private slots:
     void theFormatOfPicturesIsKeptFromKindToKind()
     {
         child<QComboBox>(u"export.format"_q)->setCurrentIndex(3);
-        for (const ExportKind kind : {ExportKind::Flipbook, ExportKind::Particles, ExportKind::NoiseTexture, ExportKind::Picture}) {
+        for (const ExportKind kind : {ExportKind::Flipbook, ExportKind::Video, ExportKind::Particles, ExportKind::NoiseTexture, ExportKind::Picture}) {
             m_dialog->setKind(kind);
         }
         QCOMPARE(m_dialog->plan().format, ImageFormat::ExrFloat);

@@ -77,7 +77,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     setWindowTitle(tr("Export"));
     m_kind->setObjectName(QStringLiteral("export.kind"));
     m_kind->setAccessibleName(tr("What"));
-    m_kind->addItems({tr("Image sequence"), tr("Flipbook"), tr("Single picture"), tr("Noise texture"), tr("Particles")});
+    m_kind->addItems({tr("Image sequence"), tr("Flipbook"), tr("Video"), tr("Single picture"), tr("Noise texture"), tr("Particles")});
     m_format->setObjectName(QStringLiteral("export.format"));
     m_format->setAccessibleName(tr("Format"));
     m_path->setObjectName(QStringLiteral("export.path"));
@@ -232,10 +232,11 @@ ExportPlan ExportDialog::plan() const
     }
     plan.source = m_document.filePath().toStdString();
     plan.noiseSize = m_noiseSize->value();
-    if (kind() == ExportKind::Particles) {
-        plan.particles = static_cast<ParticleFormat>(m_format->currentIndex());
-    } else {
-        plan.format = static_cast<ImageFormat>(std::max(0, m_format->currentIndex()));
+    const int format = std::max(0, m_format->currentIndex());
+    switch (kind()) {
+    case ExportKind::Particles: plan.particles = static_cast<ParticleFormat>(format); break;
+    case ExportKind::Video: plan.video = static_cast<VideoFormat>(format); break;
+    default: plan.format = static_cast<ImageFormat>(format); break;
     }
     if (kind() == ExportKind::Flipbook) {
         m_flipbook->applyTo(plan);
@@ -252,6 +253,8 @@ void ExportDialog::followKind()
     m_format->clear();
     if (kind() == ExportKind::Particles) {
         m_format->addItems({tr("CSV, one particle a line"), tr("PLY, binary points")});
+    } else if (kind() == ExportKind::Video) {
+        m_format->addItems({tr("MP4 (H.264), on the background colour"), tr("WebM (VP9), transparent"), tr("QuickTime (ProRes 4444), transparent"), tr("GIF, on the background colour"), tr("APNG, transparent")});
     } else {
         m_format->addItems({tr("PNG, 8 bits"), tr("PNG, 16 bits"), tr("OpenEXR, half floats, linear"), tr("OpenEXR, floats, linear")});
         m_format->setCurrentIndex(m_imageFormat);
@@ -262,7 +265,7 @@ void ExportDialog::followKind()
 
 void ExportDialog::followFormat()
 {
-    if (kind() != ExportKind::Particles) {
+    if (kind() != ExportKind::Particles && kind() != ExportKind::Video) {
         m_imageFormat = m_format->currentIndex();
     }
     const QString path = withEndingOf(plan(), m_path->text());
@@ -288,14 +291,16 @@ void ExportDialog::followPlan()
         return;
     }
     const bool picture = isPicture(kind());
+    const bool onColour = kind() == ExportKind::Video && !hasAlpha(plan().video);
     m_fit->setVisible(picture);
-    m_carries->setVisible(picture);
+    m_carries->setVisible(picture && kind() != ExportKind::Video);
     for (ParameterRow* row : m_rows) {
         row->sync();
-        row->setVisible(picture && fumage::isVisible(row->parameter(), m_document.effect()));
+        const bool isBehind = onColour && &row->parameter() == &knownParameter("output.background_colour");
+        row->setVisible(picture && (isBehind || fumage::isVisible(row->parameter(), m_document.effect())));
     }
     m_first->setEnabled(kind() != ExportKind::NoiseTexture);
-    const bool many = kind() == ExportKind::Sequence || kind() == ExportKind::Flipbook;
+    const bool many = picture && kind() != ExportKind::Picture;
     m_last->setEnabled(many);
     m_step->setEnabled(many);
     m_flipbook->setVisible(kind() == ExportKind::Flipbook);

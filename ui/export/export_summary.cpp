@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -47,8 +48,12 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
     if (plan.kind == ExportKind::Sequence) {
         return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, toQString(lastFile(plan).filename().string()));
     }
+    const Output& output = effect.output;
+    if (plan.kind == ExportKind::Video) {
+        const double seconds = static_cast<double>(plan.frames.count()) * plan.frames.step / effect.timeline.frameRate;
+        return ExportDialog::tr("%1, %2 × %3 pixels, %4 s").arg(first).arg(output.width).arg(output.height).arg(QLocale().toString(seconds, 'f', 1));
+    }
     if (plan.kind == ExportKind::Flipbook) {
-        const Output& output = effect.output;
         const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
         if (more > 1) {
             return ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows).arg(more);
@@ -65,6 +70,7 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
     switch (plan.kind) {
     case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
     case ExportKind::Flipbook: name += QStringLiteral("_%1x%2").arg(plan.columns).arg(plan.rows); break;
+    case ExportKind::Video:
     case ExportKind::Picture: break;
     case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
     case ExportKind::Particles: name += QStringLiteral("-particles"); break;
@@ -75,12 +81,16 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
 std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 {
     const std::string ending = endingOf(path.toStdString());
-    return kind == ExportKind::Particles ? withEnding(ending, {ParticleFormat::Csv, ParticleFormat::Ply}) : withEnding(ending, {ImageFormat::Png8, ImageFormat::ExrHalf});
+    switch (kind) {
+    case ExportKind::Particles: return withEnding(ending, {ParticleFormat::Csv, ParticleFormat::Ply});
+    case ExportKind::Video: return withEnding(ending, {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Gif, VideoFormat::Apng});
+    default: return withEnding(ending, {ImageFormat::Png8, ImageFormat::ExrHalf});
+    }
 }
 
 QString withEndingOf(const ExportPlan& plan, const QString& path)
 {
-    if (!formatNamedBy(path, ExportKind::Picture) && !formatNamedBy(path, ExportKind::Particles)) {
+    if (!formatNamedBy(path, ExportKind::Picture) && !formatNamedBy(path, ExportKind::Particles) && !formatNamedBy(path, ExportKind::Video)) {
         return path;
     }
     return path.left(path.lastIndexOf(QLatin1Char('.'))) + toQString(fileEnding(plan));

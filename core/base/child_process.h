@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/base/descriptor.h"
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace fumage {
+
+/// Another program that is fed through its standard input, and whose messages are kept. It is ended with the object, whatever it is doing then.
+class ChildProcess {
+public:
+    /// @param program   a name on the search path, or a path
+    /// @param arguments those after its name
+    /// @error FileNotFound, PermissionDenied; the place is the program
+    [[nodiscard]] static Result<ChildProcess> start(const std::string& program, const std::vector<std::string>& arguments);
+
+    ~ChildProcess();
+    ChildProcess(ChildProcess&& other) noexcept;
+    ChildProcess& operator=(ChildProcess&& other) noexcept = delete;
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    /// Hands bytes over; waits until the program has taken them.
+    /// @error WriteFailed with what the program said, where it has ended; Cancelled
+    [[nodiscard]] Status write(std::span<const std::byte> bytes, const std::stop_token& stop = {});
+
+    /// Says that nothing follows, and waits until the program has ended.
+    /// @error WriteFailed with what the program said, where it did not end well; Cancelled
+    [[nodiscard]] Status finish(const std::stop_token& stop = {});
+
+private:
+    ChildProcess(std::string program, pid_t id, Descriptor input, Descriptor messages);
+    /// Reads what the program has said. @return whether it may say more
+    bool listen();
+    /// Waits until it ends. @return what waitpid() says
+    int reap();
+    [[nodiscard]] Error failure() const;
+
+    std::string m_program;
+    pid_t m_id = -1; ///< -1: it has ended
+    Descriptor m_input;
+    Descriptor m_messages;
+    std::string m_said;
+};
+
+} // namespace fumage

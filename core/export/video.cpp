@@ -1,0 +1,147 @@
+#include "core/export/video.h"
+
+#include "core/base/child_process.h"
+#include "core/base/file_draft.h"
+#include "core/lighting/glow.h"
+#include "core/rendering/compositor.h"
+#include "core/rendering/renderer.h"
+#include "core/rendering/view_transform.h"
+#include "core/simulation/simulator.h"
+
+#include <bit>
+#include <cstdlib>
+
+namespace fumage {
+
+namespace {
+
+/// How ffmpeg makes a format.
+struct Recipe {
+    std::string_view ending;
+    bool alpha;
+    bool wide; ///< takes 16 bits
+    std::vector<std::string> arguments;
+};
+
+Recipe recipeOf(VideoFormat format)
+{
+    const std::vector<std::string> rec709{"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1"};
+    const auto with = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), rec709.begin(), rec709.end());
+        return arguments;
+    };
+    switch (format) {
+    case VideoFormat::Mp4:
+        return {".mp4", false, false,
+            with({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709", "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4"})};
+    case VideoFormat::WebM:
+        return {".webm", true, false,
+            with({"-vf", "scale=out_color_matrix=bt709", "-c:v", "libvpx-vp9", "-crf", "18", "-b:v", "0", "-row-mt", "1", "-auto-alt-ref", "0", "-pix_fmt", "yuva420p", "-f", "webm"})};
+    case VideoFormat::QuickTime:
+        return {".mov", true, true, with({"-vf", "scale=out_color_matrix=bt709", "-c:v", "prores_ks", "-profile:v", "4444", "-alpha_bits", "16", "-pix_fmt", "yuva444p10le", "-f", "mov"})};
+    case VideoFormat::Gif:
+        return {".gif", false, false, {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0", "-f", "gif"}};
+    case VideoFormat::Apng: return {".apng", true, false, {"-c:v", "apng", "-pix_fmt", "rgba", "-plays", "0", "-f", "apng"}};
+    }
+    return {};
+}
+
+std::string programForVideos()
+{
+    const char* named = std::getenv("FUMAGE_FFMPEG");
+    return named == nullptr || *named == '\0' ? "ffmpeg" : named;
+}
+
+std::vector<std::string> argumentsFor(const Effect& effect, const VideoOptions& options, const Recipe& recipe, const std::filesystem::path& file)
+{
+    const std::string size = std::to_string(effect.output.width) + "x" + std::to_string(effect.output.height);
+    const std::string rate = std::to_string(effect.timeline.frameRate) + "/" + std::to_string(options.frames.step);
+    const std::string_view wide = std::endian::native == std::endian::little ? "rgba64le" : "rgba64be";
+    std::vector<std::string> arguments{"-hide_banner", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", std::string(recipe.wide ? wide : "rgba"), "-video_size", size, "-framerate", rate, "-i", "-"};
+    arguments.insert(arguments.end(), recipe.arguments.begin(), recipe.arguments.end());
+    arguments.insert(arguments.end(), {"-y", "file:" + file.string()});
+    return arguments;
+}
+
+Result<ChildProcess> startFfmpeg(const std::vector<std::string>& arguments)
+{
+    Result<ChildProcess> program = ChildProcess::start(programForVideos(), arguments);
+    if (!program) {
+        Error error = program.error();
+        error.remedy = said("Videos are made by ffmpeg: install it, or render pictures");
+        return error;
+    }
+    return program;
+}
+
+/// Frames as ffmpeg takes them.
+template <class Channel>
+Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha, ChildProcess& program, const Progress& progress, const std::stop_token& stop)
+{
+    Simulator simulator(smoke);
+    Renderer renderer;
+    Image image;
+    EncodedImage<Channel> encoded;
+    const int total = options.frames.count();
+    for (int i = 0; i < total; ++i) {
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(options.frames.at(i), stop, progress);
+        if (!frame) {
+            return frame.error();
+        }
+        if (Status status = renderer.render(*frame.value(), smoke, smoke->output.width, smoke->output.height, image, stop); !status) {
+            return status;
+        }
+        if (!alpha) {
+            fillBackground(image, smoke->output.backgroundColour);
+        }
+        encode(image, smoke->output, encoded, hasClearFlames(smoke->light) ? Cover::Light : Cover::Alpha);
+        if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), stop); !status) {
+            return status;
+        }
+        progress(Work::Frames, i + 1, total);
+    }
+    return Done{};
+}
+
+} // namespace
+
+std::string_view fileEnding(VideoFormat format)
+{
+    return recipeOf(format).ending;
+}
+
+bool hasAlpha(VideoFormat format)
+{
+    return recipeOf(format).alpha;
+}
+
+Status renderVideo(const Effect& effect, const VideoOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    if (Status status = makeFolderOf(options.output); !status) {
+        return status;
+    }
+    const SampledEffect smoke = sampled(effect);
+    const Recipe recipe = recipeOf(options.format);
+    Result<FileDraft> draft = FileDraft::make(options.output, {}, FileAccess::Usual, FileDraft::Naming::Temporary);
+    if (!draft) {
+        return draft.error();
+    }
+    Result<ChildProcess> program = startFfmpeg(argumentsFor(smoke, options, recipe, draft.value().path()));
+    if (!program) {
+        return program.error();
+    }
+    Status fed = recipe.wide ? feed<std::uint16_t>(smoke, options, recipe.alpha, program.value(), progress, stop)
+                             : feed<std::uint8_t>(smoke, options, recipe.alpha, program.value(), progress, stop);
+    if (!fed) {
+        return fed;
+    }
+    if (Status status = program.value().finish(stop); !status) {
+        return status;
+    }
+    if (Status status = draft.value().flush(); !status) {
+        return status;
+    }
+    return draft.value().publish();
+}
+
+} // namespace fumage

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/export/sequence.h"
+
+#include <array>
+
+namespace fumage {
+
+/// What a video is written as.
+enum class VideoFormat {
+    Mp4, ///< H.264, which has no transparency
+    WebM, ///< VP9 with alpha
+    QuickTime, ///< ProRes 4444 with alpha
+    Gif, ///< 256 colours, which has no soft transparency
+    Apng, ///< a PNG that moves, with alpha
+};
+
+inline constexpr std::array kAllVideoFormats{VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Gif, VideoFormat::Apng};
+
+/// ".mp4", ".webm", ".mov", ".gif" or ".apng".
+[[nodiscard]] std::string_view fileEnding(VideoFormat format);
+
+/// Whether it holds smoke on a transparent background. Others have the effect's colour of the background behind it.
+[[nodiscard]] bool hasAlpha(VideoFormat format);
+
+struct VideoOptions {
+    std::filesystem::path output; ///< with its ending
+    FrameRange frames;
+    VideoFormat format = VideoFormat::Mp4;
+};
+
+/// Renders frames into a video, by the program ffmpeg, which must be on the search path; the environment variable FUMAGE_FFMPEG names another.
+/// Colours are those of PNG: sRGB after exposure and view transform. A GIF and an APNG repeat for ever. Videos have even edges where their format
+/// asks for that. The file is written whole or not at all. One frame is encoded while the next is made.
+/// @param progress as renderSequence()
+/// @error FileNotFound without ffmpeg, WriteFailed with what it said, Cancelled, those of writeFileAtomically()
+[[nodiscard]] Status renderVideo(const Effect& effect, const VideoOptions& options, const Progress& progress, const std::stop_token& stop = {});
+
+} // namespace fumage
