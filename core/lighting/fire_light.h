@@ -12,8 +12,12 @@ struct GridField {
     AlignedArray<float> values;
 
     void resize(int u, int v, int w);
-    [[nodiscard]] float* line(int v, int w) { return values.data() + (static_cast<std::size_t>(w) * static_cast<std::size_t>(nv) + static_cast<std::size_t>(v)) * static_cast<std::size_t>(nu); }
-    [[nodiscard]] const float* line(int v, int w) const { return const_cast<GridField*>(this)->line(v, w); } // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    /// The cells along u at one v and w.
+    [[nodiscard]] float* line(int v, int w) { return values.data() + lineAt(v, w); }
+    [[nodiscard]] const float* line(int v, int w) const { return values.data() + lineAt(v, w); }
+
+private:
+    [[nodiscard]] std::size_t lineAt(int v, int w) const { return (static_cast<std::size_t>(w) * static_cast<std::size_t>(nv) + static_cast<std::size_t>(v)) * static_cast<std::size_t>(nu); }
 };
 
 /// What lightByFire() needs while it works; kept, so that its memory is allocated once.
