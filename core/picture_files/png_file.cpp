@@ -4,6 +4,7 @@
 #include "core/version.h"
 
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -54,6 +55,17 @@ void fail(png_structp png, png_const_charp message)
 }
 
 void ignore(png_structp /*png*/, png_const_charp /*message*/) { }
+
+/// Memory for what is read. The library's own limit of a chunk is but a warning in its version 1.6: a chunk may say that it has 2 GiB.
+png_voidp allocate(png_structp /*png*/, png_alloc_size_t size)
+{
+    return size <= kPictureHead ? std::malloc(size) : nullptr; // NOLINT(cppcoreguidelines-no-malloc)
+}
+
+void release(png_structp /*png*/, png_voidp memory)
+{
+    std::free(memory); // NOLINT(cppcoreguidelines-no-malloc)
+}
 
 /// @param compression PNG_TEXT_COMPRESSION_NONE: Latin-1 as it stands; PNG_ITXT_COMPRESSION_zTXt: UTF-8, packed
 void setText(png_structp png, png_infop info, const char* key, const char* value, int compression = PNG_TEXT_COMPRESSION_NONE)
@@ -174,7 +186,7 @@ Result<PictureNotes> readPngNotes(std::string_view head)
 {
     Source source{head};
     std::string message;
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, fail, ignore);
+    png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &message, fail, ignore, nullptr, allocate, release);
     png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
     if (info == nullptr) {
         png_destroy_read_struct(&png, nullptr, nullptr);
