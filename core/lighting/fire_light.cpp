@@ -48,6 +48,20 @@ float meanHeat(const FireWorkspace& room)
     return sum > 0.0 ? static_cast<float>(heat / sum) : 0.0F;
 }
 
+/// Calls body(w) for each plane: on several threads where that is worth it.
+template <class Body>
+void forPlanes(const GridField& field, const Body& body)
+{
+    constexpr std::size_t kWorthThreads = 16384; // cells
+    if (field.values.size() >= kWorthThreads) {
+        parallelFor(static_cast<std::size_t>(field.nw), [&](std::size_t w) { body(static_cast<int>(w)); });
+        return;
+    }
+    for (int w = 0; w < field.nw; ++w) {
+        body(w);
+    }
+}
+
 /// Cells along an axis of a grid of twice the size: their centres lie half a cell before the first one and after the last.
 int halved(int count)
 {
@@ -58,8 +72,7 @@ int halved(int count)
 void halveAlongU(const GridField& from, GridField& to)
 {
     to.resize(halved(from.nu), from.nv, from.nw);
-    parallelFor(static_cast<std::size_t>(from.nw), [&](std::size_t plane) {
-        const int w = static_cast<int>(plane);
+    forPlanes(from, [&](int w) {
         for (int v = 0; v < from.nv; ++v) {
             const float* in = from.line(v, w);
             float* out = to.line(v, w);
@@ -91,8 +104,7 @@ void halve(const GridField& from, FireWorkspace::Level& room, GridField& to)
     const GridField& u = room.halfU;
     const AlignedArray<float> nothing(static_cast<std::size_t>(u.nu), 0.0F);
     room.halfV.resize(u.nu, halved(u.nv), u.nw);
-    parallelFor(static_cast<std::size_t>(u.nw), [&](std::size_t plane) {
-        const int w = static_cast<int>(plane);
+    forPlanes(room.halfV, [&](int w) {
         for (int v = 0; v < room.halfV.nv; ++v) {
             halveLines(
                 u.nu, 2 * v, [&](int at) { return at < 0 || at >= u.nv ? nothing.data() : u.line(at, w); }, room.halfV.line(v, w));
@@ -100,8 +112,7 @@ void halve(const GridField& from, FireWorkspace::Level& room, GridField& to)
     });
     const GridField& uv = room.halfV;
     to.resize(uv.nu, uv.nv, halved(uv.nw));
-    parallelFor(static_cast<std::size_t>(to.nw), [&](std::size_t plane) {
-        const int w = static_cast<int>(plane);
+    forPlanes(to, [&](int w) {
         for (int v = 0; v < to.nv; ++v) {
             halveLines(
                 uv.nu, 2 * w, [&](int at) { return at < 0 || at >= uv.nw ? nothing.data() : uv.line(v, at); }, to.line(v, w));
@@ -123,8 +134,8 @@ Beside beside(int at)
 /// Adds a field of larger cells to one of half their size, linearly between their centres.
 void addDoubled(const GridField& from, GridField& to)
 {
-    parallelFor(static_cast<std::size_t>(to.nw), [&](std::size_t plane) {
-        const Beside w = beside(static_cast<int>(plane));
+    forPlanes(to, [&](int plane) {
+        const Beside w = beside(plane);
         for (int v = 0; v < to.nv; ++v) {
             const Beside b = beside(v);
             const float* nearNear = from.line(b.near, w.near);
@@ -132,7 +143,7 @@ void addDoubled(const GridField& from, GridField& to)
             const float* nearFar = from.line(b.near, w.far);
             const float* farFar = from.line(b.far, w.far);
             const auto at = [&](int u) { return 0.5625F * nearNear[u] + 0.1875F * (farNear[u] + nearFar[u]) + 0.0625F * farFar[u]; };
-            float* out = to.line(v, static_cast<int>(plane));
+            float* out = to.line(v, plane);
             for (int u = 0; u < to.nu; ++u) {
                 const Beside c = beside(u);
                 out[u] += 0.75F * at(c.near) + 0.25F * at(c.far);
@@ -152,8 +163,9 @@ void fillLight(FireWorkspace::Level& level, float deviation, float extinction)
     const float depthOfDensity = extinction * deviation / kHalfPiRoot;
     level.light.resize(level.glow.nu, level.glow.nv, level.glow.nw);
     const std::size_t plane = static_cast<std::size_t>(level.glow.nu) * static_cast<std::size_t>(level.glow.nv);
-    parallelFor(static_cast<std::size_t>(level.glow.nw), [&](std::size_t w) {
-        for (std::size_t i = w * plane; i < (w + 1) * plane; ++i) {
+    forPlanes(level.glow, [&](int w) {
+        const std::size_t begin = static_cast<std::size_t>(w) * plane;
+        for (std::size_t i = begin; i < begin + plane; ++i) {
             const float depth = depthOfDensity * level.density.values[i];
             // exp(-depth) to a few per cent, by operations that have the same bits everywhere.
             const float through = 1.0F / (1.0F + depth * (1.0F + depth * (0.5F + depth * (1.0F / 6.0F))));
