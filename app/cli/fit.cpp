@@ -38,7 +38,7 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
 Status fit(const PictureOptions& options)
 {
     return options.effect.forEach([&](const NamedPreset& named) -> Status {
-        const Result<PictureJob> job = options.jobFor(named);
+        const Result<PictureJob> job = options.jobWithoutOutput(named);
         if (!job) {
             return job.error();
         }

@@ -57,6 +57,11 @@ int spawn(const std::string& program, const std::vector<std::string>& arguments,
     return failure;
 }
 
+Error cancelled()
+{
+    return {ErrorCode::Cancelled, said("the video was cancelled"), {}, {}};
+}
+
 } // namespace
 
 Result<ChildProcess> ChildProcess::start(const std::string& program, const std::vector<std::string>& arguments)
@@ -129,7 +134,7 @@ Status ChildProcess::write(std::span<const std::byte> bytes, const std::stop_tok
 {
     while (!bytes.empty()) {
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, said("the video was cancelled"), {}, {}};
+            return cancelled();
         }
         std::array<pollfd, 2> ready{{{m_input.get(), POLLOUT, 0}, {m_messages.get(), POLLIN, 0}}};
         if (::poll(ready.data(), ready.size(), kAskEvery) < 0 && errno != EINTR) {
@@ -153,7 +158,7 @@ Status ChildProcess::finish(const std::stop_token& stop)
     m_input = {};
     while (true) {
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, said("the video was cancelled"), {}, {}};
+            return cancelled();
         }
         pollfd ready{m_messages.get(), POLLIN, 0};
         if (::poll(&ready, 1, kAskEvery) > 0 && !listen()) {

@@ -1,10 +1,9 @@
 #include "core/export/image_file.h"
 
 #include "core/export/bleed.h"
-#include "core/picture_files/exr_file.h"
 #include "core/export/output_name.h"
+#include "core/picture_files/exr_file.h"
 #include "core/picture_files/png_file.h"
-#include "core/lighting/glow.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ template <class Channel, class Finish>
 Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
-    encode(image, effect.output, encoded, hasClearFlames(effect.light) ? Cover::Light : Cover::Alpha);
+    encode(image, effect.output, encoded, coverOf(effect.light));
     finish(encoded);
     return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels)), false, notes}, stop);
 }

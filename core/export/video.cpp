@@ -2,7 +2,6 @@
 
 #include "core/base/child_process.h"
 #include "core/base/file_draft.h"
-#include "core/lighting/glow.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/renderer.h"
 #include "core/rendering/view_transform.h"
@@ -10,6 +9,7 @@
 
 #include <bit>
 #include <cstdlib>
+#include <map>
 
 namespace fumage {
 
@@ -23,27 +23,29 @@ struct Recipe {
     std::vector<std::string> arguments;
 };
 
-Recipe recipeOf(VideoFormat format)
+/// What sRGB pictures say of themselves in a video of YUV.
+std::vector<std::string> taggedAsSrgb(std::vector<std::string> arguments)
 {
-    const std::vector<std::string> rec709{"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1"};
-    const auto with = [&](std::vector<std::string> arguments) {
-        arguments.insert(arguments.end(), rec709.begin(), rec709.end());
-        return arguments;
+    arguments.insert(arguments.end(), {"-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1"});
+    return arguments;
+}
+
+const Recipe& recipeOf(VideoFormat format)
+{
+    static const std::map<VideoFormat, Recipe> recipes{
+        {VideoFormat::Mp4,
+            {".mp4", false, false,
+                taggedAsSrgb({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709", "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4"})}},
+        {VideoFormat::WebM,
+            {".webm", true, false,
+                taggedAsSrgb({"-vf", "scale=out_color_matrix=bt709", "-c:v", "libvpx-vp9", "-crf", "18", "-b:v", "0", "-row-mt", "1", "-auto-alt-ref", "0", "-pix_fmt", "yuva420p", "-f", "webm"})}},
+        {VideoFormat::QuickTime,
+            {".mov", true, true,
+                taggedAsSrgb({"-vf", "scale=out_color_matrix=bt709", "-c:v", "prores_ks", "-profile:v", "4444", "-alpha_bits", "16", "-pix_fmt", "yuva444p10le", "-f", "mov"})}},
+        {VideoFormat::Gif, {".gif", false, false, {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0", "-f", "gif"}}},
+        {VideoFormat::Apng, {".apng", true, false, {"-c:v", "apng", "-pix_fmt", "rgba", "-plays", "0", "-f", "apng"}}},
     };
-    switch (format) {
-    case VideoFormat::Mp4:
-        return {".mp4", false, false,
-            with({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709", "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4"})};
-    case VideoFormat::WebM:
-        return {".webm", true, false,
-            with({"-vf", "scale=out_color_matrix=bt709", "-c:v", "libvpx-vp9", "-crf", "18", "-b:v", "0", "-row-mt", "1", "-auto-alt-ref", "0", "-pix_fmt", "yuva420p", "-f", "webm"})};
-    case VideoFormat::QuickTime:
-        return {".mov", true, true, with({"-vf", "scale=out_color_matrix=bt709", "-c:v", "prores_ks", "-profile:v", "4444", "-alpha_bits", "16", "-pix_fmt", "yuva444p10le", "-f", "mov"})};
-    case VideoFormat::Gif:
-        return {".gif", false, false, {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0", "-f", "gif"}};
-    case VideoFormat::Apng: return {".apng", true, false, {"-c:v", "apng", "-pix_fmt", "rgba", "-plays", "0", "-f", "apng"}};
-    }
-    return {};
+    return recipes.at(format);
 }
 
 std::string programForVideos()
@@ -94,7 +96,7 @@ Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha,
         if (!alpha) {
             fillBackground(image, smoke->output.backgroundColour);
         }
-        encode(image, smoke->output, encoded, hasClearFlames(smoke->light) ? Cover::Light : Cover::Alpha);
+        encode(image, smoke->output, encoded, coverOf(smoke->light));
         if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), stop); !status) {
             return status;
         }
@@ -121,7 +123,7 @@ Status renderVideo(const Effect& effect, const VideoOptions& options, const Prog
         return status;
     }
     const SampledEffect smoke = sampled(effect);
-    const Recipe recipe = recipeOf(options.format);
+    const Recipe& recipe = recipeOf(options.format);
     Result<FileDraft> draft = FileDraft::make(options.output, {}, FileAccess::Usual, FileDraft::Naming::Temporary);
     if (!draft) {
         return draft.error();

@@ -98,11 +98,11 @@ void halveLines(int count, int first, const Line& line, float* out)
     }
 }
 
-void halve(const GridField& from, FireWorkspace::Level& room, GridField& to)
+/// @param nothing zeros, a line or more of them
+void halve(const GridField& from, const AlignedArray<float>& nothing, FireWorkspace::Level& room, GridField& to)
 {
     halveAlongU(from, room.halfU);
     const GridField& u = room.halfU;
-    const AlignedArray<float> nothing(static_cast<std::size_t>(u.nu), 0.0F);
     room.halfV.resize(u.nu, halved(u.nv), u.nw);
     forPlanes(room.halfV, [&](int w) {
         for (int v = 0; v < room.halfV.nv; ++v) {
@@ -175,7 +175,8 @@ void fillLight(FireWorkspace::Level& level, float deviation, float extinction)
 }
 
 /// Blurs the glow of the first level over all octaves, and adds them up in it.
-void spread(FireWorkspace& room, float cell, float extinction)
+/// @param nothing zeros, a line of the first level or more of them
+void spread(FireWorkspace& room, const AlignedArray<float>& nothing, float cell, float extinction)
 {
     // Deviation of a level in its own cells: what splatting, halving and linear interpolation blur.
     constexpr float kDeviation = 0.70710678F;
@@ -187,8 +188,8 @@ void spread(FireWorkspace& room, float cell, float extinction)
         if (room.levels.size() <= last + 1) {
             room.levels.resize(last + 2);
         }
-        halve(room.levels[last].glow, room.levels[last], room.levels[last + 1].glow);
-        halve(room.levels[last].density, room.levels[last], room.levels[last + 1].density);
+        halve(room.levels[last].glow, nothing, room.levels[last], room.levels[last + 1].glow);
+        halve(room.levels[last].density, nothing, room.levels[last], room.levels[last + 1].density);
     }
     for (std::size_t level = last + 1; level-- > 0;) {
         const float size = std::ldexp(cell, static_cast<int>(level));
@@ -237,7 +238,7 @@ void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearan
     finest.density.resize(light.shape.nu, light.shape.nv, light.shape.nw);
     splatParticles(frame, room.glowing, light.shape, splats, finest.glow.values);
     std::copy_n(light.density.begin(), light.shape.cells(), finest.density.values.begin());
-    spread(room, light.shape.cell, effect->light.shadow);
+    spread(room, splats.air, light.shape.cell, effect->light.shadow);
     light.fire = room.levels.front().light.values;
 }
 

@@ -30,7 +30,7 @@ struct CellBlock {
             store(cell.fraction, fu, fv, fw, i);
         }
     }
-    [[nodiscard]] HWY_INLINE Float4 light(const GridShape& shape, const float* cells, std::size_t i) const { return trilinear(shape, cells, corner[i], fu[i], fv[i], fw[i]); }
+    [[nodiscard]] HWY_INLINE Float4 light(const GridShape& shape, const float* cells, std::size_t i) const { return trilinear<Float4>(shape, cells, corner[i], fu[i], fv[i], fw[i]); }
 };
 
 HWY_INLINE void put(SpriteLayer& layer, std::size_t sprite, Float4 colours)

@@ -26,7 +26,7 @@ constexpr float kPlainRadius = 5.0F;
 
 HWY_INLINE Float4 lightAt(const LightGrid& grid, const SpriteBlock& block, std::size_t i)
 {
-    return trilinear(grid.shape, grid.light.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
+    return trilinear<Float4>(grid.shape, grid.light.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
 }
 
 /// Multiplies a sprite's matrix by a symmetric one from the right.
@@ -140,7 +140,7 @@ HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std:
     const Float4 direct = albedo * job.sun * light[0];
     Float4 ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
     if (job.isLitByFire) {
-        ambient += albedo * job.fire * trilinearOne(job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
+        ambient += albedo * job.fire * trilinear<float>(job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
     }
     if (job.glows) {
         // Sky and ground together tell how open a place is.

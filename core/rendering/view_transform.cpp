@@ -7,6 +7,7 @@
 #include "core/base/math-inl.h"
 #include "core/base/math.h"
 #include "core/base/parallel.h"
+#include "core/lighting/glow.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -124,6 +125,11 @@ void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& 
 }
 
 } // namespace
+
+Cover coverOf(const Light& light)
+{
+    return hasClearFlames(light) ? Cover::Light : Cover::Alpha;
+}
 
 void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out, Cover cover)
 {

@@ -22,6 +22,9 @@ enum class Cover {
     Light, ///< at least as much as its light shows: a colour of 1 at most, times alpha, has no more
 };
 
+/// How opaque smoke under this light is encoded: clear flames by their light.
+[[nodiscard]] Cover coverOf(const Light& light);
+
 /// Encodes linear light for display: exposure, then the view transform, then the sRGB curve (IEC 61966-2-1), with straight alpha.
 /// Filmic is the fit of Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
 /// @param cover Light for clear flames, which give more light than their alpha covers: over black they are then what they are in the picture;

@@ -1,6 +1,7 @@
 // Light of what glows on the smoke around it, against the inverse square of the distance.
 
 #include "tests/helpers.h"
+#include "tests/lighting/clouds.h"
 
 #include "core/lighting/fire_light.h"
 
@@ -16,15 +17,9 @@ constexpr float kBetween = kEdge / (kAlongEdge - 1); // particles, m
 /// Evenly spread smoke, of which only the first particle, in the middle, is young enough to glow.
 Effect lookOfFire()
 {
-    Effect effect = thesisEffect(1);
-    effect.life.sizeCurve = Curve{{0.0F, 1.0F}};
-    effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
+    Effect effect = evenLook();
     effect.life.fadeRate = 0.05F;
     effect.life.initialAlpha = 0.1F;
-    effect.look.size = 0.2F;
-    effect.look.sizeVariance = 0.0F;
-    effect.look.opacity = 5.0F; // alpha 0.5
-    effect.look.dilution = 0.0F;
     effect.light.shadow = 0.0F;
     effect.light.occlusion = 0.7F;
     effect.light.emission = 3.0F;
@@ -48,16 +43,8 @@ struct LitByFire {
             const glm::vec3 cell(i % kAlongEdge, i / kAlongEdge % kAlongEdge, i / (kAlongEdge * kAlongEdge));
             places.push_back(cell * kBetween);
         }
-        frame.model = std::make_shared<const Model>(sampled(effect));
-        frame.particles.reset(places.size());
-        frame.step = static_cast<std::int32_t>(0.5F * static_cast<float>(frame.model->schedule().lifetimeSteps));
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            frame.particles.x[i] = places[i].x;
-            frame.particles.y[i] = places[i].y;
-            frame.particles.z[i] = places[i].z;
-            frame.particles.birthStep[i] = i == 0 ? static_cast<std::int32_t>(frame.step) : 0;
-            frame.particles.key[i] = keyOf(1, i);
-        }
+        frame = cloud(effect, places);
+        age(frame, 0.5F);
         findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
         lightSmoke(frame, sampled(effect), appearance, {0.0F, 0.0F, 20.0F}, room, grid);
         lightByFire(frame, sampled(effect), appearance, fire, room, grid);

@@ -1,4 +1,5 @@
 #include "tests/helpers.h"
+#include "tests/lighting/clouds.h"
 
 #include "core/base/hash.h"
 #include "core/effect/sampling.h"
@@ -13,32 +14,9 @@ using namespace fumage::tests;
 
 namespace {
 
-/// A frame with particles of one mass at chosen places; ages and lives are those of newborns.
-Frame cloud(const Effect& effect, const std::vector<glm::vec3>& places)
+Effect lookInSun()
 {
-    Frame frame;
-    frame.model = std::make_shared<const Model>(sampled(effect));
-    frame.step = 0;
-    frame.particles.reset(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        frame.particles.x[i] = places[i].x;
-        frame.particles.y[i] = places[i].y;
-        frame.particles.z[i] = places[i].z;
-        frame.particles.birthStep[i] = 0;
-        frame.particles.key[i] = keyOf(1, i);
-    }
-    return frame;
-}
-
-Effect evenLook()
-{
-    Effect effect = thesisEffect(1);
-    effect.life.sizeCurve = Curve{{0.0F, 1.0F}};
-    effect.life.alphaCurve = Curve{{0.0F, 1.0F}};
-    effect.look.size = 0.2F;
-    effect.look.sizeVariance = 0.0F;
-    effect.look.opacity = 5.0F; // alpha 0.5
-    effect.look.dilution = 0.0F;
+    Effect effect = evenLook();
     effect.light.direction = {0.0F, -1.0F, 0.0F};
     effect.light.anisotropy = 0.0F;
     effect.light.shadow = 1.0F;
@@ -61,14 +39,6 @@ std::vector<glm::vec3> box(int n)
         }
     }
     return places;
-}
-
-/// Moves every particle but the first on to this share of its life.
-void age(Frame& frame, float life)
-{
-    const auto steps = static_cast<std::int32_t>(life * static_cast<float>(frame.model->schedule().lifetimeSteps));
-    frame.step = steps;
-    frame.particles.birthStep[0] = steps;
 }
 
 /// Extinction times volume, summed over the grid.
@@ -133,7 +103,7 @@ class LightingTest : public QObject {
 private slots:
     void aLoneParticleGrowsAndCoversAsMuchAsBefore()
     {
-        const Effect effect = evenLook();
+        const Effect effect = lookInSun();
         // Far from the others, wherever in its cell it lies.
         for (const float x : {3.0F, 3.017F, 3.05F}) {
             std::vector<glm::vec3> places = box(8);
@@ -154,7 +124,7 @@ private slots:
         for (std::uint32_t i = 0; i < kCount; ++i) {
             places.emplace_back(unitFloat(streamBits(i, 1)), unitFloat(streamBits(i, 2)), unitFloat(streamBits(i, 3)));
         }
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         for (const float opacity : {5.0F, 0.5F, 0.05F}) { // finer and finer cells
             effect.look.opacity = opacity;
             const Frame frame = cloud(effect, places);
@@ -180,7 +150,7 @@ private slots:
 
     void withoutOverlapNothingGrows()
     {
-        const Effect effect = evenLook();
+        const Effect effect = lookInSun();
         const Grown grown(cloud(effect, {{0.0F, 0.0F, 0.0F}, {3.0F, 0.0F, 0.0F}}), effect, 0.0F);
         QCOMPARE(grown.growthOf(0), 1.0);
         QCOMPARE(grown.growthOf(1), 1.0);
@@ -226,7 +196,7 @@ private slots:
 
     void densityHoldsAllOfTheSmoke()
     {
-        const Effect effect = evenLook();
+        const Effect effect = lookInSun();
         const Lit lit(cloud(effect, box(12)), effect);
         const double mass = 12.0 * 12.0 * 12.0 * 0.5 * M_PI * 0.01 / 3.0;
         QVERIFY(near(crossSection(lit.grid) / mass, 1.0, 1e-3));
@@ -235,7 +205,7 @@ private slots:
     void thinParticlesLeaveAsMuchSmokeAsDenseOnes()
     {
         // A hundredth of the size and of the alpha that the look allows at most.
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.life.sizeCurve = Curve{{0.0F, 0.1F}, {1.0F, 1.0F}};
         effect.look.opacity = 0.05F;
         const double mass = 24.0 * 24.0 * 24.0 * 0.005 * M_PI * 0.0001 / 3.0;
@@ -245,7 +215,7 @@ private slots:
     void aHeavyParticleTakesNothingFromLightOnes()
     {
         // One newborn of the full alpha, and others of a hundred-thousandth of it, a fraction of a unit each.
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.life.alphaCurve = Curve{{0.0F, 1.0F}, {0.1F, 0.00002F}, {1.0F, 0.00002F}};
         Frame frame = cloud(effect, box(32));
         age(frame, 0.5F);
@@ -278,7 +248,7 @@ private slots:
 
     void aFewParticlesHaveAFewCells()
     {
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.look.opacity = 0.05F;
         const Lit lit(cloud(effect, box(10)), effect);
         const GridShape& shape = lit.grid.shape;
@@ -289,7 +259,7 @@ private slots:
     void denseParticlesHaveLargeCells()
     {
         // In its own cell a particle has an optical depth of alpha pi r^2 / (3 cell^2).
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.light.shadow = 5.0F;
         const Lit lit(cloud(effect, box(10)), effect);
         const double cell = static_cast<double>(lit.grid.shape.cell);
@@ -298,7 +268,7 @@ private slots:
 
     void smokeThatNothingShadowsNeedsNoGrid()
     {
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.look.overlap = 0.0F;
         const Frame frame = cloud(effect, box(10));
         const auto cells = [&] { return Lit(frame, effect).grid.shape.cells(); };
@@ -338,7 +308,7 @@ private slots:
     void lightFallsOffExponentiallyThroughABox()
     {
         // A box of even extinction: behind a depth s of it, light is exp(-sigma s).
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.light.resolution = 24;
         const Lit lit(cloud(effect, box(24)), effect);
         const GridShape& shape = lit.grid.shape;
@@ -357,7 +327,7 @@ private slots:
 
     void oneThinPuffKeepsItsLight()
     {
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.look.opacity = 0.01F;
         const Lit lit(cloud(effect, {{0.0F, 0.0F, 0.0F}, {5.0F, 5.0F, 5.0F}}), effect);
         for (std::size_t i = 0; i < lit.grid.shape.cells(); ++i) {
@@ -368,7 +338,7 @@ private slots:
 
     void phaseFunctionBrightensTowardsTheSun()
     {
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         effect.look.opacity = 0.01F;
         effect.light.anisotropy = 0.6F;
         const Frame frame = cloud(effect, {{0.0F, 0.0F, 0.0F}, {0.1F, 0.1F, 0.1F}});
@@ -381,7 +351,7 @@ private slots:
 
     void scatteringReachesDeepButDoesNotBrightenThinSmoke()
     {
-        Effect effect = evenLook();
+        Effect effect = lookInSun();
         const Frame frame = cloud(effect, box(20));
         const auto deepest = [&](float scattering) {
             effect.light.scattering = scattering;
@@ -400,7 +370,7 @@ private slots:
 
     void emptyFrameIsLitWithoutTrouble()
     {
-        const Effect effect = evenLook();
+        const Effect effect = lookInSun();
         Frame frame = cloud(effect, {{0.0F, 0.0F, 0.0F}});
         frame.particles.birthStep[0] = Particles::kUnborn;
         const Lit lit(frame, effect);

@@ -11,16 +11,18 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <array>
 
 namespace fumage::ui {
 
 namespace {
 
-template <class Format>
-std::optional<int> withEnding(std::string_view ending, std::initializer_list<Format> formats)
+/// The first of some formats whose files end so.
+template <class Formats>
+std::optional<int> withEnding(std::string_view ending, const Formats& formats)
 {
-    const auto* const found = std::ranges::find(formats, ending, [](Format format) { return fileEnding(format); });
-    return found == formats.end() ? std::nullopt : std::optional(static_cast<int>(*found));
+    const auto found = std::ranges::find(formats, ending, [](auto format) { return fileEnding(format); });
+    return found == std::ranges::end(formats) ? std::nullopt : std::optional(static_cast<int>(*found));
 }
 
 } // namespace
@@ -82,9 +84,9 @@ std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 {
     const std::string ending = endingOf(path.toStdString());
     switch (kind) {
-    case ExportKind::Particles: return withEnding(ending, {ParticleFormat::Csv, ParticleFormat::Ply});
-    case ExportKind::Video: return withEnding(ending, {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Gif, VideoFormat::Apng});
-    default: return withEnding(ending, {ImageFormat::Png8, ImageFormat::ExrHalf});
+    case ExportKind::Particles: return withEnding(ending, std::array{ParticleFormat::Csv, ParticleFormat::Ply});
+    case ExportKind::Video: return withEnding(ending, kAllVideoFormats);
+    default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf});
     }
 }
 
