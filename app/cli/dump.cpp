@@ -6,6 +6,7 @@
 #include "core/export/particle_dump.h"
 #include "core/export/plan.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -21,17 +22,24 @@ struct DumpOptions {
     std::string up = "y";
 };
 
+/// @param name its ending without the dot; empty: text
+ParticleFormat formatNamed(std::string_view name)
+{
+    const auto* const found = std::find_if(kAllParticleFormats.begin(), kAllParticleFormats.end(), [&](ParticleFormat format) { return fileEnding(format).substr(1) == name; });
+    return found == kAllParticleFormats.end() ? ParticleFormat::Csv : *found;
+}
+
 /// The file or files to write, and their format.
 Status chooseOutput(const DumpOptions& options, const std::string& name, ParticleSequenceOptions& out)
 {
-    static constexpr std::array<std::string_view, 2> kEndings{".csv", ".ply"};
-    const std::string_view wanted = fileEnding(options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv);
+    static constexpr std::array<std::string_view, 3> kEndings{".csv", ".ply", ".pcache"};
+    const std::string_view wanted = fileEnding(formatNamed(options.format));
     const Result<std::filesystem::path> path = outputPath(options.output, {options.format.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1), name});
     if (!path) {
         return path.error();
     }
     const std::string ending = endingOf(path.value());
-    out.format = (ending.empty() ? wanted : ending) == ".ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
+    out.format = formatNamed(ending.empty() ? wanted.substr(1) : std::string_view(ending).substr(1));
     out.output = withEnding(path.value(), fileEnding(out.format));
     return Done{};
 }
@@ -41,8 +49,7 @@ Status dumpToStandardOutput(const DumpOptions& options, const NamedPreset& named
     if (sequence.frames.count() > 1) {
         return Error{ErrorCode::OutOfRange, said("several frames are several files"), "--frames " + options.frames, said("Name a file for them, as in --output smoke_####.csv")};
     }
-    const ParticleFormat format = options.format == "ply" ? ParticleFormat::Ply : ParticleFormat::Csv;
-    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first, format, interruption(), sequence.up, ProgressBar("Writing").listener());
+    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first, formatNamed(options.format), interruption(), sequence.up, ProgressBar("Writing").listener());
     return text ? print(text.value()) : Status(text.error());
 }
 
@@ -89,10 +96,10 @@ Status dump(const DumpOptions& options)
 void addDump(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<DumpOptions>();
-    CLI::App* command = program.add_subcommand("dump", "Write the particles of frames as CSV or PLY");
+    CLI::App* command = program.add_subcommand("dump", "Write the particles of frames as CSV, PLY or a point cache");
     options->effect.addTo(*command);
     command->add_option("-f,--frame,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
-    command->add_option("--format", options->format, "csv or ply (binary). Default: by the ending of the file")->check(CLI::IsMember({"csv", "ply"}));
+    command->add_option("--format", options->format, "csv, ply (binary), or pcache (Unity's point cache, in Unity's axes). Default: by the ending of the file")->check(CLI::IsMember({"csv", "ply", "pcache"}));
     command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
     command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")->type_name("FILE")->capture_default_str();
     command->callback([options, &action] { action = [options] { return dump(*options); }; });

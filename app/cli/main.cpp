@@ -101,10 +101,12 @@ void addCommands(CLI::App& program, Action& action)
     addRender(program, action);
     addFlipbook(program, action);
     addVideo(program, action);
+    addVolume(program, action);
     addCheckSheet(program, action);
     addFit(program, action);
     addBakeNoise(program, action);
     addDump(program, action);
+    addAir(program, action);
     addValidate(program, action);
     addInfo(program, action);
     addPresets(program, action);

@@ -190,6 +190,12 @@ std::vector<int> framesOfCells(const FlipbookOptions& options)
     return frames;
 }
 
+double cellsPerSecond(const Effect& effect, const FlipbookOptions& options)
+{
+    const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
+    return options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
+}
+
 std::filesystem::path descriptionOf(const std::filesystem::path& picture)
 {
     return std::filesystem::path(picture).replace_extension(".flipbook.json");
@@ -232,8 +238,7 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     flipbook.picture = all.front();
     flipbook.files = static_cast<int>(all.size());
     flipbook.description = all.back();
-    const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
-    flipbook.cellsPerSecond = options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
+    flipbook.cellsPerSecond = cellsPerSecond(effect, options);
     for (const std::filesystem::path& file : all) {
         if (Status status = makeFolderOf(file); !status) {
             return status.error();

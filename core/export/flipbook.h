@@ -52,6 +52,9 @@ struct Flipbook {
 /// Those of all cells.
 [[nodiscard]] std::vector<int> framesOfCells(const FlipbookOptions& options);
 
+/// Cells that are to be shown in a second, so that the effect keeps its speed.
+[[nodiscard]] double cellsPerSecond(const Effect& effect, const FlipbookOptions& options);
+
 /// The file beside the picture of a flipbook that says how it is to be played.
 [[nodiscard]] std::filesystem::path descriptionOf(const std::filesystem::path& picture);
 

@@ -105,6 +105,18 @@ int quantised(float value, bool isSigned, int full)
     return static_cast<int>(share * static_cast<float>(full) + 0.5F);
 }
 
+DataImage stored(DataImage image, ImageFormat format)
+{
+    if (fileEnding(format) == ".png") {
+        const int full = format == ImageFormat::Png8 ? std::numeric_limits<std::uint8_t>::max() : std::numeric_limits<std::uint16_t>::max();
+        for (float& value : image.values) {
+            const float share = static_cast<float>(quantised(value, image.isSigned, full)) / static_cast<float>(full);
+            value = image.isSigned ? 2.0F * share - 1.0F : share;
+        }
+    }
+    return image;
+}
+
 Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format)
 {
     if (format == ImageFormat::Png8) {

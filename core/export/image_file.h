@@ -57,6 +57,9 @@ struct DataImage {
 /// @param full 255 or 65535
 [[nodiscard]] int quantised(float value, bool isSigned, int full);
 
+/// The numbers that a file holds: those of a PNG have 8 or 16 bits.
+[[nodiscard]] DataImage stored(DataImage image, ImageFormat format);
+
 /// Encodes a tile of noise as a grey picture: PNG holds the values as they are, not as light.
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format);
 

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/effect/sampling.h"
+#include "core/export/byte_writer.h"
 #include "core/export/output_name.h"
 #include "core/lighting/appearance.h"
 #include "core/rendering/view_transform.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 #include <string_view>
 #include <vector>
@@ -19,7 +19,7 @@ namespace fumage {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kColumns{"x", "y", "z", "vx", "vy", "vz", "age", "life", "alpha", "radius"};
+constexpr std::array<std::string_view, 11> kColumns{"x", "y", "z", "vx", "vy", "vz", "age", "life", "alpha", "radius", "heat"};
 constexpr std::array<std::string_view, 3> kColours{"red", "green", "blue"};
 
 struct Row {
@@ -53,7 +53,7 @@ std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect, UpA
         if (cycle.alive) {
             const glm::vec3 at = turned({p.x[i], p.y[i], p.z[i]}, up);
             const glm::vec3 velocity = turned({p.vx[i], p.vy[i], p.vz[i]}, up);
-            rows.push_back({idOf(frame, i), {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i], appearance.radius[i]},
+            rows.push_back({idOf(frame, i), {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i], appearance.radius[i], p.inAir() ? p.heat[i] : 0.0F},
                 effect->look.colour * effect->look.colourGradient.at(cycle.life)});
         }
     }
@@ -66,18 +66,16 @@ char inSrgb(float linear)
     return static_cast<char>(static_cast<unsigned char>(std::clamp(srgbFromLinear(linear), 0.0F, 1.0F) * kFull + 0.5F));
 }
 
-void appendLittleEndian(std::string& out, std::uint32_t bits)
-{
-    for (unsigned shift = 0; shift < 32U; shift += 8U) {
-        out += static_cast<char>(bits >> shift & 255U);
-    }
-}
-
 } // namespace
 
 std::string_view fileEnding(ParticleFormat format)
 {
-    return format == ParticleFormat::Csv ? ".csv" : ".ply";
+    switch (format) {
+    case ParticleFormat::Csv: return ".csv";
+    case ParticleFormat::Ply: return ".ply";
+    case ParticleFormat::Pcache: return ".pcache";
+    }
+    return {};
 }
 
 std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up)
@@ -121,10 +119,30 @@ std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
     for (const Row& row : rows) {
         appendLittleEndian(out, static_cast<std::uint32_t>(row.id));
         for (const float value : row.values) {
-            appendLittleEndian(out, std::bit_cast<std::uint32_t>(value));
+            appendLittleEndian(out, value);
         }
         for (int i = 0; i < 3; ++i) {
             out += inSrgb(row.colour[i]);
+        }
+    }
+    return out;
+}
+
+std::string dumpPcache(const Frame& frame, const SampledEffect& effect)
+{
+    constexpr std::array<std::string_view, 14> kProperties{"position.x", "position.y", "position.z", "velocity.x", "velocity.y", "velocity.z", "age", "lifetime", "size",
+        "color.r", "color.g", "color.b", "color.a", "heat"};
+    const std::vector<Row> rows = livingRows(frame, effect, UpAxis::Y);
+    std::string out = "pcache\nformat binary 1.0\ncomment Fumage frame " + std::to_string(frame.number) + "\nelements " + std::to_string(rows.size()) + "\n";
+    for (const std::string_view property : kProperties) {
+        out += "property float " + std::string(property) + "\n";
+    }
+    out += "end_header\n";
+    for (const Row& row : rows) {
+        const auto [x, y, z, vx, vy, vz, age, life, alpha, radius, heat] = row.values;
+        const float lifetime = life > 0.0F ? age / life : age;
+        for (const float value : {x, y, -z, vx, vy, -vz, age, lifetime, 2.0F * radius, row.colour.r, row.colour.g, row.colour.b, alpha, heat}) {
+            appendLittleEndian(out, value);
         }
     }
     return out;
@@ -140,7 +158,12 @@ Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat fo
     }
     const Frame& found = *simulated.value();
     const SampledEffect& smoke = simulator.model().effect();
-    return format == ParticleFormat::Csv ? dumpCsv(found, smoke, up) : dumpPly(found, smoke, up);
+    switch (format) {
+    case ParticleFormat::Csv: return dumpCsv(found, smoke, up);
+    case ParticleFormat::Ply: return dumpPly(found, smoke, up);
+    case ParticleFormat::Pcache: return dumpPcache(found, smoke);
+    }
+    return std::string();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "core/export/sequence.h"
 #include "core/simulation/frame.h"
 
+#include <array>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@ namespace fumage {
 enum class ParticleFormat {
     Csv, ///< text, one particle a line
     Ply, ///< binary vertices
+    Pcache, ///< Unity's point cache, binary
 };
 
 /// Which axis points up in a file: ours is y; Blender, 3ds Max and Unreal have z.
@@ -20,17 +22,24 @@ enum class UpAxis {
     Z,
 };
 
-/// ".csv" or ".ply".
+/// All of them, in their order.
+inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFormat::Ply, ParticleFormat::Pcache};
+
+/// ".csv", ".ply" or ".pcache".
 [[nodiscard]] std::string_view fileEnding(ParticleFormat format);
 
 /// The living particles of a frame as text, one a line after a heading:
 /// id (the number of its birth modulo 2^31, the same at every frame), x, y, z (m), vx, vy, vz (m/s, without turbulence), age (s), life (0..1), alpha (0..1),
-/// radius (m), red, green, blue (linear, before light). Shortest round-trip numbers.
+/// radius (m), heat (of the air at the particle, 1 at the source; 0 without air), red, green, blue (linear, before light). Shortest round-trip numbers.
 /// @param effect the look that alpha, radius and colour follow
 [[nodiscard]] std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y);
 
 /// The same as a binary little-endian PLY of vertices; the colours are sRGB in 8 bits, as programs expect them there.
 [[nodiscard]] std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y);
+
+/// The same for Unity's VFX Graph: position, velocity, age, lifetime (s), size (m, across), color (linear, and alpha), heat. Unity's axes are left-handed
+/// with y up: our (x, y, -z).
+[[nodiscard]] std::string dumpPcache(const Frame& frame, const SampledEffect& effect);
 
 /// Simulates up to a frame and returns its particles as the bytes of a file.
 /// @error those of Simulator::frame()

@@ -141,10 +141,7 @@ std::filesystem::path lastFile(const ExportPlan& plan)
     return plan.kind == ExportKind::Sequence ? framePath(sequenceOf(plan), plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
 }
 
-namespace {
-
-/// The effect as the plan's camera sees it.
-Result<Effect> fitted(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     Effect out = effect;
     if (plan.fitCamera && isPicture(plan.kind)) {
@@ -156,6 +153,8 @@ Result<Effect> fitted(const Effect& effect, const ExportPlan& plan, const Progre
     }
     return out;
 }
+
+namespace {
 
 Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
@@ -179,7 +178,7 @@ Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan
         return wouldOverwrite(plan.source);
     }
     return withinMemory([&]() -> Result<std::optional<Flipbook>> {
-        const Result<Effect> seen = fitted(effect, plan, progress, stop);
+        const Result<Effect> seen = effectSeenBy(effect, plan, progress, stop);
         return seen ? writeFiles(seen.value(), plan, progress, stop) : seen.error();
     });
 }
@@ -187,7 +186,7 @@ Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan
 Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop, const Progress& progress)
 {
     return withinMemory([&]() -> Result<std::vector<std::byte>> {
-        const Result<Effect> seen = fitted(effect, plan, progress, stop);
+        const Result<Effect> seen = effectSeenBy(effect, plan, progress, stop);
         return seen ? bytesOf(seen.value(), plan, progress, stop) : seen.error();
     });
 }

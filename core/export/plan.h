@@ -51,6 +51,10 @@ struct ExportPlan {
 /// What a plan for a flipbook asks for.
 [[nodiscard]] FlipbookOptions flipbookOf(const ExportPlan& plan);
 
+/// The effect as the camera of a plan sees it, which is fitted where that is asked for.
+/// @error those of fitCamera()
+[[nodiscard]] Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
+
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
 /// @param progress hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit of the camera looked at
 /// @return         the flipbook, where that is what was made

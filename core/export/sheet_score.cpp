@@ -2,6 +2,7 @@
 
 #include "core/base/math.h"
 #include "core/export/sheet.h"
+#include "core/export/sheet_playback.h"
 #include "core/simulation/simulator.h"
 
 #include <algorithm>
@@ -53,19 +54,6 @@ std::array<glm::vec3, kDirections> lightDirections()
         out[i] = {across * portableCos(turn), y, across * portableSin(turn)};
     }
     return out;
-}
-
-/// What a file of a format holds.
-DataImage stored(DataImage image, ImageFormat format)
-{
-    if (fileEnding(format) == ".png") {
-        const int full = format == ImageFormat::Png8 ? 255 : 65535;
-        for (float& value : image.values) {
-            const float share = static_cast<float>(quantised(value, image.isSigned, full)) / static_cast<float>(full);
-            value = image.isSigned ? 2.0F * share - 1.0F : share;
-        }
-    }
-    return image;
 }
 
 /// White smoke under one white light from a direction of the camera's frame.
@@ -136,55 +124,33 @@ Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const P
 }
 
 /// The middle between two cells as an engine shows it, with and without vectors, beside the frame that is there.
-class Between {
-public:
-    Between(const PassSheet& sheet, const DataImage& motion, float scale)
-        : m_colour(sheet.layers.of(PassLayer::Colour))
-        , m_motion(motion)
-        , m_scale(scale)
-    {
-    }
+struct Between {
+    Difference rebuilt;
+    Difference faded;
+    int count = 0;
 
-    void compare(const SheetCell& one, const SheetCell& other, float f, const Image& truth)
+    void compare(const SheetPlayback& playback, int cell, float f, const Image& truth)
     {
-        for (int y = 0; y < one.height; ++y) {
-            for (int x = 0; x < one.width; ++x) {
+        for (int y = 0; y < truth.height; ++y) {
+            for (int x = 0; x < truth.width; ++x) {
                 const glm::vec4 there = shown(truth.at(x, y));
-                const glm::vec4 rebuilt = glm::mix(fetch(one, x, y, -f), fetch(other, x, y, 1.0F - f), f);
-                const glm::vec4 faded = glm::mix(fetch(one, x, y, 0.0F), fetch(other, x, y, 0.0F), f);
+                const glm::vec4 moved = playback.pixel(cell, cell + 1, f, x, y, CellBlending::Motion);
+                const glm::vec4 mixed = playback.pixel(cell, cell + 1, f, x, y, CellBlending::CrossFade);
                 for (int channel = 0; channel < 4; ++channel) {
-                    m_rebuilt.add(rebuilt[channel], there[channel]);
-                    m_faded.add(faded[channel], there[channel]);
+                    rebuilt.add(moved[channel], there[channel]);
+                    faded.add(mixed[channel], there[channel]);
                 }
             }
         }
-        ++m_count;
+        ++count;
     }
-    [[nodiscard]] SheetScore::Motion score() const { return {m_rebuilt.decibels(), m_faded.decibels(), m_scale, m_count}; }
-
-private:
-    /// The colour that lies some way along the vector of a pixel.
-    [[nodiscard]] glm::vec4 fetch(const SheetCell& cell, int x, int y, float way) const
-    {
-        const float* vector = m_motion.values.data() + static_cast<std::size_t>((cell.top + y) * m_motion.width + cell.left + x) * 3;
-        const float right = vector[0] * m_scale * static_cast<float>(cell.width) * way;
-        const float up = vector[1] * m_scale * static_cast<float>(cell.height) * way;
-        return shownBetween(m_colour, cell, static_cast<float>(x) + right, static_cast<float>(y) - up);
-    }
-
-    const Image& m_colour;
-    const DataImage& m_motion;
-    float m_scale;
-    Difference m_rebuilt;
-    Difference m_faded;
-    int m_count = 0;
 };
 
 Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, SheetScore& score, const std::stop_token& stop)
 {
     const PassPictures pictures(sheet, {Pass::Motion}, {});
-    const DataImage motion = stored(pictures.picture(Pass::Motion), options.format);
-    Between between(sheet, motion, pictures.scales().motion);
+    const SheetPlayback playback(sheet, stored(pictures.picture(Pass::Motion), options.format), pictures.scales().motion);
+    Between between;
     const SampledEffect smoke = sampled(effect);
     Simulator simulator(smoke);
     Renderer renderer;
@@ -202,9 +168,9 @@ Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const P
             return status;
         }
         const float f = static_cast<float>(middle - frames[i]) / static_cast<float>(frames[i + 1] - frames[i]);
-        between.compare(sheet.grid.cell(static_cast<int>(i)), sheet.grid.cell(static_cast<int>(i) + 1), f, truth);
+        between.compare(playback, static_cast<int>(i), f, truth);
     }
-    score.motion = between.score();
+    score.motion = {between.rebuilt.decibels(), between.faded.decibels(), pictures.scales().motion, between.count};
     return Done{};
 }
 

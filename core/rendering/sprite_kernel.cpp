@@ -63,7 +63,7 @@ HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, st
     multiply(xx, xy, yy, sprite);
 }
 
-/// Box of the unit circle under M^-1: half extents are the lengths of its rows; of the square, the sums of magnitudes.
+/// Box of the unit circle under M^-1: half extents are the lengths of its rows; of the square, the sums of magnitudes, and the soft edge.
 HWY_INLINE void boundSprite(bool square, Sprite& sprite)
 {
     const float inverse = 1.0F / (sprite.m00 * sprite.m11 - sprite.m01 * sprite.m10);
@@ -72,8 +72,8 @@ HWY_INLINE void boundSprite(bool square, Sprite& sprite)
     const float i10 = -sprite.m10 * inverse;
     const float i11 = sprite.m00 * inverse;
     if (square) {
-        sprite.halfWidth = std::abs(i00) + std::abs(i01);
-        sprite.halfHeight = std::abs(i10) + std::abs(i11);
+        sprite.halfWidth = std::abs(i00) + std::abs(i01) + kHalfEdge;
+        sprite.halfHeight = std::abs(i10) + std::abs(i11) + kHalfEdge;
     } else {
         sprite.halfWidth = std::sqrt(i00 * i00 + i01 * i01);
         sprite.halfHeight = std::sqrt(i10 * i10 + i11 * i11);

@@ -25,6 +25,9 @@ struct alignas(64) Sprite {
     std::uint32_t texture = 0; ///< see packTexture()
 };
 
+/// Pixels that the edge of a square, which is one wide, reaches beyond the square.
+inline constexpr float kHalfEdge = 0.5F;
+
 /// Where a textured sprite reads the noise, in 32 bits.
 struct TextureRef {
     static constexpr unsigned kSliceBits = 7;

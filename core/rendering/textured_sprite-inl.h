@@ -83,7 +83,7 @@ struct SpriteLines {
         alignas(kAlignment) float dx[kLineRoom], bend[kLineRoom]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend + slope)
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< texture coordinates
         alignas(kAlignment) float round[kLineRoom], roundSecond[kLineRoom]; ///< shading, and that by the second of two lights
-        alignas(kAlignment) float p[kLineRoom], q[kLineRoom]; ///< place in the sprite
+        alignas(kAlignment) float p[kLineRoom], q[kLineRoom]; ///< place in a square, in pixels across its edges
     } across;
     struct Down {
         alignas(kAlignment) float slope[kLineRoom], rest[kLineRoom];
@@ -94,8 +94,19 @@ struct SpriteLines {
     // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
 };
 
+/// A square's half edges in pixels, along p and along q.
+struct SquareRim {
+    float p, q;
+
+    explicit SquareRim(const Sprite& sprite)
+        : p(1.0F / std::sqrt(sprite.m00 * sprite.m00 + sprite.m01 * sprite.m01))
+        , q(1.0F / std::sqrt(sprite.m10 * sprite.m10 + sprite.m11 * sprite.m11))
+    {
+    }
+};
+
 template <bool kSquare, Shading kShading>
-HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const LightOnSprite& light, const LightOnSprite& second, const Rim& rim, const Patches& box, const Tile& tile, SpriteLines& lines)
+HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const LightOnSprite& light, const LightOnSprite& second, const Rim& rim, const SquareRim& edges, const Patches& box, const Tile& tile, SpriteLines& lines)
 {
     const D d;
     const V bend = hn::Set(d, rim.xx * style.hardness);
@@ -114,8 +125,8 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
                 store(lines.across.roundSecond, second.roundX);
             }
             if constexpr (kSquare) {
-                store(lines.across.p, sprite.m00);
-                store(lines.across.q, sprite.m10);
+                store(lines.across.p, sprite.m00 * edges.p);
+                store(lines.across.q, sprite.m10 * edges.q);
             } else {
                 hn::Store(dx, d, lines.across.dx + at);
                 hn::Store(hn::Mul(bend, dx), d, lines.across.bend + at);
@@ -134,8 +145,8 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
                 store(lines.down.roundSecond, second.roundY, 1.0F);
             }
             if constexpr (kSquare) {
-                store(lines.down.p, sprite.m01, 0.0F);
-                store(lines.down.q, sprite.m11, 0.0F);
+                store(lines.down.p, sprite.m01 * edges.p, 0.0F);
+                store(lines.down.q, sprite.m11 * edges.q, 0.0F);
             } else {
                 store(lines.down.slope, 2.0F * rim.xy * style.hardness, 0.0F);
                 hn::Store(hn::Mul(hardness, hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Mul(hn::Set(d, rim.yy), dy), dy))), d, lines.down.rest + at);
@@ -155,11 +166,12 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const hn::RebindToSigned<D> di;
     const TexturedSprite look(style, texture, sprite);
     const Rim rim(sprite);
+    const SquareRim edges(sprite);
     constexpr bool kAxes = kShading == Shading::Axes;
     const LightOnSprite light(style, sprite, look.turn, look.slope, style.lightX, kAxes ? 0.0F : style.lightY);
     const LightOnSprite second(style, sprite, look.turn, look.slope, 0.0F, style.lightY);
     SpriteLines lines;
-    fillLines<kSquare, kShading>(style, sprite, look, light, second, rim, box, tile, lines);
+    fillLines<kSquare, kShading>(style, sprite, look, light, second, rim, edges, box, tile, lines);
 
     const I wrap = hn::Set(di, (1 << look.shift) - 1);
     // The fraction in all bytes or halves of a lane, then full minus fraction in the first of each two.
@@ -169,7 +181,9 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const I rise = hn::Set(di, 0x01ff01ff); // +1 and -1 in bytes
     const I riseOfHalves = hn::Set(di, 0x0001ffff);
     const V zero = hn::Zero(d);
-    const V one = hn::Set(d, 1.0F);
+    // Half of a pixel that an edge runs through is inside.
+    const V insideP = hn::Set(d, edges.p + kHalfEdge);
+    const V insideQ = hn::Set(d, edges.q + kHalfEdge);
     const V alphaScale = hn::Set(d, look.alphaScale);
     const V alphaShift = hn::Set(d, look.alphaShift);
     const V leastAlpha = hn::Set(d, look.leastAlpha);
@@ -195,7 +209,7 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
         if constexpr (kSquare) {
             const V p = sum(lines.across.p, lines.down.p);
             const V q = sum(lines.across.q, lines.down.q);
-            mask = hn::IfThenElseZero(hn::Lt(hn::Max(hn::Abs(p), hn::Abs(q)), one), one);
+            mask = clamp01(d, hn::Min(hn::Sub(insideP, hn::Abs(p)), hn::Sub(insideQ, hn::Abs(q))));
         } else {
             const V fall = hn::Mul(hn::Load(d, lines.across.dx + across), sum(lines.across.bend, lines.down.slope));
             const V inside = clamp01(d, hn::Sub(hn::Load(d, lines.down.rest + down), fall));

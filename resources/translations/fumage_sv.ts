@@ -762,6 +762,14 @@
         <source>%1, %2 × %3 pixels, %4 s</source>
         <translation>%1, %2 × %3 bildpunkter, %4 s</translation>
     </message>
+    <message>
+        <source>On the graphics card: %1 as BC7, %2 uncompressed</source>
+        <translation>På grafikkortet: %1 som BC7, %2 okomprimerat</translation>
+    </message>
+    <message>
+        <source>Point cache for Unity, binary</source>
+        <translation>Punktmoln för Unity, binärt</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -1565,6 +1573,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Videos are made by ffmpeg: install it, or render pictures</source>
         <translation>Filmer görs av ffmpeg: installera det, eller rendera bilder</translation>
+    </message>
+    <message>
+        <source>no air carries this smoke</source>
+        <translation>ingen luft bär den här röken</translation>
+    </message>
+    <message>
+        <source>Switch it on with air.enabled</source>
+        <translation>Slå på den med air.enabled</translation>
+    </message>
+    <message>
+        <source>a volume of %1 cells</source>
+        <translation>en volym på %1 celler</translation>
+    </message>
+    <message>
+        <source>Use %1 to %2 cells along the longest edge</source>
+        <translation>Använd %1 till %2 celler längs den längsta kanten</translation>
     </message>
 </context>
 <context>
@@ -2384,8 +2408,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Interpolation</translation>
     </message>
     <message>
-        <source>How values between lattice points are found.</source>
-        <translation>Hur värden mellan gitterpunkter hittas.</translation>
+        <source>How values between lattice points are found. Cubic swings past its points; what leaves 0 to 1 is cut.</source>
+        <translation>Hur värden mellan gitterpunkter hittas. Kubisk svänger förbi sina punkter; det som lämnar 0 till 1 klipps.</translation>
     </message>
     <message>
         <source>2012 model (linear, cosine, cubic); Perlin 2002 (quintic)</source>
@@ -3362,6 +3386,76 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Tongues of clear flame, and thin smoke above them.</source>
         <translation>Tungor av klar låga, och tunn rök ovanför dem.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PreviewCanvas</name>
+    <message>
+        <source>Preview of the flipbook</source>
+        <translation>Förhandsvisning av flipboken</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PreviewPane</name>
+    <message>
+        <source>Between cells</source>
+        <translation>Mellan rutor</translation>
+    </message>
+    <message>
+        <source>What the engine does between two cells</source>
+        <translation>Vad motorn gör mellan två rutor</translation>
+    </message>
+    <message>
+        <source>No blending</source>
+        <translation>Ingen övergång</translation>
+    </message>
+    <message>
+        <source>Cross-fade</source>
+        <translation>Övertoning</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Bakgrund</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mörkt</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Ljust</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Schackruta</translation>
+    </message>
+    <message>
+        <source>Rendering the cells: %1 %</source>
+        <translation>Renderar rutorna: %1 %</translation>
+    </message>
+    <message>
+        <source>Motion vectors</source>
+        <translation>Rörelsevektorer</translation>
+    </message>
+    <message>
+        <source>Rendering the cells…</source>
+        <translation>Renderar rutorna…</translation>
+    </message>
+    <message>
+        <source>%1 cells a second</source>
+        <translation>%1 rutor i sekunden</translation>
+    </message>
+    <message>
+        <source>%1 cells a second, shown at %2 × %3 pixels</source>
+        <translation>%1 rutor i sekunden, visas i %2 × %3 bildpunkter</translation>
+    </message>
+    <message>
+        <source>Play it as the engine will</source>
+        <translation>Spela upp som motorn gör</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Förhandsvisning</translation>
     </message>
 </context>
 <context>

@@ -762,6 +762,14 @@
         <source>%1, %2 × %3 pixels, %4 s</source>
         <translation>%1，%2 × %3 像素，%4 秒</translation>
     </message>
+    <message>
+        <source>On the graphics card: %1 as BC7, %2 uncompressed</source>
+        <translation>显卡内存：BC7 格式 %1，未压缩 %2</translation>
+    </message>
+    <message>
+        <source>Point cache for Unity, binary</source>
+        <translation>Unity 点缓存，二进制</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -1565,6 +1573,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Videos are made by ffmpeg: install it, or render pictures</source>
         <translation>视频由 ffmpeg 生成：请安装它，或改为渲染图片</translation>
+    </message>
+    <message>
+        <source>no air carries this smoke</source>
+        <translation>没有空气带动这团烟</translation>
+    </message>
+    <message>
+        <source>Switch it on with air.enabled</source>
+        <translation>用 air.enabled 打开</translation>
+    </message>
+    <message>
+        <source>a volume of %1 cells</source>
+        <translation>%1 个单元的体积</translation>
+    </message>
+    <message>
+        <source>Use %1 to %2 cells along the longest edge</source>
+        <translation>最长边请使用 %1 到 %2 个单元</translation>
     </message>
 </context>
 <context>
@@ -2384,8 +2408,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>插值</translation>
     </message>
     <message>
-        <source>How values between lattice points are found.</source>
-        <translation>如何求格点之间的值。</translation>
+        <source>How values between lattice points are found. Cubic swings past its points; what leaves 0 to 1 is cut.</source>
+        <translation>如何求格点之间的值。三次插值会越过格点的值；超出 0 到 1 的部分被截去。</translation>
     </message>
     <message>
         <source>2012 model (linear, cosine, cubic); Perlin 2002 (quintic)</source>
@@ -3362,6 +3386,76 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Tongues of clear flame, and thin smoke above them.</source>
         <translation>清透的火舌，上方飘着薄烟。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PreviewCanvas</name>
+    <message>
+        <source>Preview of the flipbook</source>
+        <translation>序列帧图集预览</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PreviewPane</name>
+    <message>
+        <source>Between cells</source>
+        <translation>单元之间</translation>
+    </message>
+    <message>
+        <source>What the engine does between two cells</source>
+        <translation>引擎在两个单元之间所做的</translation>
+    </message>
+    <message>
+        <source>No blending</source>
+        <translation>不混合</translation>
+    </message>
+    <message>
+        <source>Cross-fade</source>
+        <translation>交叉淡化</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>棋盘格</translation>
+    </message>
+    <message>
+        <source>Rendering the cells: %1 %</source>
+        <translation>正在渲染单元：%1 %</translation>
+    </message>
+    <message>
+        <source>Motion vectors</source>
+        <translation>运动矢量</translation>
+    </message>
+    <message>
+        <source>Rendering the cells…</source>
+        <translation>正在渲染单元…</translation>
+    </message>
+    <message>
+        <source>%1 cells a second</source>
+        <translation>每秒 %1 个单元</translation>
+    </message>
+    <message>
+        <source>%1 cells a second, shown at %2 × %3 pixels</source>
+        <translation>每秒 %1 个单元，以 %2 × %3 像素显示</translation>
+    </message>
+    <message>
+        <source>Play it as the engine will</source>
+        <translation>像引擎那样播放</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
     </message>
 </context>
 <context>

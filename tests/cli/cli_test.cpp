@@ -74,7 +74,7 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "validate", "info", "presets", "parameters", "schema"}) {
+        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "volume", "air", "validate", "info", "presets", "parameters", "schema"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }
@@ -378,6 +378,10 @@ private slots:
         row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
         row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});
         row("particles by the ending", {"dump", "thesis-2012", "-o", "p.ply"}, {"p.ply"});
+        row("point cache", {"dump", "thesis-2012", "-o", "p.pcache"}, {"p.pcache"});
+        row("volumes", {"volume", "thesis-2012", "--cells", "16", "-f", "0-2:2", "-o", "v_##"}, {"v_00.vdb", "v_02.vdb"});
+        row("air", {"air", "plume", "--set", "air.resolution=16", "-o", "plume.vf"}, {"plume.vf"});
+        row("air in its default format", {"air", "plume", "--set", "air.resolution=16", "-o", "."}, {"plume.fga"});
         row("particles of several frames", {"dump", "thesis-2012", "-f", "0-4:2", "-o", "p_##.csv"}, {"p_00.csv", "p_02.csv", "p_04.csv"});
     }
     void outputsAreNamedAsTheUserMeans()
@@ -386,7 +390,8 @@ private slots:
         QFETCH(QStringList, files);
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkdir("d"));
-        const QString small = arguments[0] == "dump" ? " --set emitter.count=20" : " --size 16 --set emitter.count=20 --set noise.slices=1 --set noise.resolution=8";
+        const bool isPicture = !QStringList{"dump", "volume", "air"}.contains(arguments[0]);
+        const QString small = !isPicture ? " --set emitter.count=20" : " --size 16 --set emitter.count=20 --set noise.slices=1 --set noise.resolution=8";
         const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"" + small);
         QVERIFY2(outcome.code == 0, outcome.error.constData());
         QStringList found;
@@ -398,7 +403,7 @@ private slots:
         QCOMPARE(found, files);
         const QByteArray begin = contents(QFileInfo(folder.filePath(files.first())).path());
         QVERIFY(files.first().endsWith("exr", Qt::CaseInsensitive) == begin.contains("\x76\x2f\x31\x01"));
-        QVERIFY(files.first().endsWith("ply") == begin.contains("end_header"));
+        QVERIFY((files.first().endsWith("ply") || files.first().endsWith("pcache")) == begin.contains("end_header"));
     }
 
     void badNamesOfOutputsAreRefused_data()
@@ -408,7 +413,7 @@ private slots:
         const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << QByteArray(says); };
         row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png or .exr");
         row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png or .exr");
-        row("particles as png", {"dump", "default", "-o", "q.png"}, "Use .csv or .ply");
+        row("particles as png", {"dump", "default", "-o", "q.png"}, "Use .csv, .ply or .pcache");
         row("ending against format", {"render", "default", "-o", "x.png", "--format", "exr"}, "Use .exr");
         row("particles against format", {"dump", "default", "-o", "x.csv", "--format", "ply"}, "Use .ply");
         row("several pictures to standard output", {"render", "default", "-f", "0-1", "-o", "-"}, "several files");

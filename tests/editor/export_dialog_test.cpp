@@ -1,10 +1,12 @@
 #include "editor_helpers.h"
 
 #include "ui/export/export_dialog.h"
+#include "ui/export/preview_canvas.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/export/sheet_playback.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -86,6 +88,49 @@ private slots:
         m_dialog->setKind(ExportKind::Sequence);
         QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
         QVERIFY(!engine->isVisible());
+    }
+
+    void thePreviewPlaysTheCellsWhileItIsOpen()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        for (const QString& box : {u"export.columns"_q, u"export.rows"_q}) {
+            child<QSpinBox>(box)->setValue(2);
+        }
+        setWidth(64);
+        m_document->edit(knownParameter("emitter.count"), 500);
+        m_document->edit(knownParameter("output.height"), 64);
+        auto* canvas = child<PreviewCanvas>(u"export.preview.canvas"_q);
+        QVERIFY(!canvas->isVisible());
+        auto* plays = child<QCheckBox>(u"export.plays"_q);
+        plays->click();
+        QVERIFY(canvas->isVisible());
+        QTRY_COMPARE(canvas->image().width(), 64);
+        // Motion vectors are played where they are written.
+        auto* blending = child<QComboBox>(u"export.preview.blending"_q);
+        QCOMPARE(blending->count(), 2);
+        child<QCheckBox>(u"export.motion"_q)->click();
+        QCOMPARE(blending->count(), 3);
+        QCOMPARE(blending->currentIndex(), static_cast<int>(CellBlending::Motion));
+        // Another effect is rendered anew; a closed preview is not.
+        setWidth(48);
+        QTRY_COMPARE(canvas->image().width(), 48);
+        plays->click();
+        QVERIFY(!canvas->isVisible());
+        setWidth(32);
+        QCOMPARE(canvas->image().width(), 48);
+        plays->click();
+        QTRY_COMPARE(canvas->image().width(), 32);
+    }
+
+    void memoryOnTheGraphicsCardIsTold()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        setWidth(256);
+        m_document->edit(knownParameter("output.height"), 256);
+        const QString before = child<QLabel>(u"export.files"_q)->text();
+        QVERIFY2(before.contains(u"4.0 MiB"_q) && before.contains(u"16.0 MiB"_q), qPrintable(before));
+        child<QCheckBox>(u"export.motion"_q)->click();
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"8.0 MiB"_q));
     }
 
     void theFileIsSuggestedUntilOneIsTyped()

@@ -340,11 +340,40 @@ private slots:
         const int alive = livingCount(*frame);
         const QByteArray csv = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect)));
         QCOMPARE(csv.count('\n'), alive + 1);
-        QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius,red,green,blue\n"));
+        QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius,heat,red,green,blue\n"));
         const std::string ply = dumpPly(*frame, sampled(effect));
         const std::size_t body = ply.find("end_header\n") + 11;
         QVERIFY(ply.find("element vertex " + std::to_string(alive) + "\n") != std::string::npos);
-        QCOMPARE(ply.size() - body, static_cast<std::size_t>(alive) * 47);
+        QCOMPARE(ply.size() - body, static_cast<std::size_t>(alive) * 51);
+    }
+
+    void aPointCacheIsInUnitysAxes()
+    {
+        const Effect effect = everythingOn();
+        const auto frame = frameOf(effect, 4);
+        const std::string cache = dumpPcache(*frame, sampled(effect));
+        const std::size_t body = cache.find("end_header\n") + 11;
+        QVERIFY(cache.rfind("pcache\nformat binary 1.0\n", 0) == 0);
+        QVERIFY(cache.find("elements " + std::to_string(livingCount(*frame)) + "\n") != std::string::npos);
+        constexpr std::size_t kNumbers = 14;
+        QCOMPARE(cache.size() - body, static_cast<std::size_t>(livingCount(*frame)) * kNumbers * 4);
+        const QList<QByteArray> lines = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect))).split('\n');
+        for (std::size_t i = 0; i < 5; ++i) {
+            std::array<float, kNumbers> theirs{};
+            std::memcpy(theirs.data(), cache.data() + body + i * sizeof(theirs), sizeof(theirs)); // these tests run on little-endian machines
+            const QList<QByteArray> ours = lines[static_cast<qsizetype>(i) + 1].split(',');
+            const auto column = [&](int at) { return ours[at].toFloat(); }; // id,x,y,z,vx,vy,vz,age,life,alpha,radius,heat,red,green,blue
+            QCOMPARE(theirs[0], column(1));
+            QCOMPARE(theirs[1], column(2));
+            QCOMPARE(theirs[2], -column(3));
+            QCOMPARE(theirs[5], -column(6));
+            QCOMPARE(theirs[6], column(7));
+            QVERIFY(near(theirs[6] / theirs[7], column(8), 1e-5F)); // age over lifetime
+            QCOMPARE(theirs[8], 2.0F * column(10));
+            QCOMPARE(theirs[9], column(12));
+            QCOMPARE(theirs[12], column(9));
+            QCOMPARE(theirs[13], column(11));
+        }
     }
 
     void aParticleKeepsItsNumber()

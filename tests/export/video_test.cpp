@@ -8,6 +8,7 @@
 #include "core/rendering/view_transform.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QTemporaryDir>
 
 using namespace fumage;
@@ -123,6 +124,8 @@ private slots:
         const Status status = renderVideo(
             smallSmoke(), options, [&](int done, int) {
                 if (done == 3) {
+                    // Frames fit into its pipe before it has begun.
+                    QVERIFY(QTest::qWaitFor([&] { return QFileInfo(m_folder->filePath("ffmpeg.id")).size() > 0; }));
                     stop.request_stop();
                 }
             },

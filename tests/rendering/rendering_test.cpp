@@ -279,6 +279,35 @@ private slots:
         }
     }
 
+    void squareEdgesAreAsLongAsTheyAreWhereverTheyLie()
+    {
+        constexpr float kHalf = 9.3F;
+        for (const float degrees : {0.0F, 12.0F, 45.0F}) {
+            for (const float offset : {0.0F, 0.25F, 0.6F}) {
+                Sprite s = disc(20.0F + offset, 20.0F - offset, 1.0F, 1.0F, {1.0F, 1.0F, 1.0F});
+                const float c = std::cos(radians(degrees)) / kHalf;
+                const float d = std::sin(radians(degrees)) / kHalf;
+                s.m00 = s.m11 = c;
+                s.m01 = d;
+                s.m10 = -d;
+                s.halfWidth = s.halfHeight = 15.0F;
+                s.texture = packTexture(0, 0, 0, 0, 0);
+                SpriteBatch batch = batchOf(40, 40, {{s, 1}});
+                batch.style.square = true;
+                const Image image = compose(batch, flatTexture(1.0F));
+                double area = 0.0;
+                int between = 0;
+                for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
+                    const float alpha = image.pixels[i];
+                    area += static_cast<double>(alpha);
+                    between += alpha > 0.0F && alpha < 1.0F ? 1 : 0;
+                }
+                QVERIFY2(std::abs(area / (4.0 * 9.3 * 9.3) - 1.0) < 0.01, qPrintable(QStringLiteral("%1 at %2 degrees").arg(area).arg(static_cast<double>(degrees))));
+                QVERIFY(between > 30);
+            }
+        }
+    }
+
     void depthSortIsStableAndSorted()
     {
         for (const std::size_t count : {0U, 1U, 50U, 95U, 96U, 5000U}) {

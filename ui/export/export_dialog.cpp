@@ -5,7 +5,9 @@
 #include "ui/export/export_progress.h"
 #include "ui/export/export_summary.h"
 #include "ui/export/flipbook_choices.h"
+#include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
+#include "ui/export/preview_pane.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
@@ -19,7 +21,6 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -65,6 +66,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_step(makeNumberBox(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame, this))
     , m_noiseSize(makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
     , m_flipbook(new FlipbookChoices(this))
+    , m_preview(new PreviewPane(this))
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
     , m_carries(new QCheckBox(tr("Pictures carry the preset"), this))
     , m_files(new QLabel(this))
@@ -104,6 +106,7 @@ void ExportDialog::connectPlan()
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
     connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
+    connect(m_preview, &PreviewPane::resized, this, &ExportDialog::fitScreen);
     connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
     connect(&m_document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
 }
@@ -123,24 +126,17 @@ QHBoxLayout* ExportDialog::makeRange()
 
 void ExportDialog::buildForm()
 {
-    auto* form = new QFormLayout;
-    form->setLabelAlignment(Qt::AlignLeft);
-    form->setHorizontalSpacing(4);
-    const auto addRow = [&](const QString& text, auto* content) {
-        auto* label = new QLabel(text, this);
-        label->setFixedWidth(ParameterRow::kLabelWidth);
-        form->addRow(label, content);
-        return label;
-    };
-    addRow(tr("What"), m_kind);
-    addRow(tr("Format"), m_format);
+    auto* form = new LabelledForm;
+    form->add(tr("What"), m_kind);
+    form->add(tr("Format"), m_format);
     auto* place = new QHBoxLayout;
+    place->setSpacing(8);
     auto* choose = new QPushButton(tr("Choose…"), this);
     choose->setObjectName(QStringLiteral("export.choose"));
     place->addWidget(m_path, 1);
     place->addWidget(choose);
-    addRow(tr("File"), place);
-    addRow(tr("Frames"), makeRange());
+    form->add(tr("File"), place);
+    form->add(tr("Frames"), makeRange());
     form->addRow(m_flipbook);
     m_fit->setObjectName(QStringLiteral("export.fit"));
     m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
@@ -151,7 +147,7 @@ void ExportDialog::buildForm()
     form->addRow(QString(), m_carries);
     m_noiseSize->setSpecialValueText(tr("as in the effect"));
     m_noiseSize->setSuffix(tr(" pixels"));
-    m_noiseSizeLabel = addRow(tr("Size"), m_noiseSize);
+    m_noiseSizeLabel = form->add(tr("Size"), m_noiseSize);
     auto* content = new QWidget;
     auto* box = new QVBoxLayout(content);
     box->setContentsMargins({});
@@ -160,6 +156,7 @@ void ExportDialog::buildForm()
         m_rows.push_back(new ParameterRow(*parameter, m_document, m_locks, this));
         box->addWidget(m_rows.back());
     }
+    box->addWidget(m_preview);
     m_files->setObjectName(QStringLiteral("export.files"));
     m_files->setProperty("role", QStringLiteral("secondary"));
     m_files->setWordWrap(true);
@@ -252,7 +249,7 @@ void ExportDialog::followKind()
     const QSignalBlocker blocker(m_format);
     m_format->clear();
     if (kind() == ExportKind::Particles) {
-        m_format->addItems({tr("CSV, one particle a line"), tr("PLY, binary points")});
+        m_format->addItems({tr("CSV, one particle a line"), tr("PLY, binary points"), tr("Point cache for Unity, binary")});
     } else if (kind() == ExportKind::Video) {
         m_format->addItems({tr("MP4 (H.264), on the background colour"), tr("WebM (VP9), transparent"), tr("QuickTime (ProRes 4444), transparent"), tr("GIF, on the background colour"), tr("APNG, transparent")});
     } else {
@@ -261,6 +258,9 @@ void ExportDialog::followKind()
     }
     m_pathIsSuggested = true;
     followPlan();
+    if (isVisible()) {
+        fitScreen();
+    }
 }
 
 void ExportDialog::followFormat()
@@ -312,6 +312,10 @@ void ExportDialog::followPlan()
     }
     const ExportPlan now = plan();
     m_files->setText(summaryOf(now, m_document.effect()));
+    m_preview->setVisible(kind() == ExportKind::Flipbook);
+    if (kind() == ExportKind::Flipbook) {
+        m_preview->follow(m_document.effect(), now);
+    }
     m_export->setEnabled(isPossible(now) && !m_job.isRunning());
 }
 
@@ -375,7 +379,7 @@ void ExportDialog::fitScreen()
     constexpr QSize kMargin(32 + 16, 48); // of the layout with a scroll bar; of the window
     const QSize content = m_scroll->widget()->minimumSizeHint();
     const int wanted = sizeHint().height() - m_scroll->sizeHint().height() + m_scroll->widget()->sizeHint().height();
-    resize(content.width() + kMargin.width(), std::min(wanted, screen()->availableGeometry().height() - kMargin.height()));
+    resize(std::max(width(), content.width() + kMargin.width()), std::min(wanted, screen()->availableGeometry().height() - kMargin.height()));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)

@@ -24,6 +24,7 @@ namespace fumage::ui {
 
 class ExportProgress;
 class FlipbookChoices;
+class PreviewPane;
 class ParameterRow;
 
 /// What is to be written and where; does not block the window it belongs to. Size and background are parameters of the document.
@@ -80,6 +81,7 @@ private:
     QSpinBox* m_step;
     QSpinBox* m_noiseSize; ///< 0: the effect's own
     FlipbookChoices* m_flipbook;
+    PreviewPane* m_preview;
     QCheckBox* m_fit;
     QCheckBox* m_carries; ///< whether pictures carry the preset
     QLabel* m_noiseSizeLabel = nullptr;

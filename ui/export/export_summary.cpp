@@ -2,6 +2,7 @@
 
 #include "core/export/engines/engine_files.h"
 #include "core/export/output_name.h"
+#include "core/export/sheet_playback.h"
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 
@@ -56,11 +57,14 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
         return ExportDialog::tr("%1, %2 × %3 pixels, %4 s").arg(first).arg(output.width).arg(output.height).arg(QLocale().toString(seconds, 'f', 1));
     }
     if (plan.kind == ExportKind::Flipbook) {
+        const int width = output.width * plan.columns;
+        const int height = output.height * plan.rows;
         const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
-        if (more > 1) {
-            return ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows).arg(more);
-        }
-        return ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(output.width * plan.columns).arg(output.height * plan.rows);
+        const QString files = more > 1 ? ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(width).arg(height).arg(more)
+                                       : ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(width).arg(height);
+        const SheetMemory memory = memoryOf(width, height, static_cast<int>(picturesOf(flipbookOf(plan)).size()), plan.format);
+        const QLocale locale;
+        return files + QLatin1Char('\n') + ExportDialog::tr("On the graphics card: %1 as BC7, %2 uncompressed").arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
     }
     return first;
 }
@@ -84,7 +88,7 @@ std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 {
     const std::string ending = endingOf(path.toStdString());
     switch (kind) {
-    case ExportKind::Particles: return withEnding(ending, std::array{ParticleFormat::Csv, ParticleFormat::Ply});
+    case ExportKind::Particles: return withEnding(ending, kAllParticleFormats);
     case ExportKind::Video: return withEnding(ending, kAllVideoFormats);
     default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf});
     }

@@ -1,12 +1,11 @@
 #include "ui/export/flipbook_choices.h"
 
 #include "ui/document/text.h"
+#include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
-#include "ui/panels/parameter_row.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -51,18 +50,11 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     const ExportPlan usual;
     m_columns->setValue(usual.columns);
     m_rows->setValue(usual.rows);
-    auto* form = new QFormLayout(this);
+    auto* form = new LabelledForm(this);
     form->setContentsMargins({});
-    form->setLabelAlignment(Qt::AlignLeft);
-    form->setHorizontalSpacing(4);
-    const auto addRow = [&](const QString& text, auto* content) {
-        auto* label = new QLabel(text, this);
-        label->setFixedWidth(ParameterRow::kLabelWidth);
-        form->addRow(label, content);
-    };
-    addRow(tr("For"), m_engine);
-    addRow(tr("Beside the colour"), sideBySide({m_sixWay, m_motion}));
-    addRow(tr("Columns × rows"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
+    form->add(tr("For"), m_engine);
+    form->add(tr("Beside the colour"), sideBySide({m_sixWay, m_motion}));
+    form->add(tr("Columns × rows"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
     connect(m_engine, &QComboBox::currentIndexChanged, this, &FlipbookChoices::followEngine);
     connect(m_sixWay, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_motion, &QCheckBox::toggled, this, &FlipbookChoices::changed);

@@ -101,7 +101,8 @@ inline constexpr std::array kRows<Noise>{
         .key = "noise.interpolation",
         .label = "Interpolation",
         .synonyms = "smooth linear cosine cubic",
-        .tip = "How values between lattice points are found.",
+        .tip = "How values between lattice points are found. Cubic swings past its points; what leaves "
+               "0 to 1 is cut.",
         .source = "2012 model (linear, cosine, cubic); Perlin 2002 (quintic)",
         .choices = kInterpolations,
         .stage = Stage::Noise,

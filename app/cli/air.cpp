@@ -1,0 +1,92 @@
+#include "app/cli/command.h"
+#include "app/cli/progress.h"
+
+#include "core/base/memory.h"
+#include "core/export/air_file.h"
+#include "core/export/output_name.h"
+
+#include <array>
+#include <memory>
+#include <sstream>
+
+namespace fumage::cli {
+
+namespace {
+
+struct AirOptions {
+    EffectOptions effect;
+    std::string output;
+    std::string frames = "0";
+    std::string format;
+};
+
+Result<AirSequenceOptions> sequenceOf(const AirOptions& options, const NamedPreset& named)
+{
+    static constexpr std::array<std::string_view, 2> kEndings{".fga", ".vf"};
+    AirSequenceOptions sequence;
+    const Result<FrameRange> frames = parseFrameRange(options.frames);
+    if (!frames) {
+        return frames.error();
+    }
+    sequence.frames = frames.value();
+    sequence.source = named.file;
+    const std::string_view wanted = fileEnding(options.format == "vf" ? AirFormat::Vf : AirFormat::Fga);
+    const Result<std::filesystem::path> path = outputPath(options.output, {options.format.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1), named.name});
+    if (!path) {
+        return path.error();
+    }
+    const std::string ending = endingOf(path.value());
+    sequence.format = (ending.empty() ? wanted : ending) == ".vf" ? AirFormat::Vf : AirFormat::Fga;
+    sequence.output = withEnding(path.value(), fileEnding(sequence.format));
+    return sequence;
+}
+
+/// Where the box is, which a Volume File does not say.
+std::string boxOf(const AirGrid& grid)
+{
+    const glm::vec3 middle = grid.corner + 0.5F * grid.size();
+    std::ostringstream text;
+    text << "The box: " << grid.cells.x << " x " << grid.cells.y << " x " << grid.cells.z << " cells of " << grid.cell << " m, its middle at " << middle.x << ", " << middle.y << ", " << middle.z << " m\n";
+    return text.str();
+}
+
+Status writeOne(const AirOptions& options, const NamedPreset& named)
+{
+    const Result<AirSequenceOptions> sequence = sequenceOf(options, named);
+    if (!sequence) {
+        return sequence.error();
+    }
+    const auto write = [&]() -> Result<AirGrid> {
+        ProgressBar bar("Writing");
+        return withinMemory([&] { return writeAir(named.preset.effect, sequence.value(), bar.listener(), interruption()); });
+    };
+    const Result<AirGrid> grid = write();
+    if (!grid) {
+        return grid.error();
+    }
+    const FrameRange& frames = sequence.value().frames;
+    const auto fileOf = [&](int index) { return framePath(sequence.value().output, frames, fileEnding(sequence.value().format), frames.at(index)); };
+    tellWritten(frames.count(), fileOf(0), fileOf(frames.count() - 1));
+    return print(boxOf(grid.value()));
+}
+
+} // namespace
+
+void addAir(CLI::App& program, Action& action)
+{
+    auto options = std::make_shared<AirOptions>();
+    CLI::App* command = program.add_subcommand("air", "Write the air that carries the smoke as vector fields for engines");
+    options->effect.addTo(*command);
+    command->add_option("-f,--frame,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
+    command->add_option("--format", options->format, "fga (Unreal) or vf (Unity's Volume File). Default: by the ending of the file, else fga")->check(CLI::IsMember({"fga", "vf"}));
+    command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
+    command->footer("Velocities in the middle of the cells, in the engine's axes: Unreal's are (x, z, y) of ours in cm, Unity's (x, y, -z) in m. Particles of the engine that are moved\n"
+                    "by them go with the smoke.\n"
+                    "Example:\n"
+                    "  fumage-cli air mushroom-cloud --frames 60 --output mushroom.fga");
+    command->callback([options, &action] {
+        action = [options] { return options->effect.forEach(options->output, [&](const NamedPreset& named) { return writeOne(*options, named); }); };
+    });
+}
+
+} // namespace fumage::cli

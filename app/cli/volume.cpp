@@ -1,0 +1,72 @@
+#include "app/cli/command.h"
+#include "app/cli/number_options.h"
+#include "app/cli/progress.h"
+
+#include "core/base/memory.h"
+#include "core/export/output_name.h"
+#include "core/export/vdb_file.h"
+
+#include <array>
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+struct VolumeArguments {
+    EffectOptions effect;
+    std::string output;
+    std::string frames = "0";
+    std::string up = "z";
+    int cells = VolumeSequenceOptions().longest;
+};
+
+Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
+{
+    static constexpr std::array<std::string_view, 1> kEndings{".vdb"};
+    VolumeSequenceOptions options;
+    const Result<FrameRange> frames = parseFrameRange(arguments.frames);
+    if (!frames) {
+        return frames.error();
+    }
+    const Result<std::filesystem::path> path = outputPath(arguments.output, {kEndings, named.name});
+    if (!path) {
+        return path.error();
+    }
+    options.output = withEnding(path.value(), kEndings.front());
+    options.frames = frames.value();
+    options.longest = arguments.cells;
+    options.up = arguments.up == "z" ? UpAxis::Z : UpAxis::Y;
+    options.source = named.file;
+    {
+        ProgressBar bar("Writing");
+        if (Status status = withinMemory([&] { return writeVolumes(named.preset.effect, options, bar.listener(), interruption()); }); !status) {
+            return status;
+        }
+    }
+    const auto fileOf = [&](int index) { return framePath(options.output, options.frames, kEndings.front(), options.frames.at(index)); };
+    tellWritten(options.frames.count(), fileOf(0), fileOf(options.frames.count() - 1));
+    return Done{};
+}
+
+} // namespace
+
+void addVolume(CLI::App& program, Action& action)
+{
+    auto arguments = std::make_shared<VolumeArguments>();
+    CLI::App* command = program.add_subcommand("volume", "Write the smoke of frames as OpenVDB volumes");
+    arguments->effect.addTo(*command);
+    command->add_option("-f,--frame,--frames", arguments->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
+    addWhole(*command, "--cells", arguments->cells, kMinVolumeCells, kMaxVolumeCells, "Cells along the longest edge. Default: 128");
+    command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+    command->add_option("-o,--output", arguments->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
+    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for smoke in air or with glow temperature (1 at the source), and\n"
+                    "for what glows flames.\n"
+                    "Example:\n"
+                    "  fumage-cli volume mushroom-cloud --frames 0-119 --cells 128 --output vdb/mushroom_####.vdb");
+    command->callback([arguments, &action] {
+        action = [arguments] { return arguments->effect.forEach(arguments->output, [&](const NamedPreset& named) { return writeOne(*arguments, named); }); };
+    });
+}
+
+} // namespace fumage::cli

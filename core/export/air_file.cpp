@@ -1,0 +1,116 @@
+#include "core/export/air_file.h"
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/export/byte_writer.h"
+#include "core/export/output_name.h"
+#include "core/simulation/air_plan.h"
+#include "core/simulation/air_shelf.h"
+#include "core/simulation/model.h"
+
+namespace fumage {
+
+namespace {
+
+/// Calls visit(i, j, k) for all places below n, i fastest.
+template <class Visit>
+void inFileOrder(const glm::ivec3& n, const Visit& visit)
+{
+    for (int k = 0; k < n.z; ++k) {
+        for (int j = 0; j < n.y; ++j) {
+            for (int i = 0; i < n.x; ++i) {
+                visit(glm::ivec3(i, j, k));
+            }
+        }
+    }
+}
+
+std::string encodeFga(const AirField& air)
+{
+    constexpr float kCentimetres = 100.0F;
+    const AirGrid& grid = air.grid;
+    std::string out;
+    const auto append = [&](const glm::vec3& ours) {
+        for (const float number : {ours.x, ours.z, ours.y}) {
+            out += formatFloat(number) + ",";
+        }
+    };
+    append(glm::vec3(grid.cells));
+    append(grid.corner * kCentimetres);
+    append(grid.end() * kCentimetres);
+    out += '\n';
+    inFileOrder({grid.cells.x, grid.cells.z, grid.cells.y}, [&](const glm::ivec3& at) {
+        append(glm::vec3(air.at(grid.centre({at.x, at.z, at.y}))) * kCentimetres);
+        out += '\n';
+    });
+    return out;
+}
+
+std::string encodeVf(const AirField& air)
+{
+    const AirGrid& grid = air.grid;
+    std::string out = "VF_V";
+    for (int axis = 0; axis < 3; ++axis) {
+        appendLittleEndian(out, static_cast<std::uint32_t>(grid.cells[axis]), 2);
+    }
+    inFileOrder(grid.cells, [&](const glm::ivec3& at) {
+        const glm::vec4 velocity = air.at(grid.centre({at.x, at.y, grid.cells.z - 1 - at.z}));
+        for (const float number : {velocity.x, velocity.y, -velocity.z}) {
+            appendLittleEndian(out, number);
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+std::string_view fileEnding(AirFormat format)
+{
+    return format == AirFormat::Fga ? ".fga" : ".vf";
+}
+
+std::string encodeAir(const AirField& air, AirFormat format)
+{
+    return format == AirFormat::Fga ? encodeFga(air) : encodeVf(air);
+}
+
+Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    if (!effect.air.enabled) {
+        return Error{ErrorCode::OutOfRange, said("no air carries this smoke"), {}, said("Switch it on with air.enabled")};
+    }
+    const SampledEffect smoke = sampled(effect);
+    if (Status status = checkAir(smoke); !status) {
+        return status.error();
+    }
+    if (isFileOfAFrame(options.source, options.output, options.frames, fileEnding(options.format))) {
+        return wouldOverwrite(options.source);
+    }
+    if (Status status = makeFolderOf(options.output); !status) {
+        return status.error();
+    }
+    AirShelf shelf;
+    const Model model(smoke, shelf.airOf(smoke));
+    constexpr int kPercent = 100;
+    const auto baking = [&](double share) { progress(Work::Air, static_cast<int>(kPercent * share), kPercent); };
+    if (Status status = model.air()->bake(model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1)), stop, baking); !status) {
+        return status.error();
+    }
+    AirGrid grid;
+    for (int done = 0; done < options.frames.count(); ++done) {
+        const int number = options.frames.at(done);
+        const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), stop);
+        if (!air) {
+            return air.error();
+        }
+        grid = air.value()->grid;
+        const std::string bytes = encodeAir(*air.value(), options.format);
+        if (Status status = writeFileAtomically(framePath(options.output, options.frames, fileEnding(options.format), number), bytes); !status) {
+            return status.error();
+        }
+        progress(Work::Frames, done + 1, options.frames.count());
+    }
+    return grid;
+}
+
+} // namespace fumage

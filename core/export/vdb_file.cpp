@@ -1,0 +1,387 @@
+#include "core/export/vdb_file.h"
+
+#include "core/base/file.h"
+#include "core/base/hash.h"
+#include "core/export/byte_writer.h"
+#include "core/export/output_name.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include <half.h>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::uint32_t kFormat = 224;
+constexpr char kAllValues = 6; // NO_MASK_AND_ALL_VALS: each node has all of its values
+
+/// Log2 of the children along an edge, from the root down; a leaf has voxels.
+constexpr int kLeafBits = 3;
+constexpr int kMiddleBits = 4;
+constexpr int kTopBits = 5;
+
+/// Bits, one a child, the lowest first.
+class Mask {
+public:
+    explicit Mask(int bitsOfEdge)
+        : m_bytes((std::size_t{1} << static_cast<unsigned>(3 * bitsOfEdge)) / 8, '\0')
+    {
+    }
+    void set(std::size_t at) { m_bytes[at / 8] = static_cast<char>(static_cast<unsigned char>(m_bytes[at / 8]) | 1U << at % 8); }
+    [[nodiscard]] const std::string& bytes() const { return m_bytes; }
+
+private:
+    std::string m_bytes;
+};
+
+/// Which leaves there are, and which of their voxels.
+struct Leaf {
+    glm::ivec3 first{0}; ///< voxel
+    Mask voxels{kLeafBits};
+};
+struct Middle {
+    std::size_t place = 0; ///< among the children of the top
+    Mask children{kMiddleBits};
+    std::vector<Leaf> leaves; ///< by their place
+};
+struct Tree {
+    Mask children{kTopBits};
+    std::vector<Middle> middles; ///< by their place
+    std::int64_t voxels = 0;
+    glm::ivec3 low{0}, high{0}; ///< of the voxels
+};
+
+/// The place of a child: x counts most.
+std::size_t placeOf(const glm::ivec3& at, int bits)
+{
+    const unsigned edge = (1U << static_cast<unsigned>(bits)) - 1U;
+    const auto part = [&](int along) { return static_cast<std::size_t>(static_cast<unsigned>(along) & edge); };
+    return (part(at.x) << static_cast<unsigned>(2 * bits)) | (part(at.y) << static_cast<unsigned>(bits)) | part(at.z);
+}
+
+/// The volume in a file's axes.
+class Placed {
+public:
+    Placed(const Volume& volume, UpAxis up)
+        : m_volume(volume)
+        , m_up(up)
+    {
+    }
+
+    [[nodiscard]] glm::ivec3 cells() const { return m_up == UpAxis::Z ? glm::ivec3(m_volume.cells.x, m_volume.cells.z, m_volume.cells.y) : m_volume.cells; }
+    /// The middle of voxel (0, 0, 0), m.
+    [[nodiscard]] glm::vec3 origin() const
+    {
+        const glm::vec3 first = m_volume.corner + 0.5F * m_volume.cell;
+        const float last = first.z + m_volume.cell * static_cast<float>(m_volume.cells.z - 1);
+        return m_up == UpAxis::Z ? glm::vec3(first.x, -last, first.y) : first;
+    }
+    [[nodiscard]] glm::vec3 turned(const glm::vec3& v) const { return m_up == UpAxis::Z ? glm::vec3(v.x, -v.z, v.y) : v; }
+    /// Where the numbers of a voxel stand; outside of the volume nothing.
+    [[nodiscard]] std::optional<std::size_t> at(const glm::ivec3& voxel) const
+    {
+        const glm::ivec3 ours = m_up == UpAxis::Z ? glm::ivec3(voxel.x, voxel.z, m_volume.cells.z - 1 - voxel.y) : voxel;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (ours[axis] < 0 || ours[axis] >= m_volume.cells[axis]) {
+                return std::nullopt;
+            }
+        }
+        const auto size = [&](int along) { return static_cast<std::size_t>(along); };
+        return size(ours.x) + size(m_volume.cells.x) * (size(ours.y) + size(m_volume.cells.y) * size(ours.z));
+    }
+    [[nodiscard]] bool isThere(const glm::ivec3& voxel) const
+    {
+        const std::optional<std::size_t> place = at(voxel);
+        return place && m_volume.density[*place] > 0.0F;
+    }
+
+private:
+    const Volume& m_volume;
+    UpAxis m_up;
+};
+
+/// Calls visit(i, j, k) for all below n, k fastest, as children of nodes are counted.
+template <class Visit>
+void forChildren(const glm::ivec3& n, const Visit& visit)
+{
+    for (int i = 0; i < n.x; ++i) {
+        for (int j = 0; j < n.y; ++j) {
+            for (int k = 0; k < n.z; ++k) {
+                visit(glm::ivec3(i, j, k));
+            }
+        }
+    }
+}
+
+glm::ivec3 nodesAlong(const glm::ivec3& cells, int bits)
+{
+    const int edge = 1 << bits;
+    return (cells + (edge - 1)) / edge;
+}
+
+Tree treeOf(const Placed& placed)
+{
+    constexpr int kLeafEdge = 1 << kLeafBits;
+    constexpr int kMiddleEdge = 1 << (kLeafBits + kMiddleBits);
+    Tree tree;
+    tree.low = placed.cells();
+    tree.high = glm::ivec3(-1);
+    forChildren(nodesAlong(placed.cells(), kLeafBits + kMiddleBits), [&](const glm::ivec3& middleAt) {
+        Middle middle;
+        middle.place = placeOf(middleAt, kTopBits);
+        forChildren(glm::ivec3(1 << kMiddleBits), [&](const glm::ivec3& leafAt) {
+            Leaf leaf;
+            leaf.first = middleAt * kMiddleEdge + leafAt * kLeafEdge;
+            const std::int64_t before = tree.voxels;
+            forChildren(glm::ivec3(kLeafEdge), [&](const glm::ivec3& voxelAt) {
+                const glm::ivec3 voxel = leaf.first + voxelAt;
+                if (placed.isThere(voxel)) {
+                    leaf.voxels.set(placeOf(voxelAt, kLeafBits));
+                    ++tree.voxels;
+                    tree.low = glm::min(tree.low, voxel);
+                    tree.high = glm::max(tree.high, voxel);
+                }
+            });
+            if (tree.voxels > before) {
+                middle.children.set(placeOf(leafAt, kMiddleBits));
+                middle.leaves.push_back(std::move(leaf));
+            }
+        });
+        if (!middle.leaves.empty()) {
+            tree.children.set(middle.place);
+            tree.middles.push_back(std::move(middle));
+        }
+    });
+    return tree;
+}
+
+void appendString(std::string& out, std::string_view text)
+{
+    appendLittleEndian(out, static_cast<std::uint32_t>(text.size()));
+    out += text;
+}
+
+void append64(std::string& out, std::uint64_t bits)
+{
+    appendLittleEndian(out, static_cast<std::uint32_t>(bits));
+    appendLittleEndian(out, static_cast<std::uint32_t>(bits >> 32U));
+}
+
+void appendDoubles(std::string& out, const glm::dvec3& numbers)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        append64(out, std::bit_cast<std::uint64_t>(numbers[axis]));
+    }
+}
+
+/// One column of a volume as a grid.
+struct Column {
+    std::string_view name;
+    int channels = 1;
+    std::function<glm::vec3(std::size_t)> at; ///< the numbers of a cell, of which the first channels count
+};
+
+void appendMetadata(std::string& out, const Column& column, const Tree& tree)
+{
+    const auto entry = [&](std::string_view name, std::string_view type) {
+        appendString(out, name);
+        appendString(out, type);
+    };
+    const auto text = [&](std::string_view name, std::string_view value) {
+        entry(name, "string");
+        appendString(out, value);
+    };
+    const auto place = [&](std::string_view name, const glm::ivec3& value) {
+        entry(name, "vec3i");
+        appendLittleEndian(out, std::uint32_t{12});
+        for (int axis = 0; axis < 3; ++axis) {
+            appendLittleEndian(out, static_cast<std::uint32_t>(value[axis]));
+        }
+    };
+    const bool isVector = column.channels == 3;
+    appendLittleEndian(out, std::uint32_t{isVector ? 8U : 7U});
+    text("class", isVector ? "unknown" : "fog volume");
+    place("file_bbox_max", tree.high);
+    place("file_bbox_min", tree.low);
+    text("file_compression", "none");
+    entry("file_voxel_count", "int64");
+    appendLittleEndian(out, std::uint32_t{8});
+    append64(out, static_cast<std::uint64_t>(tree.voxels));
+    entry("is_saved_as_half_float", "bool");
+    appendLittleEndian(out, std::uint32_t{1});
+    out += '\1';
+    text("name", column.name);
+    if (isVector) {
+        text("vector_type", "contravariant relative");
+    }
+}
+
+/// Index to place: scale, then shift.
+void appendTransform(std::string& out, const glm::dvec3& origin, double cell)
+{
+    appendString(out, "UniformScaleTranslateMap");
+    appendDoubles(out, origin);
+    appendDoubles(out, glm::dvec3(cell)); // scale
+    appendDoubles(out, glm::dvec3(cell)); // size of a voxel
+    appendDoubles(out, glm::dvec3(1.0 / cell));
+    appendDoubles(out, glm::dvec3(1.0 / (cell * cell)));
+    appendDoubles(out, glm::dvec3(0.5 / cell));
+}
+
+/// The values of a node above the leaves: none counts.
+void appendNothing(std::string& out, int bits, int channels)
+{
+    out += kAllValues;
+    out.append((std::size_t{1} << static_cast<unsigned>(3 * bits)) * static_cast<std::size_t>(channels) * sizeof(std::uint16_t), '\0');
+}
+
+void appendTopology(std::string& out, const Column& column, const Tree& tree)
+{
+    appendLittleEndian(out, std::uint32_t{1}); // buffers a leaf
+    for (int channel = 0; channel < column.channels; ++channel) {
+        appendLittleEndian(out, 0.0F); // what lies outside
+    }
+    const bool isEmpty = tree.middles.empty();
+    appendLittleEndian(out, std::uint32_t{0}); // tiles
+    appendLittleEndian(out, std::uint32_t{isEmpty ? 0U : 1U});
+    if (isEmpty) {
+        return;
+    }
+    out.append(3 * sizeof(std::int32_t), '\0'); // where the top begins
+    out += tree.children.bytes();
+    out += Mask(kTopBits).bytes();
+    appendNothing(out, kTopBits, column.channels);
+    for (const Middle& middle : tree.middles) {
+        out += middle.children.bytes();
+        out += Mask(kMiddleBits).bytes();
+        appendNothing(out, kMiddleBits, column.channels);
+        for (const Leaf& leaf : middle.leaves) {
+            out += leaf.voxels.bytes();
+        }
+    }
+}
+
+void appendLeaves(std::string& out, const Column& column, const Tree& tree, const Placed& placed)
+{
+    for (const Middle& middle : tree.middles) {
+        for (const Leaf& leaf : middle.leaves) {
+            out += leaf.voxels.bytes();
+            out += kAllValues;
+            forChildren(glm::ivec3(1 << kLeafBits), [&](const glm::ivec3& voxelAt) {
+                const glm::ivec3 voxel = leaf.first + voxelAt;
+                const glm::vec3 value = placed.isThere(voxel) ? column.at(*placed.at(voxel)) : glm::vec3(0.0F);
+                for (int channel = 0; channel < column.channels; ++channel) {
+                    appendLittleEndian(out, half(value[channel]).bits(), 2);
+                }
+            });
+        }
+    }
+}
+
+void appendGrid(std::string& out, const Column& column, const Tree& tree, const Placed& placed, float cell)
+{
+    appendString(out, column.name);
+    appendString(out, column.channels == 3 ? "Tree_vec3s_5_4_3_HalfFloat" : "Tree_float_5_4_3_HalfFloat");
+    appendString(out, {}); // it shares no tree
+    std::array<std::uint64_t, 3> places{}; // of the grid, of its leaves, of its end
+    const std::size_t table = out.size();
+    out.append(places.size() * sizeof(std::uint64_t), '\0');
+    places[0] = out.size();
+    appendLittleEndian(out, std::uint32_t{0}); // not compressed
+    appendMetadata(out, column, tree);
+    appendTransform(out, glm::dvec3(placed.origin()), static_cast<double>(cell));
+    appendTopology(out, column, tree);
+    places[1] = out.size();
+    appendLeaves(out, column, tree, placed);
+    places[2] = out.size();
+    std::string bytes;
+    for (const std::uint64_t place : places) {
+        append64(bytes, place);
+    }
+    out.replace(table, bytes.size(), bytes);
+}
+
+/// A name for what follows, by what it is: the same bytes have the same one.
+std::string identityOf(std::string_view bytes)
+{
+    constexpr std::string_view kHex = "0123456789abcdef";
+    std::array<std::uint32_t, 4> sums{1, 2, 3, 4};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        sums[i % 4] = mixBits(sums[i % 4] ^ static_cast<unsigned char>(bytes[i]));
+    }
+    std::string out;
+    for (std::size_t digit = 0; digit < 32; ++digit) {
+        if (digit == 8 || digit == 12 || digit == 16 || digit == 20) {
+            out += '-';
+        }
+        out += kHex[sums[digit / 8] >> 4U * (digit % 8) & 15U];
+    }
+    return out;
+}
+
+} // namespace
+
+std::string encodeVdb(const Volume& volume, UpAxis up)
+{
+    const Placed placed(volume, up);
+    const Tree tree = treeOf(placed);
+    std::vector<Column> columns{{"density", 1, [&](std::size_t cell) { return glm::vec3(volume.density[cell]); }}};
+    if (!volume.temperature.empty()) {
+        columns.push_back({"temperature", 1, [&](std::size_t cell) { return glm::vec3(volume.temperature[cell]); }});
+    }
+    if (!volume.flames.empty()) {
+        columns.push_back({"flames", 1, [&](std::size_t cell) { return glm::vec3(volume.flames[cell]); }});
+    }
+    columns.push_back({"vel", 3, [&](std::size_t cell) { return placed.turned(volume.velocity[cell]); }});
+
+    std::string out;
+    append64(out, 0x56444220); // " BDV"
+    appendLittleEndian(out, kFormat);
+    appendLittleEndian(out, std::uint32_t{10}); // of the library that writes alike
+    appendLittleEndian(out, std::uint32_t{0});
+    out += '\1'; // grids say where they end
+    const std::size_t identity = out.size();
+    out.append(identityOf({}).size(), '0');
+    appendLittleEndian(out, std::uint32_t{0}); // metadata of the file
+    appendLittleEndian(out, static_cast<std::uint32_t>(columns.size()));
+    for (const Column& column : columns) {
+        appendGrid(out, column, tree, placed, volume.cell);
+    }
+    const std::string name = identityOf(out);
+    out.replace(identity, name.size(), name);
+    return out;
+}
+
+Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    if (options.longest < kMinVolumeCells || options.longest > kMaxVolumeCells) {
+        return Error{ErrorCode::OutOfRange, said("a volume of %1 cells", options.longest), {}, said("Use %1 to %2 cells along the longest edge", kMinVolumeCells, kMaxVolumeCells)};
+    }
+    if (isFileOfAFrame(options.source, options.output, options.frames, ".vdb")) {
+        return wouldOverwrite(options.source);
+    }
+    if (Status status = makeFolderOf(options.output); !status) {
+        return status;
+    }
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke);
+    for (int done = 0; done < options.frames.count(); ++done) {
+        const int number = options.frames.at(done);
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
+        if (!frame) {
+            return frame.error();
+        }
+        const std::string bytes = encodeVdb(volumeOf(*frame.value(), smoke, options.longest), options.up);
+        if (Status status = writeFileAtomically(framePath(options.output, options.frames, ".vdb", number), bytes); !status) {
+            return status;
+        }
+        progress(Work::Frames, done + 1, options.frames.count());
+    }
+    return Done{};
+}
+
+} // namespace fumage

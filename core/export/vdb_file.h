@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/export/particle_dump.h"
+#include "core/export/volume.h"
+
+#include <string>
+
+namespace fumage {
+
+/// A volume as the bytes of an OpenVDB file (format 224, half floats, not compressed): the grids density (1/m), vel (m/s), and where there are such
+/// temperature and flames. Fog volumes of trees of 32, 16 and 8 cells; voxels without smoke are not there.
+///
+/// After the sources of OpenVDB 10 and "VDB: A Deep Dive", JangaFX 2022. Written here rather than by the library: that would be 55 MB beside a program that
+/// starts in a blink, and its bytes change with its version; ours are the same everywhere.
+/// @param up axis that points up: y, or z as Blender has it
+[[nodiscard]] std::string encodeVdb(const Volume& volume, UpAxis up);
+
+struct VolumeSequenceOptions {
+    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    FrameRange frames;
+    int longest = 128; ///< cells along the longest edge, kMinVolumeCells to kMaxVolumeCells
+    UpAxis up = UpAxis::Z;
+    std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+};
+
+/// Writes the smoke of frames into numbered files, each whole or not at all.
+/// @error OutOfRange; WouldOverwrite; that of the first frame that fails: files before it stay
+[[nodiscard]] Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
+
+} // namespace fumage

@@ -1,0 +1,170 @@
+#include "core/export/volume.h"
+
+#include "core/base/math.h"
+#include "core/base/parallel.h"
+#include "core/lighting/glow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F}; // of Rec. 709
+
+/// What a particle leaves in the cells around it.
+struct Ball {
+    glm::vec3 place; ///< in cells, from the corner of the box
+    float radius; ///< in cells
+    float crossSection; ///< in squares of a cell
+    float heat;
+    float glow;
+    glm::vec3 velocity;
+};
+
+float glowOf(const GlowColours& colours, float heat, float brightest)
+{
+    if (!(brightest > 0.0F)) {
+        return 0.0F;
+    }
+    const auto entry = static_cast<std::size_t>(std::clamp(heat, 0.0F, 1.0F) * static_cast<float>(kGlowTableSize - 1));
+    return glm::dot(colours[entry], kLuminance) / brightest;
+}
+
+float heatOf(const Frame& frame, std::size_t slot, const Effect& effect)
+{
+    const Particles& particles = frame.particles;
+    const float heat = particles.inAir() ? particles.heat[slot] : 1.0F;
+    return heat * portableExp(-effect.light.emissionCooling * lifecycle(frame, slot).age);
+}
+
+std::vector<Ball> ballsOf(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Volume& volume)
+{
+    const bool glows = effect->light.emission > 0.0F;
+    const GlowColours colours = glows ? glowColours(effect->light) : GlowColours{};
+    float brightest = 0.0F;
+    for (const glm::vec3& colour : colours) {
+        brightest = std::max(brightest, glm::dot(colour, kLuminance));
+    }
+    const Particles& p = frame.particles;
+    std::vector<Ball> balls;
+    balls.reserve(appearance.count);
+    for (std::size_t i = 0; i < p.capacity; ++i) {
+        const float mass = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i];
+        if (!(mass > 0.0F)) {
+            continue;
+        }
+        const float heat = heatOf(frame, i, effect);
+        balls.push_back({(glm::vec3(p.x[i], p.y[i], p.z[i]) - volume.corner) / volume.cell, appearance.radius[i] / volume.cell, mass * (kPi / 3.0F) / (volume.cell * volume.cell), heat,
+            glowOf(colours, heat, brightest), {p.vx[i], p.vy[i], p.vz[i]}});
+    }
+    return balls;
+}
+
+/// Calls visit(cell, share) for the cells whose centres are in a ball, or the one that it lies in. Shares are not scaled.
+template <class Visit>
+void forCellsOf(const Ball& ball, const glm::ivec3& cells, const Visit& visit)
+{
+    const glm::ivec3 most = cells - 1;
+    const glm::ivec3 first = glm::clamp(glm::ivec3(glm::ceil(ball.place - ball.radius - 0.5F)), glm::ivec3(0), most);
+    const glm::ivec3 last = glm::clamp(glm::ivec3(glm::floor(ball.place + ball.radius - 0.5F)), glm::ivec3(0), most);
+    const float scale = 1.0F / (ball.radius * ball.radius);
+    bool any = false;
+    for (int z = first.z; z <= last.z; ++z) {
+        for (int y = first.y; y <= last.y; ++y) {
+            for (int x = first.x; x <= last.x; ++x) {
+                const glm::vec3 way = glm::vec3(x, y, z) + 0.5F - ball.place;
+                const float inside = 1.0F - glm::dot(way, way) * scale;
+                if (inside > 0.0F) {
+                    visit(glm::ivec3(x, y, z), inside * inside);
+                    any = true;
+                }
+            }
+        }
+    }
+    if (!any) {
+        visit(glm::clamp(glm::ivec3(glm::floor(ball.place)), glm::ivec3(0), most), 1.0F);
+    }
+}
+
+/// Adds up what balls leave in the planes [begin, end).
+void spread(const std::vector<Ball>& balls, const std::vector<float>& sums, Volume& volume, int begin, int end)
+{
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Ball& ball = balls[i];
+        constexpr float kMargin = 1.0F; // the one cell of a small ball
+        if (ball.place.z + ball.radius + kMargin < static_cast<float>(begin) || ball.place.z - ball.radius - kMargin > static_cast<float>(end)) {
+            continue;
+        }
+        const float whole = ball.crossSection / (sums[i] * volume.cell); // cells squared over cells cubed, per metre
+        forCellsOf(ball, volume.cells, [&](const glm::ivec3& at, float share) {
+            if (at.z < begin || at.z >= end) {
+                return;
+            }
+            const std::size_t cell = static_cast<std::size_t>(at.x) + static_cast<std::size_t>(volume.cells.x) * (static_cast<std::size_t>(at.y) + static_cast<std::size_t>(volume.cells.y) * static_cast<std::size_t>(at.z));
+            const float density = whole * share;
+            volume.density[cell] += density;
+            volume.velocity[cell] += density * ball.velocity;
+            if (!volume.temperature.empty()) {
+                volume.temperature[cell] += density * ball.heat;
+            }
+            if (!volume.flames.empty()) {
+                volume.flames[cell] += density * ball.glow;
+            }
+        });
+    }
+}
+
+/// The box around all balls, with a cell of nothing around it.
+void placeBox(const Appearance& appearance, int longest, Volume& volume)
+{
+    const glm::vec3 low = appearance.low - appearance.largestRadius;
+    const glm::vec3 size = appearance.high + appearance.largestRadius - low;
+    const float edge = std::max({size.x, size.y, size.z});
+    volume.cell = edge / static_cast<float>(longest - 2);
+    volume.cells = glm::clamp(glm::ivec3(glm::ceil(size / volume.cell)) + 2, glm::ivec3(3), glm::ivec3(longest));
+    volume.corner = low - volume.cell;
+}
+
+} // namespace
+
+Volume volumeOf(const Frame& frame, const SampledEffect& effect, int longest)
+{
+    Appearance appearance;
+    findAppearance(frame, effect, Axes{}, appearance);
+    Volume volume;
+    if (appearance.count == 0) {
+        return volume;
+    }
+    placeBox(appearance, longest, volume);
+    const std::size_t count = static_cast<std::size_t>(volume.cells.x) * static_cast<std::size_t>(volume.cells.y) * static_cast<std::size_t>(volume.cells.z);
+    volume.density.assign(count, 0.0F);
+    volume.velocity.assign(count, glm::vec3(0.0F));
+    const bool glows = effect->light.emission > 0.0F;
+    volume.temperature.assign(frame.particles.inAir() || glows ? count : 0, 0.0F);
+    volume.flames.assign(glows ? count : 0, 0.0F);
+    const std::vector<Ball> balls = ballsOf(frame, effect, appearance, volume);
+    std::vector<float> sums(balls.size(), 0.0F);
+    parallelFor(balls.size(), [&](std::size_t i) { forCellsOf(balls[i], volume.cells, [&](const glm::ivec3& /*at*/, float share) { sums[i] += share; }); });
+    constexpr int kPlanes = 8; // of a task
+    parallelFor(static_cast<std::size_t>((volume.cells.z + kPlanes - 1) / kPlanes), [&](std::size_t task) {
+        const int begin = static_cast<int>(task) * kPlanes;
+        spread(balls, sums, volume, begin, std::min(begin + kPlanes, volume.cells.z));
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+        if (volume.density[i] > 0.0F) {
+            volume.velocity[i] /= volume.density[i];
+            if (!volume.temperature.empty()) {
+                volume.temperature[i] /= volume.density[i];
+            }
+        }
+    }
+    return volume;
+}
+
+} // namespace fumage

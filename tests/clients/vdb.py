@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Volumes as OpenVDB's own library reads them, against the particles that they were made of.
+
+    /usr/bin/python3 tests/clients/vdb.py build/release/bin/fumage-cli
+
+Needs python3-openvdb, libopenvdb-tools and python3-numpy; half a minute.
+"""
+import csv
+import io
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+import pyopenvdb as vdb
+
+PRESETS = {"plume": {"density", "vel", "temperature"}, "campfire": {"density", "vel", "temperature", "flames"}, "thesis-2012": {"density", "vel"}}
+FEWER = ["--set", "emitter.count=20000"]
+
+
+def run(*arguments):
+    return subprocess.run([str(each) for each in arguments], check=True, capture_output=True, text=True).stdout
+
+
+def particles(cli, preset, up):
+    rows = csv.DictReader(io.StringIO(run(cli, "dump", preset, "--frame", 40, "--up", up, *FEWER)))
+    return {key: np.array(values) for key, values in zip(rows.fieldnames, zip(*[[float(each) for each in row.values()] for row in rows]))}
+
+
+def values(grid):
+    return np.array([each.value for each in grid.citerOnValues()])
+
+
+def check(cli, folder, preset, up):
+    path = folder / f"{preset}-{up}.vdb"
+    run(cli, "volume", preset, "--frame", 40, "--cells", 96, "--up", up, "--output", path, *FEWER)
+    grids = {grid.name: grid for grid in vdb.readAll(str(path))[0]}
+    wanted = PRESETS[preset]
+    assert set(grids) == wanted, set(grids)
+    smoke = particles(cli, preset, up)
+    mass = smoke["alpha"] * math.pi * smoke["radius"] ** 2 / 3
+    density = grids["density"]
+    cell = density.transform.voxelSize()[0]
+    extinction = values(density)
+    whole = extinction.sum() * cell**3 / mass.sum()
+    assert abs(whole - 1) < 2e-3, whole  # half floats
+    # Where the smoke is, and how fast, weighted by how much of it there is.
+    places = np.array([density.transform.indexToWorld(each.min) for each in density.citerOnValues()])
+    middle = (places * extinction[:, None]).sum(0) / extinction.sum()
+    expected = np.array([(smoke[axis] * mass).sum() for axis in "xyz"]) / mass.sum()
+    assert np.abs(middle - expected).max() < 0.05 * cell, (middle, expected, cell)
+    velocity = (values(grids["vel"]) * extinction[:, None]).sum(0) / extinction.sum()
+    expected = np.array([(smoke["v" + axis] * mass).sum() for axis in "xyz"]) / mass.sum()
+    assert np.abs(velocity - expected).max() < 5e-3, (velocity, expected)
+    if "temperature" in grids:
+        heat = values(grids["temperature"])
+        assert 0 <= heat.min() and heat.max() <= 1.001, (heat.min(), heat.max())
+    if "flames" in grids:
+        flames = values(grids["flames"])
+        assert 0 < flames.max() and (flames <= extinction * 1.01 + 1e-3).all()
+    for grid in grids.values():
+        assert grid.metadata["is_saved_as_half_float"]
+        assert grid.activeVoxelCount() == density.activeVoxelCount()
+        assert grid.metadata["file_bbox_min"] == grid.evalActiveVoxelBoundingBox()[0]
+        assert grid.metadata["file_bbox_max"] == grid.evalActiveVoxelBoundingBox()[1]
+    assert density.gridClass == "fog volume"
+    assert "density" in run("vdb_print", path)
+    print(f"{preset}, {up} up: {density.activeVoxelCount()} voxels of {cell:.4f} m, {path.stat().st_size / 2**20:.1f} MiB, smoke {whole:.5f} of what particles hold")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        for preset in PRESETS:
+            for up in "zy":
+                check(sys.argv[1], pathlib.Path(folder), preset, up)
+
+
+if __name__ == "__main__":
+    main()

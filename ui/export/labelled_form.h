@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/panels/parameter_row.h"
+
+#include <QFormLayout>
+#include <QLabel>
+
+namespace fumage::ui {
+
+/// A form whose labels are as wide as those of parameters, so that fields of both stand below one another.
+class LabelledForm : public QFormLayout {
+public:
+    /// @param parent without layout; null: the form becomes part of another one
+    explicit LabelledForm(QWidget* parent = nullptr)
+        : QFormLayout(parent)
+    {
+        setLabelAlignment(Qt::AlignLeft);
+        setHorizontalSpacing(4);
+    }
+
+    /// @param content a widget or a layout
+    /// @return the label
+    template <class Content>
+    QLabel* add(const QString& text, Content* content)
+    {
+        auto* label = new QLabel(text);
+        label->setFixedWidth(ParameterRow::kLabelWidth);
+        addRow(label, content);
+        return label;
+    }
+};
+
+} // namespace fumage::ui
