@@ -3,7 +3,8 @@
 
 The sheet shows each reference picture beside ours with the same framing, light and background, then every preset at three moments. The figures
 compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, whether it rises again at the size of
-the sprites, steep gradients, and the change from frame to frame.
+the sprites, steep gradients, how far apart structure is (see structure.py; beside it that of two pictures which are known to be worse), and the change
+from frame to frame.
 """
 
 import pathlib
@@ -12,6 +13,8 @@ import sys
 
 import numpy as np
 from PIL import Image, ImageDraw
+
+from structure import distances
 
 EDGE = 512
 BACKGROUND = (29, 79, 145)
@@ -44,6 +47,8 @@ EMBERGEN_BACKGROUND = (64, 96, 128)
 EMBERGEN_LIGHTS = ("light.direction=[-1,0,0]", "light.direction=[0,-1,0]")
 EMBERGEN_LOOK = ["camera.distance=4.7", "camera.target=[0,2.9,0]", "emitter.radius=0.32", "emitter.count=250000", "life.fade_rate=0.022", "light.intensity=5", "light.colour=[1,1,1]", "light.ambient=0.02", "light.shadow=4",
                  "light.scattering=0.2", "light.anisotropy=0", "look.colour=[0.9,0.9,0.9]", "look.size=0.13", "look.opacity=3", "look.relief=0.5", "motion.pull=0.25"]
+# What is known to be worse than ours: smoke that moves like noise; a few large sprites.
+WORSE = (["air.enabled=false"], ["air.enabled=false", "emitter.count=1500", "look.opacity=6", "look.size=0.35"])
 BAND = (8, 64)  # cycles a picture: from the large billows down to 8 pixels
 STEEP = 99.9  # percentile of the reference's gradients
 
@@ -112,7 +117,7 @@ def main() -> None:
     cli, out, references = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
     out.mkdir(parents=True, exist_ok=True)
     rows: list[list[Image.Image]] = []
-    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s}")
+    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s} {'structure':>10s} {'no air':>7s} {'sprites':>8s}")
     for name, preset, frame, settings in PAIRS:
         if not (references / name).exists():
             continue
@@ -123,7 +128,11 @@ def main() -> None:
         limit = np.percentile(gradients(a), STEEP)
         steep = [100.0 * float((gradients(image) > limit).mean()) for image in (a, b)]
         slopes = slope_of(power_a), slope_of(power_b)
-        print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {rise_of(power_a):6.2f} {rise_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f}")
+        apart = [distances(a, b).mean()]
+        for worse in WORSE:
+            apart.append(distances(a, density(render(cli, preset, frame, out / "worse.png", (EDGE, EDGE), settings + worse))).mean())
+        print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {rise_of(power_a):6.2f} {rise_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f} "
+              f"{apart[0]:10.3f} {apart[1]:7.3f} {apart[2]:8.3f}")
         rows.append([flat(theirs), flat(ours)])
     presets = sorted(path.stem for path in (pathlib.Path(__file__).parents[1] / "presets").glob("*.json"))
     print(f"\n{'preset':18s} largest change of density from one frame to the next, beside those before and after")
