@@ -164,6 +164,22 @@ private slots:
         QVERIFY(costs.scaleWithin(30'000'000, 28000, 1.0, 1e6) < 1.0);
     }
 
+    void aSlowMachineSeesMoreThanABlur()
+    {
+        CostEstimate slow;
+        for (int i = 0; i < 30; ++i) {
+            slow.noteSteps(1'000'000.0, 1'000'000'000); // 1 us each
+        }
+        QCOMPARE(slow.particlesWithin(10'000'000, 100.0), CostEstimate::kFewestParticles);
+        for (const int count : {300'000, 1'000'000, 100'000, 8000}) {
+            const int left = CostEstimate::halvedInto(count, 4000);
+            QVERIFY(left >= 4000 && left < 8000);
+        }
+        QCOMPARE(CostEstimate::halvedInto(7999, 4000), 7999);
+        QCOMPARE(CostEstimate::halvedInto(100, 4000), 100);
+        QCOMPARE(CostEstimate::halvedInto(300'000, 200'000), 150'000);
+    }
+
     void finalQualityWaitsForAStillPicture()
     {
         Effect effect;

@@ -41,8 +41,15 @@ void CostEstimate::notePixels(double pixels, qint64 ns)
 
 int CostEstimate::particlesWithin(qint64 ns, double stepsEach) const
 {
-    constexpr double kFewest = 1000.0;
-    return static_cast<int>(std::clamp(static_cast<double>(ns) / (m_step * stepsEach + m_sprite), kFewest, static_cast<double>(kMaxParticles)));
+    return static_cast<int>(std::clamp(static_cast<double>(ns) / (m_step * stepsEach + m_sprite), static_cast<double>(kFewestParticles), static_cast<double>(kMaxParticles)));
+}
+
+int CostEstimate::halvedInto(int count, int affordable)
+{
+    while (count > affordable && count / 2 >= kFewestParticles) {
+        count /= 2;
+    }
+    return count;
 }
 
 double CostEstimate::scaleWithin(qint64 ns, int particles, double stepsEach, double pixels) const

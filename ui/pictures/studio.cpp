@@ -65,12 +65,7 @@ int Studio::particlesWhileDragging(const Plan& plan, double preRoll) const
     if (m_thinned && m_thinned->simulation == plan.simulation && m_thinned->particles < all) {
         return m_thinned->particles;
     }
-    const int affordable = m_costs.particlesWithin(kParticleBudgetNs, preRoll);
-    int count = all;
-    while (count > affordable) {
-        count /= 2;
-    }
-    return std::max(1, count);
+    return CostEstimate::halvedInto(all, m_costs.particlesWithin(kParticleBudgetNs, preRoll));
 }
 
 int Studio::particlesToSettle(int all, double preRoll) const
@@ -82,11 +77,7 @@ int Studio::particlesToSettle(int all, double preRoll) const
     if (all / kNear <= affordable) {
         return all;
     }
-    int count = all;
-    while (count > affordable) {
-        count /= 2;
-    }
-    return std::max(1, count);
+    return CostEstimate::halvedInto(all, affordable);
 }
 
 Studio::Plan Studio::planFor(const PictureRequest& request) const
