@@ -173,6 +173,16 @@ private slots:
         }
     }
 
+    void aNumberReadsBackAsItIsShown()
+    {
+        for (const double value : {0.1, -3.25, 1234.5, 99999.4, 99999.6, 123456.7, 2222854.348, -2222854.348, 4294967294.7, 4294967296.0, 1e-7, 1e12}) {
+            const QString shown = formatNumber(value);
+            QCOMPARE(formatNumber(parseNumber(shown, Unit::None).value()), shown);
+        }
+        QCOMPARE(formatNumber(2222854.348), u"2222854"_q);
+        QCOMPARE(formatNumber(99999.6), u"100000"_q);
+    }
+
     void theDecimalSignIsThatOfTheLanguage()
     {
         const QLocale before;

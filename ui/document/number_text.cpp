@@ -70,8 +70,10 @@ QString formatNumber(double value)
 {
     constexpr int kDigits = 5;
     constexpr double kLargestWhole = 4294967295.0;
-    if (value == std::round(value) && std::abs(value) <= kLargestWhole) {
-        return QString::number(static_cast<qint64>(value));
+    constexpr double kNoFraction = 99999.5; // from here on kDigits are not even enough for the whole number
+    const bool isWhole = value == std::round(value) || std::abs(value) >= kNoFraction;
+    if (isWhole && std::abs(value) <= kLargestWhole) {
+        return QString::number(std::llround(value));
     }
     QString text = QLocale::c().toString(value, 'g', kDigits);
     return hasDecimalComma() ? text.replace(QLatin1Char('.'), QLatin1Char(',')) : text;
