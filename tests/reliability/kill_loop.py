@@ -106,6 +106,8 @@ def main():
         after = [name for kind in victims.commands for name in victims.leftovers(kind) if not name.endswith(".lock")]
         locks = [name for name in victims.leftovers("recover") if name.endswith(".lock")]
         print(f"{rounds} rounds, {killed} killed in the middle, {left} files left by them, {faults} faults; after the next start {len(after)} files and {len(locks)} lock(s) left")
+        for name in after + locks[1:]:
+            print(f"left: {name}")
         sys.exit(1 if faults or after or len(locks) > 1 else 0)
 
 
