@@ -301,6 +301,15 @@ private slots:
         QVERIFY(folder.names().isEmpty());
     }
 
+    void aProgramThatIsKilledWhileItTakesOverWorkLeavesIt()
+    {
+        const LeftFolder folder;
+        QFile lock(folder.dir().filePath(u"left.lock"_q));
+        QVERIFY(lock.open(QIODevice::WriteOnly)); // made, and nothing in it yet
+        lock.close();
+        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
+    }
+
     void aProgramThatIsKilledAfterItAdoptedWorkLeavesItAgain()
     {
         const LeftFolder folder;

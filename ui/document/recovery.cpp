@@ -21,13 +21,11 @@ const QString kOrigin = QStringLiteral(".origin"); ///< beside a copy: the path 
 const QString kTrial = QStringLiteral(".trial"); ///< beside a copy: has a byte for each program that was about to show it
 constexpr qint64 kMostTrials = 2; ///< the first may have been ended by chance
 
+/// A lock whose program is gone can be had; that of a running one cannot.
 /// @param name without ending
-std::unique_ptr<QLockFile> lockOf(const QString& name)
+std::unique_ptr<FileLock> lockOf(const QString& name)
 {
-    auto lock = std::make_unique<QLockFile>(name + kLock);
-    // A lock whose program is gone can be had; that of a running one cannot.
-    lock->setStaleLockTime(0);
-    return lock;
+    return FileLock::tryTake((name + kLock).toStdString());
 }
 
 QString readOrigin(const QString& copy)
@@ -41,7 +39,7 @@ QString readOrigin(const QString& copy)
 void clearLocks(const QDir& folder)
 {
     for (const QString& name : folder.entryList({QLatin1Char('*') + kLock}, QDir::Files)) {
-        static_cast<void>(lockOf(folder.filePath(name).chopped(kLock.size()))->tryLock(0)); // goes with its owner, who ends here
+        static_cast<void>(lockOf(folder.filePath(name).chopped(kLock.size()))); // goes with its owner, who ends here
     }
 }
 
@@ -62,7 +60,6 @@ Recovery::Recovery(Document& document, const QDir& folder, QObject* parent)
     QFile::setPermissions(folder.path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner);
     const QString name = folder.filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
     m_copy = {name + kCopy, lockOf(name)};
-    m_copy.lock->tryLock(0);
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoonMs);
     connect(&m_soon, &QTimer::timeout, this, &Recovery::saveNow);
@@ -111,8 +108,8 @@ Recovery::Leftovers Recovery::find(const QDir& folder)
     clearLocks(folder);
     for (const QString& name : folder.entryList({QLatin1Char('*') + kCopy}, QDir::Files, QDir::Time)) {
         const QString path = folder.filePath(name);
-        std::unique_ptr<QLockFile> lock = lockOf(path.chopped(kCopy.size()));
-        if (!lock->tryLock(0)) {
+        std::unique_ptr<FileLock> lock = lockOf(path.chopped(kCopy.size()));
+        if (!lock) {
             continue;
         }
         Result<PresetReading> reading = readPresetFile(path.toStdString());

@@ -2,8 +2,9 @@
 
 #include "ui/document/document.h"
 
+#include "core/base/file_lock.h"
+
 #include <QDir>
-#include <QLockFile>
 #include <QTimer>
 
 #include <memory>
@@ -14,7 +15,7 @@ namespace fumage::ui {
 /// A copy of unsaved work on disk, which belongs to whoever holds this.
 struct RecoveryCopy {
     QString path; ///< of the copy; others beside it have its name and more
-    std::unique_ptr<QLockFile> lock; ///< says that a running program owns the copy
+    std::unique_ptr<FileLock> lock; ///< says that a running program owns the copy
 
     /// Takes the copy away.
     void remove() const;
