@@ -4,6 +4,7 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 
+#include "core/base/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 
@@ -110,6 +111,7 @@ Status Document::save(const QString& path)
     if (preset.name.empty() || path != m_path) {
         preset.name = QFileInfo(path).completeBaseName().toStdString();
     }
+    clearLeftovers(QFileInfo(path).path().toStdString()); // of programs that were killed while they saved here
     if (Status status = writePresetFile(path.toStdString(), preset); !status) {
         return status;
     }
