@@ -1,11 +1,10 @@
 #include "app/cli/command.h"
+#include "app/cli/file_choice.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
 #include "core/export/air_file.h"
-#include "core/export/output_name.h"
 
-#include <array>
 #include <memory>
 #include <sstream>
 
@@ -22,7 +21,6 @@ struct AirOptions {
 
 Result<AirSequenceOptions> sequenceOf(const AirOptions& options, const NamedPreset& named)
 {
-    static constexpr std::array<std::string_view, 2> kEndings{".fga", ".vf"};
     AirSequenceOptions sequence;
     const Result<FrameRange> frames = parseFrameRange(options.frames);
     if (!frames) {
@@ -30,14 +28,12 @@ Result<AirSequenceOptions> sequenceOf(const AirOptions& options, const NamedPres
     }
     sequence.frames = frames.value();
     sequence.source = named.file;
-    const std::string_view wanted = fileEnding(options.format == "vf" ? AirFormat::Vf : AirFormat::Fga);
-    const Result<std::filesystem::path> path = outputPath(options.output, {options.format.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1), named.name});
-    if (!path) {
-        return path.error();
+    const Result<FileChoice<AirFormat>> choice = chooseFile(options.output, options.format, named.name, kAllAirFormats);
+    if (!choice) {
+        return choice.error();
     }
-    const std::string ending = endingOf(path.value());
-    sequence.format = (ending.empty() ? wanted : ending) == ".vf" ? AirFormat::Vf : AirFormat::Fga;
-    sequence.output = withEnding(path.value(), fileEnding(sequence.format));
+    sequence.output = choice.value().file;
+    sequence.format = choice.value().format;
     return sequence;
 }
 
@@ -64,9 +60,7 @@ Status writeOne(const AirOptions& options, const NamedPreset& named)
     if (!grid) {
         return grid.error();
     }
-    const FrameRange& frames = sequence.value().frames;
-    const auto fileOf = [&](int index) { return framePath(sequence.value().output, frames, fileEnding(sequence.value().format), frames.at(index)); };
-    tellWritten(frames.count(), fileOf(0), fileOf(frames.count() - 1));
+    tellWritten(sequence.value().output, sequence.value().frames, fileEnding(sequence.value().format));
     return print(boxOf(grid.value()));
 }
 

@@ -1,13 +1,11 @@
 #include "app/cli/command.h"
+#include "app/cli/file_choice.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
-#include "core/export/output_name.h"
 #include "core/export/particle_dump.h"
 #include "core/export/plan.h"
 
-#include <algorithm>
-#include <array>
 #include <memory>
 
 namespace fumage::cli {
@@ -22,48 +20,24 @@ struct DumpOptions {
     std::string up = "y";
 };
 
-/// @param name its ending without the dot; empty: text
-ParticleFormat formatNamed(std::string_view name)
-{
-    const auto* const found = std::find_if(kAllParticleFormats.begin(), kAllParticleFormats.end(), [&](ParticleFormat format) { return fileEnding(format).substr(1) == name; });
-    return found == kAllParticleFormats.end() ? ParticleFormat::Csv : *found;
-}
-
-/// The file or files to write, and their format.
-Status chooseOutput(const DumpOptions& options, const std::string& name, ParticleSequenceOptions& out)
-{
-    static constexpr std::array<std::string_view, 3> kEndings{".csv", ".ply", ".pcache"};
-    const std::string_view wanted = fileEnding(formatNamed(options.format));
-    const Result<std::filesystem::path> path = outputPath(options.output, {options.format.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1), name});
-    if (!path) {
-        return path.error();
-    }
-    const std::string ending = endingOf(path.value());
-    out.format = formatNamed(ending.empty() ? wanted.substr(1) : std::string_view(ending).substr(1));
-    out.output = withEnding(path.value(), fileEnding(out.format));
-    return Done{};
-}
-
 Status dumpToStandardOutput(const DumpOptions& options, const NamedPreset& named, const ParticleSequenceOptions& sequence)
 {
     if (sequence.frames.count() > 1) {
         return Error{ErrorCode::OutOfRange, said("several frames are several files"), "--frames " + options.frames, said("Name a file for them, as in --output smoke_####.csv")};
     }
-    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first, formatNamed(options.format), interruption(), sequence.up, ProgressBar("Writing").listener());
+    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first, formatNamed(kAllParticleFormats, options.format), interruption(), sequence.up, ProgressBar("Writing").listener());
     return text ? print(text.value()) : Status(text.error());
 }
 
 Status dumpToFiles(const NamedPreset& named, const ParticleSequenceOptions& sequence)
 {
-    const auto fileOf = [&](int index) { return framePath(sequence.output, sequence.frames, fileEnding(sequence.format), sequence.frames.at(index)); };
-    const int count = sequence.frames.count();
     {
         ProgressBar bar("Writing");
         if (Status status = dumpSequence(named.preset.effect, sequence, bar.listener(), interruption()); !status) {
             return status;
         }
     }
-    tellWritten(count, fileOf(0), fileOf(count - 1));
+    tellWritten(sequence.output, sequence.frames, fileEnding(sequence.format));
     return Done{};
 }
 
@@ -79,9 +53,12 @@ Status dumpOne(const DumpOptions& options, const NamedPreset& named)
     if (options.output == kStandardStream) {
         return withinMemory([&] { return dumpToStandardOutput(options, named, sequence); });
     }
-    if (Status status = chooseOutput(options, named.name, sequence); !status) {
-        return status;
+    const Result<FileChoice<ParticleFormat>> choice = chooseFile(options.output, options.format, named.name, kAllParticleFormats);
+    if (!choice) {
+        return choice.error();
     }
+    sequence.output = choice.value().file;
+    sequence.format = choice.value().format;
     sequence.source = named.file;
     return withinMemory([&] { return dumpToFiles(named, sequence); });
 }

@@ -65,6 +65,12 @@ void tellWritten(int count, const std::filesystem::path& first, const std::files
     tell(count == 1 ? "wrote " + first.string() : "wrote " + std::to_string(count) + " files, " + first.string() + " to " + last.string());
 }
 
+void tellWritten(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending)
+{
+    const auto fileOf = [&](int index) { return framePath(output, frames, ending, frames.at(index)); };
+    tellWritten(frames.count(), fileOf(0), fileOf(frames.count() - 1));
+}
+
 Result<std::string> readStandardInput(std::size_t mostBytes)
 {
     std::string text;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/export/sequence.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -24,6 +25,8 @@ void tell(const std::string& text);
 
 /// Says which files were written.
 void tellWritten(int count, const std::filesystem::path& first, const std::filesystem::path& last);
+/// The same of numbered files; see framePath().
+void tellWritten(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending);
 
 /// Reads all of standard input; ends early when the user interrupts, even where nobody writes.
 /// @error TooLarge, ReadFailed, Cancelled

@@ -44,8 +44,7 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
             return status;
         }
     }
-    const auto fileOf = [&](int index) { return framePath(options.output, options.frames, kEndings.front(), options.frames.at(index)); };
-    tellWritten(options.frames.count(), fileOf(0), fileOf(options.frames.count() - 1));
+    tellWritten(options.output, options.frames, kEndings.front());
     return Done{};
 }
 

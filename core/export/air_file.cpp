@@ -1,9 +1,7 @@
 #include "core/export/air_file.h"
 
-#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/export/byte_writer.h"
-#include "core/export/output_name.h"
 #include "core/simulation/air_plan.h"
 #include "core/simulation/air_shelf.h"
 #include "core/simulation/model.h"
@@ -83,12 +81,6 @@ Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options
     if (Status status = checkAir(smoke); !status) {
         return status.error();
     }
-    if (isFileOfAFrame(options.source, options.output, options.frames, fileEnding(options.format))) {
-        return wouldOverwrite(options.source);
-    }
-    if (Status status = makeFolderOf(options.output); !status) {
-        return status.error();
-    }
     AirShelf shelf;
     const Model model(smoke, shelf.airOf(smoke));
     constexpr int kPercent = 100;
@@ -97,20 +89,15 @@ Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options
         return status.error();
     }
     AirGrid grid;
-    for (int done = 0; done < options.frames.count(); ++done) {
-        const int number = options.frames.at(done);
+    const Status written = writeNumbered({options.output, options.frames, fileEnding(options.format), options.source}, progress, [&](int number) -> Result<std::string> {
         const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), stop);
         if (!air) {
             return air.error();
         }
         grid = air.value()->grid;
-        const std::string bytes = encodeAir(*air.value(), options.format);
-        if (Status status = writeFileAtomically(framePath(options.output, options.frames, fileEnding(options.format), number), bytes); !status) {
-            return status.error();
-        }
-        progress(Work::Frames, done + 1, options.frames.count());
-    }
-    return grid;
+        return encodeAir(*air.value(), options.format);
+    });
+    return written ? Result<AirGrid>(grid) : written.error();
 }
 
 } // namespace fumage

@@ -3,6 +3,7 @@
 #include "core/export/sequence.h"
 #include "core/flow/field.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ enum class AirFormat {
     Fga, ///< Unreal: text
     Vf, ///< Unity: Volume File
 };
+
+/// All of them, in their order.
+inline constexpr std::array kAllAirFormats{AirFormat::Fga, AirFormat::Vf};
 
 /// ".fga" or ".vf".
 [[nodiscard]] std::string_view fileEnding(AirFormat format);

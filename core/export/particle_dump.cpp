@@ -37,11 +37,6 @@ std::int32_t idOf(const Frame& frame, std::size_t slot)
     return static_cast<std::int32_t>(frame.model->schedule().birthIndex(frame.step, static_cast<std::int64_t>(slot), slots) % kSigned);
 }
 
-glm::vec3 turned(const glm::vec3& v, UpAxis up)
-{
-    return up == UpAxis::Z ? glm::vec3(v.x, -v.z, v.y) : v;
-}
-
 std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect, UpAxis up)
 {
     Appearance appearance;
@@ -176,25 +171,9 @@ Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleForma
 
 Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
-    if (isFileOfAFrame(options.source, options.output, options.frames, fileEnding(options.format))) {
-        return wouldOverwrite(options.source);
-    }
-    if (Status status = makeFolderOf(options.output); !status) {
-        return status;
-    }
     Simulator simulator(sampled(effect));
-    for (int done = 0; done < options.frames.count(); ++done) {
-        const int number = options.frames.at(done);
-        const Result<std::string> text = dumpFrame(simulator, number, options.format, options.up, stop, progress);
-        if (!text) {
-            return text.error();
-        }
-        if (Status status = writeFileAtomically(framePath(options.output, options.frames, fileEnding(options.format), number), text.value()); !status) {
-            return status;
-        }
-        progress(Work::Frames, done + 1, options.frames.count());
-    }
-    return Done{};
+    return writeNumbered({options.output, options.frames, fileEnding(options.format), options.source}, progress,
+        [&](int number) { return dumpFrame(simulator, number, options.format, options.up, stop, progress); });
 }
 
 } // namespace fumage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/sequence.h"
+#include "core/export/up_axis.h"
 #include "core/simulation/frame.h"
 
 #include <array>
@@ -14,12 +15,6 @@ enum class ParticleFormat {
     Csv, ///< text, one particle a line
     Ply, ///< binary vertices
     Pcache, ///< Unity's point cache, binary
-};
-
-/// Which axis points up in a file: ours is y; Blender, 3ds Max and Unreal have z.
-enum class UpAxis {
-    Y,
-    Z,
 };
 
 /// All of them, in their order.

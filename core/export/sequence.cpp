@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/export/frame_layers.h"
 #include "core/export/frame_neighbours.h"
+#include "core/export/output_name.h"
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
 
@@ -201,6 +202,28 @@ Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, cons
         return status.error();
     }
     return isLayered(options) ? encoded(LayeredFrames(effect, options, {frame})) : encoded(ColourFrames(effect, options, {frame}));
+}
+
+Status writeNumbered(const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf)
+{
+    if (isFileOfAFrame(files.source, files.output, files.frames, files.ending)) {
+        return wouldOverwrite(files.source);
+    }
+    if (Status status = makeFolderOf(files.output); !status) {
+        return status;
+    }
+    for (int done = 0; done < files.frames.count(); ++done) {
+        const int frame = files.frames.at(done);
+        const Result<std::string> bytes = bytesOf(frame);
+        if (!bytes) {
+            return bytes.error();
+        }
+        if (Status status = writeFileAtomically(framePath(files.output, files.frames, files.ending, frame), bytes.value()); !status) {
+            return status;
+        }
+        progress(Work::Frames, done + 1, files.frames.count());
+    }
+    return Done{};
 }
 
 Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)

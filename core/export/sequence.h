@@ -53,6 +53,20 @@ struct SequenceOptions {
 
 [[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);
 
+/// Files that are numbered by their frames.
+struct NumberedFiles {
+    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    FrameRange frames;
+    std::string_view ending; ///< with its dot
+    std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+};
+
+/// Writes a file a frame, each whole or not at all, into a folder that is made if it is not there.
+/// @param progress hears of Work::Frames after each
+/// @param bytesOf  what a frame's file holds
+/// @error WouldOverwrite; that of the first frame that fails: files before it stay
+[[nodiscard]] Status writeNumbered(const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf);
+
 /// Renders one frame into the bytes of a file.
 /// @param options what the file holds; its range and name mean nothing here
 /// @error those of renderSequence()

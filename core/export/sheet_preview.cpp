@@ -1,7 +1,6 @@
 #include "core/export/sheet_preview.h"
 
 #include "core/base/memory.h"
-#include "core/base/math.h"
 #include "core/export/sheet.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/view_transform.h"
@@ -30,13 +29,12 @@ bool shrink(Output& output, int cells, int mostEdge, std::int64_t mostPixels)
     return false;
 }
 
-/// Linear light of the bytes of sRGB, IEC 61966-2-1.
+/// Linear light of the bytes of sRGB.
 std::array<float, 256> linearOfBytes()
 {
     std::array<float, 256> out{};
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const float value = static_cast<float>(i) / 255.0F;
-        out[i] = value <= 0.04045F ? value / 12.92F : portablePow((value + 0.055F) / 1.055F, 2.4F);
+        out[i] = linearFromSrgb(static_cast<float>(i) / 255.0F);
     }
     return out;
 }

@@ -1,14 +1,13 @@
 #include "core/export/vdb_file.h"
 
-#include "core/base/file.h"
 #include "core/base/hash.h"
 #include "core/export/byte_writer.h"
-#include "core/export/output_name.h"
 #include "core/simulation/simulator.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 
 #include <half.h>
 
@@ -80,8 +79,7 @@ public:
         const float last = first.z + m_volume.cell * static_cast<float>(m_volume.cells.z - 1);
         return m_up == UpAxis::Z ? glm::vec3(first.x, -last, first.y) : first;
     }
-    [[nodiscard]] glm::vec3 turned(const glm::vec3& v) const { return m_up == UpAxis::Z ? glm::vec3(v.x, -v.z, v.y) : v; }
-    /// Where the numbers of a voxel stand; outside of the volume nothing.
+    /// Where the numbers of a voxel stand; nothing where it has no smoke, or lies outside of the volume.
     [[nodiscard]] std::optional<std::size_t> at(const glm::ivec3& voxel) const
     {
         const glm::ivec3 ours = m_up == UpAxis::Z ? glm::ivec3(voxel.x, voxel.z, m_volume.cells.z - 1 - voxel.y) : voxel;
@@ -91,12 +89,8 @@ public:
             }
         }
         const auto size = [&](int along) { return static_cast<std::size_t>(along); };
-        return size(ours.x) + size(m_volume.cells.x) * (size(ours.y) + size(m_volume.cells.y) * size(ours.z));
-    }
-    [[nodiscard]] bool isThere(const glm::ivec3& voxel) const
-    {
-        const std::optional<std::size_t> place = at(voxel);
-        return place && m_volume.density[*place] > 0.0F;
+        const std::size_t place = size(ours.x) + size(m_volume.cells.x) * (size(ours.y) + size(m_volume.cells.y) * size(ours.z));
+        return m_volume.density[place] > 0.0F ? std::optional(place) : std::nullopt;
     }
 
 private:
@@ -139,7 +133,7 @@ Tree treeOf(const Placed& placed)
             const std::int64_t before = tree.voxels;
             forChildren(glm::ivec3(kLeafEdge), [&](const glm::ivec3& voxelAt) {
                 const glm::ivec3 voxel = leaf.first + voxelAt;
-                if (placed.isThere(voxel)) {
+                if (placed.at(voxel)) {
                     leaf.voxels.set(placeOf(voxelAt, kLeafBits));
                     ++tree.voxels;
                     tree.low = glm::min(tree.low, voxel);
@@ -272,8 +266,8 @@ void appendLeaves(std::string& out, const Column& column, const Tree& tree, cons
             out += leaf.voxels.bytes();
             out += kAllValues;
             forChildren(glm::ivec3(1 << kLeafBits), [&](const glm::ivec3& voxelAt) {
-                const glm::ivec3 voxel = leaf.first + voxelAt;
-                const glm::vec3 value = placed.isThere(voxel) ? column.at(*placed.at(voxel)) : glm::vec3(0.0F);
+                const std::optional<std::size_t> place = placed.at(leaf.first + voxelAt);
+                const glm::vec3 value = place ? column.at(*place) : glm::vec3(0.0F);
                 for (int channel = 0; channel < column.channels; ++channel) {
                     appendLittleEndian(out, half(value[channel]).bits(), 2);
                 }
@@ -336,7 +330,7 @@ std::string encodeVdb(const Volume& volume, UpAxis up)
     if (!volume.flames.empty()) {
         columns.push_back({"flames", 1, [&](std::size_t cell) { return glm::vec3(volume.flames[cell]); }});
     }
-    columns.push_back({"vel", 3, [&](std::size_t cell) { return placed.turned(volume.velocity[cell]); }});
+    columns.push_back({"vel", 3, [&](std::size_t cell) { return turned(volume.velocity[cell], up); }});
 
     std::string out;
     append64(out, 0x56444220); // " BDV"
@@ -361,27 +355,12 @@ Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, 
     if (options.longest < kMinVolumeCells || options.longest > kMaxVolumeCells) {
         return Error{ErrorCode::OutOfRange, said("a volume of %1 cells", options.longest), {}, said("Use %1 to %2 cells along the longest edge", kMinVolumeCells, kMaxVolumeCells)};
     }
-    if (isFileOfAFrame(options.source, options.output, options.frames, ".vdb")) {
-        return wouldOverwrite(options.source);
-    }
-    if (Status status = makeFolderOf(options.output); !status) {
-        return status;
-    }
     const SampledEffect smoke = sampled(effect);
     Simulator simulator(smoke);
-    for (int done = 0; done < options.frames.count(); ++done) {
-        const int number = options.frames.at(done);
+    return writeNumbered({options.output, options.frames, ".vdb", options.source}, progress, [&](int number) -> Result<std::string> {
         const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
-        if (!frame) {
-            return frame.error();
-        }
-        const std::string bytes = encodeVdb(volumeOf(*frame.value(), smoke, options.longest), options.up);
-        if (Status status = writeFileAtomically(framePath(options.output, options.frames, ".vdb", number), bytes); !status) {
-            return status;
-        }
-        progress(Work::Frames, done + 1, options.frames.count());
-    }
-    return Done{};
+        return frame ? Result<std::string>(encodeVdb(volumeOf(*frame.value(), smoke, options.longest), options.up)) : frame.error();
+    });
 }
 
 } // namespace fumage

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/export/particle_dump.h"
+#include "core/export/sequence.h"
+#include "core/export/up_axis.h"
 #include "core/export/volume.h"
 
 #include <string>

@@ -15,8 +15,6 @@ namespace fumage {
 
 namespace {
 
-constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F}; // of Rec. 709
-
 /// What a particle leaves in the cells around it.
 struct Ball {
     glm::vec3 place; ///< in cells, from the corner of the box

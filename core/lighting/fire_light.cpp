@@ -20,8 +20,6 @@ void GridField::resize(int u, int v, int w)
 
 namespace {
 
-constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F}; // of Rec. 709
-
 FireJob fireJob(const Frame& frame, const Effect& effect, const GlowColours& colours)
 {
     FireJob job;

@@ -14,6 +14,9 @@ namespace fumage {
     return light.emission > 0.0F && light.flameOpacity < 1.0F;
 }
 
+/// Luminance of linear Rec. 709.
+inline constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
+
 /// By heat, from none to that at birth.
 inline constexpr int kGlowTableSize = 256;
 

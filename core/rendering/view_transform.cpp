@@ -152,5 +152,10 @@ float srgbFromLinear(float linear)
     return linear <= 0.0031308F ? 12.92F * linear : 1.055F * portablePow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
+float linearFromSrgb(float encoded)
+{
+    return encoded <= 0.04045F ? encoded / 12.92F : portablePow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+
 } // namespace fumage
 #endif

@@ -40,4 +40,7 @@ void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t
 /// The sRGB curve for one linear value of 0 or more; values above 1 go on along the curve.
 [[nodiscard]] float srgbFromLinear(float linear);
 
+/// Its inverse, for values of 0 or more.
+[[nodiscard]] float linearFromSrgb(float encoded);
+
 } // namespace fumage

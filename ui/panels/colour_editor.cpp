@@ -27,8 +27,7 @@ QColor screenColour(const glm::vec3& linear)
 
 glm::vec3 linearColour(const QColor& screen)
 {
-    // IEC 61966-2-1
-    const auto channel = [](float value) { return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F); };
+    const auto channel = [](float value) { return linearFromSrgb(std::max(0.0F, value)); };
     return {channel(screen.redF()), channel(screen.greenF()), channel(screen.blueF())};
 }
 
