@@ -107,6 +107,7 @@ struct Air {
     glm::vec3 offset{0.0F, 0.0F, 0.0F};
     float vorticity = 0.15F;
     float raggedness = 0.35F;
+    float unevenness = 0.4F;
     float detail = 1.0F;
     float heatOpacity = 0.0F;
     float expansion = 0.0F;

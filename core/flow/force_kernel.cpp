@@ -27,13 +27,19 @@ HWY_INLINE V covered(D d, V inside, float width)
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// Noise at a place, three components.
-HWY_INLINE Vec3<V> rimNoise(D d, const AirSource& source, const Vec3<V>& away)
+/// Noise at a place: of the rim in x, of the speed in y, and of the heat in z, which has an octave more.
+HWY_INLINE Vec3<V> sourceNoise(D d, const AirSource& source, const Vec3<V>& away)
 {
     Vec3<V> sum = uniform(hn::Zero(d));
     Vec3<V> none = sum;
-    for (const RimOctave& octave : source.rim) {
-        addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, sum, none);
+    const auto add = [&](const SourceOctave& octave, Vec3<V>& to) HWY_ATTR { addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none); };
+    for (const SourceOctave& octave : source.rim) {
+        add(octave, sum);
+    }
+    if (source.unevenness > 0.0F) {
+        Vec3<V> small = uniform(hn::Zero(d));
+        add(source.billow, small);
+        sum.z = sum.z + small.z;
     }
     return sum;
 }
@@ -76,10 +82,11 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
             if (hn::AllFalse(d, hn::Gt(ends, hn::Zero(d)))) {
                 continue;
             }
-            const Vec3<V> noise = rimNoise(d, source, away);
+            const Vec3<V> noise = sourceNoise(d, source, away);
             const V cover = coverage(d, source, away, ends, noise.x);
             const V heat = hn::Load(d, cells.heat.data() + at);
-            hn::Store(hn::Max(heat, cover * source.heat), d, cells.heat.data() + at);
+            const V given = hn::Max(1.0F + source.unevenness * noise.z, hn::Zero(d)) * source.heat;
+            hn::Store(hn::Max(heat, cover * given), d, cells.heat.data() + at);
             const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
             // What comes out is as uneven as its rim, and blown along by the air that it comes into.
             const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);

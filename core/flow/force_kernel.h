@@ -7,7 +7,7 @@ namespace fumage {
 
 // What accelerates the carried air. Each is called for one plane of cells; planes may run in parallel. The same bits on every instruction set.
 
-/// Heats the air in the source and takes it along: heat becomes at least s heat, the velocity along its normal goes a share grip s of the way to its own.
+/// Heats the air in the source and takes it along: heat becomes at least s heat (1 + unevenness m), where that is not less than 0, with m noise of three octaves, the velocity along its normal goes a share grip s of the way to its own.
 /// s is 1 inside and falls to 0 across the rim, which lies at 1 + raggedness n of the reach with n curl noise that moves, root mean square 1.
 /// Writes velocity and heat, and divergence: what the source adds by its expansion, everywhere else 0.
 void addSource(AirCells& cells, const AirSource& source, int k);

@@ -11,8 +11,8 @@
 
 namespace fumage {
 
-/// One octave of the noise of a source's rim.
-struct RimOctave {
+/// One octave of the noise of a source.
+struct SourceOctave {
     float frequency = 1.0F; ///< 1/m
     float weight = 1.0F;
     glm::vec3 shift{0.0F};
@@ -34,7 +34,9 @@ struct AirSource {
     float grip = 0.0F; ///< share of the way to that speed in a step
     float heat = 0.0F;
     float expansion = 0.0F; ///< divergence within, 1/s
-    std::array<RimOctave, 2> rim;
+    float unevenness = 0.0F; ///< how far its heat varies, as a share of it
+    std::array<SourceOctave, 2> rim;
+    SourceOctave billow; ///< the smallest, which only its heat has
     glm::ivec3 first{0}; ///< cells that it may reach: [first, last), along x multiples of kAirLanes
     glm::ivec3 last{0};
 };

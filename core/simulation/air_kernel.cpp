@@ -166,6 +166,18 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
     }
 }
 
+/// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that the rim is thin as that of its heat, and
+/// above the plane by a depth that ends as a dome. A slab of even density would be seen as one: its rim stands still beside the stream.
+HWY_INLINE Vec3<V> insideSource(D d, const StepConstants& constants, VU key, const Vec3<V>& onEmitter)
+{
+    constexpr float kRim = 0.5F; // of the reach
+    const Vec3<V> away = (onEmitter - constants.pivot) * (1.0F - kRim * unitStream(d, key, kBirthRim));
+    const V across = dot(away, constants.air.sourceSides[0]);
+    const V along = dot(away, constants.air.sourceSides[1]);
+    const V dome = hn::Max(1.0F - across * across - along * along, hn::Zero(d));
+    return away + (unitStream(d, key, kBirthDepth) * dome) * constants.air.sourceDepth + constants.pivot;
+}
+
 /// Slots [first, last); neighbours in the same vectors stay as they are.
 void carryJustBorn(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
 {
@@ -175,7 +187,7 @@ void carryJustBorn(const StepConstants& constants, Particles& particles, std::si
         const V share = agesInSteps(d, particles, i, key, constants.step, constants.betweenSteps);
         const Carried before = Carried::from(d, particles, i);
         Carried born = before;
-        born.moving.position = born.moving.position + unitStream(d, key, kBirthDepth) * constants.air.sourceDepth;
+        born.moving.position = insideSource(d, constants, key, born.moving.position);
         // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
         born.relative = before.moving.velocity - constants.air.sourceVelocity;
         born.shape = Shape::round(d);

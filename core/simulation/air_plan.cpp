@@ -32,6 +32,12 @@ float radiusOf(const Emitter& emitter)
     return emitter.shape == EmitterShape::Rectangle ? std::sqrt(emitter.width * emitter.depth / kPi) : emitter.radius;
 }
 
+/// Half its edges, or its radius twice, m.
+glm::vec2 reachOf(const Emitter& emitter)
+{
+    return emitter.shape == EmitterShape::Rectangle ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth) : glm::vec2(emitter.radius);
+}
+
 /// The wind's speed: that at which drag balances its acceleration, as for a lone particle.
 glm::vec3 windSpeed(const glm::vec3& acceleration, const Motion& motion)
 {
@@ -133,12 +139,12 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
     source.basis = planeBasis(source.normal);
     // Less than a cell and a half is less than the grid can show.
     const float least = 1.5F * grid.cell;
-    const glm::vec2 reach = emitter.shape == EmitterShape::Rectangle ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth) : glm::vec2(emitter.radius);
-    source.reach = glm::max(reach, glm::vec2(least));
+    source.reach = glm::max(reachOf(emitter), glm::vec2(least));
     const float radius = std::min(source.reach.x, source.reach.y);
     source.depth = glm::length(sourceDepth(emitter, grid));
     source.softness = std::max(0.4F * radius, 1.5F * grid.cell);
     source.raggedness = effect->air.raggedness;
+    source.unevenness = effect->air.unevenness;
     source.speed = emitter.speed;
     source.heat = 1.0F;
     source.expansion = effect->air.expansion;
@@ -152,26 +158,27 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
     return source;
 }
 
-/// The rim's noise at a step: two octaves, each two slices of time that cross-fade.
-void moveRim(AirSource& source, const Schedule& schedule, std::uint32_t seed, float rate, std::int64_t step)
+/// The source's noise at a step: octaves of two slices of time that cross-fade.
+void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed, float rate, std::int64_t step)
 {
     const float radius = std::max(source.reach.x, source.reach.y);
     const float square = 1.0F + 0.5F * 0.5F;
     float weight = kCurlNormalisation / std::sqrt(square);
     float frequency = 0.45F / radius;
     float often = rate;
-    for (std::size_t i = 0; i < source.rim.size(); ++i) {
-        RimOctave& octave = source.rim[i];
-        const std::uint32_t own = streamBits(seed, kRim + static_cast<std::uint32_t>(i));
+    std::uint32_t stream = kRim;
+    for (SourceOctave* octave : {&source.rim[0], &source.rim[1], &source.billow}) {
+        const std::uint32_t own = streamBits(seed, stream);
         const RowPosition row = rowPosition(step, schedule, static_cast<double>(often * schedule.dt));
         const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
-        octave.frequency = frequency;
-        octave.shift = {unitFloat(streamBits(own, 1)), unitFloat(streamBits(own, 2)), unitFloat(streamBits(own, 3))};
-        octave.slices.key = {keyOf(own, static_cast<std::uint64_t>(row.before)), keyOf(own, static_cast<std::uint64_t>(row.after))};
-        octave.slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
-        weight *= 0.5F;
+        octave->frequency = frequency;
+        octave->shift = {unitFloat(streamBits(own, 1)), unitFloat(streamBits(own, 2)), unitFloat(streamBits(own, 3))};
+        octave->slices.key = {keyOf(own, static_cast<std::uint64_t>(row.before)), keyOf(own, static_cast<std::uint64_t>(row.after))};
+        octave->slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
+        weight *= stream == kRim ? 0.5F : 1.0F; // the smallest is as strong as the one before it: it is what makes billows on billows
         frequency *= 2.0F;
         often *= 1.6F;
+        ++stream;
     }
 }
 
@@ -185,6 +192,14 @@ glm::vec3 sourceDepth(const Emitter& emitter, const AirGrid& grid)
     constexpr float kShareOfRadius = 0.4F;
     constexpr float kLeastCells = 1.5F;
     return glm::normalize(emitter.normal) * std::max(kShareOfRadius * radiusOf(emitter), kLeastCells * grid.cell);
+}
+
+std::array<glm::vec3, 2> sourceSides(const Emitter& emitter)
+{
+    const PlaneBasis basis = planeBasis(glm::normalize(emitter.normal));
+    constexpr float kLeast = 1e-6F; // m: a point has no sides
+    const glm::vec2 reach = glm::max(reachOf(emitter), glm::vec2(kLeast));
+    return {basis.across / reach.x, basis.along / reach.y};
 }
 
 glm::vec3 sourceVelocity(const Emitter& emitter)
@@ -255,8 +270,8 @@ AirPlan airPlan(const Model& model)
         step.wind = windSpeed(model.windAt(number), motion);
         step.windChange = step.wind - windSpeed(model.windAt(number - 1), motion);
         step.source.acts = (number - 1) % times.periodSteps < times.windowSteps;
-        if (step.source.raggedness > 0.0F && step.source.acts) {
-            moveRim(step.source, times, model.effect()->emitter.seed, rate, number);
+        if ((step.source.raggedness > 0.0F || step.source.unevenness > 0.0F) && step.source.acts) {
+            moveSource(step.source, times, model.effect()->emitter.seed, rate, number);
         }
         return step;
     };

@@ -4,6 +4,7 @@
 #include "core/flow/air.h"
 #include "core/simulation/schedule.h"
 
+#include <array>
 #include <span>
 
 namespace fumage {
@@ -31,6 +32,9 @@ class Model;
 
 /// How deep the source is along the emitter's normal, m: flat emitters have one too, or the air there would not be warmed. A ball has none beside its own.
 [[nodiscard]] glm::vec3 sourceDepth(const Emitter& emitter, const AirGrid& grid);
+
+/// The two directions in the emitter's plane, each over the distance from its middle to its rim, 1/m.
+[[nodiscard]] std::array<glm::vec3, 2> sourceSides(const Emitter& emitter);
 
 /// Velocity of what the emitter gives off, m/s.
 [[nodiscard]] glm::vec3 sourceVelocity(const Emitter& emitter);

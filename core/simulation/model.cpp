@@ -241,6 +241,7 @@ void Model::placeAir(StepConstants& out) const
     out.air.reach = kShareOfBox * grid.cell * static_cast<float>(std::max({grid.cells.x, grid.cells.y, grid.cells.z}));
     out.air.detail = air.detail * kDetailPerShear;
     out.air.sourceDepth = sourceDepth(m_effect->emitter, grid);
+    out.air.sourceSides = sourceSides(m_effect->emitter);
     out.air.sourceVelocity = sourceVelocity(m_effect->emitter);
     out.air.hasGround = air.ground;
     out.air.groundHeight = air.groundHeight;

@@ -29,7 +29,8 @@ struct AirConstants {
     const AirField* field = nullptr; ///< null: no air carries the particles
     float reach = 1.0F; ///< beyond the box the air goes over into the wind within this, m
     float detail = 0.0F; ///< speed of the swirls below the grid, for each m/s that the air differs from cell to cell
-    glm::vec3 sourceDepth{0.0F}; ///< along it particles are born anywhere in the source, m
+    glm::vec3 sourceDepth{0.0F}; ///< along it particles are born, as far as this in its middle, m
+    std::array<glm::vec3, 2> sourceSides{}; ///< at right angles to it, over the source's reach along them: 1/m
     glm::vec3 sourceVelocity{0.0F}; ///< of the air that particles are born in, m/s
     bool hasGround = false;
     float groundHeight = 0.0F;

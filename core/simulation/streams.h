@@ -15,6 +15,7 @@ enum ParticleStream : std::uint32_t {
     kBirthConeAngle = 6,
     kBirthConeTurn = 7,
     kBirthDepth = 8,
+    kBirthRim = 9,
     kHeatStream = 20,
     kLifetimeStream = 21,
     kSizeStream = 22,

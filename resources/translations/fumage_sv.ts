@@ -3020,10 +3020,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Ojämnhet</translation>
     </message>
     <message>
-        <source>How unevenly the source gives off its heat, and how far its rim wanders. Without it smoke rises as a column, and a cap is as regular as a cauliflower.</source>
-        <translation>Hur ojämnt källan avger sin värme och hur långt dess kant vandrar. Utan den stiger röken som en pelare, och en hatt är regelbunden som en blomkål.</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>Detaljer</translation>
     </message>
@@ -3155,6 +3151,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>How much what glows lights the smoke around it. 1: as much as it gives off.</source>
         <translation>Hur mycket det som glöder lyser upp röken omkring. 1: så mycket som det avger.</translation>
     </message>
+    <message>
+        <source>How far the rim of the source wanders, and how unevenly it blows. Without it smoke rises as a column of one width.</source>
+        <translation>Hur långt källans rand vandrar och hur ojämnt den blåser. Utan detta stiger röken som en pelare med en enda bredd.</translation>
+    </message>
+    <message>
+        <source>Uneven heat</source>
+        <translation>Ojämn värme</translation>
+    </message>
+    <message>
+        <source>How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. Without it a cap is bald.</source>
+        <translation>Hur mycket källans värme skiljer sig från ställe till ställe, som andel av den. Det hetare stiger före det övriga: bolmar på bolmar. Utan detta blir hatten kal.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -3252,10 +3260,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Moln</translation>
     </message>
     <message>
-        <source>A cumulus that boils slowly in the sun.</source>
-        <translation>Ett stackmoln som sakta sjuder i solen.</translation>
-    </message>
-    <message>
         <source>Coloured smoke</source>
         <translation>Färgad rök</translation>
     </message>
@@ -3274,10 +3278,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Dust</source>
         <translation>Damm</translation>
-    </message>
-    <message>
-        <source>A brown puff kicked up from dry ground that sinks back.</source>
-        <translation>En brun puff som rivs upp från torr mark och sjunker tillbaka.</translation>
     </message>
     <message>
         <source>Explosion</source>
@@ -3386,6 +3386,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Tongues of clear flame, and thin smoke above them.</source>
         <translation>Tungor av klar låga, och tunn rök ovanför dem.</translation>
+    </message>
+    <message>
+        <source>A cumulus that grows from a flat base.</source>
+        <translation>Ett stackmoln som växer från en plan bas.</translation>
+    </message>
+    <message>
+        <source>What a blow on dry ground throws up.</source>
+        <translation>Det som ett slag mot torr mark kastar upp.</translation>
+    </message>
+    <message>
+        <source>Rolling dust</source>
+        <translation>Rullande damm</translation>
+    </message>
+    <message>
+        <source>A front of dust that rolls along the ground.</source>
+        <translation>En dammfront som rullar fram över marken.</translation>
     </message>
 </context>
 <context>

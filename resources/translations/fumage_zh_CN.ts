@@ -3020,10 +3020,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>参差度</translation>
     </message>
     <message>
-        <source>How unevenly the source gives off its heat, and how far its rim wanders. Without it smoke rises as a column, and a cap is as regular as a cauliflower.</source>
-        <translation>热源散热的不均匀程度及其边缘游移的幅度。没有它，烟会像柱子一样上升，烟帽规则得像花椰菜。</translation>
-    </message>
-    <message>
         <source>Detail</source>
         <translation>细节</translation>
     </message>
@@ -3155,6 +3151,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>How much what glows lights the smoke around it. 1: as much as it gives off.</source>
         <translation>发光部分照亮周围烟雾的程度。1：与其发出的光一样多。</translation>
     </message>
+    <message>
+        <source>How far the rim of the source wanders, and how unevenly it blows. Without it smoke rises as a column of one width.</source>
+        <translation>热源边缘游移多远，吹出有多不均匀。没有它，烟会像粗细不变的柱子一样上升。</translation>
+    </message>
+    <message>
+        <source>Uneven heat</source>
+        <translation>不均匀的热</translation>
+    </message>
+    <message>
+        <source>How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. Without it a cap is bald.</source>
+        <translation>热源的热量在各处相差多少，以其份额计。更热的部分先于其余上升：翻滚之上再翻滚。没有它，顶部会是光秃的。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -3252,10 +3260,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>云</translation>
     </message>
     <message>
-        <source>A cumulus that boils slowly in the sun.</source>
-        <translation>阳光下缓缓翻腾的积云。</translation>
-    </message>
-    <message>
         <source>Coloured smoke</source>
         <translation>彩色烟雾</translation>
     </message>
@@ -3274,10 +3278,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Dust</source>
         <translation>尘土</translation>
-    </message>
-    <message>
-        <source>A brown puff kicked up from dry ground that sinks back.</source>
-        <translation>从干燥地面扬起又落回的褐色尘团。</translation>
     </message>
     <message>
         <source>Explosion</source>
@@ -3386,6 +3386,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Tongues of clear flame, and thin smoke above them.</source>
         <translation>清透的火舌，上方飘着薄烟。</translation>
+    </message>
+    <message>
+        <source>A cumulus that grows from a flat base.</source>
+        <translation>从平坦的底部生长起来的积云。</translation>
+    </message>
+    <message>
+        <source>What a blow on dry ground throws up.</source>
+        <translation>猛击干燥地面扬起的尘土。</translation>
+    </message>
+    <message>
+        <source>Rolling dust</source>
+        <translation>翻滚的尘土</translation>
+    </message>
+    <message>
+        <source>A front of dust that rolls along the ground.</source>
+        <translation>沿地面翻滚推进的一道尘土。</translation>
     </message>
 </context>
 <context>

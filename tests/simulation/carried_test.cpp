@@ -3,6 +3,7 @@
 #include "tests/helpers.h"
 
 #include "core/base/parallel.h"
+#include "core/flow/solver.h"
 #include "core/simulation/air_kernel.h"
 #include "core/simulation/air_plan.h"
 
@@ -10,6 +11,8 @@
 #include <glm/gtc/packing.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 using namespace fumage;
@@ -33,6 +36,22 @@ Effect inAir()
     effect.timeline.prewarm = false;
     return effect;
 }
+
+/// Mean and spread of numbers that are added one by one.
+struct Spread {
+    double count = 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
+
+    void add(double value)
+    {
+        count += 1.0;
+        sum += value;
+        squares += value * value;
+    }
+    [[nodiscard]] double mean() const { return sum / count; }
+    [[nodiscard]] double deviation() const { return std::sqrt(std::max(0.0, squares / count - mean() * mean())); }
+};
 
 template <class Visit>
 void forLiving(const Frame& frame, const Visit& visit)
@@ -209,6 +228,65 @@ private slots:
         QVERIFY(risen > 0.8F);
         effect.motion.buoyancy = 0.0F;
         QVERIFY(highest(effect) < 0.5F);
+    }
+
+    void heatVariesOverTheSourceAsMuchAsIsAskedAroundItsMean()
+    {
+        Effect effect = thesisEffect(1);
+        effect.emitter.shape = EmitterShape::Sphere;
+        effect.emitter.radius = 1.0F;
+        effect.air.enabled = true;
+        effect.air.raggedness = 0.0F;
+        effect.air.ground = false;
+        const auto heatOfSources = [&](float unevenness) {
+            effect.air.unevenness = unevenness;
+            Spread heat;
+            for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+                effect.emitter.seed = seed;
+                const AirPlan plan = airPlan(Model(sampled(effect)));
+                AirSolver air(plan.grid, plan.borders);
+                air.step(plan.stepTo(1));
+                forCells(plan.grid.cells, [&](const glm::ivec3& c) {
+                    if (glm::length(plan.grid.centre(c) - effect.emitter.position) < 0.6F) {
+                        heat.add(static_cast<double>(air.at(c).w / plan.stepTo(1).heatKept));
+                    }
+                });
+            }
+            return heat;
+        };
+        const Spread even = heatOfSources(0.0F);
+        QVERIFY(near(even.mean(), 1.0, 1e-5) && even.deviation() < 1e-5);
+        const Spread uneven = heatOfSources(0.25F);
+        qInfo("%.3f, deviation %.3f", uneven.mean(), uneven.deviation());
+        QVERIFY(near(uneven.mean(), 1.0, 0.04));
+        QVERIFY(near(uneven.deviation(), 0.25, 0.05));
+    }
+
+    void smokeIsBornInTheSourceAndThinsOutTowardsItsRim()
+    {
+        Effect effect = thesisEffect(4000);
+        effect.emitter.shape = EmitterShape::Disc;
+        effect.emitter.radius = 0.5F;
+        effect.emitter.speed = 0.0F;
+        effect.motion = Motion();
+        effect.motion.wind = effect.motion.gravity = effect.motion.buoyancy = effect.motion.pull = 0.0F;
+        effect.turbulence.strength = effect.rings.strength = effect.vortex.strength = 0.0F;
+        effect.air.enabled = true;
+        effect.air.resolution = 32;
+        const float depth = glm::length(sourceDepth(effect.emitter, airGrid(sampled(effect))));
+        double within = 0.0;
+        double count = 0.0;
+        forLiving(*frameOf(effect, 30), [&](const glm::vec3& place, std::size_t) {
+            const glm::vec3 away = (place - effect.emitter.position) / effect.emitter.radius;
+            const float out2 = away.x * away.x + away.z * away.z;
+            QVERIFY(out2 <= 1.0F + 1e-5F);
+            QVERIFY(place.y >= effect.emitter.position.y - 1e-5F && place.y - effect.emitter.position.y <= depth * (1.0F - out2) + 1e-5F);
+            within += out2 < 0.25F ? 1.0 : 0.0;
+            count += 1.0;
+        });
+        // r = R sqrt(a) (1 - u / 2), a and u even: P(r < R / 2) is the integral of 1 / (2 - u)^2 over u, which is 1/2; even over the disc it would be 1/4.
+        QVERIFY(count > 500.0);
+        QVERIFY(near(within / count, 0.5, 3.5 * 0.5 / std::sqrt(count)));
     }
 
     void windOfTheMotionBlowsTheAir()

@@ -73,10 +73,20 @@ inline constexpr std::array kRows<Air>{
     row<&Air::raggedness>({
         .key = "air.raggedness",
         .label = "Raggedness",
-        .synonyms = "uneven irregular noise source asymmetry breathe flicker",
+        .synonyms = "irregular noise source asymmetry breathe flicker",
         .hard = kUnit,
         .step = 0.01,
-        .tip = "How unevenly the source gives off its heat, and how far its rim wanders. Without it smoke rises as a column, and a cap is as regular as a cauliflower.",
+        .tip = "How far the rim of the source wanders, and how unevenly it blows. Without it smoke rises as a column of one width.",
+        .visible = when("air.enabled", true),
+    }),
+    row<&Air::unevenness>({
+        .key = "air.unevenness",
+        .label = "Uneven heat",
+        .synonyms = "billows cauliflower hot spots noise source asymmetry heterogeneous bald",
+        .hard = {0, 3},
+        .soft = {0, 1.5},
+        .step = 0.02,
+        .tip = "How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. Without it a cap is bald.",
         .visible = when("air.enabled", true),
     }),
     row<&Air::detail>({
