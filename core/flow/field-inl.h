@@ -21,142 +21,170 @@ struct AirThere {
     Vec3<V> slope[3];
 };
 
-/// The quads of a lane, or of each of its three slopes.
-struct LaneQuads {
-    static constexpr std::size_t kLanes = 16;
-    HWY_ALIGN float quad[4 * kLanes];
-
-    HWY_INLINE void put(std::size_t at, QuadVec value) { hn::StoreU(value, QuadTag(), quad + at); }
-
-    template <class D, class V = hn::VFromD<D>>
-    HWY_INLINE V take(D d, Vec3<V>& out) const
-    {
-        V fourth;
-        hn::LoadInterleaved4(d, quad, out.x, out.y, out.z, fourth);
-        return fourth;
-    }
-};
-
 /// Where the lanes' places are among the nodes.
+template <SimdVector V>
 struct LanePlaces {
-    HWY_ALIGN std::int32_t node[LaneQuads::kLanes]; ///< halfs from the first node to the lowest corner
-    HWY_ALIGN float x[LaneQuads::kLanes]; ///< how far beyond it, in cells
-    HWY_ALIGN float y[LaneQuads::kLanes];
-    HWY_ALIGN float z[LaneQuads::kLanes];
+    HWY_ALIGN std::int32_t node[hn::MaxLanes(hn::DFromV<V>())]; ///< halfs from the first node to the lowest corner
+    Vec3<V> beyond; ///< how far beyond it, in cells
+    V outside2; ///< square of how far outside the box, in cells
 };
-
-/// What is read for all lanes.
-struct LaneAir {
-    LaneQuads value;
-    LaneQuads slope[3]; ///< along x, y and z, a cell
-};
-
-/// Reads the air of one lane.
-template <bool kSlopes>
-HWY_INLINE void readLane(const AirField& field, const LanePlaces& at, std::size_t lane, LaneAir& out)
-{
-    for (std::size_t part = 0; part < 4; part += hn::Lanes(QuadTag())) {
-        const std::uint16_t* quad = field.quads.data() + at.node[lane] + part;
-        const QuadVec x = everyLane<QuadVec>(at.x[lane]);
-        const auto every = [](float number, auto like) HWY_ATTR { return everyLane<decltype(like)>(number); };
-        const auto read = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixedYZ(a, b, c, e, every(at.y[lane], a), every(at.z[lane], a)); };
-        const Ends ends = combinedRows(quad, field.row, field.plane, read);
-        out.value.put(4 * lane + part, mixed(ends.low, ends.high, x));
-        if constexpr (kSlopes) {
-            const auto changeY = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, every(at.z[lane], a)); };
-            const auto changeZ = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, every(at.y[lane], a)); };
-            const Ends alongY = combinedRows(quad, field.row, field.plane, changeY);
-            const Ends alongZ = combinedRows(quad, field.row, field.plane, changeZ);
-            out.slope[0].put(4 * lane + part, ends.high - ends.low);
-            out.slope[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
-            out.slope[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));
-        }
-    }
-}
 
 #if HWY_MAX_BYTES >= 64
-// The same for four lanes: two at a time until y and z are done, both ends of a row side by side, then all four with an end in each of two vectors.
+// All lanes at once, four to a vector, whose blocks of four numbers are the quads of lanes n, n + 4, n + 8 and n + 12: four such vectors are
+// transposed within their blocks, and what lanes have of their own is broadcast within them, which costs least.
 
-/// Both ends of two lanes.
-struct TwoLanes {
-    FourVec value, alongY, alongZ;
+/// Both ends of a row of nodes.
+struct FourEnds {
+    FourVec low, high;
 };
 
-template <bool kSlopes>
-HWY_INLINE TwoLanes readTwo(const AirField& field, const LanePlaces& at, std::size_t first, std::size_t second)
+/// @param row  the row around lanes whose lowest corner is node 0
+/// @param node of the first of the four lanes
+HWY_INLINE FourEnds endsOf(const std::uint16_t* HWY_RESTRICT row, const std::int32_t* HWY_RESTRICT node)
 {
-    const FourTag d;
-    const hn::Half<FourTag> half;
-    const auto rowAt = [&](std::size_t offset) HWY_ATTR {
-        const hn::CappedTag<std::uint16_t, 16> both;
-        const auto ends = [&](std::size_t lane) HWY_ATTR { return hn::LoadU(hn::Half<decltype(both)>(), field.quads.data() + at.node[lane] + offset); };
-        return hn::PromoteTo(d, hn::BitCast(hn::Rebind<hwy::float16_t, FourTag>(), hn::Combine(both, ends(second), ends(first))));
+    const hn::CappedTag<std::uint16_t, 8> ends;
+    const hn::CappedTag<std::uint64_t, 4> quads;
+    const auto ofTwo = [&](std::size_t lane) HWY_ATTR {
+        return hn::BitCast(quads, hn::Combine(hn::Twice<decltype(ends)>(), hn::LoadU(ends, row + node[lane + 8]), hn::LoadU(ends, row + node[lane])));
     };
-    const auto shares = [&](const float* of) HWY_ATTR { return hn::Combine(d, hn::Set(half, of[second]), hn::Set(half, of[first])); };
-    const FourVec a = rowAt(0);
-    const FourVec b = rowAt(field.row);
-    const FourVec c = rowAt(field.plane);
-    const FourVec e = rowAt(field.plane + field.row);
-    const FourVec y = shares(at.y);
-    const FourVec z = shares(at.z);
-    TwoLanes out{mixedYZ(a, b, c, e, y, z), a, a};
+    const auto numbers = [](auto halfs) HWY_ATTR { return hn::PromoteTo(FourTag(), hn::BitCast(hn::Rebind<hwy::float16_t, FourTag>(), halfs)); };
+    const auto even = ofTwo(0);
+    const auto odd = ofTwo(4);
+    return {numbers(hn::InterleaveLower(quads, even, odd)), numbers(hn::InterleaveUpper(quads, even, odd))};
+}
+
+/// The quads of four lanes, and of each of their three slopes.
+struct FourAir {
+    FourVec value, slope[3];
+};
+
+/// Reads lanes kFirst, kFirst + 4, kFirst + 8 and kFirst + 12.
+template <bool kSlopes, int kFirst>
+HWY_INLINE FourAir readFour(const AirField& field, const LanePlaces<FourVec>& at)
+{
+    const auto ends = [&](std::size_t offset) HWY_ATTR { return endsOf(field.quads.data() + offset, at.node + kFirst); };
+    const FourEnds a = ends(0);
+    const FourEnds b = ends(field.row);
+    const FourEnds c = ends(field.plane);
+    const FourEnds e = ends(field.plane + field.row);
+    const FourVec x = hn::Broadcast<kFirst>(at.beyond.x);
+    const FourVec y = hn::Broadcast<kFirst>(at.beyond.y);
+    const FourVec z = hn::Broadcast<kFirst>(at.beyond.z);
+    const FourVec low = mixedYZ(a.low, b.low, c.low, e.low, y, z);
+    const FourVec high = mixedYZ(a.high, b.high, c.high, e.high, y, z);
+    FourAir out;
+    out.value = mixed(low, high, x);
     if constexpr (kSlopes) {
-        out.alongY = mixed(b - a, e - c, z);
-        out.alongZ = mixed(c - a, e - b, y);
+        out.slope[0] = high - low;
+        out.slope[1] = mixed(mixed(b.low - a.low, e.low - c.low, z), mixed(b.high - a.high, e.high - c.high, z), x);
+        out.slope[2] = mixed(mixed(c.low - a.low, e.low - b.low, y), mixed(c.high - a.high, e.high - b.high, y), x);
     }
     return out;
 }
 
-/// The low and the high ends of four lanes.
-struct FourEnds {
-    FourEnds(FourVec firstAndThird, FourVec secondAndFourth)
-        : low(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(secondAndFourth), firstAndThird))
-        , high(hn::OddEvenBlocks(secondAndFourth, hn::SwapAdjacentBlocks(firstAndThird)))
-    {
-    }
-
-    FourVec low, high;
-};
-
-template <bool kSlopes>
-HWY_INLINE void readFour(const AirField& field, const LanePlaces& at, std::size_t lane, LaneAir& out)
+/// From four vectors of quads to one of each of their numbers.
+/// @return the fourth
+HWY_INLINE FourVec transposed(FourVec a, FourVec b, FourVec c, FourVec e, Vec3<FourVec>& out)
 {
-    const TwoLanes even = readTwo<kSlopes>(field, at, lane, lane + 2);
-    const TwoLanes odd = readTwo<kSlopes>(field, at, lane + 1, lane + 3);
-    const FourVec x = eachForQuad(at.x + lane);
-    const auto put = [&](FourVec value, LaneQuads& to) HWY_ATTR { hn::Store(value, FourTag(), to.quad + 4 * lane); };
-    const FourEnds ends(even.value, odd.value);
-    put(mixed(ends.low, ends.high, x), out.value);
-    if constexpr (kSlopes) {
-        const FourEnds alongY(even.alongY, odd.alongY);
-        const FourEnds alongZ(even.alongZ, odd.alongZ);
-        put(ends.high - ends.low, out.slope[0]);
-        put(mixed(alongY.low, alongY.high, x), out.slope[1]);
-        put(mixed(alongZ.low, alongZ.high, x), out.slope[2]);
-    }
+    const FourTag d;
+    const hn::CappedTag<std::uint64_t, 8> pairs;
+    const auto lower = [&](FourVec first, FourVec second) HWY_ATTR { return hn::BitCast(pairs, hn::InterleaveLower(d, first, second)); };
+    const auto upper = [&](FourVec first, FourVec second) HWY_ATTR { return hn::BitCast(pairs, hn::InterleaveUpper(d, first, second)); };
+    const auto lowAB = lower(a, b);
+    const auto lowCE = lower(c, e);
+    const auto highAB = upper(a, b);
+    const auto highCE = upper(c, e);
+    out = {hn::BitCast(d, hn::InterleaveLower(pairs, lowAB, lowCE)), hn::BitCast(d, hn::InterleaveUpper(pairs, lowAB, lowCE)), hn::BitCast(d, hn::InterleaveLower(pairs, highAB, highCE))};
+    return hn::BitCast(d, hn::InterleaveUpper(pairs, highAB, highCE));
 }
-#endif
 
 /// Reads the air of all lanes.
 template <bool kSlopes>
-HWY_INLINE void readLanes(const AirField& field, const LanePlaces& at, std::size_t lanes, LaneAir& out)
+HWY_INLINE AirThere<FourVec> readLanes(const AirField& field, const LanePlaces<FourVec>& at)
 {
-#if HWY_MAX_BYTES >= 64
-    for (std::size_t lane = 0; lane < lanes; lane += 4) {
-        readFour<kSlopes>(field, at, lane, out);
+    const FourAir first = readFour<kSlopes, 0>(field, at);
+    const FourAir second = readFour<kSlopes, 1>(field, at);
+    const FourAir third = readFour<kSlopes, 2>(field, at);
+    const FourAir fourth = readFour<kSlopes, 3>(field, at);
+    AirThere<FourVec> out;
+    out.heat = transposed(first.value, second.value, third.value, fourth.value, out.velocity);
+    if constexpr (kSlopes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            (void)transposed(first.slope[axis], second.slope[axis], third.slope[axis], fourth.slope[axis], out.slope[axis]);
+        }
     }
+    return out;
+}
 #else
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        readLane<kSlopes>(field, at, lane, out);
+/// The quads of all lanes.
+template <class D>
+struct LaneQuads {
+    HWY_ALIGN float quad[4 * hn::MaxLanes(D())];
+
+    HWY_INLINE void put(std::size_t at, QuadVec value) { hn::StoreU(value, QuadTag(), quad + at); }
+
+    template <class V = hn::VFromD<D>>
+    HWY_INLINE V take(Vec3<V>& out) const
+    {
+        V fourth;
+        hn::LoadInterleaved4(D(), quad, out.x, out.y, out.z, fourth);
+        return fourth;
     }
+};
+
+/// Reads the air of all lanes.
+template <bool kSlopes, SimdVector V, class D = hn::DFromV<V>>
+HWY_INLINE AirThere<V> readLanes(const AirField& field, const LanePlaces<V>& at)
+{
+    const D d;
+    HWY_ALIGN float share[3][hn::MaxLanes(d)];
+    store(at.beyond, share[0], share[1], share[2], 0);
+    LaneQuads<D> value;
+    LaneQuads<D> slope[3];
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        const auto each = [&](int axis, auto like) HWY_ATTR { return everyLane<decltype(like)>(share[axis][lane]); };
+        for (std::size_t part = 0; part < 4; part += hn::Lanes(QuadTag())) {
+            const std::uint16_t* quad = field.quads.data() + at.node[lane] + part;
+            const QuadVec x = everyLane<QuadVec>(share[0][lane]);
+            const auto read = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixedYZ(a, b, c, e, each(1, a), each(2, a)); };
+            const Ends ends = combinedRows(quad, field.row, field.plane, read);
+            value.put(4 * lane + part, mixed(ends.low, ends.high, x));
+            if constexpr (kSlopes) {
+                const Ends alongY = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, each(2, a)); });
+                const Ends alongZ = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, each(1, a)); });
+                slope[0].put(4 * lane + part, ends.high - ends.low);
+                slope[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
+                slope[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));
+            }
+        }
+    }
+    AirThere<V> out;
+    out.heat = value.take(out.velocity);
+    if constexpr (kSlopes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            (void)slope[axis].take(out.slope[axis]);
+        }
+    }
+    return out;
+}
 #endif
+
+/// Takes air back by a share, its velocity being that against the wind.
+template <bool kSlopes, SimdVector V>
+HWY_INLINE void fadeOut(V left, AirThere<V>& there)
+{
+    there.heat = there.heat * left;
+    there.velocity = there.velocity * left;
+    if constexpr (kSlopes) {
+        for (Vec3<V>& slope : there.slope) {
+            slope = slope * left;
+        }
+    }
 }
 
-/// The air at places, in metres. Outside the box the velocity goes over into the wind within its reach, so that smoke which leaves does not
-/// stop at the border.
-/// @param reach m
-template <bool kSlopes, class D, class V = hn::VFromD<D>>
-HWY_INLINE AirThere<V> airAt(D d, const AirField& field, float reach, const Vec3<V>& place)
+/// Finds places, in metres, among the nodes; apart from airAt(), so that what does not need the air can be done before it comes out of memory.
+template <class D, class V = hn::VFromD<D>>
+HWY_INLINE LanePlaces<V> placesIn(D d, const AirField& field, const Vec3<V>& place)
 {
     const hn::RebindToSigned<D> di;
     const glm::vec3 end(field.grid.cells);
@@ -165,27 +193,30 @@ HWY_INLINE AirThere<V> airAt(D d, const AirField& field, float reach, const Vec3
     const Vec3<V> inside{within(cells.x, end.x), within(cells.y, end.y), within(cells.z, end.z)};
     const auto lowOf = [&](V p, float last) HWY_ATTR { return hn::Min(hn::Floor(p), hn::Set(d, last - 1.0F)); };
     const Vec3<V> low{lowOf(inside.x, end.x), lowOf(inside.y, end.y), lowOf(inside.z, end.z)};
-    LanePlaces at;
+    LanePlaces<V> at;
     // Below 2^24, so that floats are exact.
     hn::Store(hn::ConvertTo(di, low.x * 4.0F + low.y * static_cast<float>(field.row) + low.z * static_cast<float>(field.plane)), di, at.node);
-    store(inside - low, at.x, at.y, at.z, 0);
-    LaneAir air;
-    readLanes<kSlopes>(field, at, hn::Lanes(d), air);
-
+    at.beyond = inside - low;
     const Vec3<V> outside = cells - inside;
-    const V beyond = hn::Sqrt(dot(outside, outside)) * (field.grid.cell / reach);
-    const V near = hn::Max(hn::Zero(d), 1.0F - beyond);
-    const V fade = near * near;
-    AirThere<V> there;
-    there.heat = air.value.take(d, there.velocity) * fade;
+    at.outside2 = dot(outside, outside);
+    return at;
+}
+
+/// The air at places. Outside the box the velocity goes over into the wind within its reach, so that smoke which leaves does not stop at the border.
+/// @param reach m
+template <bool kSlopes, SimdVector V>
+HWY_INLINE AirThere<V> airAt(const AirField& field, float reach, const LanePlaces<V>& at)
+{
+    const hn::DFromV<V> d;
+    AirThere<V> there = readLanes<kSlopes>(field, at);
+
     const Vec3<V> wind = broadcast(d, field.wind);
-    there.velocity = wind + (there.velocity - wind) * fade;
-    if constexpr (kSlopes) {
-        for (int axis = 0; axis < 3; ++axis) {
-            (void)air.slope[axis].take(d, there.slope[axis]);
-            there.slope[axis] = there.slope[axis] * fade;
-        }
+    there.velocity = there.velocity - wind;
+    if (!hn::AllTrue(d, hn::Eq(at.outside2, hn::Zero(d)))) {
+        const V near = hn::Max(hn::Zero(d), 1.0F - hn::Sqrt(at.outside2) * (field.grid.cell / reach));
+        fadeOut<kSlopes>(near * near, there);
     }
+    there.velocity = wind + there.velocity;
     return there;
 }
 

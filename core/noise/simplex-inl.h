@@ -24,10 +24,20 @@ struct SimplexCorners {
     hn::VFromD<hn::RebindToUnsigned<D>> lattice[4]; ///< a linear hash of (u, v, w); mix before use
 };
 
+/// Whole numbers of magnitude below 2^22 as integers, by two instructions where a conversion that saturates takes five. Beyond, where noise has no
+/// fractions to go by any more, they are wrong, but the same bits on every machine.
+template <class D>
+HWY_INLINE hn::VFromD<hn::RebindToUnsigned<D>> wholeBits(D d, hn::VFromD<D> whole)
+{
+    const hn::RebindToUnsigned<D> du;
+    constexpr float kUnitIsLastBit = 0x1.8p23F;
+    const auto first = hn::BitCast(du, hn::Set(d, kUnitIsLastBit));
+    return hn::BitCast(du, whole + kUnitIsLastBit) - first;
+}
+
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE SimplexCorners<D> simplexCorners(D d, const Vec3<V>& point)
 {
-    const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
     const V u = point.y + point.z;
     const V v = point.x + point.z;
@@ -64,12 +74,8 @@ HWY_INLINE SimplexCorners<D> simplexCorners(D d, const Vec3<V>& point)
     const auto pu = hn::Set(du, kLatticeU);
     const auto pv = hn::Set(du, kLatticeV);
     const auto pw = hn::Set(du, kLatticeW);
-    const auto choose = [&](auto isU, auto isV) HWY_ATTR {
-        const auto bitsU = hn::MaskFromVec(hn::BitCast(du, hn::VecFromMask(d, isU)));
-        const auto bitsV = hn::MaskFromVec(hn::BitCast(du, hn::VecFromMask(d, isV)));
-        return hn::IfThenElse(bitsU, pu, hn::IfThenElse(bitsV, pv, pw));
-    };
-    const auto cell = [&](V i) HWY_ATTR { return hn::BitCast(du, hn::ConvertTo(di, i)); };
+    const auto choose = [&](auto isU, auto isV) HWY_ATTR { return hn::IfThenElse(hn::RebindMask(du, isU), pu, hn::IfThenElse(hn::RebindMask(du, isV), pv, pw)); };
+    const auto cell = [&](V i) HWY_ATTR { return wholeBits(d, i); };
     out.lattice[0] = cell(iu) * pu + cell(iv) * pv + cell(iw) * pw;
     out.lattice[3] = out.lattice[0] + (kLatticeU + kLatticeV + kLatticeW);
     out.lattice[1] = out.lattice[0] + choose(largeU, largeV);

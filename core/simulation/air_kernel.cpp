@@ -17,7 +17,7 @@ namespace fumage::HWY_NAMESPACE {
 
 using namespace stepping;
 
-/// What only particles in air have.
+/// The columns that a step of particles in air changes.
 struct Carried {
     Moving moving;
     Vec3<V> relative; ///< velocity against the air, m/s
@@ -113,56 +113,122 @@ HWY_INLINE void keepOut(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& v
     }
 }
 
-/// Adds the swirls below the grid: those of turbulence, times the strength that the air has here.
-HWY_INLINE void addDetail(D d, const StepConstants& constants, const AirThere<V>& air, const Vec3<V>& place, Vec3<V>& velocity)
+/// A vector of particles on its way through a step, whose stages follow one another.
+struct Way {
+    VU key;
+    Vec3<V> position;
+    Vec3<V> relative; ///< velocity against the air, m/s
+    LanePlaces<V> places; ///< at which the air is read next
+    AirThere<V> here; ///< air where the step begins
+    V gradient2; ///< square of its velocity's gradient, m/s a cell
+    Vec3<V> detail; ///< the swirls below the grid: those of turbulence, times the strength that the air has here
+};
+
+template <class Time>
+HWY_INLINE void setOut(D d, const StepConstants& constants, const Time& time, Way& way)
 {
-    const V gradient2 = dot(air.slope[0], air.slope[0]) + dot(air.slope[1], air.slope[1]) + dot(air.slope[2], air.slope[2]);
-    Vec3<V> none = uniform(hn::Zero(d));
-    addTurbulence<false>(d, constants, place, constants.air.detail * hn::Sqrt(gradient2), velocity, none);
+    if (constants.vortexStrength != 0.0F) {
+        way.position = turnedByVortex(d, constants, time, way.position);
+    }
+    way.places = placesIn(d, *constants.air.field, way.position);
+}
+
+HWY_INLINE void readHere(const StepConstants& constants, Way& way)
+{
+    const AirThere<V> here = airAt<true>(*constants.air.field, constants.air.reach, way.places);
+    way.gradient2 = dot(here.slope[0], here.slope[0]) + dot(here.slope[1], here.slope[1]) + dot(here.slope[2], here.slope[2]);
+    way.here = here;
 }
 
 template <class Time>
-HWY_INLINE Carried carried(D d, const StepConstants& constants, const Time& time, VU key, bool deforms, Carried at)
+HWY_INLINE void accelerate(D d, const StepConstants& constants, const Time& time, Way& way)
 {
-    const AirConstants& air = constants.air;
-    Vec3<V>& p = at.moving.position;
-    if (constants.vortexStrength != 0.0F) {
-        p = turnedByVortex(d, constants, time, p);
-    }
-    const AirThere<V> here = airAt<true>(d, *air.field, air.reach, p);
     // The air carries what all heat does alike: only a particle's own share of it is left.
-    const V lift = constants.buoyancy * heatDeviation(d, constants, key) * here.heat;
-    at.relative = accelerated(d, constants, time, key, lift, p, at.relative);
-    const AirThere<V> midway = airAt<false>(d, *air.field, air.reach, p + (here.velocity + at.relative) * time(0.5F * constants.dt));
-    at.moving.velocity = midway.velocity + at.relative;
-    at.heat = midway.heat;
-    Vec3<V> velocity = at.moving.velocity;
+    const V lift = constants.buoyancy * heatDeviation(d, constants, way.key) * way.here.heat;
+    way.relative = accelerated(d, constants, time, way.key, lift, way.position, way.relative);
+    way.places = placesIn(d, *constants.air.field, way.position + (way.here.velocity + way.relative) * time(0.5F * constants.dt));
+}
+
+HWY_INLINE void findDetail(D d, const StepConstants& constants, Way& way)
+{
+    Vec3<V> detail = uniform(hn::Zero(d));
+    Vec3<V> none = detail;
     if (constants.octaves > 0) {
-        addDetail(d, constants, here, p, velocity);
+        addTurbulence<false>(d, constants, way.position, constants.air.detail * hn::Sqrt(way.gradient2), detail, none);
     }
-    const Vec3<V> curl{here.slope[1].z - here.slope[2].y, here.slope[2].x - here.slope[0].z, here.slope[0].y - here.slope[1].x};
-    at.moving.roll = at.moving.roll + curl * time(0.5F * constants.dt / air.field->grid.cell);
-    p = p + velocity * time(constants.dt);
-    if (deforms) {
-        at.shape = deformed(d, constants, time, here.slope, at.shape);
-    }
+    way.detail = detail;
+}
+
+/// How far the air turns what is in it during a step.
+template <class Time>
+HWY_INLINE Vec3<V> turnOf(const StepConstants& constants, const Time& time, const Vec3<V> (&slope)[3])
+{
+    const Vec3<V> curl{slope[1].z - slope[2].y, slope[2].x - slope[0].z, slope[0].y - slope[1].x};
+    return curl * time(0.5F * constants.dt / constants.air.field->grid.cell);
+}
+
+template <class Time>
+HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, const Way& way, Vec3<V>& position, Vec3<V>& velocity, Vec3<V>& relative, V& heat)
+{
+    const AirThere<V> midway = airAt<false>(*constants.air.field, constants.air.reach, way.places);
+    heat = midway.heat;
+    relative = way.relative;
+    velocity = midway.velocity + relative;
+    position = way.position + (velocity + way.detail) * time(constants.dt);
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
-        p = turnedAboutPivot(angle, constants, p);
-        at.moving.velocity = rotated(angle, at.moving.velocity);
-        at.relative = rotated(angle, at.relative);
+        position = turnedAboutPivot(angle, constants, position);
+        velocity = rotated(angle, velocity);
+        relative = rotated(angle, relative);
     }
-    keepOut(d, air, p, at.relative);
-    return at;
+    keepOut(d, constants.air, position, relative);
 }
+
+/// Vectors that go through a step together, stage by stage: what one of them waits for is then hidden behind the others.
+constexpr std::size_t kTogether = 4;
+static_assert(Particles::kChunk % (kTogether * hn::MaxLanes(D())) == 0);
 
 void carryWhole(const StepConstants& constants, Particles& particles, std::size_t chunk)
 {
     const D d;
-    const std::size_t begin = chunk * Particles::kChunk;
-    for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
-        const VU key = hn::Load(DU(), particles.key.data() + i);
-        carried(d, constants, WholeStep(), key, particles.deforms(), Carried::from(d, particles, i)).to(d, particles, i);
+    const WholeStep time;
+    Particles& p = particles;
+    const std::size_t end = (chunk + 1) * Particles::kChunk;
+    Way ways[kTogether];
+    for (std::size_t first = chunk * Particles::kChunk; first < end; first += kTogether * hn::Lanes(d)) {
+        const auto each = [&](const auto& stage) HWY_ATTR {
+            for (std::size_t n = 0; n < kTogether; ++n) {
+                stage(ways[n], first + n * hn::Lanes(d));
+            }
+        };
+        each([&](Way& way, std::size_t i) HWY_ATTR {
+            way.position = load(d, p.x, p.y, p.z, i);
+            setOut(d, constants, time, way);
+        });
+        each([&](Way& way, std::size_t /*i*/) HWY_ATTR { readHere(constants, way); });
+        each([&](Way& way, std::size_t i) HWY_ATTR {
+            way.key = hn::Load(DU(), p.key.data() + i);
+            way.relative = load(d, p.relativeX, p.relativeY, p.relativeZ, i);
+            accelerate(d, constants, time, way);
+        });
+        each([&](Way& way, std::size_t /*i*/) HWY_ATTR { findDetail(d, constants, way); });
+        if (p.rolls()) {
+            each([&](Way& way, std::size_t i) HWY_ATTR {
+                store(load(d, p.rollX, p.rollY, p.rollZ, i) + turnOf(constants, time, way.here.slope), p.rollX, p.rollY, p.rollZ, i);
+            });
+        }
+        if (p.deforms()) {
+            each([&](Way& way, std::size_t i) HWY_ATTR { deformed(d, constants, time, way.here.slope, Shape::from(d, p, i)).to(d, p, i); });
+        }
+        each([&](Way& way, std::size_t i) HWY_ATTR {
+            Vec3<V> position, velocity, relative;
+            V heat;
+            arrive(d, constants, time, way, position, velocity, relative, heat);
+            store(position, p.x, p.y, p.z, i);
+            store(velocity, p.vx, p.vy, p.vz, i);
+            store(relative, p.relativeX, p.relativeY, p.relativeZ, i);
+            hn::Store(heat, d, p.heat.data() + i);
+        });
     }
 }
 
@@ -186,12 +252,20 @@ void carryJustBorn(const StepConstants& constants, Particles& particles, std::si
         const VU key = hn::Load(DU(), particles.key.data() + i);
         const V share = agesInSteps(d, particles, i, key, constants.step, constants.betweenSteps);
         const Carried before = Carried::from(d, particles, i);
-        Carried born = before;
-        born.moving.position = insideSource(d, constants, key, born.moving.position);
+        const PartOfStep time{share};
+        Way way;
+        way.key = key;
+        way.position = insideSource(d, constants, key, before.moving.position);
         // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
-        born.relative = before.moving.velocity - constants.air.sourceVelocity;
-        born.shape = Shape::round(d);
-        const Carried after = carried(d, constants, PartOfStep{share}, key, particles.deforms(), born);
+        way.relative = before.moving.velocity - constants.air.sourceVelocity;
+        setOut(d, constants, time, way);
+        readHere(constants, way);
+        accelerate(d, constants, time, way);
+        findDetail(d, constants, way);
+        Carried after;
+        after.moving.roll = before.moving.roll + turnOf(constants, time, way.here.slope);
+        after.shape = deformed(d, constants, time, way.here.slope, Shape::round(d));
+        arrive(d, constants, time, way, after.moving.position, after.moving.velocity, after.relative, after.heat);
         const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         Carried kept;
         kept.moving.position = chosen(isNewborn, after.moving.position, before.moving.position);

@@ -12,10 +12,19 @@
 #include "core/noise/simplex-inl.h"
 #include "core/simulation/model.h"
 
-#include <type_traits>
-
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
+
+/// Adds the noise of an octave, of one set of random vectors or two.
+template <bool kTurns, class D, class V = hn::VFromD<D>>
+HWY_INLINE void addOctave(D d, const Vec3<V>& place, const CurlSlices& slices, Vec3<V>& velocity, Vec3<V>& vorticity)
+{
+    if (slices.weight[1] != 0.0F) {
+        addCurlNoise<kTurns, 2>(d, place, slices, velocity, vorticity);
+    } else {
+        addCurlNoise<kTurns, 1>(d, place, slices, velocity, vorticity);
+    }
+}
 
 /// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s. Coordinates shrink with
 /// height so that swirls grow: q = (x, ln(1 + g h) / g, z) / (scale (1 + g h)) in x and z, whose spacing in y is also scale (1 + g h).
@@ -41,19 +50,12 @@ HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Vec3<V>
     for (int octave = 0; octave < constants.octaves; ++octave) {
         const OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
         const Vec3<V> place = q * at.frequency + at.shift;
-        const auto add = [&](auto turns, Vec3<V>& turned) HWY_ATTR {
-            if (at.slices.weight[1] != 0.0F) {
-                addCurlNoise<turns.value, 2>(d, place, at.slices, sum, turned);
-            } else {
-                addCurlNoise<turns.value, 1>(d, place, at.slices, sum, turned);
-            }
-        };
         Vec3<V> turned = uniform(hn::Zero(d));
         if (kTurns && at.turns) {
-            add(std::true_type(), turned);
+            addOctave<true>(d, place, at.slices, sum, turned);
             turn = turn + turned * at.frequency;
         } else {
-            add(std::false_type(), turned);
+            addOctave<false>(d, place, at.slices, sum, turned);
         }
     }
     velocity = velocity + sum * ramp;
