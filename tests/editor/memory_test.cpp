@@ -7,6 +7,7 @@
 #include "ui/pictures/picture_feed.h"
 #include "ui/shell/guarded_application.h"
 
+#include "core/flow/grid.h"
 #include "core/noise/texture.h"
 
 #include <QMessageBox>
@@ -97,6 +98,26 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(!exhausted.isEmpty(), 60000);
         }
         feed.setSize({64, 48});
+        QTRY_VERIFY_WITH_TIMEOUT(feed.isSettled(), 60000);
+        QCOMPARE(feed.picture()->image.size(), QSize(64, 48));
+    }
+
+    void airThatIsTooFineIsGivenUpAndTheNextOneComes()
+    {
+        PictureFeed feed;
+        QSignalSpy exhausted(&feed, &PictureFeed::exhausted);
+        feed.setSize({64, 48});
+        Effect effect = tinyEffect();
+        effect.air.enabled = true;
+        effect.air.resolution = kMaxAirCells;
+        {
+            const MemoryLimit limit(rlim_t{64} << 20U);
+            feed.setEffect(effect, Stage::Simulate);
+            feed.setSeen(true);
+            QTRY_VERIFY_WITH_TIMEOUT(!exhausted.isEmpty(), 60000);
+        }
+        effect.air.resolution = kMinAirCells;
+        feed.setEffect(effect, Stage::Simulate);
         QTRY_VERIFY_WITH_TIMEOUT(feed.isSettled(), 60000);
         QCOMPARE(feed.picture()->image.size(), QSize(64, 48));
     }
