@@ -23,9 +23,10 @@ struct Faces {
     const float* open; ///< null: no obstacles
     std::size_t stride;
 
-    [[nodiscard]] HWY_INLINE V at(D d, std::size_t cell) const
+    template <class D>
+    [[nodiscard]] HWY_INLINE hn::VFromD<D> at(D d, std::size_t cell) const
     {
-        V through = 0.5F * (hn::LoadU(d, velocity + cell) + hn::LoadU(d, velocity + cell - stride));
+        auto through = 0.5F * (hn::LoadU(d, velocity + cell) + hn::LoadU(d, velocity + cell - stride));
         if (pressure != nullptr) {
             through = through - (hn::LoadU(d, pressure + cell) - hn::LoadU(d, pressure + cell - stride));
         }
@@ -151,71 +152,89 @@ struct NodeRows {
     LatestRows<3> y; ///< means of the four faces across y around a node
 };
 
-/// Sums of numbers and those before them.
-template <class At>
-HWY_INLINE void storePairs(D d, std::size_t start, std::size_t nodes, const At& at, float* HWY_RESTRICT out)
+/// Calls body(d, i) for numbers i and those after it of all nodes of a row, one more than there are cells: where it is a few that are left over, with a
+/// vector of fewer lanes.
+template <class Body>
+HWY_INLINE void forNodes(std::size_t nodes, const Body& body)
 {
-    for (std::size_t i = 0; i < nodes; i += hn::Lanes(d)) {
-        hn::Store(at(start + i) + at(start + i - 1), d, out + i);
+    const D d;
+    const hn::CappedTag<float, 4> few;
+    std::size_t i = 0;
+    for (; i + hn::Lanes(few) < nodes; i += hn::Lanes(d)) {
+        body(d, i);
     }
+    for (; i < nodes; i += hn::Lanes(few)) {
+        body(few, i);
+    }
+}
+
+/// Sums of the faces of a row and those before them.
+HWY_INLINE void storePairs(const Faces& faces, std::size_t start, std::size_t nodes, float* HWY_RESTRICT out)
+{
+    forNodes(nodes, [&](auto d, std::size_t i) HWY_ATTR { hn::Store(faces.at(d, start + i) + faces.at(d, start + i - 1), d, out + i); });
 }
 
 /// Row j of the cells around a plane of nodes, and of the faces across z.
 /// @param beyond whether there are faces on both sides of the plane of nodes
-HWY_INLINE void findRows(D d, const AirCells& cells, const AllFaces& faces, std::size_t start, int j, bool beyond, NodeRows& rows)
+HWY_INLINE void findRows(const AirCells& cells, const AllFaces& faces, std::size_t start, int j, bool beyond, NodeRows& rows)
 {
     const std::size_t nodes = static_cast<std::size_t>(cells.grid.cells.x) + 1;
     const std::size_t plane = cells.column.plane;
-    const auto heat = [&](std::size_t at) HWY_ATTR { return hn::LoadU(d, cells.heat.data() + at); };
-    const auto acrossZ = [&](std::size_t at) HWY_ATTR { return faces.z.at(d, at); };
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t of = start + (side - 1) * plane;
         float* HWY_RESTRICT x = rows.x[side].at(j);
-        for (std::size_t i = 0; i < nodes; i += hn::Lanes(d)) {
+        float* HWY_RESTRICT sums = rows.heat[side].at(j);
+        const float* HWY_RESTRICT heat = cells.heat.data() + of;
+        forNodes(nodes, [&](auto d, std::size_t i) HWY_ATTR {
             hn::Store(faces.x.at(d, of + i), d, x + i);
-        }
-        storePairs(d, of, nodes, heat, rows.heat[side].at(j));
+            hn::Store(hn::LoadU(d, heat + i) + hn::LoadU(d, heat + i - 1), d, sums + i);
+        });
     }
     for (std::size_t k = beyond ? 0 : 1; k < (beyond ? 3U : 2U); ++k) {
-        storePairs(d, start + (k - 1) * plane, nodes, acrossZ, rows.z[k].at(j));
+        storePairs(faces.z, start + (k - 1) * plane, nodes, rows.z[k].at(j));
     }
 }
 
 /// The means of four faces across y around the nodes of row j.
-HWY_INLINE void findMeans(D d, const AirCells& cells, const Faces& faces, std::size_t start, int j, NodeRows& rows)
+HWY_INLINE void findMeans(const AirCells& cells, const Faces& faces, std::size_t start, int j, NodeRows& rows)
 {
+    const std::size_t nodes = static_cast<std::size_t>(cells.grid.cells.x) + 1;
     const std::size_t plane = cells.column.plane;
     float* HWY_RESTRICT mean = rows.y.at(j);
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(cells.grid.cells.x); i += hn::Lanes(d)) {
+    forNodes(nodes, [&](auto d, std::size_t i) HWY_ATTR {
         const std::size_t at = start + i;
         hn::Store(0.25F * ((faces.at(d, at) + faces.at(d, at - 1)) + (faces.at(d, at - plane) + faces.at(d, at - plane - 1))), d, mean + i);
-    }
+    });
 }
 
-/// The mean of four rows of faces across x, around a row of nodes, smoothed along it.
-/// @param room for a row, with a place before its first
-HWY_INLINE void alongX(D d, const NodeRows& rows, int j, std::size_t last, float* HWY_RESTRICT room, float* HWY_RESTRICT out)
+/// The means of four rows of faces across x around a row of nodes.
+/// @param mean with a place before its first and one behind its last
+HWY_INLINE void meansAlongX(const NodeRows& rows, int j, std::size_t last, float* HWY_RESTRICT mean)
 {
-    const auto sum = [&](const LatestRows<2>& x, std::size_t i) HWY_ATTR { return hn::Load(d, x.at(j) + i) + hn::Load(d, x.at(j - 1) + i); };
-    float* HWY_RESTRICT mean = room + kAirLanes;
-    for (std::size_t i = 0; i <= last; i += hn::Lanes(d)) {
-        hn::Store(0.25F * (sum(rows.x[1], i) + sum(rows.x[0], i)), d, mean + i);
-    }
+    forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR {
+        const auto sum = [&](const LatestRows<2>& x) HWY_ATTR { return hn::Load(d, x.at(j) + i) + hn::Load(d, x.at(j - 1) + i); };
+        hn::Store(0.25F * (sum(rows.x[1]) + sum(rows.x[0])), d, mean + i);
+    });
     // Beyond the ends as if it went on straight: the smoothed value of the border is then that of its face.
     mean[-1] = 2.0F * mean[0] - mean[1];
     mean[last + 1] = 2.0F * mean[last] - mean[last - 1];
-    for (std::size_t i = 0; i <= last; i += hn::Lanes(d)) {
-        const V sides = hn::LoadU(d, mean + i - 1) + hn::LoadU(d, mean + i + 1);
+}
+
+/// Those smoothed along the row; some time after they were stored, since what is loaded across two of their vectors waits until they are in the cache.
+HWY_INLINE void smoothAlongX(std::size_t last, const float* HWY_RESTRICT mean, float* HWY_RESTRICT out)
+{
+    forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR {
+        const auto sides = hn::LoadU(d, mean + i - 1) + hn::LoadU(d, mean + i + 1);
         hn::Store(0.25F * sides + 0.5F * hn::Load(d, mean + i), d, out + i);
-    }
+    });
 }
 
 /// The same across y or z.
 /// @param mean of the faces around node i before, at and behind it: -1, 0 or 1
 template <class Mean>
-HWY_INLINE V acrossX(const Smoothing& smoothing, const Mean& mean)
+HWY_INLINE auto acrossX(const Smoothing& smoothing, const Mean& mean)
 {
-    V out = smoothing.own * mean(0);
+    auto out = smoothing.own * mean(0);
     if (smoothing.beside != 0.0F) {
         out = out + smoothing.beside * (mean(-1) + mean(1));
     }
@@ -223,12 +242,13 @@ HWY_INLINE V acrossX(const Smoothing& smoothing, const Mean& mean)
 }
 
 /// Velocity and heat of node i and those after it, as half floats.
+template <class D>
 HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y, const Smoothing& z, const float* u, std::size_t i, std::uint16_t* halfs)
 {
     const auto sum = [&](const LatestRows<2>& of) HWY_ATTR { return hn::Load(d, of.at(j) + i) + hn::Load(d, of.at(j - 1) + i); };
-    const V v = acrossX(y, [&](int side) HWY_ATTR { return hn::Load(d, rows.y.at(j + side) + i); });
-    const V w = acrossX(z, [&](int side) HWY_ATTR { return 0.25F * sum(rows.z[side + 1]); });
-    const V heat = 0.125F * (sum(rows.heat[1]) + sum(rows.heat[0]));
+    const auto v = acrossX(y, [&](int side) HWY_ATTR { return hn::Load(d, rows.y.at(j + side) + i); });
+    const auto w = acrossX(z, [&](int side) HWY_ATTR { return 0.25F * sum(rows.z[side + 1]); });
+    const auto heat = 0.125F * (sum(rows.heat[1]) + sum(rows.heat[0]));
     HWY_ALIGN float quads[4 * kAirLanes];
     hn::StoreInterleaved4(hn::Load(d, u + i), v, w, heat, d, quads);
     for (std::size_t part = 0; part < 4 * hn::Lanes(d); part += hn::Lanes(d)) {
@@ -238,7 +258,6 @@ HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y,
 
 void nodePlane(const AirCells& cells, AirField& field, int k)
 {
-    const D d;
     const AllFaces faces(cells, true);
     const glm::ivec3 n = cells.grid.cells;
     const auto last = static_cast<std::size_t>(n.x);
@@ -246,20 +265,20 @@ void nodePlane(const AirCells& cells, AirField& field, int k)
     const auto rowOf = [&](int j) { return cells.column.at(0, j, k); };
     NodeRows rows;
     HWY_ALIGN float room[kAirLanes + kRowRoom];
+    float* mean = room + kAirLanes;
     HWY_ALIGN float u[kRowRoom];
     HWY_ALIGN std::uint16_t halfs[4 * kRowRoom];
-    findRows(d, cells, faces, rowOf(-1), -1, z.beside != 0.0F, rows);
-    findMeans(d, cells, faces.y, rowOf(0), 0, rows);
+    findRows(cells, faces, rowOf(-1), -1, z.beside != 0.0F, rows);
+    findMeans(cells, faces.y, rowOf(0), 0, rows);
     for (int j = 0; j <= n.y; ++j) {
-        findRows(d, cells, faces, rowOf(j), j, z.beside != 0.0F, rows);
+        findRows(cells, faces, rowOf(j), j, z.beside != 0.0F, rows);
+        meansAlongX(rows, j, last, mean);
         if (j < n.y) {
-            findMeans(d, cells, faces.y, rowOf(j + 1), j + 1, rows);
+            findMeans(cells, faces.y, rowOf(j + 1), j + 1, rows);
         }
-        alongX(d, rows, j, last, room, u);
+        smoothAlongX(last, mean, u);
         const Smoothing y(j, n.y);
-        for (std::size_t i = 0; i <= last; i += hn::Lanes(d)) {
-            storeNodes(d, rows, j, y, z, u, i, halfs);
-        }
+        forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR { storeNodes(d, rows, j, y, z, u, i, halfs); });
         std::copy_n(halfs, field.row, field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane);
     }
 }
