@@ -190,38 +190,54 @@ struct CoarseCells {
     int own, other;
 };
 
-void prolongPlane(const MultigridLevel& fine, const MultigridLevel& coarse, AirColumn& pressure, int k)
+/// A row of coarse pressures between those around row j of plane k of the fine cells.
+HWY_INLINE void mixRow(const MultigridLevel& fine, const MultigridLevel& coarse, const CoarseCells& z, int j, float* HWY_RESTRICT row)
 {
     const D d;
-    // A row of coarse pressures between those around it, with room for the neighbour before it.
-    HWY_ALIGN float between[kAirLanes + kRowRoom] = {};
-    float* HWY_RESTRICT row = between + kAirLanes;
+    const CoarseCells y(fine.axis[1], j, coarse.layout.cells.y);
+    const auto from = [&](int own, int other, std::size_t i) HWY_ATTR { return hn::Load(d, coarse.pressure.data() + coarse.layout.at(0, own, other) + i); };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(coarse.layout.cells.x); i += hn::Lanes(d)) {
+        const V near = z.near * from(y.own, z.own, i) + z.beside * from(y.own, z.other, i);
+        const V beside = z.near * from(y.other, z.own, i) + z.beside * from(y.other, z.other, i);
+        hn::Store(y.near * near + y.beside * beside, d, row + i);
+    }
+}
+
+/// Adds such a row, interpolated along x, to a row of fine pressures.
+HWY_INLINE void addRow(const MultigridLevel& fine, const MultigridLevel& coarse, const float* HWY_RESTRICT row, float* HWY_RESTRICT p)
+{
+    const D d;
+    const float* HWY_RESTRICT near = fine.axis[0].near.data();
+    const float* HWY_RESTRICT beside = fine.axis[0].beside.data();
+    // Two fine cells a coarse one; a last vector of them may reach beyond the row, so it goes through memory of its own.
+    HWY_ALIGN float fineRow[2 * kRowRoom];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(coarse.layout.cells.x); i += hn::Lanes(d)) {
+        V nearEven, nearOdd, besideEven, besideOdd;
+        hn::LoadInterleaved2(d, near + 2 * i, nearEven, nearOdd);
+        hn::LoadInterleaved2(d, beside + 2 * i, besideEven, besideOdd);
+        const V own = hn::Load(d, row + i);
+        const V even = nearEven * own + besideEven * hn::LoadU(d, row + i - 1);
+        const V odd = nearOdd * own + besideOdd * hn::LoadU(d, row + i + 1);
+        hn::StoreInterleaved2(even, odd, d, fineRow + 2 * i);
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(fine.layout.cells.x); i += hn::Lanes(d)) {
+        hn::Store(hn::Load(d, p + i) + hn::Load(d, fineRow + i), d, p + i);
+    }
+}
+
+void prolongPlane(const MultigridLevel& fine, const MultigridLevel& coarse, AirColumn& pressure, int k)
+{
+    // With room for the neighbour before a row. A row is mixed while the one before it is added: what is loaded across two vectors waits until those
+    // are in the cache.
+    HWY_ALIGN float between[2][kAirLanes + kRowRoom] = {};
     const CoarseCells z(fine.axis[2], k, coarse.layout.cells.z);
-    const auto m = static_cast<std::size_t>(coarse.layout.cells.x);
-    for (int j = 0; j < fine.layout.cells.y; ++j) {
-        const CoarseCells y(fine.axis[1], j, coarse.layout.cells.y);
-        const auto from = [&](int own, int other, std::size_t i) HWY_ATTR { return hn::Load(d, coarse.pressure.data() + coarse.layout.at(0, own, other) + i); };
-        for (std::size_t i = 0; i < m; i += hn::Lanes(d)) {
-            const V near = z.near * from(y.own, z.own, i) + z.beside * from(y.own, z.other, i);
-            const V beside = z.near * from(y.other, z.own, i) + z.beside * from(y.other, z.other, i);
-            hn::Store(y.near * near + y.beside * beside, d, row + i);
+    const int rows = fine.layout.cells.y;
+    for (int j = 0; j <= rows; ++j) {
+        if (j < rows) {
+            mixRow(fine, coarse, z, j, between[j % 2] + kAirLanes);
         }
-        float* HWY_RESTRICT p = pressure.data() + fine.layout.at(0, j, k);
-        const float* HWY_RESTRICT near = fine.axis[0].near.data();
-        const float* HWY_RESTRICT beside = fine.axis[0].beside.data();
-        // Two fine cells a coarse one; a last vector of them may reach beyond the row, so it goes through memory of its own.
-        HWY_ALIGN float fineRow[2 * kRowRoom];
-        for (std::size_t i = 0; i < m; i += hn::Lanes(d)) {
-            V nearEven, nearOdd, besideEven, besideOdd;
-            hn::LoadInterleaved2(d, near + 2 * i, nearEven, nearOdd);
-            hn::LoadInterleaved2(d, beside + 2 * i, besideEven, besideOdd);
-            const V own = hn::Load(d, row + i);
-            const V even = nearEven * own + besideEven * hn::LoadU(d, row + i - 1);
-            const V odd = nearOdd * own + besideOdd * hn::LoadU(d, row + i + 1);
-            hn::StoreInterleaved2(even, odd, d, fineRow + 2 * i);
-        }
-        for (std::size_t i = 0; i < static_cast<std::size_t>(fine.layout.cells.x); i += hn::Lanes(d)) {
-            hn::Store(hn::Load(d, p + i) + hn::Load(d, fineRow + i), d, p + i);
+        if (j > 0) {
+            addRow(fine, coarse, between[(j - 1) % 2] + kAirLanes, pressure.data() + fine.layout.at(0, j - 1, k));
         }
     }
 }
