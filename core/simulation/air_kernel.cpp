@@ -218,7 +218,7 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
             });
         }
         if (p.deforms()) {
-            each([&](Way& way, std::size_t i) HWY_ATTR { deformed(d, constants, time, way.here.slope, Shape::from(d, p, i)).to(d, p, i); });
+            each([&](Way& way, std::size_t i) HWY_ATTR { deformed(d, constants, time, way.here.slope, way.gradient2, Shape::from(d, p, i)).to(d, p, i); });
         }
         each([&](Way& way, std::size_t i) HWY_ATTR {
             Vec3<V> position, velocity, relative;
@@ -264,7 +264,7 @@ void carryJustBorn(const StepConstants& constants, Particles& particles, std::si
         findDetail(d, constants, way);
         Carried after;
         after.moving.roll = before.moving.roll + turnOf(constants, time, way.here.slope);
-        after.shape = deformed(d, constants, time, way.here.slope, Shape::round(d));
+        after.shape = deformed(d, constants, time, way.here.slope, way.gradient2, Shape::round(d));
         arrive(d, constants, time, way, after.moving.position, after.moving.velocity, after.relative, after.heat);
         const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         Carried kept;

@@ -78,35 +78,38 @@ struct Map {
     Vec3<V> x, y, z;
 };
 
-/// What a flow of these slopes maps a step's start to, by its middle: (1 - A/2)^-1 (1 + A/2), which turns what turns without stretching it and keeps
-/// volumes to third order. Flows that would stretch by more than their own length in a step count as if they did so by as much, so that there
-/// always is an inverse.
-HWY_INLINE Map mapOf(D d, const Map& slopes)
+/// What a flow B in the half of a step maps its start to, by its middle: (1 - B)^-1 (1 + B) = 2 (1 - B)^-1 - 1, which turns what turns without stretching
+/// it and keeps volumes to third order.
+/// @param b by its columns
+HWY_INLINE Map mapOf(const Map& b)
 {
-    const V zero = hn::Zero(d);
-    const V one = hn::Set(d, 1.0F);
-    const V norm2 = dot(slopes.x, slopes.x) + dot(slopes.y, slopes.y) + dot(slopes.z, slopes.z);
-    const V half = 0.5F / hn::Sqrt(hn::Max(norm2, one));
-    const Map by{slopes.x * half, slopes.y * half, slopes.z * half};
-    const Vec3<V> ex{one, zero, zero};
-    const Vec3<V> ey{zero, one, zero};
-    const Vec3<V> ez{zero, zero, one};
-    const Map back{ex - by.x, ey - by.y, ez - by.z};
-    const Vec3<V> rowX = cross(back.y, back.z);
-    const Vec3<V> rowY = cross(back.z, back.x);
-    const Vec3<V> rowZ = cross(back.x, back.y);
-    const V perVolume = 1.0F / dot(back.x, rowX);
-    const auto mapped = [&](const Vec3<V>& v) HWY_ATTR { return Vec3<V>{dot(rowX, v), dot(rowY, v), dot(rowZ, v)} * perVolume; };
-    return {mapped(ex + by.x), mapped(ey + by.y), mapped(ez + by.z)};
+    const V x = 1.0F - b.x.x;
+    const V y = 1.0F - b.y.y;
+    const V z = 1.0F - b.z.z;
+    // 1 - B by its cofactors, those of a column side by side.
+    const Vec3<V> cofactorsX{y * z - b.y.z * b.z.y, b.z.y * b.x.z + z * b.x.y, b.x.y * b.y.z + b.x.z * y};
+    const Vec3<V> cofactorsY{b.y.z * b.z.x + b.y.x * z, z * x - b.z.x * b.x.z, b.x.z * b.y.x + x * b.y.z};
+    const Vec3<V> cofactorsZ{b.y.x * b.z.y + y * b.z.x, b.z.x * b.x.y + b.z.y * x, x * y - b.x.y * b.y.x};
+    const V volume = x * cofactorsX.x - b.x.y * cofactorsY.x - b.x.z * cofactorsZ.x;
+    const V twice = 2.0F / volume;
+    Map out{cofactorsX * twice, cofactorsY * twice, cofactorsZ * twice};
+    out.x.x = out.x.x - 1.0F;
+    out.y.y = out.y.y - 1.0F;
+    out.z.z = out.z.z - 1.0F;
+    return out;
 }
 
-/// A shape after a step: dC/dt = G C + C G^T - (C - 1) / tau, by C' = F C F^T, which stays positive, and then some way back to a ball.
-/// @param slope of the air along each axis, m/s a cell
+/// A shape after a step: dC/dt = G C + C G^T - (C - 1) / tau, by C' = F C F^T, which stays positive, and then some way back to a ball. Flows that would
+/// stretch by more than their own length in a step count as if they did so by as much, so that their map always has an inverse.
+/// @param slope     of the air along each axis, m/s a cell
+/// @param gradient2 sum of their squares
 template <class Time>
-HWY_INLINE Shape deformed(D d, const StepConstants& constants, const Time& time, const Vec3<V> (&slope)[3], const Shape& shape)
+HWY_INLINE Shape deformed(D d, const StepConstants& constants, const Time& time, const Vec3<V> (&slope)[3], V gradient2, const Shape& shape)
 {
     const auto cells = time(constants.dt / constants.air.field->grid.cell);
-    Map map = mapOf(d, {slope[0] * cells, slope[1] * cells, slope[2] * cells});
+    const V norm2 = gradient2 * (cells * cells);
+    const V half = 0.5F * cells / hn::Sqrt(hn::Max(norm2, hn::Set(d, 1.0F)));
+    Map map = mapOf({slope[0] * half, slope[1] * half, slope[2] * half});
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
         map = {rotated(angle, map.x), rotated(angle, map.y), rotated(angle, map.z)};
