@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/simulation/air_kernel.cpp"
 #include <hwy/foreach_target.h>
 //
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "core/flow/field-inl.h"
@@ -186,6 +187,8 @@ HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, co
 
 /// Vectors that go through a step together, stage by stage: what one of them waits for is then hidden behind the others.
 constexpr std::size_t kTogether = 4;
+/// So many of them are fetched in advance: a particle has more columns than the processor can foresee.
+constexpr std::size_t kAhead = 2;
 static_assert(Particles::kChunk % (kTogether * hn::MaxLanes(D())) == 0);
 
 void carryWhole(const StepConstants& constants, Particles& particles, std::size_t chunk)
@@ -201,6 +204,12 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
                 stage(ways[n], first + n * hn::Lanes(d));
             }
         };
+        forEachColumn([&](const auto& column) {
+            const auto& numbers = p.*column.member;
+            for (std::size_t n = 0; !numbers.empty() && n < kTogether; ++n) {
+                hwy::Prefetch(numbers.data() + first + (kAhead * kTogether + n) * hn::Lanes(d));
+            }
+        });
         each([&](Way& way, std::size_t i) HWY_ATTR {
             way.position = load(d, p.x, p.y, p.z, i);
             setOut(d, constants, time, way);

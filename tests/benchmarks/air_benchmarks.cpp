@@ -47,9 +47,11 @@ void obviousAir(benchmark::State& state, const glm::ivec3& cells)
 }
 
 /// The default look in air, with two octaves of turbulence below the grid. A short loop, whose air is baked once for all numbers of particles.
-Effect inAir(int particles)
+/// @param deformation of each particle, 0: they stay balls
+Effect inAir(int particles, float deformation)
 {
     Effect effect;
+    effect.look.deformation = deformation;
     effect.emitter.count = particles;
     effect.turbulence.octaves = 2;
     effect.air.enabled = true;
@@ -59,9 +61,9 @@ Effect inAir(int particles)
 }
 
 /// A step of particles through air that is baked.
-void carry(benchmark::State& state, AirShelf& shelf, int particles, int threads, const std::string& simd)
+void carry(benchmark::State& state, AirShelf& shelf, const Effect& of, int threads, const std::string& simd)
 {
-    const SampledEffect effect = sampled(inAir(particles));
+    const SampledEffect effect = sampled(of);
     const std::shared_ptr<BakedAir> air = shelf.airOf(effect);
     if (!air->bake(0)) {
         state.SkipWithError("the air was not baked");
@@ -111,15 +113,19 @@ void addCarried(std::vector<Claim>& claims)
     };
     for (const Number& number : {Number{100000, "100 000", 1.0}, Number{1000000, "1 000 000", 10.0}}) {
         const int count = number.particles;
+        const Effect balls = inAir(count, 0.0F);
+        const Effect ellipsoids = inAir(count, 1.0F);
         const std::string name = "carried/" + std::to_string(count);
-        add(name, [=](benchmark::State& state) { carry(state, *shelf, count, 2, ""); });
-        add(name + "_1thread", [=](benchmark::State& state) { carry(state, *shelf, count, 1, ""); });
+        add(name, [=](benchmark::State& state) { carry(state, *shelf, balls, 2, ""); });
+        add(name + "_1thread", [=](benchmark::State& state) { carry(state, *shelf, balls, 1, ""); });
+        add(name + "_ellipsoids", [=](benchmark::State& state) { carry(state, *shelf, ellipsoids, 2, ""); });
         add(name + "_obvious", [=](benchmark::State& state) { obviousCarry(state, count); });
         claims.push_back({number.text + " particles through air, 2 octaves, a step, 2 threads", name, "", "", number.target, true});
         claims.push_back({"  2 threads over 1", name, name + "_1thread", "", 1.7});
+        claims.push_back({"  when they deform, too", name + "_ellipsoids", "", ""});
         claims.push_back({"  1 thread over the obvious program without noise", name + "_1thread", name + "_obvious", ""});
         for (const std::string& simd : availableSimdTargets()) {
-            add(name + "_" + simd, [=](benchmark::State& state) { carry(state, *shelf, count, 2, simd); });
+            add(name + "_" + simd, [=](benchmark::State& state) { carry(state, *shelf, balls, 2, simd); });
             claims.push_back({"  on " + simd, name + "_" + simd, "", ""});
         }
     }
