@@ -10,8 +10,8 @@ for preset in "$here"/../presets/*.json; do
     name=$(basename "$preset" .json)
     frame=70
     case $name in
-    explosion) frame=16 ;;
-    dust) frame=26 ;;
+    explosion) frame=32 ;;
+    dust) frame=45 ;;
     fire-ball) frame=24 ;;
     landing) frame=45 ;;
     mushroom-cloud) frame=60 ;;
