@@ -63,19 +63,19 @@ void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, 
 
 Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& options, const PassScales& scales)
 {
-    const bool png = fileEnding(options.format) == ".png";
+    const bool shown = !holdsFloats(options.format);
     Json json;
     json["pass"] = std::string(passName(pass));
     json["file"] = file;
-    json["colour"] = pass == Pass::Colour && png ? "sRGB" : "linear";
+    json["colour"] = pass == Pass::Colour && shown ? "sRGB" : "linear";
     json["channels"] = channelsOfPass(pass, options.style);
     const bool hasAlpha = pass == Pass::SixWayA || pass == Pass::SixWayB || pass == Pass::Emission || pass == Pass::Albedo;
     if (pass == Pass::Colour) {
-        json["alpha"] = png ? "straight" : "premultiplied";
+        json["alpha"] = shown ? "straight" : "premultiplied";
     } else if (hasAlpha) {
         json["alpha"] = options.style.premultiplied ? "premultiplied" : "straight";
     }
-    if (png && (pass == Pass::Motion || pass == Pass::Normal)) {
+    if (shown && (pass == Pass::Motion || pass == Pass::Normal)) {
         json["centre"] = 0.5;
         json["encoding"] = "number = 2 * stored - 1";
     }
@@ -87,7 +87,7 @@ Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& 
 
 std::string describeFlipbook(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales)
 {
-    const bool png = fileEnding(options.format) == ".png";
+    const bool shown = !holdsFloats(options.format);
     Json json;
     json["format"] = "fumage-flipbook";
     json["version"] = 1;
@@ -102,8 +102,8 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
     json["loop"] = effect.timeline.loop;
     json["for"] = std::string(nameOf(options.engine));
     const bool coloured = options.passes.has(Pass::Colour);
-    json["alpha"] = (coloured ? png : !options.style.premultiplied) ? "straight" : "premultiplied";
-    json["colour"] = coloured && png ? "sRGB" : "linear";
+    json["alpha"] = (coloured ? shown : !options.style.premultiplied) ? "straight" : "premultiplied";
+    json["colour"] = coloured && shown ? "sRGB" : "linear";
     json["pictures"] = Json::array();
     const std::vector<std::filesystem::path> files = picturesOf(options);
     std::size_t i = 0;

@@ -55,8 +55,8 @@ SheetMemory memoryOf(std::int64_t width, std::int64_t height, int pictures, Imag
 {
     constexpr std::int64_t kBlock = 4; // pixels along an edge
     const std::int64_t blocks = (width + kBlock - 1) / kBlock * ((height + kBlock - 1) / kBlock);
-    const std::int64_t channel = format == ImageFormat::Png8 ? 1 : format == ImageFormat::ExrFloat ? 4
-                                                                                                   : 2;
+    const std::int64_t channel = format == ImageFormat::ExrFloat ? 4 : holdsFloats(format) || format == ImageFormat::Png16 ? 2
+                                                                                                                           : 1;
     return {blocks * kBlock * kBlock * pictures, width * height * 4 * channel * pictures};
 }
 

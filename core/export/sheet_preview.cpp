@@ -46,7 +46,7 @@ void storeColours(const Effect& effect, ImageFormat format, SheetPreview& previe
     if (effect.output.background != Background::Transparent) {
         fillBackground(colour, effect.output.backgroundColour);
     }
-    if (fileEnding(format) != ".png") {
+    if (holdsFloats(format)) {
         return;
     }
     EncodedImage<std::uint8_t> encoded;

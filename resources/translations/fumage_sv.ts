@@ -770,6 +770,10 @@
         <source>Point cache for Unity, binary</source>
         <translation>Punktmoln för Unity, binärt</translation>
     </message>
+    <message>
+        <source>TGA, 8 bits</source>
+        <translation>TGA, 8 bitar</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -1547,10 +1551,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>den här bilden bär ingen förinställning</translation>
     </message>
     <message>
-        <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
-        <translation>Välj en som Fumage har skrivit, eller förinställningens egen fil</translation>
-    </message>
-    <message>
         <source>the program cannot be started: %1</source>
         <translation>programmet kan inte startas: %1</translation>
     </message>
@@ -1589,6 +1589,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Use %1 to %2 cells along the longest edge</source>
         <translation>Använd %1 till %2 celler längs den längsta kanten</translation>
+    </message>
+    <message>
+        <source>Choose a PNG or EXR that Fumage has written, or the preset&apos;s own file</source>
+        <translation>Välj en PNG eller EXR som Fumage har skrivit, eller förinställningens egen fil</translation>
     </message>
 </context>
 <context>

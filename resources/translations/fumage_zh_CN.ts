@@ -770,6 +770,10 @@
         <source>Point cache for Unity, binary</source>
         <translation>Unity 点缓存，二进制</translation>
     </message>
+    <message>
+        <source>TGA, 8 bits</source>
+        <translation>TGA，8 位</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -1547,10 +1551,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>此图片没有携带预设</translation>
     </message>
     <message>
-        <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
-        <translation>请选择由 Fumage 写出的图片，或预设文件本身</translation>
-    </message>
-    <message>
         <source>the program cannot be started: %1</source>
         <translation>无法启动该程序：%1</translation>
     </message>
@@ -1589,6 +1589,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Use %1 to %2 cells along the longest edge</source>
         <translation>最长边请使用 %1 到 %2 个单元</translation>
+    </message>
+    <message>
+        <source>Choose a PNG or EXR that Fumage has written, or the preset&apos;s own file</source>
+        <translation>请选择由 Fumage 写出的 PNG 或 EXR，或预设自身的文件</translation>
     </message>
 </context>
 <context>

@@ -367,6 +367,9 @@ private slots:
         const QStringList one{"render", "thesis-2012", "-f", "7", "-o"};
         row("capitals", one + QStringList{"x.PNG"}, {"x.PNG"});
         row("exr", one + QStringList{"x.Exr"}, {"x.Exr"});
+        row("tga", one + QStringList{"x.TGA"}, {"x.TGA"});
+        row("a flipbook in tga", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "x", "--format", "tga"}, {"x.flipbook.json", "x.tga"});
+        row("noise in tga", {"bake-noise", "thesis-2012", "-o", "n.tga"}, {"n.tga"});
         row("format without an ending", one + QStringList{"x", "--format", "exr"}, {"x.exr"});
         row("printf", two + QStringList{"x_%03d.png"}, {"x_007.png", "x_008.png"});
         row("printf without width", two + QStringList{"x%d"}, {"x7.png", "x8.png"});
@@ -411,8 +414,8 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("says");
         const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << QByteArray(says); };
-        row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png or .exr");
-        row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png or .exr");
+        row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png, .exr or .tga");
+        row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png, .exr or .tga");
         row("particles as png", {"dump", "default", "-o", "q.png"}, "Use .csv, .ply or .pcache");
         row("ending against format", {"render", "default", "-o", "x.png", "--format", "exr"}, "Use .exr");
         row("particles against format", {"dump", "default", "-o", "x.csv", "--format", "ply"}, "Use .ply");

@@ -216,6 +216,10 @@ private slots:
         QCOMPARE(m_dialog->plan().format, ImageFormat::ExrFloat);
         child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
         QCOMPARE(child<QLineEdit>(u"export.path"_q)->text(), u"g_####.png"_q);
+        QVERIFY(child<QCheckBox>(u"export.carries"_q)->isVisible());
+        typePath(u"h.tga"_q);
+        QCOMPARE(m_dialog->plan().format, ImageFormat::Tga);
+        QVERIFY(!child<QCheckBox>(u"export.carries"_q)->isVisible()); // there is no room for a preset in it
         m_dialog->setKind(ExportKind::Particles);
         typePath(u"p.ply"_q);
         QCOMPARE(m_dialog->plan().particles, ParticleFormat::Ply);

@@ -253,7 +253,7 @@ void ExportDialog::followKind()
     } else if (kind() == ExportKind::Video) {
         m_format->addItems({tr("MP4 (H.264), on the background colour"), tr("WebM (VP9), transparent"), tr("QuickTime (ProRes 4444), transparent"), tr("GIF, on the background colour"), tr("APNG, transparent")});
     } else {
-        m_format->addItems({tr("PNG, 8 bits"), tr("PNG, 16 bits"), tr("OpenEXR, half floats, linear"), tr("OpenEXR, floats, linear")});
+        m_format->addItems({tr("PNG, 8 bits"), tr("PNG, 16 bits"), tr("OpenEXR, half floats, linear"), tr("OpenEXR, floats, linear"), tr("TGA, 8 bits")});
         m_format->setCurrentIndex(m_imageFormat);
     }
     m_pathIsSuggested = true;
@@ -293,7 +293,7 @@ void ExportDialog::followPlan()
     const bool picture = isPicture(kind());
     const bool onColour = kind() == ExportKind::Video && !hasAlpha(plan().video);
     m_fit->setVisible(picture);
-    m_carries->setVisible(picture && kind() != ExportKind::Video);
+    m_carries->setVisible(picture && kind() != ExportKind::Video && plan().format != ImageFormat::Tga);
     for (ParameterRow* row : m_rows) {
         row->sync();
         const bool isBehind = onColour && &row->parameter() == &knownParameter("output.background_colour");

@@ -90,7 +90,7 @@ std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
     switch (kind) {
     case ExportKind::Particles: return withEnding(ending, kAllParticleFormats);
     case ExportKind::Video: return withEnding(ending, kAllVideoFormats);
-    default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf});
+    default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf, ImageFormat::Tga});
     }
 }
 
