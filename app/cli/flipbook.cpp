@@ -89,16 +89,19 @@ void addFlipbook(CLI::App& program, Action& action)
     arguments->picture.addFormat(*command);
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     arguments->passes.addTo(*command);
+    arguments->passes.addPackTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
                     "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"
                     "--for an engine writes what makes it play: a scene and a shader for Godot, scripts that import the textures for Unity and Unreal, a project for\n"
                     "Effekseer, TexturePacker's JSON for PixiJS and Phaser, a tile source for Defold, or one web page that plays the sheet by itself.\n"
                     "Passes are pictures of their own: smoke_sixway_a.png, smoke_sixway_b.png, smoke_motion.png. They are linear: engines must not take them for sRGB. The\n"
                     "side-car says what their channels are, and the scale that light and vectors are multiplied by.\n"
+                    "--pack puts channels of any passes into a picture of its own, at a resolution of its own; the side-car says what each holds. Only what is asked for is rendered.\n"
                     "Examples:\n"
                     "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
                     "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png\n"
                     "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png\n"
+                    "  fumage-cli flipbook explosion --pack masks=shadow,temperature,alpha@1/2 --pack light=six-way-a.r,six-way-a.g,0,1 --output boom.png\n"
                     "  fumage-cli flipbook chimney --for godot --size 256 --output project/smoke/");
     command->callback([arguments, &action] { action = [arguments] { return flipbook(*arguments); }; });
 }

@@ -37,6 +37,21 @@ Json channelsOfPass(Pass pass, const PassStyle& style)
     return {"red", "green", "blue", "alpha"};
 }
 
+/// Whether numbers are multiplied by alpha, and how those that may be negative are stored.
+void describeEncoding(Pass pass, const PassStyle& style, bool shown, Json& json)
+{
+    const bool hasAlpha = pass == Pass::SixWayA || pass == Pass::SixWayB || pass == Pass::Emission || pass == Pass::Albedo;
+    if (pass == Pass::Colour) {
+        json["alpha"] = shown ? "straight" : "premultiplied";
+    } else if (hasAlpha) {
+        json["alpha"] = style.premultiplied ? "premultiplied" : "straight";
+    }
+    if (shown && (pass == Pass::Motion || pass == Pass::Normal)) {
+        json["centre"] = 0.5;
+        json["encoding"] = "number = 2 * stored - 1";
+    }
+}
+
 /// How numbers become what they mean: value = number * scale + offset.
 void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, Json& json)
 {
@@ -61,6 +76,32 @@ void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, 
     }
 }
 
+/// A picture that somebody has packed: where each channel is from, what it holds, and how it is read.
+Json describePacked(const PackedPicture& pack, const std::string& file, const Effect& effect, const FlipbookOptions& options, const PassScales& scales)
+{
+    const bool shown = !holdsFloats(options.format);
+    Json json;
+    json["packed"] = pack.name;
+    json["file"] = file;
+    json["colour"] = isSrgb(pack, options.format) ? "sRGB" : "linear";
+    json["cell_width"] = effect.output.width / pack.divisor;
+    json["cell_height"] = effect.output.height / pack.divisor;
+    json["channels"] = Json::array();
+    for (const PackedChannel& channel : pack.channels) {
+        Json each;
+        each["from"] = textOf(channel);
+        if (channel.pass) {
+            const Json names = channelsOfPass(*channel.pass, options.style);
+            each["holds"] = names[static_cast<std::size_t>(channel.channel)];
+            each["linear"] = !shown || *channel.pass != Pass::Colour || channel.channel == 3;
+            describeEncoding(*channel.pass, options.style, shown, each);
+            describeScale(*channel.pass, scales, options.style, each);
+        }
+        json["channels"].push_back(each);
+    }
+    return json;
+}
+
 Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& options, const PassScales& scales)
 {
     const bool shown = !holdsFloats(options.format);
@@ -69,16 +110,7 @@ Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& 
     json["file"] = file;
     json["colour"] = pass == Pass::Colour && shown ? "sRGB" : "linear";
     json["channels"] = channelsOfPass(pass, options.style);
-    const bool hasAlpha = pass == Pass::SixWayA || pass == Pass::SixWayB || pass == Pass::Emission || pass == Pass::Albedo;
-    if (pass == Pass::Colour) {
-        json["alpha"] = shown ? "straight" : "premultiplied";
-    } else if (hasAlpha) {
-        json["alpha"] = options.style.premultiplied ? "premultiplied" : "straight";
-    }
-    if (shown && (pass == Pass::Motion || pass == Pass::Normal)) {
-        json["centre"] = 0.5;
-        json["encoding"] = "number = 2 * stored - 1";
-    }
+    describeEncoding(pass, options.style, shown, json);
     describeScale(pass, scales, options.style, json);
     return json;
 }
@@ -111,6 +143,9 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
         if (options.passes.has(pass)) {
             json["pictures"].push_back(describePicture(pass, files[i++].filename().string(), options, scales));
         }
+    }
+    for (const PackedPicture& pack : options.packs) {
+        json["pictures"].push_back(describePacked(pack, files[i++].filename().string(), effect, options, scales));
     }
     return json.dump(2) + "\n";
 }

@@ -67,7 +67,20 @@ template <class Channel>
 Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const PictureNotes& notes, const std::stop_token& stop)
 {
     const std::vector<Channel> pixels = quantisedAll<Channel>(image);
-    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels)), true, notes}, stop);
+    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), image.isSrgb, std::as_bytes(std::span(pixels)), true, notes}, stop);
+}
+
+template <class Channel>
+DataImage numbersOfSheet(const Image& image, const Effect& effect, int cellWidth, int cellHeight)
+{
+    EncodedImage<Channel> encoded;
+    encode(image, effect.output, encoded, coverOf(effect.light));
+    bleedColours(encoded, cellWidth, cellHeight);
+    DataImage out{image.width, image.height, 4, false, {}, true};
+    out.values.resize(encoded.pixels.size());
+    constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
+    std::transform(encoded.pixels.begin(), encoded.pixels.end(), out.values.begin(), [](Channel value) { return static_cast<float>(value) / kFull; });
+    return out;
 }
 
 } // namespace
@@ -112,6 +125,14 @@ Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& eff
 Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight, const PictureNotes& notes)
 {
     return encodeWith(image, effect, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+}
+
+DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
+{
+    if (holdsFloats(format)) {
+        return {image.width, image.height, 4, false, {image.pixels.begin(), image.pixels.end()}};
+    }
+    return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight) : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
 }
 
 Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)

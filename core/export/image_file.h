@@ -53,7 +53,11 @@ struct DataImage {
     int channels = 4; ///< 1, 3 or 4
     bool isSigned = false; ///< in [-1, 1], which PNG and TGA hold as (1 + value) / 2; else in [0, 1]
     std::vector<float> values;
+    bool isSrgb = false; ///< its colours are light after all, as displays take it; said in PNG
 };
+
+/// The numbers that encodeSheet() writes for a picture of cells: straight sRGB in [0, 1] with colours that go on under transparency; of floats the picture as it is.
+[[nodiscard]] DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
 
 /// Encodes numbers as they are: PNG without a colour space, and, as in TGA, what is out of range clipped; EXR with all of them.
 /// @error as encodeImage()

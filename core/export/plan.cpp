@@ -133,7 +133,9 @@ std::filesystem::path firstFile(const ExportPlan& plan)
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
-    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
+    FlipbookOptions options{plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
+    options.packs = plan.packs;
+    return options;
 }
 
 std::filesystem::path lastFile(const ExportPlan& plan)

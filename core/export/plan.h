@@ -34,6 +34,7 @@ struct ExportPlan {
     int rows = 8;
     PassSet passes{Pass::Colour}; ///< of a flipbook, and of frames in EXR
     PassStyle style; ///< of its passes
+    std::vector<PackedPicture> packs; ///< of a flipbook: more pictures
     Engine engine = Engine::Generic; ///< that is to play it
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()

@@ -1594,6 +1594,70 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Choose a PNG or EXR that Fumage has written, or the preset&apos;s own file</source>
         <translation>Välj en PNG eller EXR som Fumage har skrivit, eller förinställningens egen fil</translation>
     </message>
+    <message>
+        <source>no pass is asked for</source>
+        <translation>inget pass är valt</translation>
+    </message>
+    <message>
+        <source>Choose one, or a packed picture</source>
+        <translation>Välj ett, eller en packad bild</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>det finns ingen kanal %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <translation>Välj bland alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, deras .g, .b och .a, 0 och 1</translation>
+    </message>
+    <message>
+        <source>a packed picture cannot be named %1</source>
+        <translation>en packad bild kan inte heta %1</translation>
+    </message>
+    <message>
+        <source>Use up to %1 letters, digits, - and _</source>
+        <translation>Använd högst %1 bokstäver, siffror, - och _</translation>
+    </message>
+    <message>
+        <source>Choose another name: this is the name of a pass</source>
+        <translation>Välj ett annat namn: detta är namnet på ett pass</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 is not understood</source>
+        <translation>den packade bilden %1 går inte att förstå</translation>
+    </message>
+    <message>
+        <source>Write masks=shadow,temperature,alpha, and @1/2 to @1/%1 after it for a smaller one</source>
+        <translation>Skriv masks=shadow,temperature,alpha, och @1/2 till @1/%1 efter det för en mindre</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 has %2 channels</source>
+        <translation>den packade bilden %1 har %2 kanaler</translation>
+    </message>
+    <message>
+        <source>Use up to four: red, green, blue and alpha</source>
+        <translation>Använd högst fyra: röd, grön, blå och alfa</translation>
+    </message>
+    <message>
+        <source>there are %1 packed pictures</source>
+        <translation>det är %1 packade bilder</translation>
+    </message>
+    <message>
+        <source>Use up to %1</source>
+        <translation>Använd högst %1</translation>
+    </message>
+    <message>
+        <source>two packed pictures are named %1</source>
+        <translation>två packade bilder heter %1</translation>
+    </message>
+    <message>
+        <source>cells of %1 x %2 pixels cannot be divided by %3, as %4 asks for</source>
+        <translation>celler på %1 x %2 pixlar kan inte delas med %3, som %4 begär</translation>
+    </message>
+    <message>
+        <source>Choose another size of a cell, or another part</source>
+        <translation>Välj en annan storlek på cellen, eller en annan del</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -1594,6 +1594,70 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Choose a PNG or EXR that Fumage has written, or the preset&apos;s own file</source>
         <translation>请选择由 Fumage 写出的 PNG 或 EXR，或预设自身的文件</translation>
     </message>
+    <message>
+        <source>no pass is asked for</source>
+        <translation>没有选择任何通道图</translation>
+    </message>
+    <message>
+        <source>Choose one, or a packed picture</source>
+        <translation>请选择一个，或一张打包图片</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>没有通道 %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <translation>可选：alpha、depth、temperature、shadow、colour.r、six-way-a.r、six-way-b.r、motion.r、normal.r、emission.r、albedo.r，它们的 .g、.b 和 .a，以及 0 和 1</translation>
+    </message>
+    <message>
+        <source>a packed picture cannot be named %1</source>
+        <translation>打包图片不能命名为 %1</translation>
+    </message>
+    <message>
+        <source>Use up to %1 letters, digits, - and _</source>
+        <translation>最多使用 %1 个字母、数字、- 和 _</translation>
+    </message>
+    <message>
+        <source>Choose another name: this is the name of a pass</source>
+        <translation>请换一个名称：这是某个通道图的名称</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 is not understood</source>
+        <translation>无法理解打包图片 %1</translation>
+    </message>
+    <message>
+        <source>Write masks=shadow,temperature,alpha, and @1/2 to @1/%1 after it for a smaller one</source>
+        <translation>请写成 masks=shadow,temperature,alpha，需要较小的图片时在后面加 @1/2 到 @1/%1</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 has %2 channels</source>
+        <translation>打包图片 %1 有 %2 个通道</translation>
+    </message>
+    <message>
+        <source>Use up to four: red, green, blue and alpha</source>
+        <translation>最多四个：红、绿、蓝和 alpha</translation>
+    </message>
+    <message>
+        <source>there are %1 packed pictures</source>
+        <translation>有 %1 张打包图片</translation>
+    </message>
+    <message>
+        <source>Use up to %1</source>
+        <translation>最多 %1 张</translation>
+    </message>
+    <message>
+        <source>two packed pictures are named %1</source>
+        <translation>有两张打包图片名为 %1</translation>
+    </message>
+    <message>
+        <source>cells of %1 x %2 pixels cannot be divided by %3, as %4 asks for</source>
+        <translation>%1 x %2 像素的单元格不能按 %4 的要求除以 %3</translation>
+    </message>
+    <message>
+        <source>Choose another size of a cell, or another part</source>
+        <translation>请选择另一单元格大小，或另一比例</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -105,6 +105,10 @@ private slots:
         row("grid", {"flipbook", "default", "--grid", "8x99"}, "8x99");
         row("pass", {"flipbook", "default", "--passes", "colour,sixway"}, "six-way");
         row("no pass", {"flipbook", "default", "--passes", ","}, "--passes");
+        row("packed channel", {"flipbook", "default", "--pack", "masks=shadw"}, "--pack: there is no channel \"shadw\". Did you mean \"shadow\"?");
+        row("packed without channels", {"flipbook", "default", "--pack", "masks"}, "masks=shadow");
+        row("packed under the name of a pass", {"flipbook", "default", "--pack", "motion=alpha"}, "name of a pass");
+        row("neither pass nor packed", {"flipbook", "default", "--passes", "none", "-f", "0-63"}, "no pass");
         row("signs of vectors", {"flipbook", "default", "--vectors", "godot"}, "unreal");
         row("too few frames", {"flipbook", "default", "--frames", "0-9"}, "64 cells");
         row("simd", {"--simd", "mmx", "render", "default"}, "mmx");
@@ -379,6 +383,7 @@ private slots:
         row("no name", {"render", "thesis-2012", "-f", "7"}, {"thesis-2012.png"});
         row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"}, {"d/default.png", "d/thesis-2012.png"});
         row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
+        row("packed pictures", {"flipbook", "--pack", "a=alpha", "thesis-2012", "--pack", "b=depth,1@1/2", "--passes", "none", "--grid", "1", "-f", "7", "-o", "x"}, {"x.flipbook.json", "x_a.png", "x_b.png"});
         row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});
         row("particles by the ending", {"dump", "thesis-2012", "-o", "p.ply"}, {"p.ply"});
         row("point cache", {"dump", "thesis-2012", "-o", "p.pcache"}, {"p.pcache"});
