@@ -17,6 +17,7 @@ struct FlipbookArguments {
     PictureOptions picture;
     std::string grid = "8x8";
     PassOptions passes;
+    bool powerOfTwo = false;
 };
 
 /// Which edges, which frames, and what would help.
@@ -49,6 +50,21 @@ NamedPreset namedForItsGrid(const FlipbookArguments& arguments, NamedPreset name
     return named;
 }
 
+/// Cells may have to be of another size than was asked for.
+Status tellSize(const PictureJob& job)
+{
+    const Result<Output> output = outputFor(job.effect, job.plan);
+    if (!output) {
+        return output.error();
+    }
+    const int width = output.value().width;
+    const int height = output.value().height;
+    if (width != job.effect.output.width || height != job.effect.output.height) {
+        tell("cells are " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and the sheet " + std::to_string(width * job.plan.columns) + " x " + std::to_string(height * job.plan.rows));
+    }
+    return Done{};
+}
+
 Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
 {
     const NamedPreset named = namedForItsGrid(arguments, unnumbered);
@@ -62,6 +78,10 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
         return status;
     }
     if (Status status = arguments.passes.applyTo(plan); !status) {
+        return status;
+    }
+    plan.powerOfTwo = arguments.powerOfTwo;
+    if (Status status = tellSize(job.value()); !status) {
         return status;
     }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());
@@ -88,6 +108,7 @@ void addFlipbook(CLI::App& program, Action& action)
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     arguments->picture.addFormat(*command);
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
     arguments->passes.addTo(*command);
     arguments->passes.addPackTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"

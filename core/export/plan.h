@@ -36,6 +36,7 @@ struct ExportPlan {
     PassStyle style; ///< of its passes
     std::vector<PackedPicture> packs; ///< of a flipbook: more pictures
     Engine engine = Engine::Generic; ///< that is to play it
+    bool powerOfTwo = false; ///< of a flipbook: the size of cells is such that the sides of the sheet are powers of two
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
@@ -52,8 +53,12 @@ struct ExportPlan {
 /// What a plan for a flipbook asks for.
 [[nodiscard]] FlipbookOptions flipbookOf(const ExportPlan& plan);
 
+/// The output of an effect with the size of the pictures, or cells, of a plan: for powers of two the nearest, by their ratio.
+/// @error OutOfRange where columns and rows make that impossible
+[[nodiscard]] Result<Output> outputFor(const Effect& effect, const ExportPlan& plan);
+
 /// The effect as the camera of a plan sees it, which is fitted where that is asked for.
-/// @error those of fitCamera()
+/// @error those of fitCamera() and outputFor()
 [[nodiscard]] Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.

@@ -1658,6 +1658,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Choose another size of a cell, or another part</source>
         <translation>Välj en annan storlek på cellen, eller en annan del</translation>
     </message>
+    <message>
+        <source>%1 x %2 cells fill no sheet whose sides are powers of two</source>
+        <translation>%1 x %2 celler fyller inget ark vars sidor är tvåpotenser</translation>
+    </message>
+    <message>
+        <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
+        <translation>Välj kolumner och rader bland 1, 2, 4, 8, 16, 32 och 64</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -1658,6 +1658,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Choose another size of a cell, or another part</source>
         <translation>请选择另一单元格大小，或另一比例</translation>
     </message>
+    <message>
+        <source>%1 x %2 cells fill no sheet whose sides are powers of two</source>
+        <translation>%1 x %2 个单元格无法填满边长为 2 的幂的序列帧图集</translation>
+    </message>
+    <message>
+        <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
+        <translation>列数和行数请选 1、2、4、8、16、32 或 64</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

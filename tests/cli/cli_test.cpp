@@ -105,6 +105,7 @@ private slots:
         row("grid", {"flipbook", "default", "--grid", "8x99"}, "8x99");
         row("pass", {"flipbook", "default", "--passes", "colour,sixway"}, "six-way");
         row("no pass", {"flipbook", "default", "--passes", ","}, "--passes");
+        row("grid that is no power of two", {"flipbook", "default", "--grid", "6x5", "--power-of-two"}, "6 x 5 cells");
         row("packed channel", {"flipbook", "default", "--pack", "masks=shadw"}, "--pack: there is no channel \"shadw\". Did you mean \"shadow\"?");
         row("packed without channels", {"flipbook", "default", "--pack", "masks"}, "masks=shadow");
         row("packed under the name of a pass", {"flipbook", "default", "--pack", "motion=alpha"}, "name of a pass");
