@@ -18,6 +18,8 @@ struct FlipbookArguments {
     std::string grid = "8x8";
     PassOptions passes;
     bool powerOfTwo = false;
+    bool trim = false;
+    std::string retime;
 };
 
 /// Which edges, which frames, and what would help.
@@ -81,6 +83,16 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
         return status;
     }
     plan.powerOfTwo = arguments.powerOfTwo;
+    plan.trim = arguments.trim;
+    if (!arguments.retime.empty()) {
+        const Result<Curve> curve = parseRetime(arguments.retime);
+        if (!curve) {
+            Error error = curve.error();
+            error.place = std::string("--retime");
+            return error;
+        }
+        plan.retime = curve.value();
+    }
     if (Status status = tellSize(job.value()); !status) {
         return status;
     }
@@ -109,6 +121,12 @@ void addFlipbook(CLI::App& program, Action& action)
     arguments->picture.addFormat(*command);
     command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
+    command->add_flag("--trim", arguments->trim, "Leave out frames without smoke at the beginning and the end; not of a loop, which would no longer close");
+    command->add_option("--retime", arguments->retime,
+               "Which frames the cells show: points of a curve from the share of the cells to the share of the frames, such as [[0,0],[0.3,0.6],[1,1]] for a quick "
+               "beginning. Level is still, falling is backwards; the whole takes the same time")
+        ->type_name("CURVE")
+        ->option_text("CURVE");
     arguments->passes.addTo(*command);
     arguments->passes.addPackTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"

@@ -2,6 +2,8 @@
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/effect/value.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/flipbook_description.h"
 #include "core/export/sheet.h"
@@ -151,7 +153,7 @@ Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& shee
 {
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
-    const PictureNotes notes{0, options.preset, options.frames.first};
+    const PictureNotes notes{0, options.preset, frameOfCell(options, 0)};
     const Packer packer(sheet, pictures, options.style, effect, options.format);
     std::vector<Result<std::vector<std::byte>>> encoded(files.size(), std::vector<std::byte>());
     parallelFor(files.size(), [&](std::size_t i) {
@@ -200,10 +202,29 @@ std::filesystem::path besides(const std::filesystem::path& picture, const std::s
 
 } // namespace
 
+Result<Curve> parseRetime(std::string_view text)
+{
+    const Parameter shares{.kind = Kind::Curve, .hard = {0.0, 1.0}};
+    const Result<Clamped> read = parseValue(shares, text);
+    if (!read) {
+        return read.error();
+    }
+    if (clampValue(shares, read.value().value).changed) {
+        return Error{ErrorCode::OutOfRange, said("the points %1 do not lie between 0 and 1, from left to right", inQuotes(text)), {}, said("Write [[0, 0], [0.3, 0.6], [1, 1]]")};
+    }
+    return std::get<Curve>(read.value().value);
+}
+
 int frameOfCell(const FlipbookOptions& options, int cell)
 {
-    const std::int64_t index = static_cast<std::int64_t>(cell) * options.frames.count() / (options.columns * options.rows);
-    return options.frames.at(static_cast<int>(index));
+    const int cells = options.columns * options.rows;
+    const int count = options.frames.count();
+    if (!options.retime) {
+        return options.frames.at(static_cast<int>(static_cast<std::int64_t>(cell) * count / cells));
+    }
+    constexpr double kRounding = 1e-4; // of the curve: a straight one gives what none gives
+    const double share = static_cast<double>(options.retime->at(static_cast<float>(cell) / static_cast<float>(cells)));
+    return options.frames.at(std::clamp(static_cast<int>(share * count + kRounding), 0, count - 1));
 }
 
 std::vector<int> framesOfCells(const FlipbookOptions& options)

@@ -26,6 +26,10 @@ struct FlipbookOptions {
     PassStyle style; ///< of those that are not the colour
     Engine engine = Engine::Generic; ///< the files that make it play are written, too
     std::string preset{}; ///< that the pictures carry, as JSON; empty: none
+    /// Which frames the cells show: the share of the way through the frames, 0 to 1, by the share of the way through the cells. Where it is level, smoke stands still,
+    /// and where it falls, it goes back. The sheet is played in the same time. None: in even steps.
+    std::optional<Curve> retime{};
+    std::optional<FrameRange> untrimmed{}; ///< the frames before empty ones were left out, for the side-car
     std::vector<PackedPicture> packs{}; ///< more pictures; the sheet is rendered for their passes, too
 };
 
@@ -46,6 +50,10 @@ struct Flipbook {
     float edgeAlpha = 0.0F; ///< most alpha on a cell's border
     std::optional<CutOff> cutOff; ///< where edgeAlpha reaches 1/255
 };
+
+/// Reads points as curves of parameters have them, "[[0, 0], [0.3, 0.6], [1, 1]]".
+/// @error WrongType; OutOfRange where they do not lie between 0 and 1, from left to right
+[[nodiscard]] Result<Curve> parseRetime(std::string_view text);
 
 /// Frame that a cell shows.
 /// @param cell 0 at the top left, counted along rows

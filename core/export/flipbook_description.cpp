@@ -1,5 +1,7 @@
 #include "core/export/flipbook_description.h"
 
+#include "core/base/text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace fumage {
@@ -115,6 +117,21 @@ Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& 
     return json;
 }
 
+/// Where frames are left out, or cells go through them otherwise than in even steps.
+void describeTime(const FlipbookOptions& options, Json& json)
+{
+    if (options.untrimmed) {
+        json["trimmed"] = {{"first_frame", options.frames.first}, {"last_frame", options.frames.last}, {"from", options.untrimmed->first}, {"to", options.untrimmed->last}};
+    }
+    if (options.retime) {
+        json["retime"] = Json::array();
+        for (const CurvePoint& point : options.retime->points()) {
+            json["retime"].push_back({Json::parse(formatFloat(point.x)), Json::parse(formatFloat(point.y))}); // 0.3 and not 0.30000001192092896
+        }
+        json["frames"] = framesOfCells(options);
+    }
+}
+
 } // namespace
 
 std::string describeFlipbook(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales)
@@ -132,6 +149,7 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
     json["cells_per_second"] = flipbook.cellsPerSecond;
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
     json["loop"] = effect.timeline.loop;
+    describeTime(options, json);
     json["for"] = std::string(nameOf(options.engine));
     const bool coloured = options.passes.has(Pass::Colour);
     json["alpha"] = (coloured ? shown : !options.style.premultiplied) ? "straight" : "premultiplied";

@@ -4,6 +4,7 @@
 #include "core/base/memory.h"
 #include "core/export/fit_camera.h"
 #include "core/export/output_name.h"
+#include "core/export/trim.h"
 #include "core/noise/texture.h"
 
 #include <algorithm>
@@ -105,9 +106,12 @@ bool overwritesSource(const ExportPlan& plan)
 
 Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
-    FlipbookOptions options = flipbookOf(plan);
-    options.preset = projectOf(effect, plan);
-    const Result<Flipbook> flipbook = renderFlipbook(effect, options, progress, stop);
+    Result<FlipbookOptions> options = flipbookSeenBy(effect, plan, progress, stop);
+    if (!options) {
+        return options.error();
+    }
+    options.value().preset = projectOf(effect, plan);
+    const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), progress, stop);
     return flipbook ? Result<std::optional<Flipbook>>(flipbook.value()) : flipbook.error();
 }
 
@@ -144,6 +148,21 @@ FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
     FlipbookOptions options{plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
     options.packs = plan.packs;
+    options.retime = plan.retime;
+    return options;
+}
+
+Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+{
+    FlipbookOptions options = flipbookOf(plan);
+    if (plan.trim) {
+        const Result<FrameRange> left = trimmed(seen, plan.frames, progress, stop);
+        if (!left) {
+            return left.error();
+        }
+        options.untrimmed = plan.frames;
+        options.frames = left.value();
+    }
     return options;
 }
 

@@ -1666,6 +1666,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
         <translation>Välj kolumner och rader bland 1, 2, 4, 8, 16, 32 och 64</translation>
     </message>
+    <message>
+        <source>the points %1 do not lie between 0 and 1, from left to right</source>
+        <translation>punkterna %1 ligger inte mellan 0 och 1, från vänster till höger</translation>
+    </message>
+    <message>
+        <source>Write [[0, 0], [0.3, 0.6], [1, 1]]</source>
+        <translation>Skriv [[0, 0], [0.3, 0.6], [1, 1]]</translation>
+    </message>
+    <message>
+        <source>a loop is not trimmed: without its empty frames it would no longer close</source>
+        <translation>en slinga beskärs inte: utan sina tomma bildrutor skulle den inte längre gå ihop</translation>
+    </message>
+    <message>
+        <source>Switch the loop off, or the trimming</source>
+        <translation>Stäng av slingan, eller beskärningen</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

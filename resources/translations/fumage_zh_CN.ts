@@ -1666,6 +1666,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
         <translation>列数和行数请选 1、2、4、8、16、32 或 64</translation>
     </message>
+    <message>
+        <source>the points %1 do not lie between 0 and 1, from left to right</source>
+        <translation>点 %1 不在 0 到 1 之间或没有从左到右排列</translation>
+    </message>
+    <message>
+        <source>Write [[0, 0], [0.3, 0.6], [1, 1]]</source>
+        <translation>请写成 [[0, 0], [0.3, 0.6], [1, 1]]</translation>
+    </message>
+    <message>
+        <source>a loop is not trimmed: without its empty frames it would no longer close</source>
+        <translation>循环不能裁剪：去掉空帧后将无法首尾相接</translation>
+    </message>
+    <message>
+        <source>Switch the loop off, or the trimming</source>
+        <translation>请关闭循环，或关闭裁剪</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
