@@ -28,17 +28,6 @@ int numbersOf(Pass pass)
     }
 }
 
-std::vector<PackedChannel> allChannels()
-{
-    std::vector<PackedChannel> all{{{}, 0, 0.0F}, {{}, 0, 1.0F}};
-    for (const Pass pass : kAllPasses) {
-        for (int i = 0; i < numbersOf(pass); ++i) {
-            all.push_back({pass, i});
-        }
-    }
-    return all;
-}
-
 /// Small letters, and names as command lines have them: those of files and of other spellings are understood.
 std::string normalised(std::string_view text)
 {
@@ -121,6 +110,17 @@ bool isStraight(Pass pass, int channel, const PassStyle& style)
 
 } // namespace
 
+std::vector<PackedChannel> allChannels()
+{
+    std::vector<PackedChannel> all{{{}, 0, 0.0F}, {{}, 0, 1.0F}};
+    for (const Pass pass : kAllPasses) {
+        for (int i = 0; i < numbersOf(pass); ++i) {
+            all.push_back({pass, i});
+        }
+    }
+    return all;
+}
+
 std::string textOf(const PackedChannel& channel)
 {
     if (!channel.pass) {
@@ -146,7 +146,7 @@ Result<PackedPicture> parsePack(std::string_view text)
     const std::string_view list = text.substr(equals + 1, at - equals - 1);
     const std::size_t count = splitCount(list, ',');
     if (count > kLetters.size()) {
-        return Error{ErrorCode::OutOfRange, said("the packed picture %1 has %2 channels", inQuotes(pack.name), count), {}, said("Use up to four: red, green, blue and alpha")};
+        return Error{ErrorCode::OutOfRange, said("the packed picture %1 has %2 channels", inQuotes(pack.name), count), {}, said("Use one to four: red, green, blue and alpha")};
     }
     for (std::size_t i = 0; i < count; ++i) {
         const Result<PackedChannel> channel = parseChannel(trimmed(splitPart(list, ',', i)));
@@ -177,11 +177,17 @@ Status checkPacks(std::span<const PackedPicture> packs, int cellWidth, int cellH
         return Error{ErrorCode::OutOfRange, said("there are %1 packed pictures", packs.size()), {}, said("Use up to %1", kMostPackedPictures)};
     }
     for (std::size_t i = 0; i < packs.size(); ++i) {
+        if (Status status = checkName(packs[i].name); !status) {
+            return status;
+        }
+        if (packs[i].channels.empty() || packs[i].channels.size() > kLetters.size()) {
+            return Error{ErrorCode::OutOfRange, said("the packed picture %1 has %2 channels", inQuotes(packs[i].name), packs[i].channels.size()), {}, said("Use one to four: red, green, blue and alpha")};
+        }
         const auto sameName = [&](const PackedPicture& other) { return normalised(other.name) == normalised(packs[i].name); };
         if (std::any_of(packs.begin(), packs.begin() + static_cast<std::ptrdiff_t>(i), sameName)) {
             return Error{ErrorCode::OutOfRange, said("two packed pictures are named %1", inQuotes(packs[i].name)), {}, said("Choose another name")};
         }
-        if (cellWidth % packs[i].divisor != 0 || cellHeight % packs[i].divisor != 0) {
+        if (packs[i].divisor < 1 || cellWidth % packs[i].divisor != 0 || cellHeight % packs[i].divisor != 0) {
             return Error{ErrorCode::OutOfRange, said("cells of %1 x %2 pixels cannot be divided by %3, as %4 asks for", cellWidth, cellHeight, packs[i].divisor, inQuotes(packs[i].name)), {}, said("Choose another size of a cell, or another part")};
         }
     }

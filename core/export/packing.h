@@ -41,11 +41,14 @@ inline constexpr int kMostDivisor = 16;
 /// "shadow", "six-way-a.r", "0": what parsePack() reads.
 [[nodiscard]] std::string textOf(const PackedChannel& channel);
 
+/// All that there are, the constants first.
+[[nodiscard]] std::vector<PackedChannel> allChannels();
+
 /// The passes that packed pictures are made of.
 [[nodiscard]] PassSet passesOf(std::span<const PackedPicture> packs);
 
 /// Whether a flipbook can have such pictures beside those of its passes.
-/// @error OutOfRange: too many of them, two of one name, or cells that cannot be made so much smaller
+/// @error OutOfRange: too many of them, names that cannot be those of files, two of one name, no channels, or cells that cannot be made so much smaller
 [[nodiscard]] Status checkPacks(std::span<const PackedPicture> packs, int cellWidth, int cellHeight);
 
 /// Whether the colours of a picture are sRGB, since they are those of the colour's picture and nothing else; its numbers are linear otherwise.

@@ -881,6 +881,53 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::FlipbookExtras</name>
+    <message>
+        <source>Leave out empty frames</source>
+        <translation>Utelämna tomma bildrutor</translation>
+    </message>
+    <message>
+        <source>Sides that are powers of two</source>
+        <translation>Sidor som är tvåpotenser</translation>
+    </message>
+    <message>
+        <source>Choose the frames by a curve</source>
+        <translation>Välj bildrutorna med en kurva</translation>
+    </message>
+    <message>
+        <source>Add a packed picture</source>
+        <translation>Lägg till en packad bild</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mer</translation>
+    </message>
+    <message>
+        <source>Cells become as large as the nearest power of two; with 1, 2, 4 to 64 columns and rows</source>
+        <translation>Celler blir så stora som närmaste tvåpotens; med 1, 2, 4 till 64 kolumner och rader</translation>
+    </message>
+    <message>
+        <source>From left to right through the cells, from bottom to top through the frames: level is still, falling is backwards</source>
+        <translation>Från vänster till höger genom cellerna, nedifrån och upp genom bildrutorna: plant är stilla, fallande är baklänges</translation>
+    </message>
+    <message>
+        <source>Frames by cells</source>
+        <translation>Bildrutor efter celler</translation>
+    </message>
+    <message>
+        <source>A picture whose channels are those of passes that you choose</source>
+        <translation>En bild vars kanaler är de av passen som du väljer</translation>
+    </message>
+    <message>
+        <source>Not of a loop, which would no longer close</source>
+        <translation>Inte av en slinga, som då inte längre skulle gå ihop</translation>
+    </message>
+    <message>
+        <source>Frames without smoke at the beginning and the end have no cells</source>
+        <translation>Bildrutor utan rök i början och slutet får inga celler</translation>
+    </message>
+</context>
+<context>
     <name>Gizmos</name>
     <message>
         <source>Emitter</source>
@@ -1635,10 +1682,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>den packade bilden %1 har %2 kanaler</translation>
     </message>
     <message>
-        <source>Use up to four: red, green, blue and alpha</source>
-        <translation>Använd högst fyra: röd, grön, blå och alfa</translation>
-    </message>
-    <message>
         <source>there are %1 packed pictures</source>
         <translation>det är %1 packade bilder</translation>
     </message>
@@ -1681,6 +1724,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Switch the loop off, or the trimming</source>
         <translation>Stäng av slingan, eller beskärningen</translation>
+    </message>
+    <message>
+        <source>Use one to four: red, green, blue and alpha</source>
+        <translation>Använd en till fyra: röd, grön, blå och alfa</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1836,49 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>%1 is the smallest.</source>
         <translation>%1 är det minsta.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PackRow</name>
+    <message>
+        <source>Name of the packed picture</source>
+        <translation>Den packade bildens namn</translation>
+    </message>
+    <message>
+        <source>Stands behind the name of the sheet</source>
+        <translation>Står efter arkets namn</translation>
+    </message>
+    <message>
+        <source>Size of the packed picture</source>
+        <translation>Den packade bildens storlek</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Röd</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grön</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blå</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alfa</translation>
+    </message>
+    <message>
+        <source>Full size</source>
+        <translation>Full storlek</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Ingenting</translation>
     </message>
 </context>
 <context>

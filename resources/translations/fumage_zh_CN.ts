@@ -881,6 +881,53 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::FlipbookExtras</name>
+    <message>
+        <source>Leave out empty frames</source>
+        <translation>去掉空帧</translation>
+    </message>
+    <message>
+        <source>Sides that are powers of two</source>
+        <translation>边长为 2 的幂</translation>
+    </message>
+    <message>
+        <source>Choose the frames by a curve</source>
+        <translation>用曲线选择帧</translation>
+    </message>
+    <message>
+        <source>Add a packed picture</source>
+        <translation>添加打包图片</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Cells become as large as the nearest power of two; with 1, 2, 4 to 64 columns and rows</source>
+        <translation>单元格取最接近的 2 的幂；列数和行数须为 1、2、4 至 64</translation>
+    </message>
+    <message>
+        <source>From left to right through the cells, from bottom to top through the frames: level is still, falling is backwards</source>
+        <translation>从左到右经过各单元格，从下到上经过各帧：水平为静止，下降为倒放</translation>
+    </message>
+    <message>
+        <source>Frames by cells</source>
+        <translation>单元格对应的帧</translation>
+    </message>
+    <message>
+        <source>A picture whose channels are those of passes that you choose</source>
+        <translation>各通道由您从通道图中选择的图片</translation>
+    </message>
+    <message>
+        <source>Not of a loop, which would no longer close</source>
+        <translation>循环除外，否则将无法首尾相接</translation>
+    </message>
+    <message>
+        <source>Frames without smoke at the beginning and the end have no cells</source>
+        <translation>开头和结尾没有烟雾的帧不占单元格</translation>
+    </message>
+</context>
+<context>
     <name>Gizmos</name>
     <message>
         <source>Emitter</source>
@@ -1635,10 +1682,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>打包图片 %1 有 %2 个通道</translation>
     </message>
     <message>
-        <source>Use up to four: red, green, blue and alpha</source>
-        <translation>最多四个：红、绿、蓝和 alpha</translation>
-    </message>
-    <message>
         <source>there are %1 packed pictures</source>
         <translation>有 %1 张打包图片</translation>
     </message>
@@ -1681,6 +1724,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Switch the loop off, or the trimming</source>
         <translation>请关闭循环，或关闭裁剪</translation>
+    </message>
+    <message>
+        <source>Use one to four: red, green, blue and alpha</source>
+        <translation>使用一到四个：红、绿、蓝和 alpha</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1836,49 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>%1 is the smallest.</source>
         <translation>最小为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PackRow</name>
+    <message>
+        <source>Name of the packed picture</source>
+        <translation>打包图片的名称</translation>
+    </message>
+    <message>
+        <source>Stands behind the name of the sheet</source>
+        <translation>接在序列帧图集名称之后</translation>
+    </message>
+    <message>
+        <source>Size of the packed picture</source>
+        <translation>打包图片的大小</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Full size</source>
+        <translation>完整大小</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>
