@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/optimise.h"
 #include "app/cli/pass_options.h"
 #include "app/cli/picture_options.h"
 
@@ -20,6 +21,7 @@ struct FlipbookArguments {
     bool powerOfTwo = false;
     bool trim = false;
     std::string retime;
+    std::string budget;
 };
 
 /// Which edges, which frames, and what would help.
@@ -67,9 +69,8 @@ Status tellSize(const PictureJob& job)
     return Done{};
 }
 
-Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
+Result<PictureJob> jobOf(const FlipbookArguments& arguments, const NamedPreset& named)
 {
-    const NamedPreset named = namedForItsGrid(arguments, unnumbered);
     Result<PictureJob> job = arguments.picture.jobFor(named);
     if (!job) {
         return job.error();
@@ -77,10 +78,10 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
     ExportPlan& plan = job.value().plan;
     plan.kind = ExportKind::Flipbook;
     if (Status status = parseGrid(arguments.grid, plan.columns, plan.rows); !status) {
-        return status;
+        return status.error();
     }
     if (Status status = arguments.passes.applyTo(plan); !status) {
-        return status;
+        return status.error();
     }
     plan.powerOfTwo = arguments.powerOfTwo;
     plan.trim = arguments.trim;
@@ -92,6 +93,37 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
             return error;
         }
         plan.retime = curve.value();
+    }
+    return job;
+}
+
+/// The same for the grid and the cells that play best within the budget.
+Result<FlipbookArguments> optimised(FlipbookArguments arguments, const NamedPreset& named)
+{
+    const Result<PictureJob> job = jobOf(arguments, named);
+    if (!job) {
+        return job.error();
+    }
+    const Result<SheetCandidate> best = chooseSheet(job.value(), arguments.budget);
+    if (!best) {
+        return best.error();
+    }
+    arguments.budget.clear();
+    arguments.grid = std::to_string(best.value().columns) + "x" + std::to_string(best.value().rows);
+    arguments.picture.size = std::to_string(best.value().width) + "x" + std::to_string(best.value().height);
+    return arguments;
+}
+
+Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
+{
+    if (!arguments.budget.empty()) {
+        const Result<FlipbookArguments> chosen = optimised(arguments, unnumbered);
+        return chosen ? renderOne(chosen.value(), unnumbered) : chosen.error();
+    }
+    const NamedPreset named = namedForItsGrid(arguments, unnumbered);
+    const Result<PictureJob> job = jobOf(arguments, named);
+    if (!job) {
+        return job.error();
     }
     if (Status status = tellSize(job.value()); !status) {
         return status;
@@ -119,8 +151,13 @@ void addFlipbook(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     arguments->picture.addFormat(*command);
-    command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    CLI::Option* grid = command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
+    command->add_option("--optimise", arguments->budget,
+               "Memory that the pictures may take as BC7, such as 4MB: tries grids with cells as large as fits, at most --size, prints how well each plays, and takes the best")
+        ->type_name("BUDGET")
+        ->option_text("BUDGET")
+        ->excludes(grid);
     command->add_flag("--trim", arguments->trim, "Leave out frames without smoke at the beginning and the end; not of a loop, which would no longer close");
     command->add_option("--retime", arguments->retime,
                "Which frames the cells show: points of a curve from the share of the cells to the share of the frames, such as [[0,0],[0.3,0.6],[1,1]] for a quick "

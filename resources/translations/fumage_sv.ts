@@ -1729,6 +1729,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Use one to four: red, green, blue and alpha</source>
         <translation>Använd en till fyra: röd, grön, blå och alfa</translation>
     </message>
+    <message>
+        <source>no sheet fits into %1 bytes, or the frames fill none</source>
+        <translation>inget ark ryms i %1 byte, eller så fyller bildrutorna inget</translation>
+    </message>
+    <message>
+        <source>Allow more memory, fewer passes or more frames</source>
+        <translation>Tillåt mer minne, färre pass eller fler bildrutor</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -1729,6 +1729,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Use one to four: red, green, blue and alpha</source>
         <translation>使用一到四个：红、绿、蓝和 alpha</translation>
     </message>
+    <message>
+        <source>no sheet fits into %1 bytes, or the frames fill none</source>
+        <translation>没有序列帧图集能放进 %1 字节，或帧数不足以填满</translation>
+    </message>
+    <message>
+        <source>Allow more memory, fewer passes or more frames</source>
+        <translation>请增加内存、减少通道图或增加帧数</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -87,6 +87,7 @@ private slots:
         QCOMPARE(run({"rendr"}).code, 2);
         QCOMPARE(run({"render"}).code, 2);
         QCOMPARE(run({"render", "default", "--colour", "red"}).code, 2);
+        QCOMPARE(run({"flipbook", "default", "--grid", "4", "--optimise", "4MB"}).code, 2);
     }
 
     void badValuesAreThree_data()
@@ -106,6 +107,8 @@ private slots:
         row("pass", {"flipbook", "default", "--passes", "colour,sixway"}, "six-way");
         row("no pass", {"flipbook", "default", "--passes", ","}, "--passes");
         row("grid that is no power of two", {"flipbook", "default", "--grid", "6x5", "--power-of-two"}, "6 x 5 cells");
+        row("budget without a unit", {"flipbook", "default", "--optimise", "4"}, "--optimise: the budget \"4\" is not understood");
+        row("budget that fits nothing", {"flipbook", "thesis-2012", "--optimise", "0.1KB", "-f", "0-9"}, "no sheet fits into 102 bytes");
         row("curve that is none", {"flipbook", "default", "--retime", "fast"}, "--retime: expected a list");
         row("curve beyond the end", {"flipbook", "default", "--retime", "[[0,0],[1,2]]"}, "between 0 and 1");
         row("trimmed loop", {"flipbook", "thesis-2012", "--set", "timeline.loop=true", "--trim"}, "loop");
@@ -387,6 +390,8 @@ private slots:
         row("no name", {"render", "thesis-2012", "-f", "7"}, {"thesis-2012.png"});
         row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"}, {"d/default.png", "d/thesis-2012.png"});
         row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
+        row("the best that fits", {"flipbook", "thesis-2012", "--for", "pixi", "-f", "0-9", "--optimise", "4KB", "-o", "d"},
+            {"d/thesis-2012_4x2.atlas.json", "d/thesis-2012_4x2.flipbook.json", "d/thesis-2012_4x2.png"});
         row("trimmed and retimed", {"flipbook", "thesis-2012", "--grid", "2", "-f", "0-9", "--trim", "--retime", "[[0,1],[1,0]]", "-o", "x"}, {"x.flipbook.json", "x.png"});
         row("packed pictures", {"flipbook", "--pack", "a=alpha", "thesis-2012", "--pack", "b=depth,1@1/2", "--passes", "none", "--grid", "1", "-f", "7", "-o", "x"}, {"x.flipbook.json", "x_a.png", "x_b.png"});
         row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});

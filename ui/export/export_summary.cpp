@@ -23,18 +23,6 @@ Status checkFlipbook(const ExportPlan& plan, const Effect& effect)
     return cell ? checkPacks(plan.packs, cell.value().width, cell.value().height) : Status(cell.error());
 }
 
-SheetMemory memoryOf(const ExportPlan& plan, int width, int height)
-{
-    const auto passes = picturesOf(flipbookOf(plan)).size() - plan.packs.size();
-    SheetMemory sum = memoryOf(width, height, static_cast<int>(passes), plan.format);
-    for (const PackedPicture& pack : plan.packs) {
-        const SheetMemory one = memoryOf(width / pack.divisor, height / pack.divisor, 1, plan.format);
-        sum.compressed += one.compressed;
-        sum.plain += one.plain;
-    }
-    return sum;
-}
-
 QString flipbookSummary(const ExportPlan& plan, const Output& cell)
 {
     const QString first = toQString(firstFile(plan).filename().string());
@@ -43,7 +31,7 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
     const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
     const QString files = more > 1 ? ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(width).arg(height).arg(more)
                                    : ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(width).arg(height);
-    const SheetMemory memory = memoryOf(plan, width, height);
+    const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height);
     const QLocale locale;
     return files + QLatin1Char('\n') + ExportDialog::tr("On the graphics card: %1 as BC7, %2 uncompressed").arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
 }
