@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/optimise.h"
 #include "app/cli/pass_options.h"
 #include "app/cli/picture_options.h"
 
@@ -17,6 +18,10 @@ struct FlipbookArguments {
     PictureOptions picture;
     std::string grid = "8x8";
     PassOptions passes;
+    bool powerOfTwo = false;
+    bool trim = false;
+    std::string retime;
+    std::string budget;
 };
 
 /// Which edges, which frames, and what would help.
@@ -49,9 +54,23 @@ NamedPreset namedForItsGrid(const FlipbookArguments& arguments, NamedPreset name
     return named;
 }
 
-Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
+/// Cells may have to be of another size than was asked for.
+Status tellSize(const PictureJob& job)
 {
-    const NamedPreset named = namedForItsGrid(arguments, unnumbered);
+    const Result<Output> output = outputFor(job.effect, job.plan);
+    if (!output) {
+        return output.error();
+    }
+    const int width = output.value().width;
+    const int height = output.value().height;
+    if (width != job.effect.output.width || height != job.effect.output.height) {
+        tell("cells are " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and the sheet " + std::to_string(width * job.plan.columns) + " x " + std::to_string(height * job.plan.rows));
+    }
+    return Done{};
+}
+
+Result<PictureJob> jobOf(const FlipbookArguments& arguments, const NamedPreset& named)
+{
     Result<PictureJob> job = arguments.picture.jobFor(named);
     if (!job) {
         return job.error();
@@ -59,9 +78,54 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
     ExportPlan& plan = job.value().plan;
     plan.kind = ExportKind::Flipbook;
     if (Status status = parseGrid(arguments.grid, plan.columns, plan.rows); !status) {
-        return status;
+        return status.error();
     }
     if (Status status = arguments.passes.applyTo(plan); !status) {
+        return status.error();
+    }
+    plan.powerOfTwo = arguments.powerOfTwo;
+    plan.trim = arguments.trim;
+    if (!arguments.retime.empty()) {
+        const Result<Curve> curve = parseRetime(arguments.retime);
+        if (!curve) {
+            Error error = curve.error();
+            error.place = std::string("--retime");
+            return error;
+        }
+        plan.retime = curve.value();
+    }
+    return job;
+}
+
+/// The same for the grid and the cells that play best within the budget.
+Result<FlipbookArguments> optimised(FlipbookArguments arguments, const NamedPreset& named)
+{
+    const Result<PictureJob> job = jobOf(arguments, named);
+    if (!job) {
+        return job.error();
+    }
+    const Result<SheetCandidate> best = chooseSheet(job.value(), arguments.budget);
+    if (!best) {
+        return best.error();
+    }
+    arguments.budget.clear();
+    arguments.grid = std::to_string(best.value().columns) + "x" + std::to_string(best.value().rows);
+    arguments.picture.size = std::to_string(best.value().width) + "x" + std::to_string(best.value().height);
+    return arguments;
+}
+
+Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumbered)
+{
+    if (!arguments.budget.empty()) {
+        const Result<FlipbookArguments> chosen = optimised(arguments, unnumbered);
+        return chosen ? renderOne(chosen.value(), unnumbered) : chosen.error();
+    }
+    const NamedPreset named = namedForItsGrid(arguments, unnumbered);
+    const Result<PictureJob> job = jobOf(arguments, named);
+    if (!job) {
+        return job.error();
+    }
+    if (Status status = tellSize(job.value()); !status) {
         return status;
     }
     const Result<std::optional<Flipbook>> done = writePictures(job.value());
@@ -87,18 +151,33 @@ void addFlipbook(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     arguments->picture.addFormat(*command);
-    command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    CLI::Option* grid = command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
+    command->add_option("--optimise", arguments->budget,
+               "Memory that the pictures may take as BC7, such as 4MB: tries grids with cells as large as fits, at most --size, prints how well each plays, and takes the best")
+        ->type_name("BUDGET")
+        ->option_text("BUDGET")
+        ->excludes(grid);
+    command->add_flag("--trim", arguments->trim, "Leave out frames without smoke at the beginning and the end; not of a loop, which would no longer close");
+    command->add_option("--retime", arguments->retime,
+               "Which frames the cells show: points of a curve from the share of the cells to the share of the frames, such as [[0,0],[0.3,0.6],[1,1]] for a quick "
+               "beginning. Level is still, falling is backwards; the whole takes the same time")
+        ->type_name("CURVE")
+        ->option_text("CURVE");
     arguments->passes.addTo(*command);
+    arguments->passes.addPackTo(*command);
     command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
                     "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"
                     "--for an engine writes what makes it play: a scene and a shader for Godot, scripts that import the textures for Unity and Unreal, a project for\n"
                     "Effekseer, TexturePacker's JSON for PixiJS and Phaser, a tile source for Defold, or one web page that plays the sheet by itself.\n"
                     "Passes are pictures of their own: smoke_sixway_a.png, smoke_sixway_b.png, smoke_motion.png. They are linear: engines must not take them for sRGB. The\n"
                     "side-car says what their channels are, and the scale that light and vectors are multiplied by.\n"
+                    "--pack puts channels of any passes into a picture of its own, at a resolution of its own; the side-car says what each holds. Only what is asked for is rendered.\n"
                     "Examples:\n"
                     "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
                     "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png\n"
                     "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png\n"
+                    "  fumage-cli flipbook explosion --pack masks=shadow,temperature,alpha@1/2 --pack light=six-way-a.r,six-way-a.g,0,1 --output boom.png\n"
                     "  fumage-cli flipbook chimney --for godot --size 256 --output project/smoke/");
     command->callback([arguments, &action] { action = [arguments] { return flipbook(*arguments); }; });
 }

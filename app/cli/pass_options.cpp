@@ -28,6 +28,9 @@ Enum named(const std::string& name)
 Result<PassSet> parsePasses(const std::string& text)
 {
     PassSet passes;
+    if (trimmed(text) == "none") {
+        return passes;
+    }
     for (std::string_view rest = text; !rest.empty();) {
         const std::string_view word = trimmed(rest.substr(0, rest.find(',')));
         rest.remove_prefix(std::min(rest.size(), rest.find(',') == std::string_view::npos ? rest.size() : rest.find(',') + 1));
@@ -61,7 +64,7 @@ void PassOptions::addTo(CLI::App& command)
         ->capture_default_str();
     command.add_option("--passes", passes,
                "Pictures to write, with commas between: colour, alpha, six-way (light maps), motion (vectors), normal, depth, emission, albedo, "
-               "temperature, shadow, all. Default: colour, or what --for makes use of")
+               "temperature, shadow, all; none beside --pack. Default: colour, or what --for makes use of")
         ->type_name("LIST");
     command.add_option("--layout", layout,
                "Channels of the light maps: unity (right top back alpha, left bottom front emissive; the default), embergen (top left right, "
@@ -73,6 +76,18 @@ void PassOptions::addTo(CLI::App& command)
     command.add_option("--alpha", alpha,
                "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR")
         ->check(CLI::IsMember({"straight", "premultiplied"}));
+}
+
+void PassOptions::addPackTo(CLI::App& command)
+{
+    command.add_option("--pack", packs,
+               "A picture with channels of your choice: masks=shadow,temperature,alpha makes smoke_masks.png. One to four, each a pass of one number "
+               "(alpha, depth, temperature, shadow), a channel of another (colour.r, six-way-a.g, motion.r, normal.b), 0 or 1; at the end @1/2 to @1/16 "
+               "for fewer pixels. Up to five times")
+        ->type_name("NAME=CHANNELS[@SCALE]")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->option_text("NAME=CHANNELS[@SCALE]");
 }
 
 void PassOptions::addLayersTo(CLI::App& command)
@@ -104,6 +119,15 @@ Status PassOptions::applyTo(ExportPlan& plan) const
     }
     if (!alpha.empty()) {
         plan.style.premultiplied = alpha == "premultiplied";
+    }
+    for (const std::string& text : packs) {
+        const Result<PackedPicture> pack = parsePack(text);
+        if (!pack) {
+            Error error = pack.error();
+            error.place = std::string("--pack");
+            return error;
+        }
+        plan.packs.push_back(pack.value());
     }
     return Done{};
 }

@@ -13,9 +13,12 @@ struct PassOptions {
     std::string layout;
     std::string vectors;
     std::string alpha;
+    std::vector<std::string> packs;
 
     /// Those of flipbooks.
     void addTo(CLI::App& command);
+    /// Adds what only flipbooks have: pictures that are packed.
+    void addPackTo(CLI::App& command);
     /// Those of frames, whose passes are layers.
     void addLayersTo(CLI::App& command);
     /// Whether somebody has said what is to play it.
@@ -24,7 +27,7 @@ struct PassOptions {
     [[nodiscard]] Status applyTo(ExportPlan& plan) const;
 };
 
-/// Reads "colour,six-way,motion"; "six-way" is both maps, "all" all there are.
+/// Reads "colour,six-way,motion"; "six-way" is both maps, "all" all there are, and "none" alone none.
 /// @error UnknownName
 [[nodiscard]] Result<PassSet> parsePasses(const std::string& text);
 

@@ -14,7 +14,7 @@ namespace fumage::cli {
 
 namespace {
 
-const std::map<std::string, ImageFormat> kFormats{{"png", ImageFormat::Png8}, {"png16", ImageFormat::Png16}, {"exr", ImageFormat::ExrHalf}, {"exr32", ImageFormat::ExrFloat}};
+const std::map<std::string, ImageFormat> kFormats{{"png", ImageFormat::Png8}, {"png16", ImageFormat::Png16}, {"exr", ImageFormat::ExrHalf}, {"exr32", ImageFormat::ExrFloat}, {"tga", ImageFormat::Tga}};
 
 } // namespace
 
@@ -53,8 +53,8 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
 
 void PictureOptions::addFormat(CLI::App& command)
 {
-    command.add_flag("!--no-preset", carriesPreset, "Leave the preset out of the pictures, which else open as it");
-    command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32"}));
+    command.add_flag("!--no-preset", carriesPreset, "Leave the preset out of the pictures, which else open as it; TGA never has it");
+    command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float), tga (8 bit). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32", "tga"}));
 }
 
 Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
@@ -96,7 +96,7 @@ Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named) co
 
 Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan)
 {
-    static constexpr std::array<std::string_view, 2> kEndings{".png", ".exr"};
+    static constexpr std::array<std::string_view, 3> kEndings{".png", ".exr", ".tga"};
     plan.output = output;
     if (!formatName.empty()) {
         plan.format = kFormats.at(formatName);

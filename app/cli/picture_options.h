@@ -42,7 +42,7 @@ struct PictureOptions {
 
 /// Fills in format and path of a plan for pictures.
 /// @param output     as the user named it
-/// @param formatName png, png16, exr, exr32; empty: by the ending of the output
+/// @param formatName png, png16, exr, exr32, tga; empty: by the ending of the output
 /// @param name       what the file is called where only a folder is named
 [[nodiscard]] Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan);
 

@@ -2,6 +2,8 @@
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/effect/value.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/flipbook_description.h"
 #include "core/export/sheet.h"
@@ -33,13 +35,19 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     if (Status status = checkEngine(options.engine, options.passes, options.format); !status) {
         return status;
     }
+    if (Status status = checkPacks(options.packs, effect.output.width, effect.output.height); !status) {
+        return status;
+    }
+    if (options.passes == PassSet() && options.packs.empty()) {
+        return Error{ErrorCode::OutOfRange, said("no pass is asked for"), {}, said("Choose one, or a packed picture")};
+    }
     const int cells = options.columns * options.rows;
     if (options.frames.count() < cells) {
         return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", options.frames.count(), cells), {}, said("Choose more frames or fewer columns and rows")};
     }
     const std::int64_t width = static_cast<std::int64_t>(effect.output.width) * options.columns;
     const std::int64_t height = static_cast<std::int64_t>(effect.output.height) * options.rows;
-    if (width > kMaxSheetEdge || height > kMaxSheetEdge || width * height > static_cast<std::int64_t>(kMaxSheetPixels) || width * height * layersOf(options.passes) > static_cast<std::int64_t>(kMaxLayerPixels)) {
+    if (width > kMaxSheetEdge || height > kMaxSheetEdge || width * height > static_cast<std::int64_t>(kMaxSheetPixels) || width * height * layersOf(renderedPasses(options)) > static_cast<std::int64_t>(kMaxLayerPixels)) {
         return Error{ErrorCode::TooLarge, said("a flipbook of %1 x %2 pixels", width, height), {}, said("Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all", kMaxSheetEdge, kMaxSheetPixels >> 20U)};
     }
     return Done{};
@@ -112,7 +120,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
 {
     const SampledEffect smoke = sampled(effect);
     BorderWatch borders(smoke);
-    PassSet rendered = options.passes;
+    PassSet rendered = renderedPasses(options);
     rendered.add(Pass::Alpha); // it tells what is cut off
     const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) { borders.look(cell.of(PassLayer::Colour), frame, appearance); };
     if (Status status = renderSheet(effect, framesOfCells(options), options.columns, rendered, sheet, look, progress, stop); !status) {
@@ -141,20 +149,27 @@ std::vector<Pass> listOf(PassSet passes)
 }
 
 /// The bytes of all pictures, each on a thread of its own.
-Result<std::vector<std::vector<std::byte>>> encodePasses(const PassSheet& sheet, const PassPictures& pictures, const Effect& effect, const FlipbookOptions& options, const std::stop_token& stop)
+Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& sheet, const PassPictures& pictures, const Effect& effect, const FlipbookOptions& options, const std::stop_token& stop)
 {
     const std::vector<Pass> passes = listOf(options.passes);
-    const PictureNotes notes{0, options.preset, options.frames.first};
-    std::vector<Result<std::vector<std::byte>>> encoded(passes.size(), std::vector<std::byte>());
-    parallelFor(passes.size(), [&](std::size_t i) {
-        encoded[i] = passes[i] == Pass::Colour ? encodeColour(sheet, effect, options.format, notes)
-                                               : encodeData(pictures.picture(passes[i]), options.format, notes, stop);
+    const std::vector<std::filesystem::path> files = picturesOf(options);
+    const PictureNotes notes{0, options.preset, frameOfCell(options, 0)};
+    const Packer packer(sheet, pictures, options.style, effect, options.format);
+    std::vector<Result<std::vector<std::byte>>> encoded(files.size(), std::vector<std::byte>());
+    parallelFor(files.size(), [&](std::size_t i) {
+        if (i >= passes.size()) {
+            encoded[i] = encodeData(packer.pack(options.packs[i - passes.size()]), options.format, notes, stop);
+        } else if (passes[i] == Pass::Colour) {
+            encoded[i] = encodeColour(sheet, effect, options.format, notes);
+        } else {
+            encoded[i] = encodeData(pictures.picture(passes[i]), options.format, notes, stop);
+        }
     });
     std::vector<std::vector<std::byte>> out;
-    for (std::size_t i = 0; i < passes.size(); ++i) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
         if (!encoded[i]) {
             Error error = encoded[i].error();
-            error.place = pictureOf(withEnding(options.output, fileEnding(options.format)), passes[i]).string();
+            error.place = files[i].string();
             return error;
         }
         out.push_back(std::move(encoded[i]).value());
@@ -167,18 +182,49 @@ EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, co
     EngineSheet sheet{effect, options.columns, options.rows, flipbook.cellsPerSecond, options.style, scales, {}};
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
+    const auto areVectors = [](Pass pass) { return pass == Pass::Motion || pass == Pass::Normal; };
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        sheet.pictures.push_back({passes[i], files[i], bytes[i]});
+        sheet.pictures.push_back({passes[i], files[i], bytes[i], passes[i] == Pass::Colour, areVectors(passes[i])});
+    }
+    for (std::size_t i = passes.size(); i < files.size(); ++i) {
+        const PackedPicture& pack = options.packs[i - passes.size()];
+        const PassSet packed = passesOf(std::span(&pack, 1));
+        sheet.pictures.push_back({{}, files[i], bytes[i], isSrgb(pack, options.format), packed.hasAny({Pass::Motion, Pass::Normal})});
     }
     return sheet;
 }
 
+/// The picture with a name of its own before the ending.
+std::filesystem::path besides(const std::filesystem::path& picture, const std::string& name)
+{
+    return picture.parent_path() / (picture.stem().string() + "_" + name + picture.extension().string());
+}
+
 } // namespace
+
+Result<Curve> parseRetime(std::string_view text)
+{
+    const Parameter shares{.kind = Kind::Curve, .hard = {0.0, 1.0}};
+    const Result<Clamped> read = parseValue(shares, text);
+    if (!read) {
+        return read.error();
+    }
+    if (clampValue(shares, read.value().value).changed) {
+        return Error{ErrorCode::OutOfRange, said("the points %1 do not lie between 0 and 1, from left to right", inQuotes(text)), {}, said("Write [[0, 0], [0.3, 0.6], [1, 1]]")};
+    }
+    return std::get<Curve>(read.value().value);
+}
 
 int frameOfCell(const FlipbookOptions& options, int cell)
 {
-    const std::int64_t index = static_cast<std::int64_t>(cell) * options.frames.count() / (options.columns * options.rows);
-    return options.frames.at(static_cast<int>(index));
+    const int cells = options.columns * options.rows;
+    const int count = options.frames.count();
+    if (!options.retime) {
+        return options.frames.at(static_cast<int>(static_cast<std::int64_t>(cell) * count / cells));
+    }
+    constexpr double kRounding = 1e-4; // of the curve: a straight one gives what none gives
+    const double share = static_cast<double>(options.retime->at(static_cast<float>(cell) / static_cast<float>(cells)));
+    return options.frames.at(std::clamp(static_cast<int>(share * count + kRounding), 0, count - 1));
 }
 
 std::vector<int> framesOfCells(const FlipbookOptions& options)
@@ -201,12 +247,16 @@ std::filesystem::path descriptionOf(const std::filesystem::path& picture)
     return std::filesystem::path(picture).replace_extension(".flipbook.json");
 }
 
+PassSet renderedPasses(const FlipbookOptions& options)
+{
+    PassSet passes = passesOf(options.packs);
+    passes.add(options.passes);
+    return passes;
+}
+
 std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass)
 {
-    if (pass == Pass::Colour) {
-        return picture;
-    }
-    return picture.parent_path() / (picture.stem().string() + "_" + fileNameOf(pass) + picture.extension().string());
+    return pass == Pass::Colour ? picture : besides(picture, fileNameOf(pass));
 }
 
 std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
@@ -215,6 +265,9 @@ std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
     std::vector<std::filesystem::path> files;
     for (const Pass pass : listOf(options.passes)) {
         files.push_back(pictureOf(picture, pass));
+    }
+    for (const PackedPicture& pack : options.packs) {
+        files.push_back(besides(picture, pack.name));
     }
     return files;
 }
@@ -249,8 +302,8 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     if (Status status = renderCells(effect, options, sheet, flipbook, progress, stop); !status) {
         return status.error();
     }
-    const PassPictures pictures(sheet, options.passes, options.style);
-    const Result<std::vector<std::vector<std::byte>>> bytes = encodePasses(sheet, pictures, effect, options, stop);
+    const PassPictures pictures(sheet, renderedPasses(options), options.style);
+    const Result<std::vector<std::vector<std::byte>>> bytes = encodePictures(sheet, pictures, effect, options, stop);
     if (!bytes) {
         return bytes.error();
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/engines/engine.h"
+#include "core/export/packing.h"
 #include "core/export/sequence.h"
 
 #include <optional>
@@ -21,10 +22,15 @@ struct FlipbookOptions {
     int rows = 8;
     FrameRange frames; ///< at least as many as cells; spread evenly over them
     ImageFormat format = ImageFormat::Png8;
-    PassSet passes{Pass::Colour}; ///< one picture each; one or more
+    PassSet passes{Pass::Colour}; ///< one picture each; none only beside packed ones
     PassStyle style; ///< of those that are not the colour
     Engine engine = Engine::Generic; ///< the files that make it play are written, too
     std::string preset{}; ///< that the pictures carry, as JSON; empty: none
+    /// Which frames the cells show: the share of the way through the frames, 0 to 1, by the share of the way through the cells. Where it is level, smoke stands still,
+    /// and where it falls, it goes back. The sheet is played in the same time. None: in even steps.
+    std::optional<Curve> retime{};
+    std::optional<FrameRange> untrimmed{}; ///< the frames before empty ones were left out, for the side-car
+    std::vector<PackedPicture> packs{}; ///< more pictures; the sheet is rendered for their passes, too
 };
 
 /// Smoke that reaches the border of cells: it ends there abruptly, and seeps into the next cell when filtered.
@@ -45,6 +51,10 @@ struct Flipbook {
     std::optional<CutOff> cutOff; ///< where edgeAlpha reaches 1/255
 };
 
+/// Reads points as curves of parameters have them, "[[0, 0], [0.3, 0.6], [1, 1]]".
+/// @error WrongType; OutOfRange where they do not lie between 0 and 1, from left to right
+[[nodiscard]] Result<Curve> parseRetime(std::string_view text);
+
 /// Frame that a cell shows.
 /// @param cell 0 at the top left, counted along rows
 [[nodiscard]] int frameOfCell(const FlipbookOptions& options, int cell);
@@ -58,11 +68,14 @@ struct Flipbook {
 /// The file beside the picture of a flipbook that says how it is to be played.
 [[nodiscard]] std::filesystem::path descriptionOf(const std::filesystem::path& picture);
 
+/// All passes that a flipbook is rendered for, be it to be packed.
+[[nodiscard]] PassSet renderedPasses(const FlipbookOptions& options);
+
 /// The picture of a pass: the colour's has the name that was given, others have what they are before the ending, as in smoke_sixway_a.png.
 /// @param picture with its ending
 [[nodiscard]] std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass);
 
-/// All files that a flipbook is made of: its pictures in the order of the passes, what its engine needs, then the description.
+/// All files that a flipbook is made of: its pictures in the order of the passes, packed ones, what its engine needs, then the description.
 [[nodiscard]] std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options);
 /// The pictures alone.
 [[nodiscard]] std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options);
@@ -71,7 +84,7 @@ struct Flipbook {
 /// Godot and Effekseer read them. PNG: straight alpha in which transparent pixels have the colour of the smoke next to them, so that filtering and
 /// mipmaps bring no dark rims. Other passes are pictures of their own beside it, linear and without view transform. NAME.flipbook.json says how it is to be played (not NAME.json, which may be a preset). What makes an engine play it lies beside
 /// it, too. All are written whole or not at all.
-/// @error TooLarge before allocating, OutOfRange, those of checkEngine() and renderSequence()
+/// @error TooLarge before allocating, OutOfRange, those of checkEngine(), checkPacks() and renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -1,5 +1,7 @@
 #include "core/export/flipbook_description.h"
 
+#include "core/base/text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace fumage {
@@ -37,6 +39,21 @@ Json channelsOfPass(Pass pass, const PassStyle& style)
     return {"red", "green", "blue", "alpha"};
 }
 
+/// Whether numbers are multiplied by alpha, and how those that may be negative are stored.
+void describeEncoding(Pass pass, const PassStyle& style, bool shown, Json& json)
+{
+    const bool hasAlpha = pass == Pass::SixWayA || pass == Pass::SixWayB || pass == Pass::Emission || pass == Pass::Albedo;
+    if (pass == Pass::Colour) {
+        json["alpha"] = shown ? "straight" : "premultiplied";
+    } else if (hasAlpha) {
+        json["alpha"] = style.premultiplied ? "premultiplied" : "straight";
+    }
+    if (shown && (pass == Pass::Motion || pass == Pass::Normal)) {
+        json["centre"] = 0.5;
+        json["encoding"] = "number = 2 * stored - 1";
+    }
+}
+
 /// How numbers become what they mean: value = number * scale + offset.
 void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, Json& json)
 {
@@ -61,33 +78,65 @@ void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, 
     }
 }
 
+/// A picture that somebody has packed: where each channel is from, what it holds, and how it is read.
+Json describePacked(const PackedPicture& pack, const std::string& file, const Effect& effect, const FlipbookOptions& options, const PassScales& scales)
+{
+    const bool shown = !holdsFloats(options.format);
+    Json json;
+    json["packed"] = pack.name;
+    json["file"] = file;
+    json["colour"] = isSrgb(pack, options.format) ? "sRGB" : "linear";
+    json["cell_width"] = effect.output.width / pack.divisor;
+    json["cell_height"] = effect.output.height / pack.divisor;
+    json["channels"] = Json::array();
+    for (const PackedChannel& channel : pack.channels) {
+        Json each;
+        each["from"] = textOf(channel);
+        if (channel.pass) {
+            const Json names = channelsOfPass(*channel.pass, options.style);
+            each["holds"] = names[static_cast<std::size_t>(channel.channel)];
+            each["linear"] = !shown || *channel.pass != Pass::Colour || channel.channel == 3;
+            describeEncoding(*channel.pass, options.style, shown, each);
+            describeScale(*channel.pass, scales, options.style, each);
+        }
+        json["channels"].push_back(each);
+    }
+    return json;
+}
+
 Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& options, const PassScales& scales)
 {
-    const bool png = fileEnding(options.format) == ".png";
+    const bool shown = !holdsFloats(options.format);
     Json json;
     json["pass"] = std::string(passName(pass));
     json["file"] = file;
-    json["colour"] = pass == Pass::Colour && png ? "sRGB" : "linear";
+    json["colour"] = pass == Pass::Colour && shown ? "sRGB" : "linear";
     json["channels"] = channelsOfPass(pass, options.style);
-    const bool hasAlpha = pass == Pass::SixWayA || pass == Pass::SixWayB || pass == Pass::Emission || pass == Pass::Albedo;
-    if (pass == Pass::Colour) {
-        json["alpha"] = png ? "straight" : "premultiplied";
-    } else if (hasAlpha) {
-        json["alpha"] = options.style.premultiplied ? "premultiplied" : "straight";
-    }
-    if (png && (pass == Pass::Motion || pass == Pass::Normal)) {
-        json["centre"] = 0.5;
-        json["encoding"] = "number = 2 * stored - 1";
-    }
+    describeEncoding(pass, options.style, shown, json);
     describeScale(pass, scales, options.style, json);
     return json;
+}
+
+/// Where frames are left out, or cells go through them otherwise than in even steps.
+void describeTime(const FlipbookOptions& options, Json& json)
+{
+    if (options.untrimmed) {
+        json["trimmed"] = {{"first_frame", options.frames.first}, {"last_frame", options.frames.last}, {"from", options.untrimmed->first}, {"to", options.untrimmed->last}};
+    }
+    if (options.retime) {
+        json["retime"] = Json::array();
+        for (const CurvePoint& point : options.retime->points()) {
+            json["retime"].push_back({Json::parse(formatFloat(point.x)), Json::parse(formatFloat(point.y))}); // 0.3 and not 0.30000001192092896
+        }
+        json["frames"] = framesOfCells(options);
+    }
 }
 
 } // namespace
 
 std::string describeFlipbook(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales)
 {
-    const bool png = fileEnding(options.format) == ".png";
+    const bool shown = !holdsFloats(options.format);
     Json json;
     json["format"] = "fumage-flipbook";
     json["version"] = 1;
@@ -100,10 +149,11 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
     json["cells_per_second"] = flipbook.cellsPerSecond;
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
     json["loop"] = effect.timeline.loop;
+    describeTime(options, json);
     json["for"] = std::string(nameOf(options.engine));
     const bool coloured = options.passes.has(Pass::Colour);
-    json["alpha"] = (coloured ? png : !options.style.premultiplied) ? "straight" : "premultiplied";
-    json["colour"] = coloured && png ? "sRGB" : "linear";
+    json["alpha"] = (coloured ? shown : !options.style.premultiplied) ? "straight" : "premultiplied";
+    json["colour"] = coloured && shown ? "sRGB" : "linear";
     json["pictures"] = Json::array();
     const std::vector<std::filesystem::path> files = picturesOf(options);
     std::size_t i = 0;
@@ -111,6 +161,9 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
         if (options.passes.has(pass)) {
             json["pictures"].push_back(describePicture(pass, files[i++].filename().string(), options, scales));
         }
+    }
+    for (const PackedPicture& pack : options.packs) {
+        json["pictures"].push_back(describePacked(pack, files[i++].filename().string(), effect, options, scales));
     }
     return json.dump(2) + "\n";
 }

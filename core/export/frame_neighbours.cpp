@@ -1,5 +1,7 @@
 #include "core/export/frame_neighbours.h"
 
+#include <algorithm>
+
 namespace fumage {
 
 FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted)
@@ -32,7 +34,7 @@ int FrameNeighbours::numberAfter(std::size_t place) const
     if (place + 1 < m_frames.size()) {
         return m_frames[place + 1];
     }
-    return m_frames[place] + (place > 0 ? m_frames[place] - m_frames[place - 1] : 1);
+    return std::max(0, m_frames[place] + (place > 0 ? m_frames[place] - m_frames[place - 1] : 1));
 }
 
 Status FrameNeighbours::fetch(int number, std::shared_ptr<const Frame>& to, const std::stop_token& stop, const Progress& progress)

@@ -4,6 +4,7 @@
 #include "core/export/output_name.h"
 #include "core/picture_files/exr_file.h"
 #include "core/picture_files/png_file.h"
+#include "core/picture_files/tga_file.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -23,7 +24,24 @@ Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& eff
     return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels)), false, notes}, stop);
 }
 
-/// @param finish called with the encoded picture of a PNG
+template <class Finish>
+Result<std::vector<std::byte>> encodeTgaOf(const Image& image, const Effect& effect, const Finish& finish)
+{
+    EncodedImage<std::uint8_t> encoded;
+    encode(image, effect.output, encoded, coverOf(effect.light));
+    finish(encoded);
+    if (effect.output.background == Background::Transparent) {
+        return encodeTga({image.width, image.height, 4, encoded.pixels});
+    }
+    std::vector<std::uint8_t> colours;
+    colours.reserve(encoded.pixels.size() / 4 * 3);
+    for (std::size_t i = 0; i < encoded.pixels.size(); i += 4) {
+        colours.insert(colours.end(), {encoded.pixels[i], encoded.pixels[i + 1], encoded.pixels[i + 2]});
+    }
+    return encodeTga({image.width, image.height, 3, colours});
+}
+
+/// @param finish called with the encoded picture, where it holds no floats
 template <class Finish>
 Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
 {
@@ -32,43 +50,64 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effe
     case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, effect, notes, stop, finish);
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, {{{}, exrChannels(4), image.pixels}}, format == ImageFormat::ExrHalf, notes}, stop);
+    case ImageFormat::Tga: return encodeTgaOf(image, effect, finish);
     }
     return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
 }
 
 template <class Channel>
-Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const PictureNotes& notes, const std::stop_token& stop)
+std::vector<Channel> quantisedAll(const DataImage& image)
 {
     std::vector<Channel> pixels(image.values.size());
     std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(quantised(value, image.isSigned, std::numeric_limits<Channel>::max())); });
-    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels)), true, notes}, stop);
+    return pixels;
 }
 
 template <class Channel>
-Result<std::vector<std::byte>> encodeGrey(const NoiseTile& tile)
+Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const PictureNotes& notes, const std::stop_token& stop)
 {
-    constexpr float kFull = sizeof(Channel) == 1 ? 255.0F : 65535.0F;
-    const auto size = static_cast<std::size_t>(tile.size);
-    std::vector<Channel> pixels(size * size);
-    for (std::size_t y = 0; y < size; ++y) {
-        for (std::size_t x = 0; x < size; ++x) {
-            pixels[(size - 1 - y) * size + x] = static_cast<Channel>(tile.values[y * size + x] * kFull + 0.5F);
-        }
-    }
-    return encodePng({tile.size, tile.size, 1, static_cast<int>(8 * sizeof(Channel)), false, std::as_bytes(std::span(pixels))});
+    const std::vector<Channel> pixels = quantisedAll<Channel>(image);
+    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), image.isSrgb, std::as_bytes(std::span(pixels)), true, notes}, stop);
+}
+
+template <class Channel>
+DataImage numbersOfSheet(const Image& image, const Effect& effect, int cellWidth, int cellHeight)
+{
+    EncodedImage<Channel> encoded;
+    encode(image, effect.output, encoded, coverOf(effect.light));
+    bleedColours(encoded, cellWidth, cellHeight);
+    DataImage out{image.width, image.height, 4, false, {}, true};
+    out.values.resize(encoded.pixels.size());
+    constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
+    std::transform(encoded.pixels.begin(), encoded.pixels.end(), out.values.begin(), [](Channel value) { return static_cast<float>(value) / kFull; });
+    return out;
 }
 
 } // namespace
 
+bool holdsFloats(ImageFormat format)
+{
+    return format == ImageFormat::ExrHalf || format == ImageFormat::ExrFloat;
+}
+
+int fullOf(ImageFormat format)
+{
+    return format == ImageFormat::Png16 ? std::numeric_limits<std::uint16_t>::max() : std::numeric_limits<std::uint8_t>::max();
+}
+
 std::string_view fileEnding(ImageFormat format)
 {
-    return format == ImageFormat::Png8 || format == ImageFormat::Png16 ? ".png" : ".exr";
+    return format == ImageFormat::Tga ? ".tga" : holdsFloats(format) ? ".exr"
+                                                                     : ".png";
 }
 
 ImageFormat formatOf(const std::filesystem::path& path, bool wide)
 {
     if (endingOf(path) == ".exr") {
         return wide ? ImageFormat::ExrFloat : ImageFormat::ExrHalf;
+    }
+    if (endingOf(path) == ".tga") {
+        return ImageFormat::Tga;
     }
     return wide ? ImageFormat::Png16 : ImageFormat::Png8;
 }
@@ -88,11 +127,20 @@ Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& eff
     return encodeWith(image, effect, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
+DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
+{
+    if (holdsFloats(format)) {
+        return {image.width, image.height, 4, false, {image.pixels.begin(), image.pixels.end()}};
+    }
+    return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight) : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
+}
+
 Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)
 {
     switch (format) {
     case ImageFormat::Png8: return encodeNumbers<std::uint8_t>(image, notes, stop);
     case ImageFormat::Png16: return encodeNumbers<std::uint16_t>(image, notes, stop);
+    case ImageFormat::Tga: return encodeTga({image.width, image.height, image.channels, quantisedAll<std::uint8_t>(image)});
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: break;
     }
@@ -107,8 +155,8 @@ int quantised(float value, bool isSigned, int full)
 
 DataImage stored(DataImage image, ImageFormat format)
 {
-    if (fileEnding(format) == ".png") {
-        const int full = format == ImageFormat::Png8 ? std::numeric_limits<std::uint8_t>::max() : std::numeric_limits<std::uint16_t>::max();
+    if (!holdsFloats(format)) {
+        const int full = fullOf(format);
         for (float& value : image.values) {
             const float share = static_cast<float>(quantised(value, image.isSigned, full)) / static_cast<float>(full);
             value = image.isSigned ? 2.0F * share - 1.0F : share;
@@ -119,18 +167,12 @@ DataImage stored(DataImage image, ImageFormat format)
 
 Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format)
 {
-    if (format == ImageFormat::Png8) {
-        return encodeGrey<std::uint8_t>(tile);
-    }
-    if (format == ImageFormat::Png16) {
-        return encodeGrey<std::uint16_t>(tile);
-    }
-    AlignedArray<float> flipped;
+    DataImage flipped{tile.size, tile.size, 1, false, {}};
     const auto size = static_cast<std::ptrdiff_t>(tile.size);
     for (std::ptrdiff_t y = size - 1; y >= 0; --y) {
-        flipped.insert(flipped.end(), tile.values.begin() + y * size, tile.values.begin() + (y + 1) * size);
+        flipped.values.insert(flipped.values.end(), tile.values.begin() + y * size, tile.values.begin() + (y + 1) * size);
     }
-    return encodeExr({tile.size, tile.size, {{{}, exrChannels(1), flipped}}, format == ImageFormat::ExrHalf});
+    return encodeData(flipped, format);
 }
 
 } // namespace fumage

@@ -19,13 +19,19 @@ enum class ImageFormat {
     Png16, ///< the same in 16 bits
     ExrHalf, ///< linear, premultiplied, without exposure and view transform
     ExrFloat, ///< the same in 32 bits
+    Tga, ///< as PNG of 8 bits, without alpha where there is a background, and without notes
 };
 
-/// ".png" or ".exr".
+/// Whether a format holds floats: linear, premultiplied and with all values; else what displays show, in whole numbers.
+[[nodiscard]] bool holdsFloats(ImageFormat format);
+/// The largest number that a channel of a format without floats holds: 255 or 65535.
+[[nodiscard]] int fullOf(ImageFormat format);
+
+/// ".png", ".exr" or ".tga".
 [[nodiscard]] std::string_view fileEnding(ImageFormat format);
 
-/// The format that the ending of a path asks for, in small letters or capitals: half floats for .exr; PNG of 8 bits for .png and all others.
-/// @param wide the format with more bits of the two: floats, or 16 bits
+/// The format that the ending of a path asks for, in small letters or capitals: half floats for .exr, TGA for .tga, PNG of 8 bits for .png and all others.
+/// @param wide the format with more bits of the two: floats, or 16 bits; TGA has one
 [[nodiscard]] ImageFormat formatOf(const std::filesystem::path& path, bool wide = false);
 
 /// A path with an ending, which is added if it is missing; capitals will do.
@@ -33,7 +39,7 @@ enum class ImageFormat {
 [[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending);
 
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
-/// @param effect    for PNG its exposure and view transform; where its flames are clear, alpha covers at least the light that they give
+/// @param effect    for PNG and TGA its exposure and view transform; where its flames are clear, alpha covers at least the light that they give
 /// @error WriteFailed when the library refuses; Cancelled
 [[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes = {}, const std::stop_token& stop = {});
 
@@ -45,22 +51,26 @@ struct DataImage {
     int width = 0;
     int height = 0;
     int channels = 4; ///< 1, 3 or 4
-    bool isSigned = false; ///< in [-1, 1], which PNG holds as (1 + value) / 2; else in [0, 1]
+    bool isSigned = false; ///< in [-1, 1], which PNG and TGA hold as (1 + value) / 2; else in [0, 1]
     std::vector<float> values;
+    bool isSrgb = false; ///< its colours are light after all, as displays take it; said in PNG
 };
 
-/// Encodes numbers as they are: PNG without a colour space, and what is out of range clipped; EXR with all of them.
+/// The numbers that encodeSheet() writes for a picture of cells: straight sRGB in [0, 1] with colours that go on under transparency; of floats the picture as it is.
+[[nodiscard]] DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
+
+/// Encodes numbers as they are: PNG without a colour space, and, as in TGA, what is out of range clipped; EXR with all of them.
 /// @error as encodeImage()
 [[nodiscard]] Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes = {}, const std::stop_token& stop = {});
 
-/// The number that a channel of a PNG holds for a value.
+/// The number that a channel without floats holds for a value.
 /// @param full 255 or 65535
 [[nodiscard]] int quantised(float value, bool isSigned, int full);
 
-/// The numbers that a file holds: those of a PNG have 8 or 16 bits.
+/// The numbers that a file holds: those of PNG and TGA have 8 or 16 bits.
 [[nodiscard]] DataImage stored(DataImage image, ImageFormat format);
 
-/// Encodes a tile of noise as a grey picture: PNG holds the values as they are, not as light.
+/// Encodes a tile of noise as a grey picture: PNG and TGA hold the values as they are, not as light.
 [[nodiscard]] Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat format);
 
 } // namespace fumage

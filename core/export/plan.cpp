@@ -4,9 +4,11 @@
 #include "core/base/memory.h"
 #include "core/export/fit_camera.h"
 #include "core/export/output_name.h"
+#include "core/export/trim.h"
 #include "core/noise/texture.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 namespace fumage {
@@ -73,6 +75,14 @@ Status writeOne(const Effect& effect, const ExportPlan& plan, const Progress& pr
     return bytes ? writeFileAtomically(plan.output, bytes.value()) : Status(bytes.error());
 }
 
+/// @param number 1 or more
+int nearestPowerOfTwo(int number)
+{
+    const auto below = static_cast<std::int64_t>(std::bit_floor(static_cast<unsigned>(number)));
+    const std::int64_t wanted = number;
+    return static_cast<int>(wanted * wanted < 2 * below * below ? below : 2 * below);
+}
+
 /// Whether a plan writes over its source, be it through a link.
 bool overwritesSource(const ExportPlan& plan)
 {
@@ -96,9 +106,12 @@ bool overwritesSource(const ExportPlan& plan)
 
 Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
-    FlipbookOptions options = flipbookOf(plan);
-    options.preset = projectOf(effect, plan);
-    const Result<Flipbook> flipbook = renderFlipbook(effect, options, progress, stop);
+    Result<FlipbookOptions> options = flipbookSeenBy(effect, plan, progress, stop);
+    if (!options) {
+        return options.error();
+    }
+    options.value().preset = projectOf(effect, plan);
+    const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), progress, stop);
     return flipbook ? Result<std::optional<Flipbook>>(flipbook.value()) : flipbook.error();
 }
 
@@ -133,7 +146,24 @@ std::filesystem::path firstFile(const ExportPlan& plan)
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
-    return {plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
+    FlipbookOptions options{plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
+    options.packs = plan.packs;
+    options.retime = plan.retime;
+    return options;
+}
+
+Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+{
+    FlipbookOptions options = flipbookOf(plan);
+    if (plan.trim) {
+        const Result<FrameRange> left = trimmed(seen, plan.frames, progress, stop);
+        if (!left) {
+            return left.error();
+        }
+        options.untrimmed = plan.frames;
+        options.frames = left.value();
+    }
+    return options;
 }
 
 std::filesystem::path lastFile(const ExportPlan& plan)
@@ -141,11 +171,31 @@ std::filesystem::path lastFile(const ExportPlan& plan)
     return plan.kind == ExportKind::Sequence ? framePath(sequenceOf(plan), plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
 }
 
+Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
+{
+    Output output = effect.output;
+    if (plan.kind != ExportKind::Flipbook || !plan.powerOfTwo) {
+        return output;
+    }
+    const auto isPower = [](int number) { return number > 0 && std::has_single_bit(static_cast<unsigned>(number)); };
+    if (!isPower(plan.columns) || !isPower(plan.rows)) {
+        return Error{ErrorCode::OutOfRange, said("%1 x %2 cells fill no sheet whose sides are powers of two", plan.columns, plan.rows), {}, said("Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64")};
+    }
+    output.width = nearestPowerOfTwo(output.width);
+    output.height = nearestPowerOfTwo(output.height);
+    return output;
+}
+
 Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     Effect out = effect;
+    const Result<Output> output = outputFor(effect, plan);
+    if (!output) {
+        return output.error();
+    }
+    out.output = output.value();
     if (plan.fitCamera && isPicture(plan.kind)) {
-        const Result<Camera> camera = fitCamera(effect, plan.kind == ExportKind::Flipbook ? plan.frames : framesToFit(effect, plan.frames), progress, stop);
+        const Result<Camera> camera = fitCamera(out, plan.kind == ExportKind::Flipbook ? plan.frames : framesToFit(out, plan.frames), progress, stop);
         if (!camera) {
             return camera.error();
         }

@@ -34,7 +34,11 @@ struct ExportPlan {
     int rows = 8;
     PassSet passes{Pass::Colour}; ///< of a flipbook, and of frames in EXR
     PassStyle style; ///< of its passes
+    std::vector<PackedPicture> packs; ///< of a flipbook: more pictures
     Engine engine = Engine::Generic; ///< that is to play it
+    bool trim = false; ///< of a flipbook: empty frames at the beginning and the end are left out; see trimmed()
+    std::optional<Curve> retime; ///< of a flipbook; see FlipbookOptions
+    bool powerOfTwo = false; ///< of a flipbook: the size of cells is such that the sides of the sheet are powers of two
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
@@ -48,12 +52,21 @@ struct ExportPlan {
 /// The files of a plan, first and last; what describes a flipbook lies beside it.
 [[nodiscard]] std::filesystem::path firstFile(const ExportPlan& plan);
 [[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
-/// What a plan for a flipbook asks for.
+/// What a plan for a flipbook asks for, with all of its frames.
 [[nodiscard]] FlipbookOptions flipbookOf(const ExportPlan& plan);
 
+/// The output of an effect with the size of the pictures, or cells, of a plan: for powers of two the nearest, by their ratio.
+/// @error OutOfRange where columns and rows make that impossible
+[[nodiscard]] Result<Output> outputFor(const Effect& effect, const ExportPlan& plan);
+
 /// The effect as the camera of a plan sees it, which is fitted where that is asked for.
-/// @error those of fitCamera()
+/// @error those of fitCamera() and outputFor()
 [[nodiscard]] Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
+
+/// The flipbook of a plan with the frames that it is made of: those without smoke at the beginning and the end are left out where that is asked for.
+/// @param seen effectSeenBy()
+/// @error those of trimmed()
+[[nodiscard]] Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
 /// @param progress hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit of the camera looked at

@@ -33,7 +33,7 @@ bool isLayered(const SequenceOptions& options)
 
 Status check(const SequenceOptions& options)
 {
-    if (isLayered(options) && fileEnding(options.format) != ".exr") {
+    if (isLayered(options) && !holdsFloats(options.format)) {
         return Error{ErrorCode::OutOfRange, said("the passes of frames are layers of EXR"), {}, said("Choose EXR, or a flipbook")};
     }
     return Done{};

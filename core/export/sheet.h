@@ -14,7 +14,7 @@ namespace fumage {
 using CellWatch = std::function<void(const PassImages& cell, const Frame& frame, const Appearance& appearance)>;
 
 /// Renders frames into the cells of a sheet, first at the top left, then along the rows, each of effect.output's size and without background.
-/// @param frames  of the cells, in rising order; for motion one more frame is simulated, as far behind the last as that is behind the one before
+/// @param frames  of the cells, in any order, but one that rises is quick; for motion one more frame is simulated, as far behind the last as that is behind the one before
 /// @param columns the cells fill rows of as many
 /// @param passes  what the layers must do for
 /// @error those of Simulator and PassRenderer

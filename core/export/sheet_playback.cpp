@@ -55,9 +55,22 @@ SheetMemory memoryOf(std::int64_t width, std::int64_t height, int pictures, Imag
 {
     constexpr std::int64_t kBlock = 4; // pixels along an edge
     const std::int64_t blocks = (width + kBlock - 1) / kBlock * ((height + kBlock - 1) / kBlock);
-    const std::int64_t channel = format == ImageFormat::Png8 ? 1 : format == ImageFormat::ExrFloat ? 4
-                                                                                                   : 2;
+    const std::int64_t channel = format == ImageFormat::ExrFloat ? 4 : holdsFloats(format) || format == ImageFormat::Png16 ? 2
+                                                                                                                           : 1;
     return {blocks * kBlock * kBlock * pictures, width * height * 4 * channel * pictures};
+}
+
+SheetMemory memoryOf(const FlipbookOptions& options, int cellWidth, int cellHeight)
+{
+    const std::int64_t width = static_cast<std::int64_t>(cellWidth) * options.columns;
+    const std::int64_t height = static_cast<std::int64_t>(cellHeight) * options.rows;
+    SheetMemory sum = memoryOf(width, height, static_cast<int>(picturesOf(options).size() - options.packs.size()), options.format);
+    for (const PackedPicture& pack : options.packs) {
+        const SheetMemory one = memoryOf(width / pack.divisor, height / pack.divisor, 1, options.format);
+        sum.compressed += one.compressed;
+        sum.plain += one.plain;
+    }
+    return sum;
 }
 
 } // namespace fumage

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/pass_picture.h"
+#include "core/export/flipbook.h"
 
 #include <cstdint>
 
@@ -57,5 +57,7 @@ struct SheetMemory {
 
 /// @param pictures how many of them
 [[nodiscard]] SheetMemory memoryOf(std::int64_t width, std::int64_t height, int pictures, ImageFormat format);
+/// Of all pictures of a flipbook, packed ones at their own size.
+[[nodiscard]] SheetMemory memoryOf(const FlipbookOptions& options, int cellWidth, int cellHeight);
 
 } // namespace fumage

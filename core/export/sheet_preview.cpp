@@ -46,7 +46,7 @@ void storeColours(const Effect& effect, ImageFormat format, SheetPreview& previe
     if (effect.output.background != Background::Transparent) {
         fillBackground(colour, effect.output.backgroundColour);
     }
-    if (fileEnding(format) != ".png") {
+    if (holdsFloats(format)) {
         return;
     }
     EncodedImage<std::uint8_t> encoded;
@@ -73,9 +73,14 @@ Result<std::shared_ptr<const SheetPreview>> previewFlipbook(const Effect& effect
         if (!seen) {
             return seen.error();
         }
-        const FlipbookOptions options = flipbookOf(plan);
+        const FlipbookOptions asked = flipbookOf(plan);
         auto preview = std::make_shared<SheetPreview>();
-        preview->isWhole = shrink(seen.value().output, options.columns * options.rows, mostEdge, mostPixels);
+        preview->isWhole = shrink(seen.value().output, asked.columns * asked.rows, mostEdge, mostPixels);
+        const Result<FlipbookOptions> made = flipbookSeenBy(seen.value(), plan, progress, stop);
+        if (!made) {
+            return made.error();
+        }
+        const FlipbookOptions& options = made.value();
         preview->output = seen.value().output;
         preview->cellsPerSecond = cellsPerSecond(seen.value(), options);
         preview->loops = seen.value().timeline.loop;

@@ -1,6 +1,7 @@
 #include "core/export/sheet_score.h"
 
 #include "core/base/math.h"
+#include "core/export/difference.h"
 #include "core/export/sheet.h"
 #include "core/export/sheet_playback.h"
 #include "core/simulation/simulator.h"
@@ -16,31 +17,6 @@ namespace fumage {
 namespace {
 
 constexpr int kDirections = 20;
-
-/// Squared differences from a peak of 1.
-class Difference {
-public:
-    void add(float a, float b)
-    {
-        const double difference = static_cast<double>(a) - static_cast<double>(b);
-        m_sum += difference * difference;
-        ++m_count;
-    }
-    void add(const Difference& other)
-    {
-        m_sum += other.m_sum;
-        m_count += other.m_count;
-    }
-    [[nodiscard]] double decibels() const
-    {
-        constexpr double kMost = 99.0; // of what is the same
-        return m_sum > 0.0 ? std::min(kMost, 10.0 * std::log10(static_cast<double>(m_count) / m_sum)) : kMost;
-    }
-
-private:
-    double m_sum = 0.0;
-    std::size_t m_count = 0;
-};
 
 /// Directions on a spiral from pole to pole, each with as much of the sphere around it.
 std::array<glm::vec3, kDirections> lightDirections()

@@ -9,12 +9,20 @@ namespace {
 
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kExrSignature = "\x76\x2f\x31\x01";
+// TGA begins with what it holds: no text, no palette, and grey or colours in runs.
+constexpr std::string_view kGreyTga("\0\0\3\0\0\0\0\0", 8);
+constexpr std::string_view kColourTga("\0\0\n\0\0\0\0\0", 8);
+
+bool isTga(std::string_view head)
+{
+    return head.starts_with(kGreyTga) || head.starts_with(kColourTga);
+}
 
 } // namespace
 
 bool isPicture(std::string_view head)
 {
-    return head.starts_with(kPngSignature) || head.starts_with(kExrSignature);
+    return head.starts_with(kPngSignature) || head.starts_with(kExrSignature) || isTga(head);
 }
 
 Result<PictureNotes> readPictureNotes(std::string_view head)
@@ -24,6 +32,9 @@ Result<PictureNotes> readPictureNotes(std::string_view head)
     }
     if (head.starts_with(kExrSignature)) {
         return readExrNotes(head);
+    }
+    if (isTga(head)) {
+        return PictureNotes{};
     }
     return Error{ErrorCode::Syntax, said("this is neither a PNG nor an EXR"), {}, {}};
 }

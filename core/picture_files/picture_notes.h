@@ -24,13 +24,13 @@ inline constexpr std::size_t kPictureHead = std::size_t{2} << 20U;
 /// A preset that is longer, packed or not, is not read.
 inline constexpr std::size_t kMostNoteBytes = std::size_t{1} << 20U;
 
-/// Whether a file that begins with these bytes, eight or more, is a PNG or an EXR.
+/// Whether a file that begins with these bytes, eight or more, is a PNG, an EXR, or a TGA as encodeTga() makes it.
 [[nodiscard]] bool isPicture(std::string_view head);
 
-/// Reads the notes of a PNG or EXR that anybody may have made; no pixel is looked at. O(head + kMostNoteBytes).
+/// Reads the notes of a picture that anybody may have made; no pixel is looked at. O(head + kMostNoteBytes).
 /// @param head the first bytes of the file: all of them, or kPictureHead
-/// @return     preset and frame; without a preset where the picture carries none, or one that is damaged
-/// @error      Syntax: it is none of the two, or broken before its pixels
+/// @return     preset and frame; without a preset where the picture carries none, as TGA never does, or one that is damaged
+/// @error      Syntax: it is none of them, or broken before its pixels
 [[nodiscard]] Result<PictureNotes> readPictureNotes(std::string_view head);
 
 } // namespace fumage

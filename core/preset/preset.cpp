@@ -250,7 +250,7 @@ Result<PresetReading> readPicture(const std::filesystem::path& path)
         return error;
     }
     if (notes.value().preset.empty()) {
-        return Error{ErrorCode::WrongType, said("this picture carries no preset"), path.string(), said("Choose one that Fumage has written, or the preset's own file")};
+        return Error{ErrorCode::WrongType, said("this picture carries no preset"), path.string(), said("Choose a PNG or EXR that Fumage has written, or the preset's own file")};
     }
     Result<PresetReading> reading = parsePreset(notes.value().preset, path.string());
     if (reading) {

@@ -44,6 +44,8 @@ public:
     }
     /// Takes one in.
     constexpr void add(Pass pass) { m_bits |= bit(pass); }
+    /// Takes all of several in.
+    constexpr void add(PassSet passes) { m_bits |= passes.m_bits; }
     /// Whether one is in it.
     [[nodiscard]] constexpr bool has(Pass pass) const { return (m_bits & bit(pass)) != 0; }
     /// Whether one of several is in it.

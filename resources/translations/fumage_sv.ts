@@ -770,6 +770,10 @@
         <source>Point cache for Unity, binary</source>
         <translation>Punktmoln för Unity, binärt</translation>
     </message>
+    <message>
+        <source>TGA, 8 bits</source>
+        <translation>TGA, 8 bitar</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -874,6 +878,53 @@
     <message>
         <source>Columns × rows</source>
         <translation>Kolumner × rader</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::FlipbookExtras</name>
+    <message>
+        <source>Leave out empty frames</source>
+        <translation>Utelämna tomma bildrutor</translation>
+    </message>
+    <message>
+        <source>Sides that are powers of two</source>
+        <translation>Sidor som är tvåpotenser</translation>
+    </message>
+    <message>
+        <source>Choose the frames by a curve</source>
+        <translation>Välj bildrutorna med en kurva</translation>
+    </message>
+    <message>
+        <source>Add a packed picture</source>
+        <translation>Lägg till en packad bild</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mer</translation>
+    </message>
+    <message>
+        <source>Cells become as large as the nearest power of two; with 1, 2, 4 to 64 columns and rows</source>
+        <translation>Celler blir så stora som närmaste tvåpotens; med 1, 2, 4 till 64 kolumner och rader</translation>
+    </message>
+    <message>
+        <source>From left to right through the cells, from bottom to top through the frames: level is still, falling is backwards</source>
+        <translation>Från vänster till höger genom cellerna, nedifrån och upp genom bildrutorna: plant är stilla, fallande är baklänges</translation>
+    </message>
+    <message>
+        <source>Frames by cells</source>
+        <translation>Bildrutor efter celler</translation>
+    </message>
+    <message>
+        <source>A picture whose channels are those of passes that you choose</source>
+        <translation>En bild vars kanaler är de av passen som du väljer</translation>
+    </message>
+    <message>
+        <source>Not of a loop, which would no longer close</source>
+        <translation>Inte av en slinga, som då inte längre skulle gå ihop</translation>
+    </message>
+    <message>
+        <source>Frames without smoke at the beginning and the end have no cells</source>
+        <translation>Bildrutor utan rök i början och slutet får inga celler</translation>
     </message>
 </context>
 <context>
@@ -1547,10 +1598,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>den här bilden bär ingen förinställning</translation>
     </message>
     <message>
-        <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
-        <translation>Välj en som Fumage har skrivit, eller förinställningens egen fil</translation>
-    </message>
-    <message>
         <source>the program cannot be started: %1</source>
         <translation>programmet kan inte startas: %1</translation>
     </message>
@@ -1589,6 +1636,106 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Use %1 to %2 cells along the longest edge</source>
         <translation>Använd %1 till %2 celler längs den längsta kanten</translation>
+    </message>
+    <message>
+        <source>Choose a PNG or EXR that Fumage has written, or the preset&apos;s own file</source>
+        <translation>Välj en PNG eller EXR som Fumage har skrivit, eller förinställningens egen fil</translation>
+    </message>
+    <message>
+        <source>no pass is asked for</source>
+        <translation>inget pass är valt</translation>
+    </message>
+    <message>
+        <source>Choose one, or a packed picture</source>
+        <translation>Välj ett, eller en packad bild</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>det finns ingen kanal %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <translation>Välj bland alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, deras .g, .b och .a, 0 och 1</translation>
+    </message>
+    <message>
+        <source>a packed picture cannot be named %1</source>
+        <translation>en packad bild kan inte heta %1</translation>
+    </message>
+    <message>
+        <source>Use up to %1 letters, digits, - and _</source>
+        <translation>Använd högst %1 bokstäver, siffror, - och _</translation>
+    </message>
+    <message>
+        <source>Choose another name: this is the name of a pass</source>
+        <translation>Välj ett annat namn: detta är namnet på ett pass</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 is not understood</source>
+        <translation>den packade bilden %1 går inte att förstå</translation>
+    </message>
+    <message>
+        <source>Write masks=shadow,temperature,alpha, and @1/2 to @1/%1 after it for a smaller one</source>
+        <translation>Skriv masks=shadow,temperature,alpha, och @1/2 till @1/%1 efter det för en mindre</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 has %2 channels</source>
+        <translation>den packade bilden %1 har %2 kanaler</translation>
+    </message>
+    <message>
+        <source>there are %1 packed pictures</source>
+        <translation>det är %1 packade bilder</translation>
+    </message>
+    <message>
+        <source>Use up to %1</source>
+        <translation>Använd högst %1</translation>
+    </message>
+    <message>
+        <source>two packed pictures are named %1</source>
+        <translation>två packade bilder heter %1</translation>
+    </message>
+    <message>
+        <source>cells of %1 x %2 pixels cannot be divided by %3, as %4 asks for</source>
+        <translation>celler på %1 x %2 pixlar kan inte delas med %3, som %4 begär</translation>
+    </message>
+    <message>
+        <source>Choose another size of a cell, or another part</source>
+        <translation>Välj en annan storlek på cellen, eller en annan del</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells fill no sheet whose sides are powers of two</source>
+        <translation>%1 x %2 celler fyller inget ark vars sidor är tvåpotenser</translation>
+    </message>
+    <message>
+        <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
+        <translation>Välj kolumner och rader bland 1, 2, 4, 8, 16, 32 och 64</translation>
+    </message>
+    <message>
+        <source>the points %1 do not lie between 0 and 1, from left to right</source>
+        <translation>punkterna %1 ligger inte mellan 0 och 1, från vänster till höger</translation>
+    </message>
+    <message>
+        <source>Write [[0, 0], [0.3, 0.6], [1, 1]]</source>
+        <translation>Skriv [[0, 0], [0.3, 0.6], [1, 1]]</translation>
+    </message>
+    <message>
+        <source>a loop is not trimmed: without its empty frames it would no longer close</source>
+        <translation>en slinga beskärs inte: utan sina tomma bildrutor skulle den inte längre gå ihop</translation>
+    </message>
+    <message>
+        <source>Switch the loop off, or the trimming</source>
+        <translation>Stäng av slingan, eller beskärningen</translation>
+    </message>
+    <message>
+        <source>Use one to four: red, green, blue and alpha</source>
+        <translation>Använd en till fyra: röd, grön, blå och alfa</translation>
+    </message>
+    <message>
+        <source>no sheet fits into %1 bytes, or the frames fill none</source>
+        <translation>inget ark ryms i %1 byte, eller så fyller bildrutorna inget</translation>
+    </message>
+    <message>
+        <source>Allow more memory, fewer passes or more frames</source>
+        <translation>Tillåt mer minne, färre pass eller fler bildrutor</translation>
     </message>
 </context>
 <context>
@@ -1697,6 +1844,49 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>%1 is the smallest.</source>
         <translation>%1 är det minsta.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PackRow</name>
+    <message>
+        <source>Name of the packed picture</source>
+        <translation>Den packade bildens namn</translation>
+    </message>
+    <message>
+        <source>Stands behind the name of the sheet</source>
+        <translation>Står efter arkets namn</translation>
+    </message>
+    <message>
+        <source>Size of the packed picture</source>
+        <translation>Den packade bildens storlek</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Röd</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grön</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blå</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alfa</translation>
+    </message>
+    <message>
+        <source>Full size</source>
+        <translation>Full storlek</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Ingenting</translation>
     </message>
 </context>
 <context>

@@ -770,6 +770,10 @@
         <source>Point cache for Unity, binary</source>
         <translation>Unity 点缓存，二进制</translation>
     </message>
+    <message>
+        <source>TGA, 8 bits</source>
+        <translation>TGA，8 位</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportJob</name>
@@ -874,6 +878,53 @@
     <message>
         <source>Columns × rows</source>
         <translation>列 × 行</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::FlipbookExtras</name>
+    <message>
+        <source>Leave out empty frames</source>
+        <translation>去掉空帧</translation>
+    </message>
+    <message>
+        <source>Sides that are powers of two</source>
+        <translation>边长为 2 的幂</translation>
+    </message>
+    <message>
+        <source>Choose the frames by a curve</source>
+        <translation>用曲线选择帧</translation>
+    </message>
+    <message>
+        <source>Add a packed picture</source>
+        <translation>添加打包图片</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Cells become as large as the nearest power of two; with 1, 2, 4 to 64 columns and rows</source>
+        <translation>单元格取最接近的 2 的幂；列数和行数须为 1、2、4 至 64</translation>
+    </message>
+    <message>
+        <source>From left to right through the cells, from bottom to top through the frames: level is still, falling is backwards</source>
+        <translation>从左到右经过各单元格，从下到上经过各帧：水平为静止，下降为倒放</translation>
+    </message>
+    <message>
+        <source>Frames by cells</source>
+        <translation>单元格对应的帧</translation>
+    </message>
+    <message>
+        <source>A picture whose channels are those of passes that you choose</source>
+        <translation>各通道由您从通道图中选择的图片</translation>
+    </message>
+    <message>
+        <source>Not of a loop, which would no longer close</source>
+        <translation>循环除外，否则将无法首尾相接</translation>
+    </message>
+    <message>
+        <source>Frames without smoke at the beginning and the end have no cells</source>
+        <translation>开头和结尾没有烟雾的帧不占单元格</translation>
     </message>
 </context>
 <context>
@@ -1547,10 +1598,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>此图片没有携带预设</translation>
     </message>
     <message>
-        <source>Choose one that Fumage has written, or the preset&apos;s own file</source>
-        <translation>请选择由 Fumage 写出的图片，或预设文件本身</translation>
-    </message>
-    <message>
         <source>the program cannot be started: %1</source>
         <translation>无法启动该程序：%1</translation>
     </message>
@@ -1589,6 +1636,106 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Use %1 to %2 cells along the longest edge</source>
         <translation>最长边请使用 %1 到 %2 个单元</translation>
+    </message>
+    <message>
+        <source>Choose a PNG or EXR that Fumage has written, or the preset&apos;s own file</source>
+        <translation>请选择由 Fumage 写出的 PNG 或 EXR，或预设自身的文件</translation>
+    </message>
+    <message>
+        <source>no pass is asked for</source>
+        <translation>没有选择任何通道图</translation>
+    </message>
+    <message>
+        <source>Choose one, or a packed picture</source>
+        <translation>请选择一个，或一张打包图片</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>没有通道 %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <translation>可选：alpha、depth、temperature、shadow、colour.r、six-way-a.r、six-way-b.r、motion.r、normal.r、emission.r、albedo.r，它们的 .g、.b 和 .a，以及 0 和 1</translation>
+    </message>
+    <message>
+        <source>a packed picture cannot be named %1</source>
+        <translation>打包图片不能命名为 %1</translation>
+    </message>
+    <message>
+        <source>Use up to %1 letters, digits, - and _</source>
+        <translation>最多使用 %1 个字母、数字、- 和 _</translation>
+    </message>
+    <message>
+        <source>Choose another name: this is the name of a pass</source>
+        <translation>请换一个名称：这是某个通道图的名称</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 is not understood</source>
+        <translation>无法理解打包图片 %1</translation>
+    </message>
+    <message>
+        <source>Write masks=shadow,temperature,alpha, and @1/2 to @1/%1 after it for a smaller one</source>
+        <translation>请写成 masks=shadow,temperature,alpha，需要较小的图片时在后面加 @1/2 到 @1/%1</translation>
+    </message>
+    <message>
+        <source>the packed picture %1 has %2 channels</source>
+        <translation>打包图片 %1 有 %2 个通道</translation>
+    </message>
+    <message>
+        <source>there are %1 packed pictures</source>
+        <translation>有 %1 张打包图片</translation>
+    </message>
+    <message>
+        <source>Use up to %1</source>
+        <translation>最多 %1 张</translation>
+    </message>
+    <message>
+        <source>two packed pictures are named %1</source>
+        <translation>有两张打包图片名为 %1</translation>
+    </message>
+    <message>
+        <source>cells of %1 x %2 pixels cannot be divided by %3, as %4 asks for</source>
+        <translation>%1 x %2 像素的单元格不能按 %4 的要求除以 %3</translation>
+    </message>
+    <message>
+        <source>Choose another size of a cell, or another part</source>
+        <translation>请选择另一单元格大小，或另一比例</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells fill no sheet whose sides are powers of two</source>
+        <translation>%1 x %2 个单元格无法填满边长为 2 的幂的序列帧图集</translation>
+    </message>
+    <message>
+        <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
+        <translation>列数和行数请选 1、2、4、8、16、32 或 64</translation>
+    </message>
+    <message>
+        <source>the points %1 do not lie between 0 and 1, from left to right</source>
+        <translation>点 %1 不在 0 到 1 之间或没有从左到右排列</translation>
+    </message>
+    <message>
+        <source>Write [[0, 0], [0.3, 0.6], [1, 1]]</source>
+        <translation>请写成 [[0, 0], [0.3, 0.6], [1, 1]]</translation>
+    </message>
+    <message>
+        <source>a loop is not trimmed: without its empty frames it would no longer close</source>
+        <translation>循环不能裁剪：去掉空帧后将无法首尾相接</translation>
+    </message>
+    <message>
+        <source>Switch the loop off, or the trimming</source>
+        <translation>请关闭循环，或关闭裁剪</translation>
+    </message>
+    <message>
+        <source>Use one to four: red, green, blue and alpha</source>
+        <translation>使用一到四个：红、绿、蓝和 alpha</translation>
+    </message>
+    <message>
+        <source>no sheet fits into %1 bytes, or the frames fill none</source>
+        <translation>没有序列帧图集能放进 %1 字节，或帧数不足以填满</translation>
+    </message>
+    <message>
+        <source>Allow more memory, fewer passes or more frames</source>
+        <translation>请增加内存、减少通道图或增加帧数</translation>
     </message>
 </context>
 <context>
@@ -1697,6 +1844,49 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>%1 is the smallest.</source>
         <translation>最小为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PackRow</name>
+    <message>
+        <source>Name of the packed picture</source>
+        <translation>打包图片的名称</translation>
+    </message>
+    <message>
+        <source>Stands behind the name of the sheet</source>
+        <translation>接在序列帧图集名称之后</translation>
+    </message>
+    <message>
+        <source>Size of the packed picture</source>
+        <translation>打包图片的大小</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Full size</source>
+        <translation>完整大小</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>

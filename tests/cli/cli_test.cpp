@@ -87,6 +87,7 @@ private slots:
         QCOMPARE(run({"rendr"}).code, 2);
         QCOMPARE(run({"render"}).code, 2);
         QCOMPARE(run({"render", "default", "--colour", "red"}).code, 2);
+        QCOMPARE(run({"flipbook", "default", "--grid", "4", "--optimise", "4MB"}).code, 2);
     }
 
     void badValuesAreThree_data()
@@ -105,6 +106,16 @@ private slots:
         row("grid", {"flipbook", "default", "--grid", "8x99"}, "8x99");
         row("pass", {"flipbook", "default", "--passes", "colour,sixway"}, "six-way");
         row("no pass", {"flipbook", "default", "--passes", ","}, "--passes");
+        row("grid that is no power of two", {"flipbook", "default", "--grid", "6x5", "--power-of-two"}, "6 x 5 cells");
+        row("budget without a unit", {"flipbook", "default", "--optimise", "4"}, "--optimise: the budget \"4\" is not understood");
+        row("budget that fits nothing", {"flipbook", "thesis-2012", "--optimise", "0.1KB", "-f", "0-9"}, "no sheet fits into 102 bytes");
+        row("curve that is none", {"flipbook", "default", "--retime", "fast"}, "--retime: expected a list");
+        row("curve beyond the end", {"flipbook", "default", "--retime", "[[0,0],[1,2]]"}, "between 0 and 1");
+        row("trimmed loop", {"flipbook", "thesis-2012", "--set", "timeline.loop=true", "--trim"}, "loop");
+        row("packed channel", {"flipbook", "default", "--pack", "masks=shadw"}, "--pack: there is no channel \"shadw\". Did you mean \"shadow\"?");
+        row("packed without channels", {"flipbook", "default", "--pack", "masks"}, "masks=shadow");
+        row("packed under the name of a pass", {"flipbook", "default", "--pack", "motion=alpha"}, "name of a pass");
+        row("neither pass nor packed", {"flipbook", "default", "--passes", "none", "-f", "0-63"}, "no pass");
         row("signs of vectors", {"flipbook", "default", "--vectors", "godot"}, "unreal");
         row("too few frames", {"flipbook", "default", "--frames", "0-9"}, "64 cells");
         row("simd", {"--simd", "mmx", "render", "default"}, "mmx");
@@ -367,6 +378,9 @@ private slots:
         const QStringList one{"render", "thesis-2012", "-f", "7", "-o"};
         row("capitals", one + QStringList{"x.PNG"}, {"x.PNG"});
         row("exr", one + QStringList{"x.Exr"}, {"x.Exr"});
+        row("tga", one + QStringList{"x.TGA"}, {"x.TGA"});
+        row("a flipbook in tga", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "x", "--format", "tga"}, {"x.flipbook.json", "x.tga"});
+        row("noise in tga", {"bake-noise", "thesis-2012", "-o", "n.tga"}, {"n.tga"});
         row("format without an ending", one + QStringList{"x", "--format", "exr"}, {"x.exr"});
         row("printf", two + QStringList{"x_%03d.png"}, {"x_007.png", "x_008.png"});
         row("printf without width", two + QStringList{"x%d"}, {"x7.png", "x8.png"});
@@ -376,6 +390,10 @@ private slots:
         row("no name", {"render", "thesis-2012", "-f", "7"}, {"thesis-2012.png"});
         row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"}, {"d/default.png", "d/thesis-2012.png"});
         row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
+        row("the best that fits", {"flipbook", "thesis-2012", "--for", "pixi", "-f", "0-9", "--optimise", "4KB", "-o", "d"},
+            {"d/thesis-2012_4x2.atlas.json", "d/thesis-2012_4x2.flipbook.json", "d/thesis-2012_4x2.png"});
+        row("trimmed and retimed", {"flipbook", "thesis-2012", "--grid", "2", "-f", "0-9", "--trim", "--retime", "[[0,1],[1,0]]", "-o", "x"}, {"x.flipbook.json", "x.png"});
+        row("packed pictures", {"flipbook", "--pack", "a=alpha", "thesis-2012", "--pack", "b=depth,1@1/2", "--passes", "none", "--grid", "1", "-f", "7", "-o", "x"}, {"x.flipbook.json", "x_a.png", "x_b.png"});
         row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});
         row("particles by the ending", {"dump", "thesis-2012", "-o", "p.ply"}, {"p.ply"});
         row("point cache", {"dump", "thesis-2012", "-o", "p.pcache"}, {"p.pcache"});
@@ -411,8 +429,8 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("says");
         const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << QByteArray(says); };
-        row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png or .exr");
-        row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png or .exr");
+        row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png, .exr or .tga");
+        row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png, .exr or .tga");
         row("particles as png", {"dump", "default", "-o", "q.png"}, "Use .csv, .ply or .pcache");
         row("ending against format", {"render", "default", "-o", "x.png", "--format", "exr"}, "Use .exr");
         row("particles against format", {"dump", "default", "-o", "x.csv", "--format", "ply"}, "Use .ply");

@@ -2,10 +2,12 @@
 
 #include "ui/export/export_dialog.h"
 #include "ui/export/preview_canvas.h"
+#include "ui/panels/curve_editor.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/export/packing.h"
 #include "core/export/sheet_playback.h"
 
 #include <QCheckBox>
@@ -16,6 +18,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QToolButton>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -88,6 +91,88 @@ private slots:
         m_dialog->setKind(ExportKind::Sequence);
         QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
         QVERIFY(!engine->isVisible());
+    }
+
+    void rareChoicesOfAFlipbookAreFoldedAway()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        auto* trim = child<QCheckBox>(u"export.trim"_q);
+        auto* curve = child<CurveArea>(u"export.retime"_q);
+        QVERIFY(!trim->isVisible());
+        const ExportPlan plain = m_dialog->plan();
+        QVERIFY(!plain.trim && !plain.powerOfTwo && !plain.retime && plain.packs.empty());
+        child<QToolButton>(u"export.more"_q)->click();
+        QVERIFY(trim->isVisible() && !curve->isVisible());
+        trim->click();
+        child<QCheckBox>(u"export.powerOfTwo"_q)->click();
+        child<QCheckBox>(u"export.retimes"_q)->click();
+        QVERIFY(curve->isVisible());
+        QTest::mouseClick(curve, Qt::LeftButton, {}, curve->toScreen({0.25F, 0.75F}).toPoint());
+        const ExportPlan plan = m_dialog->plan();
+        QVERIFY(plan.trim && plan.powerOfTwo);
+        QCOMPARE(plan.retime->count, 3);
+        QVERIFY(std::abs(plan.retime->at(0.25F) - 0.75F) < 0.05F);
+        child<QToolButton>(u"export.more"_q)->click();
+        QVERIFY(!trim->isVisible());
+        QVERIFY(m_dialog->plan().trim); // out of sight is not out of the plan
+    }
+
+    void aLoopIsNotTrimmed()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        auto* trim = child<QCheckBox>(u"export.trim"_q);
+        trim->setChecked(true);
+        m_document->edit(knownParameter("timeline.loop"), true);
+        QVERIFY(!trim->isEnabled());
+        QVERIFY(!m_dialog->plan().trim);
+        m_document->edit(knownParameter("timeline.loop"), false);
+        QVERIFY(m_dialog->plan().trim);
+    }
+
+    void sidesOfPowersOfTwoAreTold()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        setWidth(100);
+        m_document->edit(knownParameter("output.height"), 60);
+        child<QCheckBox>(u"export.powerOfTwo"_q)->setChecked(true);
+        const auto* files = child<QLabel>(u"export.files"_q);
+        QVERIFY2(files->text().contains(u"1024 × 512"_q), qPrintable(files->text()));
+        child<QSpinBox>(u"export.columns"_q)->setValue(6);
+        QVERIFY2(files->text().contains(u"powers of two"_q), qPrintable(files->text()));
+        QVERIFY(!child<QPushButton>(u"export.begin"_q)->isEnabled());
+    }
+
+    void packedPicturesAreChosenByTheirChannels()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        setWidth(256);
+        m_document->edit(knownParameter("output.height"), 256);
+        child<QToolButton>(u"export.more"_q)->click();
+        auto* add = child<QPushButton>(u"export.addPack"_q);
+        add->click();
+        nothingIsCutOffAtItsSide();
+        QCOMPARE(m_dialog->plan().packs.size(), std::size_t{1});
+        QVERIFY(m_dialog->plan().packs[0] == parsePack("masks1=shadow,temperature,alpha").value());
+        child<QLineEdit>(u"export.pack1.name"_q)->setText(u"own"_q);
+        child<QComboBox>(u"export.pack1.channel1"_q)->setCurrentIndex(0);
+        child<QComboBox>(u"export.pack1.channel2"_q)->setCurrentText(u"motion.r"_q);
+        child<QComboBox>(u"export.pack1.size"_q)->setCurrentIndex(1);
+        QVERIFY(m_dialog->plan().packs[0] == parsePack("own=shadow,0,motion.r@1/2").value());
+        // A sheet of 2048 x 2048 is 4 MiB as BC7, and one of 1024 x 1024 another.
+        QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"5.0 MiB"_q), qPrintable(child<QLabel>(u"export.files"_q)->text()));
+        child<QLineEdit>(u"export.pack1.name"_q)->setText(u"motion"_q);
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"name of a pass"_q));
+        QVERIFY(!child<QPushButton>(u"export.begin"_q)->isEnabled());
+        child<QLineEdit>(u"export.pack1.name"_q)->setText(u"own"_q);
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+        for (int i = 0; i < 4; ++i) {
+            add->click();
+        }
+        QVERIFY(!add->isEnabled());
+        child<QPushButton>(u"export.pack2.remove"_q)->click();
+        add->click();
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled()); // all five have names of their own
+        QCOMPARE(m_dialog->plan().packs.size(), std::size_t{5});
     }
 
     void thePreviewPlaysTheCellsWhileItIsOpen()
@@ -216,6 +301,10 @@ private slots:
         QCOMPARE(m_dialog->plan().format, ImageFormat::ExrFloat);
         child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
         QCOMPARE(child<QLineEdit>(u"export.path"_q)->text(), u"g_####.png"_q);
+        QVERIFY(child<QCheckBox>(u"export.carries"_q)->isVisible());
+        typePath(u"h.tga"_q);
+        QCOMPARE(m_dialog->plan().format, ImageFormat::Tga);
+        QVERIFY(!child<QCheckBox>(u"export.carries"_q)->isVisible()); // there is no room for a preset in it
         m_dialog->setKind(ExportKind::Particles);
         typePath(u"p.ply"_q);
         QCOMPARE(m_dialog->plan().particles, ParticleFormat::Ply);

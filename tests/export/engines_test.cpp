@@ -196,6 +196,26 @@ private slots:
         }
     }
 
+    void enginesThatImportTexturesTakeTga_data()
+    {
+        QTest::addColumn<int>("engine");
+        QTest::addColumn<bool>("takes");
+        for (const Engine engine : kAllEngines) {
+            const bool imports = engine == Engine::Generic || engine == Engine::Unity || engine == Engine::Unreal || engine == Engine::Godot || engine == Engine::Godot3;
+            QTest::newRow(std::string(nameOf(engine)).c_str()) << static_cast<int>(engine) << imports;
+        }
+    }
+    void enginesThatImportTexturesTakeTga()
+    {
+        QFETCH(int, engine);
+        QFETCH(bool, takes);
+        Sheet sheet(static_cast<Engine>(engine));
+        sheet.options.format = ImageFormat::Tga;
+        sheet.options.output = sheet.folder.path().toStdString() + "/smoke_4x2.tga";
+        QCOMPARE(renderFlipbook(sheet.effect, sheet.options, {}).ok(), takes);
+        QCOMPARE(QDir(sheet.folder.path()).exists(QStringLiteral("smoke_4x2.tga")), takes);
+    }
+
     void whatAnEngineCannotReadIsRefused()
     {
         Sheet sheet(Engine::Godot);

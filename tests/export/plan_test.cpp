@@ -175,6 +175,54 @@ private slots:
         QCOMPARE(runExport(smallEffect(), plan, {}).error().code, ErrorCode::TooLarge);
     }
 
+    void sheetsMayHaveSidesThatArePowersOfTwo_data()
+    {
+        QTest::addColumn<int>("edge");
+        QTest::addColumn<int>("nearest");
+        // The limit between two powers is their geometric mean: 181.02 between 128 and 256.
+        for (const auto& [edge, nearest] : std::map<int, int>{{1, 1}, {2, 2}, {3, 4}, {5, 4}, {6, 8}, {128, 128}, {181, 128}, {182, 256}, {256, 256}, {8192, 8192}}) {
+            QTest::newRow(std::to_string(edge).c_str()) << edge << nearest;
+        }
+    }
+    void sheetsMayHaveSidesThatArePowersOfTwo()
+    {
+        QFETCH(int, edge);
+        QFETCH(int, nearest);
+        Effect effect;
+        effect.output.width = edge;
+        effect.output.height = 16;
+        ExportPlan plan = planFor(ExportKind::Flipbook, u"a.png"_qs);
+        QCOMPARE(outputFor(effect, plan).value().width, edge);
+        plan.powerOfTwo = true;
+        QCOMPARE(outputFor(effect, plan).value().width, nearest);
+        QCOMPARE(outputFor(effect, plan).value().height, 16);
+        plan.rows = 6;
+        QCOMPARE(outputFor(effect, plan).error().code, ErrorCode::OutOfRange);
+        plan.kind = ExportKind::Sequence; // which has no sheet
+        QCOMPARE(outputFor(effect, plan).value().width, edge);
+    }
+
+    void aSheetOfPowersOfTwoIsToldToEngines()
+    {
+        Effect effect = smallEffect();
+        effect.output.width = 20;
+        effect.output.height = 12;
+        ExportPlan plan = planFor(ExportKind::Flipbook, u"a.png"_qs);
+        plan.frames = {0, 7, 1};
+        plan.columns = 4;
+        plan.rows = 2;
+        plan.engine = Engine::Pixi;
+        plan.powerOfTwo = true;
+        plan.fitCamera = true;
+        const auto done = runExport(effect, plan, {});
+        QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
+        const std::string atlas = readFile(pathOf(u"a.atlas.json"_qs), 100'000).value();
+        QVERIFY2(atlas.find("\"w\": 64,\n      \"h\": 32") != std::string::npos, atlas.c_str()); // 4 x 16 and 2 x 16
+        const std::string sidecar = readFile(done.value()->description, 100'000).value();
+        QVERIFY(sidecar.find("\"cell_width\": 16") != std::string::npos);
+        QVERIFY(!done.value()->cutOff); // the camera was fitted to the cells as they are
+    }
+
     void exportedParticlesAreThoseOfTheFrame()
     {
         const Effect effect = smallEffect();

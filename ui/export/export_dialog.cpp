@@ -2,6 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_clash.h"
+#include "ui/export/export_formats.h"
 #include "ui/export/export_progress.h"
 #include "ui/export/export_summary.h"
 #include "ui/export/flipbook_choices.h"
@@ -106,6 +107,7 @@ void ExportDialog::connectPlan()
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
     connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
+    connect(m_flipbook, &FlipbookChoices::resized, this, &ExportDialog::fitScreen);
     connect(m_preview, &PreviewPane::resized, this, &ExportDialog::fitScreen);
     connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
     connect(&m_document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
@@ -248,12 +250,8 @@ void ExportDialog::followKind()
 {
     const QSignalBlocker blocker(m_format);
     m_format->clear();
-    if (kind() == ExportKind::Particles) {
-        m_format->addItems({tr("CSV, one particle a line"), tr("PLY, binary points"), tr("Point cache for Unity, binary")});
-    } else if (kind() == ExportKind::Video) {
-        m_format->addItems({tr("MP4 (H.264), on the background colour"), tr("WebM (VP9), transparent"), tr("QuickTime (ProRes 4444), transparent"), tr("GIF, on the background colour"), tr("APNG, transparent")});
-    } else {
-        m_format->addItems({tr("PNG, 8 bits"), tr("PNG, 16 bits"), tr("OpenEXR, half floats, linear"), tr("OpenEXR, floats, linear")});
+    m_format->addItems(formatsOf(kind()));
+    if (kind() != ExportKind::Particles && kind() != ExportKind::Video) {
         m_format->setCurrentIndex(m_imageFormat);
     }
     m_pathIsSuggested = true;
@@ -293,7 +291,7 @@ void ExportDialog::followPlan()
     const bool picture = isPicture(kind());
     const bool onColour = kind() == ExportKind::Video && !hasAlpha(plan().video);
     m_fit->setVisible(picture);
-    m_carries->setVisible(picture && kind() != ExportKind::Video);
+    m_carries->setVisible(picture && kind() != ExportKind::Video && plan().format != ImageFormat::Tga);
     for (ParameterRow* row : m_rows) {
         row->sync();
         const bool isBehind = onColour && &row->parameter() == &knownParameter("output.background_colour");
@@ -304,6 +302,7 @@ void ExportDialog::followPlan()
     m_last->setEnabled(many);
     m_step->setEnabled(many);
     m_flipbook->setVisible(kind() == ExportKind::Flipbook);
+    m_flipbook->follow(m_document.effect());
     m_noiseSize->setVisible(kind() == ExportKind::NoiseTexture);
     m_noiseSizeLabel->setVisible(kind() == ExportKind::NoiseTexture);
     if (m_pathIsSuggested) {
@@ -316,7 +315,7 @@ void ExportDialog::followPlan()
     if (kind() == ExportKind::Flipbook) {
         m_preview->follow(m_document.effect(), now);
     }
-    m_export->setEnabled(isPossible(now) && !m_job.isRunning());
+    m_export->setEnabled(isPossible(now, m_document.effect()) && !m_job.isRunning());
 }
 
 void ExportDialog::followJob()

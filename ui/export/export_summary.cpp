@@ -1,7 +1,6 @@
 #include "ui/export/export_summary.h"
 
 #include "core/export/engines/engine_files.h"
-#include "core/export/output_name.h"
 #include "core/export/sheet_playback.h"
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
@@ -10,27 +9,38 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QStandardPaths>
-
-#include <algorithm>
-#include <array>
-
 namespace fumage::ui {
 
 namespace {
 
-/// The first of some formats whose files end so.
-template <class Formats>
-std::optional<int> withEnding(std::string_view ending, const Formats& formats)
+/// What stands in the way of a flipbook, but for too few frames.
+Status checkFlipbook(const ExportPlan& plan, const Effect& effect)
 {
-    const auto found = std::ranges::find(formats, ending, [](auto format) { return fileEnding(format); });
-    return found == std::ranges::end(formats) ? std::nullopt : std::optional(static_cast<int>(*found));
+    if (Status status = checkEngine(plan.engine, plan.passes, plan.format); !status) {
+        return status;
+    }
+    const Result<Output> cell = outputFor(effect, plan);
+    return cell ? checkPacks(plan.packs, cell.value().width, cell.value().height) : Status(cell.error());
+}
+
+QString flipbookSummary(const ExportPlan& plan, const Output& cell)
+{
+    const QString first = toQString(firstFile(plan).filename().string());
+    const int width = cell.width * plan.columns;
+    const int height = cell.height * plan.rows;
+    const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
+    const QString files = more > 1 ? ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(width).arg(height).arg(more)
+                                   : ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(width).arg(height);
+    const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height);
+    const QLocale locale;
+    return files + QLatin1Char('\n') + ExportDialog::tr("On the graphics card: %1 as BC7, %2 uncompressed").arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
 }
 
 } // namespace
 
-bool isPossible(const ExportPlan& plan)
+bool isPossible(const ExportPlan& plan, const Effect& effect)
 {
-    const bool flipbook = plan.kind != ExportKind::Flipbook || (plan.frames.count() >= plan.columns * plan.rows && checkEngine(plan.engine, plan.passes, plan.format).ok());
+    const bool flipbook = plan.kind != ExportKind::Flipbook || (plan.frames.count() >= plan.columns * plan.rows && checkFlipbook(plan, effect).ok());
     return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook;
 }
 
@@ -40,11 +50,11 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
         return ExportDialog::tr("Choose a file, and a first frame that comes before the last.");
     }
     if (plan.kind == ExportKind::Flipbook) {
-        if (const Status status = checkEngine(plan.engine, plan.passes, plan.format); !status) {
+        if (const Status status = checkFlipbook(plan, effect); !status) {
             return told(status.error());
         }
     }
-    if (!isPossible(plan)) {
+    if (!isPossible(plan, effect)) {
         return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
     QString first = toQString(firstFile(plan).filename().string());
@@ -57,14 +67,7 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
         return ExportDialog::tr("%1, %2 × %3 pixels, %4 s").arg(first).arg(output.width).arg(output.height).arg(QLocale().toString(seconds, 'f', 1));
     }
     if (plan.kind == ExportKind::Flipbook) {
-        const int width = output.width * plan.columns;
-        const int height = output.height * plan.rows;
-        const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
-        const QString files = more > 1 ? ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(width).arg(height).arg(more)
-                                       : ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(width).arg(height);
-        const SheetMemory memory = memoryOf(width, height, static_cast<int>(picturesOf(flipbookOf(plan)).size()), plan.format);
-        const QLocale locale;
-        return files + QLatin1Char('\n') + ExportDialog::tr("On the graphics card: %1 as BC7, %2 uncompressed").arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
+        return flipbookSummary(plan, outputFor(effect, plan).value()); // it is possible
     }
     return first;
 }
@@ -82,24 +85,6 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
     case ExportKind::Particles: name += QStringLiteral("-particles"); break;
     }
     return QDir(folder).filePath(name) + toQString(fileEnding(plan));
-}
-
-std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
-{
-    const std::string ending = endingOf(path.toStdString());
-    switch (kind) {
-    case ExportKind::Particles: return withEnding(ending, kAllParticleFormats);
-    case ExportKind::Video: return withEnding(ending, kAllVideoFormats);
-    default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf});
-    }
-}
-
-QString withEndingOf(const ExportPlan& plan, const QString& path)
-{
-    if (!formatNamedBy(path, ExportKind::Picture) && !formatNamedBy(path, ExportKind::Particles) && !formatNamedBy(path, ExportKind::Video)) {
-        return path;
-    }
-    return path.left(path.lastIndexOf(QLatin1Char('.'))) + toQString(fileEnding(plan));
 }
 
 } // namespace fumage::ui

@@ -1,6 +1,7 @@
 #include "ui/export/flipbook_choices.h"
 
 #include "ui/document/text.h"
+#include "ui/export/flipbook_extras.h"
 #include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
 
@@ -35,6 +36,7 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     , m_motion(new QCheckBox(tr("Motion vectors"), this))
     , m_columns(makeNumberBox(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells, this))
     , m_rows(makeNumberBox(QStringLiteral("export.rows"), tr("Rows"), 1, kMaxSheetCells, this))
+    , m_extras(new FlipbookExtras(this))
 {
     m_engine->setObjectName(QStringLiteral("export.engine"));
     m_engine->setAccessibleName(tr("For"));
@@ -55,11 +57,14 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     form->add(tr("For"), m_engine);
     form->add(tr("Beside the colour"), sideBySide({m_sixWay, m_motion}));
     form->add(tr("Columns × rows"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
+    form->addRow(m_extras);
     connect(m_engine, &QComboBox::currentIndexChanged, this, &FlipbookChoices::followEngine);
     connect(m_sixWay, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_motion, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_columns, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
     connect(m_rows, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
+    connect(m_extras, &FlipbookExtras::changed, this, &FlipbookChoices::changed);
+    connect(m_extras, &FlipbookExtras::resized, this, &FlipbookChoices::resized);
 }
 
 Engine FlipbookChoices::engine() const
@@ -93,6 +98,12 @@ void FlipbookChoices::applyTo(ExportPlan& plan) const
     plan.style = styleFor(plan.engine, plan.format);
     plan.columns = m_columns->value();
     plan.rows = m_rows->value();
+    m_extras->applyTo(plan);
+}
+
+void FlipbookChoices::follow(const Effect& effect)
+{
+    m_extras->follow(effect);
 }
 
 } // namespace fumage::ui

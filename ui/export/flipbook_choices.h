@@ -10,6 +10,8 @@ class QSpinBox;
 
 namespace fumage::ui {
 
+class FlipbookExtras;
+
 /// What only flipbooks are asked: what plays them, their passes, and how many cells they have.
 class FlipbookChoices : public QWidget {
     Q_OBJECT
@@ -17,11 +19,15 @@ class FlipbookChoices : public QWidget {
 public:
     explicit FlipbookChoices(QWidget* parent = nullptr);
 
+    /// What cannot be chosen for this effect is out of reach.
+    void follow(const Effect& effect);
     /// Writes them into a plan, whose format says how light is stored.
     void applyTo(ExportPlan& plan) const;
 
 signals:
     void changed();
+    /// It takes more room, or less.
+    void resized();
 
 private:
     void followEngine();
@@ -32,6 +38,7 @@ private:
     QCheckBox* m_motion;
     QSpinBox* m_columns;
     QSpinBox* m_rows;
+    FlipbookExtras* m_extras;
 };
 
 } // namespace fumage::ui

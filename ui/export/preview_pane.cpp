@@ -25,7 +25,7 @@ constexpr int kSettle = 400; ///< ms
 bool haveSameCells(const ExportPlan& a, const ExportPlan& b)
 {
     const auto told = [](const ExportPlan& plan) {
-        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format, plan.fitCamera, plan.passes.has(Pass::Motion));
+        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format, plan.fitCamera, plan.powerOfTwo, plan.trim, plan.retime, plan.passes.has(Pass::Motion));
     };
     return told(a) == told(b);
 }
@@ -134,7 +134,7 @@ void PreviewPane::followMotion()
 
 void PreviewPane::render()
 {
-    if (!isPossible(m_wanted->plan)) {
+    if (!isPossible(m_wanted->plan, m_wanted->effect)) {
         m_job.stop();
         m_preview.reset();
         m_canvas->say({});

@@ -56,7 +56,7 @@ PassStyle styleFor(Engine engine, ImageFormat format)
         style.layout = SixWayLayout::EmberGen;
         style.vectors = VectorSigns::Unreal;
     }
-    style.premultiplied = fileEnding(format) == ".exr";
+    style.premultiplied = holdsFloats(format);
     return style;
 }
 

@@ -14,6 +14,13 @@ std::filesystem::path beside(const std::filesystem::path& picture, std::string_v
     return std::filesystem::path(picture).replace_extension(ending);
 }
 
+/// Engines that import textures themselves read TGA, too; what is shown or read by other programs is PNG.
+bool takes(Engine engine, ImageFormat format)
+{
+    const bool importsTextures = engine == Engine::Unity || engine == Engine::Unreal || engine == Engine::Godot || engine == Engine::Godot3;
+    return format == ImageFormat::Tga ? importsTextures : !holdsFloats(format);
+}
+
 std::filesystem::path importOf(const std::filesystem::path& picture)
 {
     return picture.parent_path() / (picture.filename().string() + ".import");
@@ -72,7 +79,7 @@ Status checkEngine(Engine engine, PassSet passes, ImageFormat format)
     if (!passes.has(Pass::Colour)) {
         return Error{ErrorCode::OutOfRange, said("%1 plays the colour, which is not among the passes", titleOf(engine)), {}, said("Add colour to the passes")};
     }
-    if (format != ImageFormat::Png8 && format != ImageFormat::Png16) {
+    if (!takes(engine, format)) {
         return Error{ErrorCode::OutOfRange, said("what is written for %1 reads PNG", titleOf(engine)), {}, said("Choose PNG")};
     }
     return Done{};

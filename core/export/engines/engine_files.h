@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +16,11 @@ namespace fumage {
 
 /// One picture of a flipbook, as it is written.
 struct EnginePicture {
-    Pass pass = Pass::Colour;
+    std::optional<Pass> pass; ///< none: it is packed
     std::filesystem::path file;
     std::span<const std::byte> bytes;
+    bool isSrgb = false; ///< else its numbers are linear
+    bool isExact = false; ///< vectors and normals are no colours: mixed or compressed as such they point elsewhere
 };
 
 /// All that files for engines tell of a flipbook.

@@ -74,10 +74,9 @@ data pictureFacts(const EnginePicture& picture)
 {
     data facts;
     facts.set("file", picture.file.filename().string());
-    facts.set("srgb", picture.pass == Pass::Colour);
-    facts.set("linear", picture.pass != Pass::Colour);
-    // Vectors and normals are no colours: mixed or compressed as such they point elsewhere.
-    facts.set("exact", picture.pass == Pass::Motion || picture.pass == Pass::Normal);
+    facts.set("srgb", picture.isSrgb);
+    facts.set("linear", !picture.isSrgb);
+    facts.set("exact", picture.isExact);
     return facts;
 }
 
@@ -116,14 +115,16 @@ void addPictures(const EngineSheet& sheet, data& facts)
     int index = 2; // resources of a Godot scene: the shader is the first
     for (const EnginePicture& picture : sheet.pictures) {
         data each = pictureFacts(picture);
-        const std::string key = fileNameOf(picture.pass);
         each.set("index", std::to_string(index));
-        each.set(key, true);
         // Megabytes, made only for the template that asks for them.
         each.set("bytes", data(kainjow::mustache::lambda([bytes = picture.bytes](const std::string&) { return base64(bytes); })));
-        facts.set("has_" + key, true);
-        facts.set("index_" + key, std::to_string(index));
-        facts.set("file_" + key, picture.file.filename().string());
+        if (picture.pass) {
+            const std::string key = fileNameOf(*picture.pass);
+            each.set(key, true);
+            facts.set("has_" + key, true);
+            facts.set("index_" + key, std::to_string(index));
+            facts.set("file_" + key, picture.file.filename().string());
+        }
         list << each;
         ++index;
     }

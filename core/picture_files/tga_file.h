@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace fumage {
+
+/// Rows of a picture in memory, from the top, channels side by side, 8 bits each.
+struct TgaPixels {
+    int width = 0; ///< 1..65535, as many as its header can say
+    int height = 0;
+    int channels = 4; ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
+    std::span<const std::uint8_t> bytes; ///< width * height * channels
+};
+
+/// Encodes a picture as TGA: BGRA, BGR or grey, the first pixel at the top left; colours in runs that end with their row, grey plainly, since Unreal
+/// reads no runs of grey. It holds no colour space, and no notes: what readers keep of its text fields is little.
+/// Source: Truevision, "TGA File Format Specification", version 2.0, 1991.
+/// O(pixels).
+[[nodiscard]] std::vector<std::byte> encodeTga(const TgaPixels& pixels);
+
+} // namespace fumage

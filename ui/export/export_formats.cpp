@@ -1,0 +1,54 @@
+#include "ui/export/export_formats.h"
+
+#include "core/export/output_name.h"
+#include "ui/document/text.h"
+#include "ui/export/export_dialog.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fumage::ui {
+
+namespace {
+
+/// The first of some formats whose files end so.
+template <class Formats>
+std::optional<int> withEnding(std::string_view ending, const Formats& formats)
+{
+    const auto found = std::ranges::find(formats, ending, [](auto format) { return fileEnding(format); });
+    return found == std::ranges::end(formats) ? std::nullopt : std::optional(static_cast<int>(*found));
+}
+
+} // namespace
+
+QStringList formatsOf(ExportKind kind)
+{
+    switch (kind) {
+    case ExportKind::Particles: return {ExportDialog::tr("CSV, one particle a line"), ExportDialog::tr("PLY, binary points"), ExportDialog::tr("Point cache for Unity, binary")};
+    case ExportKind::Video:
+        return {ExportDialog::tr("MP4 (H.264), on the background colour"), ExportDialog::tr("WebM (VP9), transparent"), ExportDialog::tr("QuickTime (ProRes 4444), transparent"),
+            ExportDialog::tr("GIF, on the background colour"), ExportDialog::tr("APNG, transparent")};
+    default:
+        return {ExportDialog::tr("PNG, 8 bits"), ExportDialog::tr("PNG, 16 bits"), ExportDialog::tr("OpenEXR, half floats, linear"), ExportDialog::tr("OpenEXR, floats, linear"), ExportDialog::tr("TGA, 8 bits")};
+    }
+}
+
+std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
+{
+    const std::string ending = endingOf(path.toStdString());
+    switch (kind) {
+    case ExportKind::Particles: return withEnding(ending, kAllParticleFormats);
+    case ExportKind::Video: return withEnding(ending, kAllVideoFormats);
+    default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf, ImageFormat::Tga});
+    }
+}
+
+QString withEndingOf(const ExportPlan& plan, const QString& path)
+{
+    if (!formatNamedBy(path, ExportKind::Picture) && !formatNamedBy(path, ExportKind::Particles) && !formatNamedBy(path, ExportKind::Video)) {
+        return path;
+    }
+    return path.left(path.lastIndexOf(QLatin1Char('.'))) + toQString(fileEnding(plan));
+}
+
+} // namespace fumage::ui

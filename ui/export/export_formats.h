@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/export/plan.h"
+
+#include <QStringList>
+
+#include <optional>
+
+namespace fumage::ui {
+
+/// The formats of a kind in words, in the order of ImageFormat, VideoFormat or ParticleFormat.
+[[nodiscard]] QStringList formatsOf(ExportKind kind);
+
+/// The format that the ending of a path asks for, as an ImageFormat, VideoFormat or ParticleFormat; nothing where it asks for none of this kind.
+[[nodiscard]] std::optional<int> formatNamedBy(const QString& path, ExportKind kind);
+
+/// The same path for another format: its ending goes, where it is one that exports have, and the plan's comes.
+[[nodiscard]] QString withEndingOf(const ExportPlan& plan, const QString& path);
+
+} // namespace fumage::ui

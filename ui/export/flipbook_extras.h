@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/export/plan.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QCheckBox;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace fumage::ui {
+
+class CurveArea;
+class PackRow;
+
+/// What few flipbooks are asked, folded away: which frames they show, sides of powers of two, and packed pictures.
+class FlipbookExtras : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FlipbookExtras(QWidget* parent = nullptr);
+
+    /// A loop has no frames to leave out.
+    void follow(const Effect& effect);
+    /// Writes them into a plan, whether they are folded away or not.
+    void applyTo(ExportPlan& plan) const;
+
+signals:
+    void changed();
+    /// It takes more room, or less.
+    void resized();
+
+private:
+    void build();
+    [[nodiscard]] QVBoxLayout* makePacks();
+    void setOpen(bool open);
+    void addPack();
+    void removePack(PackRow* row);
+
+    QToolButton* m_more;
+    QWidget* m_content;
+    QCheckBox* m_trim;
+    QCheckBox* m_powerOfTwo;
+    QCheckBox* m_retimes;
+    CurveArea* m_curve;
+    QVBoxLayout* m_list = nullptr; ///< of packed pictures
+    QPushButton* m_add;
+    std::vector<PackRow*> m_packs;
+    int m_packsEver = 0; ///< so that no two begin with one name
+};
+
+} // namespace fumage::ui
