@@ -1,7 +1,7 @@
 #include "core/flow/multigrid.h"
 
-#include "core/base/parallel.h"
 #include "core/flow/multigrid_kernel.h"
+#include "core/flow/planes.h"
 
 #include <algorithm>
 
@@ -19,9 +19,6 @@ constexpr int kSweeps = 2;
 
 /// On the coarsest level, which may still be long: enough for a side of 16 cells.
 constexpr int kSweepsOfLast = 40;
-
-/// A level with fewer cells is done by one thread: to share it would take longer.
-constexpr std::size_t kWorthSharing = 32768;
 
 constexpr int halved(int cells)
 {
@@ -129,25 +126,11 @@ void invertWeights(MultigridLevel& level)
     });
 }
 
-/// Calls body(plane) for planes first, first + stride and so on of a level.
-template <class Body>
-void forPlanes(const MultigridLevel& level, int first, int stride, const Body& body)
-{
-    const int planes = level.layout.cells.z;
-    if (level.layout.size < kWorthSharing) {
-        for (int k = first; k < planes; k += stride) {
-            body(k);
-        }
-        return;
-    }
-    parallelFor(static_cast<std::size_t>((planes - first + stride - 1) / stride), [&](std::size_t i) { body(first + stride * static_cast<int>(i)); });
-}
-
 void sweep(const MultigridLevel& level, AirColumn& pressure, const AirColumn& rightSide, int times)
 {
     for (int time = 0; time < times; ++time) {
         for (int first = 0; first < 2; ++first) {
-            forPlanes(level, first, 2, [&](int k) { relax(level, pressure, rightSide, k); });
+            forPlanes(level.layout, first, level.layout.cells.z, 2, [&](int k) { relax(level, pressure, rightSide, k); });
         }
     }
 }
@@ -204,9 +187,9 @@ void Multigrid::cycle(std::size_t level, AirColumn& pressure, AirColumn& rightSi
     }
     MultigridLevel& coarse = m_levels[level + 1];
     sweep(fine, pressure, rightSide, kSweeps);
-    forPlanes(coarse, 0, 1, [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
+    forPlanes(coarse.layout, 0, coarse.layout.cells.z, 1, [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
     cycle(level + 1, coarse.pressure, coarse.rightSide);
-    forPlanes(fine, 0, 1, [&](int k) { prolong(fine, coarse, pressure, k); });
+    forPlanes(fine.layout, 0, fine.layout.cells.z, 1, [&](int k) { prolong(fine, coarse, pressure, k); });
     sweep(fine, pressure, rightSide, kSweeps);
 }
 

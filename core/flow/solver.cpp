@@ -1,9 +1,9 @@
 #include "core/flow/solver.h"
 
-#include "core/base/parallel.h"
 #include "core/flow/advection_kernel.h"
 #include "core/flow/borders.h"
 #include "core/flow/force_kernel.h"
+#include "core/flow/planes.h"
 #include "core/flow/project_kernel.h"
 
 #include <algorithm>
@@ -21,21 +21,15 @@ AirCells cellsWith(const AirGrid& grid, const AirBorders& borders, std::span<con
     return cells;
 }
 
-/// Calls body(plane) for planes [first, last), on all threads.
-template <class Body>
-void forPlanes(int first, int last, const Body& body)
-{
-    parallelFor(static_cast<std::size_t>(last - first), [&](std::size_t i) { body(first + static_cast<int>(i)); });
-}
-
 /// Planes of a slab: enough that what is computed for both of two neighbours does not count, and few enough that all threads have some.
 constexpr int kSlab = 8;
 
-/// Calls body(first, last) for slabs of planes [first, last), on all threads.
+/// Calls body(first, last) for slabs of planes [first, last).
 template <class Body>
-void forSlabs(int planes, const Body& body)
+void forSlabs(const ColumnLayout& layout, const Body& body)
 {
-    forPlanes(0, (planes + kSlab - 1) / kSlab, [&](int slab) { body(slab * kSlab, std::min(planes, (slab + 1) * kSlab)); });
+    const int planes = layout.cells.z;
+    forPlanes(layout, 0, (planes + kSlab - 1) / kSlab, 1, [&](int slab) { body(slab * kSlab, std::min(planes, (slab + 1) * kSlab)); });
 }
 
 /// Makes the numbers of plane k 0, with their ghosts, and those of the plane of ghosts beyond it where it is the first or the last.
@@ -74,7 +68,7 @@ void AirSolver::step(const AirStep& step)
     AirCells& cells = m_cells;
     const int planes = cells.grid.cells.z;
     const bool keepsHeat = !step.source.acts; // beside a source the sum is what the source makes it
-    forPlanes(0, planes, [&](int k) {
+    forPlanes(cells.column, 0, planes, 1, [&](int k) {
         if (keepsHeat) {
             m_heat.before(cells, step.dt, k);
         }
@@ -83,7 +77,7 @@ void AirSolver::step(const AirStep& step)
     });
     fillSkin(cells, cells.guess);
     const bool confines = step.confinement > 0.0F;
-    forPlanes(0, planes, [&](int k) {
+    forPlanes(cells.column, 0, planes, 1, [&](int k) {
         correctTrace(cells, step.dt, k);
         if (keepsHeat) {
             m_heat.after(cells, k);
@@ -97,7 +91,7 @@ void AirSolver::step(const AirStep& step)
         }
     });
     const HeatBudget::Correction correction = keepsHeat ? m_heat.correction() : HeatBudget::Correction();
-    forSlabs(planes, [&](int first, int last) {
+    forSlabs(cells.column, [&](int first, int last) {
         CurlPlanes& curl = m_curl.local();
         for (int k = first; k < last; ++k) {
             if (keepsHeat) {
@@ -115,7 +109,7 @@ void AirSolver::project(const glm::vec3& wind)
 {
     AirCells& cells = m_cells;
     const int planes = cells.grid.cells.z;
-    forPlanes(0, planes, [&](int k) {
+    forPlanes(cells.column, 0, planes, 1, [&](int k) {
         findDivergence(cells, k);
         clearPlane(cells.pressure, cells.column, k);
     });
@@ -123,11 +117,11 @@ void AirSolver::project(const glm::vec3& wind)
         balance();
     }
     m_multigrid.solve(cells.pressure, cells.divergence, kCycles);
-    forPlanes(0, planes, [&](int k) {
+    forPlanes(cells.column, 0, planes, 1, [&](int k) {
         fillPressureGhosts(cells, cells.pressure, k);
         fillEvenGhosts(cells, cells.heat, k);
     });
-    forPlanes(0, planes, [&](int k) {
+    forPlanes(cells.column, 0, planes, 1, [&](int k) {
         subtractGradient(cells, k);
         fillQuadGhosts(cells, cells.air, wind, k);
         fillQuadGhosts(cells, cells.carrier, wind, k);
@@ -182,7 +176,7 @@ void AirSolver::restore(const AirState& state)
 
 void AirSolver::read(AirField& field) const
 {
-    parallelFor(static_cast<std::size_t>(m_cells.grid.cells.z) + 1, [&](std::size_t k) { writeNodes(m_cells, field, static_cast<int>(k)); });
+    forPlanes(m_cells.column, 0, m_cells.grid.cells.z + 1, 1, [&](int k) { writeNodes(m_cells, field, k); });
 }
 
 bool AirSolver::isSolid(const glm::ivec3& cell) const

@@ -8,6 +8,7 @@
 #include "ui/viewport/viewport.h"
 
 #include "core/effect/parameter_table.h"
+#include "core/preset/library.h"
 
 #include <sys/resource.h>
 
@@ -29,16 +30,26 @@ namespace {
 
 constexpr double kNanosecondsAMillisecond = 1e6;
 
-/// A window on the default smoke with some number of particles.
+Preset smokeOf(int particles)
+{
+    Preset preset;
+    preset.effect.emitter.count = particles;
+    return preset;
+}
+
+/// A window on some smoke, at rest at frame 60.
 struct Editor {
     Session session;
     MainWindow* window = nullptr;
 
     explicit Editor(int particles)
+        : Editor(smokeOf(particles))
+    {
+    }
+
+    explicit Editor(const Preset& preset)
     {
         window = session.openWindow();
-        Preset preset;
-        preset.effect.emitter.count = particles;
         window->document().load(preset, {});
         window->player().pause();
         window->player().setFrame(60);
@@ -107,6 +118,40 @@ private:
     QElapsedTimer m_since;
     std::vector<double> m_gaps;
 };
+
+/// A drag of the buoyancy of the default look in air: the time to the first changed picture, whose air is coarse while the hand moves, and from the end of the drag to
+/// the picture of the whole air. Each drag begins with a bake that is whole.
+void dragOfAir(benchmark::State& state)
+{
+    Editor editor(loadPreset("default").value().preset);
+    Document& document = editor.window->document();
+    const Parameter& parameter = *findParameter("motion.buoyancy");
+    double value = 3.0;
+    double changedMs = 0.0;
+    double drags = 0.0;
+    Heartbeat heartbeat;
+    for (auto _ : state) {
+        constexpr double kStep = 0.25;
+        value += kStep;
+        const PicturePtr before = editor.window->viewport().picture();
+        QElapsedTimer since;
+        since.start();
+        {
+            const Gesture gesture = document.beginGesture();
+            document.edit(parameter, static_cast<float>(value), gesture);
+            while (editor.window->viewport().picture() == before) {
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            }
+            changedMs += static_cast<double>(since.nsecsElapsed()) / kNanosecondsAMillisecond;
+        }
+        since.start();
+        editor.settle();
+        state.SetIterationTime(static_cast<double>(since.nsecsElapsed()) / kNanosecondsAMillisecond / 1e3);
+        drags += 1.0;
+    }
+    state.counters["changed ms"] = changedMs / drags;
+    state.counters["longest ms"] = heartbeat.longestMs();
+}
 
 /// From a slider's move to the changed picture.
 void slider(benchmark::State& state, const char* key)
@@ -221,6 +266,7 @@ int main(int argc, char** argv)
         ->Arg(5000)
         ->Arg(100000)
         ->Arg(1000000);
+    benchmark::RegisterBenchmark("drag/air", dragOfAir)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(8);
     add("blocked/playing", blockedWhilePlaying)->Arg(100000)->Arg(1000000)->Iterations(1);
     add("blocked/exporting", blockedWhileExporting)->Iterations(1);
     add("idle", idle)->Iterations(1);
@@ -232,6 +278,9 @@ int main(int argc, char** argv)
         claims.push_back({name + ", 100 000 particles", name + "/100000", "", "", 100.0, true});
         claims.push_back({name + ", 1 000 000 particles", name + "/1000000", "", "", 0.0, true});
     }
+    claims.push_back({"drag of the buoyancy in air, default look, to the changed picture", "drag/air", "", "changed ms", 100.0, true});
+    claims.push_back({"  from its end to the whole air", "drag/air", "", "", 1500.0, true});
+    claims.push_back({"  GUI thread blocked, longest", "drag/air", "", "longest ms", 16.0, true});
     claims.push_back({"GUI thread blocked, playing 100 000 particles, longest", "blocked/playing/100000", "", "longest ms", 16.0, true});
     claims.push_back({"GUI thread blocked, playing 1 000 000 particles, longest", "blocked/playing/1000000", "", "longest ms", 16.0, true});
     claims.push_back({"GUI thread blocked, playing during an export, longest", "blocked/exporting", "", "longest ms", 16.0, true});

@@ -94,7 +94,7 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
         return plan;
     }
     const Schedule schedule = makeSchedule(plan.effect);
-    constexpr int kCoarseAir = 24; // cells: some tens of milliseconds for a hundred steps
+    constexpr int kCoarseAir = 20; // cells: some tens of milliseconds for two hundred steps
     if (request.haste == Haste::Dragging && asked.air.enabled && asked.air.resolution > kCoarseAir && !m_shelf->isBaked(plan.effect, schedule.stepOfFrame(request.frame))) {
         asked.air.resolution = kCoarseAir;
         plan.effect = sampled(asked);
