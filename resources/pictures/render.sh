@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Renders the pictures of the README and of resources/pictures: every built-in preset, and the default look.
+# Renders the pictures of the README and of resources/pictures: every built-in preset, the default look, and four presets that move.
 #   render.sh <fumage-cli>
 set -euo pipefail
 cli=$1
@@ -19,3 +19,16 @@ for preset in "$here"/../presets/*.json; do
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
 done
+
+# A second of film is fifteen frames: every other one of the presets' thirty.
+film=$(mktemp -d)
+trap 'rm -rf "$film"' EXIT
+moving=(campfire explosion mushroom-cloud cloud)
+for name in "${moving[@]}"; do
+    "$cli" render "$name" --frames 0-119:2 --size 240 --set output.background=transparent --output "$film/${name}_###.png"
+done
+for number in $(seq -f %03g 0 2 118); do
+    beside=("${moving[@]/#/$film/}")
+    convert "${beside[@]/%/_$number.png}" -background '#1a212b' -alpha remove -alpha off +append +repage "$film/film_$number.png"
+done
+convert -delay 7 -loop 0 "$film"/film_*.png -ordered-dither o4x4,32 -layers optimize "$here/moving.gif"
