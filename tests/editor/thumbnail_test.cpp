@@ -51,6 +51,16 @@ private slots:
         QCOMPARE(renderThumbnail(effect, kEdge, {}), coarse);
     }
 
+    void smokeThatGrowsIsShownAsItsTimelineHasIt()
+    {
+        Effect effect = tinyEffect();
+        effect.timeline.length = 2; // far shorter than a life
+        effect.timeline.prewarm = false;
+        const QImage growing = renderThumbnail(effect, kEdge, {});
+        effect.timeline.prewarm = true;
+        QVERIFY(growing != renderThumbnail(effect, kEdge, {}));
+    }
+
     void whatWasRenderedIsKept()
     {
         const QImage first = picture(tinyEffect());

@@ -30,7 +30,6 @@ QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& st
     Effect small = thinned(sampled(effect), kParticles);
     small.output.width = edge;
     small.output.height = edge;
-    small.timeline.prewarm = true;
     small.air.resolution = std::min(small.air.resolution, kAirCells);
     PictureRequest request;
     request.effect = std::make_shared<const Effect>(small);
