@@ -10,6 +10,7 @@
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
 
+#include <QCommandLineParser>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QLabel>
@@ -130,6 +131,18 @@ private slots:
         QCOMPARE(panel.findChild<QWidget*>(u"emitter.seed.dice"_q)->accessibleName(), u"Utsändare: Frö tärning"_q);
         document.edit(knownParameter("motion.gravity"), 3.0F);
         QVERIFY(document.undoStack()->undoText().startsWith(u"Rörelse: Tyngdkraft 3"_q));
+    }
+
+    void theHelpOfTheProgramSpeaksTheLanguage()
+    {
+        QVERIFY(applyLanguage(*qApp, u"sv"_q));
+        QCommandLineParser parser;
+        parser.addHelpOption();
+        parser.addVersionOption();
+        const QString help = parser.helpText();
+        for (const QString& word : {u"Användning: "_q, u"[flaggor]"_q, u"Flaggor:"_q, u"Visar hjälp om kommandoradens flaggor."_q, u"Visar versionen."_q}) {
+            QVERIFY2(help.contains(word), qPrintable(help));
+        }
     }
 
     void anUnknownLanguageIsRefused()
