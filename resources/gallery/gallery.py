@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the comparison sheet and its figures: `./dev gallery [folder of references]`.
+"""Makes the comparison sheets and their figures: `./dev gallery [folder of references] [folder of older presets]`.
 
-The sheet shows each reference picture beside ours with the same framing, light and background, then every preset at three moments. The figures
+The sheets show each reference picture beside ours with the same framing, light and background, the sketches of smoke in air beside ours, every preset at
+three moments, beside itself as it was before where older presets are given, and sixty frames of each. The figures
 compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, whether it rises again at the size of
 the sprites, steep gradients, how far apart structure is (see structure.py; beside it that of two pictures which are known to be worse), and the change
 from frame to frame.
@@ -47,6 +48,8 @@ EMBERGEN_BACKGROUND = (64, 96, 128)
 EMBERGEN_LIGHTS = ("light.direction=[-1,0,0]", "light.direction=[0,-1,0]")
 EMBERGEN_LOOK = ["camera.distance=4.7", "camera.target=[0,2.9,0]", "emitter.radius=0.32", "emitter.count=250000", "life.fade_rate=0.022", "light.intensity=5", "light.colour=[1,1,1]", "light.ambient=0.02", "light.shadow=4",
                  "light.scattering=0.2", "light.anisotropy=0", "look.colour=[0.9,0.9,0.9]", "look.size=0.13", "look.opacity=3", "look.relief=0.5", "motion.pull=0.25"]
+# sketch, preset, frame
+SKETCHES = [("flow_sketch_plume.png", "plume", 110), ("flow_sketch_mushroom.png", "mushroom-cloud", 80), ("flow_sketch_explosion.png", "explosion", 50)]
 # What is known to be worse than ours: smoke that moves like noise; a few large sprites.
 WORSE = (["air.enabled=false"], ["air.enabled=false", "emitter.count=1500", "look.opacity=6", "look.size=0.35"])
 BAND = (8, 64)  # cycles a picture: from the large billows down to 8 pixels
@@ -98,7 +101,9 @@ def gradients(alpha: np.ndarray) -> np.ndarray:
 
 def spike_of(cli: str, preset: str, folder: pathlib.Path) -> float:
     """Largest change of density from one frame to the next over a second, beside the mean of the changes before and after it."""
-    frames = [density(render(cli, preset, 60 + i, folder / "step.png", (128, 128), [])) for i in range(30)]
+    command = [cli, "render", preset, "--frames", "60-89", "--size", "128", "--supersample", "2", "--output", str(folder / "step_##.png")]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    frames = [density(Image.open(folder / f"step_{frame}.png").convert("RGBA")) for frame in range(60, 90)]
     steps = np.array([np.abs(b - a).mean() for a, b in zip(frames, frames[1:])])
     return float((steps[1:-1] / np.maximum(0.5 * (steps[:-2] + steps[2:]), 1e-9)).max())
 
@@ -113,8 +118,39 @@ def embergen_rows(cli: str, theirs: Image.Image, out: pathlib.Path) -> Image.Ima
     return sheet
 
 
+def sketch_sheet(cli: str, references: pathlib.Path, out: pathlib.Path) -> Image.Image:
+    """Each sketch, as wide as it is, above ours."""
+    sheet = Image.new("RGB", (2 * EDGE, 2 * EDGE * len(SKETCHES)), BACKGROUND)
+    for i, (name, preset, frame) in enumerate(SKETCHES):
+        if (references / name).exists():
+            theirs = Image.open(references / name).convert("RGB")
+            theirs.thumbnail((2 * EDGE, EDGE))
+            sheet.paste(theirs, (0, 2 * i * EDGE))
+        sheet.paste(flat(render(cli, preset, frame, out / "sketched.png", (EDGE, EDGE), [])), (0, (2 * i + 1) * EDGE))
+    return sheet
+
+
+def contact_sheet(cli: str, preset: str, out: pathlib.Path) -> None:
+    """Sixty frames in ten columns."""
+    subprocess.run([cli, "flipbook", preset, "--grid", "10x6", "--size", "128", "--output", str(out)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    flat(Image.open(out).convert("RGBA")).save(out)
+
+
+def before_and_now(cli: str, older: pathlib.Path, presets: list[str], out: pathlib.Path) -> Image.Image:
+    """Two columns of three moments: a preset as it was, and as it is."""
+    half = EDGE // 2
+    both = [preset for preset in presets if (older / f"{preset}.json").exists()]
+    sheet = Image.new("RGB", (6 * half, half * len(both)))
+    for y, preset in enumerate(both):
+        for side, source in enumerate((str(older / f"{preset}.json"), preset)):
+            for x, frame in enumerate((20, 60, 110)):
+                sheet.paste(flat(render(cli, source, frame, out / "then.png", (half, half), [])), ((3 * side + x) * half, y * half))
+    return sheet
+
+
 def main() -> None:
     cli, out, references = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    older = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
     out.mkdir(parents=True, exist_ok=True)
     rows: list[list[Image.Image]] = []
     print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s} {'structure':>10s} {'no air':>7s} {'sprites':>8s}")
@@ -155,6 +191,11 @@ def main() -> None:
             sheet.paste(image, ((i % 2 * 3 + x) * half, i // 2 * half))
         draw.text((i % 2 * 3 * half + 6, i // 2 * half + 4), preset, fill=(255, 255, 255))
     sheet.save(out / "presets.png")
+    sketch_sheet(cli, references, out).save(out / "sketches.png")
+    if older is not None:
+        before_and_now(cli, older, presets, out).save(out / "before_and_now.png")
+    for preset in presets:
+        contact_sheet(cli, preset, out / f"frames_{preset}.png")
     print(f"\n{out / 'references.png'}\n{out / 'presets.png'}")
 
 
