@@ -32,13 +32,12 @@ std::string table(const std::vector<SheetCandidate>& candidates, const SheetCand
 Result<std::int64_t> parseBudget(const std::string& text)
 {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
-    std::string unit(trimmed(std::string_view(text).substr(digits)));
-    std::transform(unit.begin(), unit.end(), unit.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    const std::string unit = inSmallLetters(trimmed(std::string_view(text).substr(digits)));
     const std::optional<float> number = parseFloat(std::string_view(text).substr(0, digits));
     double bytes = number ? static_cast<double>(*number) : 0.0;
-    if (unit == "MB" || unit == "MIB") {
+    if (unit == "mb" || unit == "mib") {
         bytes *= kKilo * kKilo;
-    } else if (unit == "KB" || unit == "KIB") {
+    } else if (unit == "kb" || unit == "kib") {
         bytes *= kKilo;
     } else {
         bytes = 0.0;

@@ -27,6 +27,9 @@ namespace fumage {
 /// @return the text without spaces, tabs and line ends at its ends; a look into it
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// The text with A to Z as a to z; all other characters stay, whatever the locale.
+[[nodiscard]] std::string inSmallLetters(std::string_view text);
+
 /// The candidate with the smallest edit distance (Levenshtein), for "did you mean".
 /// @return empty when nothing is near (more than half of the name's characters differ)
 /// O(candidates * length^2).

@@ -85,11 +85,12 @@ Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options
     const Model model(smoke, shelf.airOf(smoke));
     constexpr int kPercent = 100;
     const auto baking = [&](double share) { progress(Work::Air, static_cast<int>(kPercent * share), kPercent); };
-    if (Status status = model.air()->bake(model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1)), stop, baking); !status) {
-        return status.error();
-    }
+    const std::int64_t last = model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1));
     AirGrid grid;
     const Status written = writeNumbered({options.output, options.frames, fileEnding(options.format), options.source}, progress, [&](int number) -> Result<std::string> {
+        if (Status status = model.air()->bake(last, stop, baking); !status) { // the first time; what is baked stays
+            return status.error();
+        }
         const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), stop);
         if (!air) {
             return air.error();

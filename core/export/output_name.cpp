@@ -37,12 +37,8 @@ std::string listOf(std::span<const std::string_view> endings)
 
 std::string endingOf(const std::filesystem::path& path)
 {
-    std::string ending = path.extension().string();
-    if (ending.find_first_not_of(".#") == std::string::npos) {
-        return {};
-    }
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return ending;
+    const std::string ending = path.extension().string();
+    return ending.find_first_not_of(".#") == std::string::npos ? std::string() : inSmallLetters(ending);
 }
 
 Error wouldOverwrite(const std::filesystem::path& source)

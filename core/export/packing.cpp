@@ -31,11 +31,8 @@ int numbersOf(Pass pass)
 /// Small letters, and names as command lines have them: those of files and of other spellings are understood.
 std::string normalised(std::string_view text)
 {
-    std::string out;
-    for (const char c : text) {
-        out += c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a')
-                                                     : c;
-    }
+    std::string out = inSmallLetters(text);
+    std::replace(out.begin(), out.end(), '_', '-');
     if (out.starts_with("sixway")) {
         out.insert(3, "-");
     }
@@ -80,6 +77,14 @@ Status checkName(std::string_view name)
         }
     }
     return Done{};
+}
+
+Status checkCount(std::string_view name, std::size_t channels)
+{
+    if (channels >= 1 && channels <= kLetters.size()) {
+        return Done{};
+    }
+    return Error{ErrorCode::OutOfRange, said("the packed picture %1 has %2 channels", inQuotes(name), channels), {}, said("Use one to four: red, green, blue and alpha")};
 }
 
 /// Of "1/2" the 2.
@@ -145,8 +150,8 @@ Result<PackedPicture> parsePack(std::string_view text)
     }
     const std::string_view list = text.substr(equals + 1, at - equals - 1);
     const std::size_t count = splitCount(list, ',');
-    if (count > kLetters.size()) {
-        return Error{ErrorCode::OutOfRange, said("the packed picture %1 has %2 channels", inQuotes(pack.name), count), {}, said("Use one to four: red, green, blue and alpha")};
+    if (Status status = checkCount(pack.name, count); !status) {
+        return status.error();
     }
     for (std::size_t i = 0; i < count; ++i) {
         const Result<PackedChannel> channel = parseChannel(trimmed(splitPart(list, ',', i)));
@@ -180,8 +185,8 @@ Status checkPacks(std::span<const PackedPicture> packs, int cellWidth, int cellH
         if (Status status = checkName(packs[i].name); !status) {
             return status;
         }
-        if (packs[i].channels.empty() || packs[i].channels.size() > kLetters.size()) {
-            return Error{ErrorCode::OutOfRange, said("the packed picture %1 has %2 channels", inQuotes(packs[i].name), packs[i].channels.size()), {}, said("Use one to four: red, green, blue and alpha")};
+        if (Status status = checkCount(packs[i].name, packs[i].channels.size()); !status) {
+            return status;
         }
         const auto sameName = [&](const PackedPicture& other) { return normalised(other.name) == normalised(packs[i].name); };
         if (std::any_of(packs.begin(), packs.begin() + static_cast<std::ptrdiff_t>(i), sameName)) {

@@ -133,6 +133,29 @@ private slots:
         QVERIFY(readFile(folder.filePath("air_12.vf").toStdString(), std::size_t{1} << 26U).value() == encodeAir(*air, AirFormat::Vf));
     }
 
+    void whereNothingCanBeWrittenNothingIsBaked()
+    {
+        const QTemporaryDir folder;
+        const std::string source = folder.filePath("air_10.fga").toStdString();
+        QVERIFY(writeFileAtomically(source, std::string_view("{}")).ok());
+        AirSequenceOptions options;
+        options.frames = {10, kFrame, 2};
+        int told = 0;
+        const auto count = [&](Work, int, int) { ++told; };
+
+        options.output = folder.filePath("air_##.fga").toStdString();
+        options.source = source;
+        const Result<AirGrid> overSource = writeAir(plume(), options, count);
+        QVERIFY(!overSource.ok());
+        QCOMPARE(overSource.error().code, ErrorCode::WouldOverwrite);
+        QCOMPARE(readFile(source, 10).value(), std::string("{}"));
+
+        options.output = source + "/below_a_file/air_##.fga";
+        options.source.clear();
+        QVERIFY(!writeAir(plume(), options, count).ok());
+        QCOMPARE(told, 0);
+    }
+
     void smokeWithoutAirHasNone()
     {
         const QTemporaryDir folder;

@@ -1,6 +1,7 @@
 // Packed pictures: each channel is the one that was asked for, smaller ones are averages of it, and the side-car says so.
 
 #include "tests/helpers.h"
+#include "tests/png_file.h"
 
 #include "core/base/file.h"
 #include "core/export/flipbook.h"
@@ -12,45 +13,10 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
-#include <png.h>
-
 using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-/// A PNG as libpng has it, without any conversion.
-struct Picture {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    bool hasSrgb = false;
-    std::vector<std::uint8_t> pixels;
-
-    explicit Picture(const std::string& path)
-    {
-        std::FILE* file = std::fopen(path.c_str(), "rb");
-        if (file == nullptr) {
-            qFatal("%s", path.c_str());
-        }
-        png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-        png_infop info = png_create_info_struct(png);
-        png_init_io(png, file);
-        png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
-        width = static_cast<int>(png_get_image_width(png, info));
-        height = static_cast<int>(png_get_image_height(png, info));
-        channels = png_get_channels(png, info);
-        int intent = 0;
-        hasSrgb = png_get_sRGB(png, info, &intent) != 0;
-        for (int y = 0; y < height; ++y) {
-            const png_bytep row = png_get_rows(png, info)[y];
-            pixels.insert(pixels.end(), row, row + static_cast<std::ptrdiff_t>(width) * channels);
-        }
-        png_destroy_read_struct(&png, &info, nullptr);
-        std::fclose(file);
-    }
-    [[nodiscard]] int at(int x, int y, int channel) const { return pixels[static_cast<std::size_t>((y * width + x) * channels + channel)]; }
-};
 
 PackedPicture packOf(const char* text)
 {
@@ -80,7 +46,7 @@ struct Book {
         }
     }
     [[nodiscard]] Result<Flipbook> write() const { return renderFlipbook(effect, options, {}); }
-    [[nodiscard]] Picture picture(const char* name) const { return Picture(folder.filePath(QString::fromLatin1(name)).toStdString()); }
+    [[nodiscard]] PngFile picture(const char* name) const { return PngFile(folder.filePath(QString::fromLatin1(name)).toStdString()); }
     [[nodiscard]] QJsonArray pictures() const
     {
         return QJsonDocument::fromJson(QByteArray::fromStdString(readFile(folder.path().toStdString() + "/boom.flipbook.json", 100'000).value())).object()[QStringLiteral("pictures")].toArray();
@@ -188,7 +154,7 @@ private slots:
             {"boom_three.png", 0, "boom.png", 2}, {"boom_three.png", 1, "boom_normal.png", 1}, {"boom_three.png", 2, "boom_motion.png", 0},
             {"boom_four.png", 0, "boom_sixway_a.png", 3}, {"boom_four.png", 2, nullptr, 255}, {"boom_four.png", 3, "boom_sixway_b.png", 1}}};
         for (const Expected& each : all) {
-            const Picture seen = book.picture(each.file);
+            const PngFile seen = book.picture(each.file);
             for (int y = 0; y < seen.height; ++y) {
                 for (int x = 0; x < seen.width; ++x) {
                     QCOMPARE(seen.at(x, y, each.channel), each.pass != nullptr ? book.picture(each.pass).at(x, y, each.from) : each.from);

@@ -1,6 +1,7 @@
 // Light maps, motion vectors and the other passes: what they say, how they are stored, and the same bits everywhere.
 
 #include "tests/helpers.h"
+#include "tests/png_file.h"
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
@@ -19,7 +20,6 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
-#include <png.h>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -77,32 +77,6 @@ double meanInSmoke(const Made& made, const DataImage& image, int channel)
     }
     return sum / weight;
 }
-
-/// What libpng reads of a file's colour space.
-struct PngSpace {
-    bool hasSrgb = false;
-    bool hasGamma = false;
-    int colourType = -1;
-
-    explicit PngSpace(const std::string& path)
-    {
-        std::FILE* file = std::fopen(path.c_str(), "rb");
-        if (file == nullptr) {
-            qFatal("%s", path.c_str());
-        }
-        png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-        png_infop info = png_create_info_struct(png);
-        png_init_io(png, file);
-        png_read_info(png, info);
-        int intent = 0;
-        hasSrgb = png_get_sRGB(png, info, &intent) != 0;
-        double gamma = 0.0;
-        hasGamma = png_get_gAMA(png, info, &gamma) != 0;
-        colourType = png_get_color_type(png, info);
-        png_destroy_read_struct(&png, &info, nullptr);
-        std::fclose(file);
-    }
-};
 
 /// The four channels of the picture itself, of an EXR in memory.
 std::vector<float> colourOf(const std::vector<std::byte>& bytes)
@@ -402,10 +376,10 @@ private slots:
         const Result<Flipbook> flipbook = renderFlipbook(everythingOn(), options, {});
         QVERIFY(flipbook.ok());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name), QStringList({"smoke.flipbook.json", "smoke.png", "smoke_depth.png", "smoke_motion.png", "smoke_sixway_a.png", "smoke_sixway_b.png"}));
-        QVERIFY(PngSpace(base + "/smoke.png").hasSrgb);
+        QVERIFY(PngFile(base + "/smoke.png").hasSrgb);
         for (const auto& [name, type] : {std::pair{"/smoke_sixway_a.png", PNG_COLOR_TYPE_RGB_ALPHA}, std::pair{"/smoke_motion.png", PNG_COLOR_TYPE_RGB}, std::pair{"/smoke_depth.png", PNG_COLOR_TYPE_GRAY}}) {
-            const PngSpace space(base + name);
-            QVERIFY2(!space.hasSrgb && !space.hasGamma && space.colourType == type, name);
+            const PngFile picture(base + name);
+            QVERIFY2(!picture.hasSrgb && !picture.hasGamma && picture.colourType == type, name);
         }
         // Engines read PNG with libpng's simplified interface, which turns what has a gamma into sRGB: vectors must come out as they were stored.
         png_image image{};

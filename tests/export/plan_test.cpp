@@ -1,5 +1,6 @@
 // What a plan says is what lies on the disk: names, formats and contents.
 #include "tests/helpers.h"
+#include "tests/png_file.h"
 
 #include "core/base/file.h"
 #include "core/export/output_name.h"
@@ -12,7 +13,6 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
-#include <png.h>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -27,28 +27,10 @@ struct Grey {
     std::vector<float> values;
 };
 
-/// Reads a grey PNG without any conversion but the byte order.
 Grey readGreyPng(const std::string& path)
 {
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (file == nullptr) {
-        qFatal("%s", path.c_str());
-    }
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png_create_info_struct(png);
-    png_init_io(png, file);
-    png_read_png(png, info, PNG_TRANSFORM_SWAP_ENDIAN, nullptr);
-    Grey grey{static_cast<int>(png_get_image_width(png, info)), static_cast<int>(png_get_image_height(png, info)), png_get_bit_depth(png, info), {}};
-    const bool isGrey = png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY;
-    for (int y = 0; isGrey && y < grey.height; ++y) {
-        const png_bytep row = png_get_rows(png, info)[y];
-        for (int x = 0; x < grey.width; ++x) {
-            grey.values.push_back(static_cast<float>(grey.bits == 16 ? reinterpret_cast<const std::uint16_t*>(row)[x] : row[x]));
-        }
-    }
-    png_destroy_read_struct(&png, &info, nullptr);
-    std::fclose(file);
-    return grey;
+    const PngFile png(path);
+    return {png.width, png.height, png.bits, png.colourType == PNG_COLOR_TYPE_GRAY ? std::vector<float>(png.samples.begin(), png.samples.end()) : std::vector<float>()};
 }
 
 Grey readGreyExr(const std::string& path)
