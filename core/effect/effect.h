@@ -136,6 +136,7 @@ struct Turbulence {
 struct Vortex {
     float strength = 0.0F;
     float radius = 0.5F;
+    float widening = 0.0F;
     glm::vec3 axis{0.0F, 1.0F, 0.0F};
     friend bool operator==(const Vortex&, const Vortex&) = default;
 };

@@ -159,6 +159,18 @@ HWY_INLINE V afterDrag(D d, const AirCells& cells, const AirStep& step, bool onG
     return 1.0F / (1.0F + walls * (step.friction * step.dt / cells.grid.cell) * hn::Sqrt(dot(v, v)));
 }
 
+/// What a swirl adds to the air's velocity: a share of what this lacks along the tangent, and what holds air of that speed on its circle.
+HWY_INLINE Vec3<V> swirled(D d, const AirSwirl& swirl, float dt, const Vec3<V>& away, const Vec3<V>& v)
+{
+    const Vec3<V> axis = broadcast(d, swirl.axis);
+    const Vec3<V> tangent = cross(axis, away); // as long as the distance from the axis
+    const V distance2 = dot(tangent, tangent);
+    constexpr float kOnAxis = 1e-12F; // m^2
+    const V radius = swirl.widening * hn::Max(dot(away, axis), hn::Zero(d)) + swirl.radius;
+    const V wanted = (2.0F * swirl.speed) * radius / (distance2 + radius * radius);
+    return (swirl.grip * (wanted - dot(v, tangent) / (distance2 + kOnAxis))) * tangent + (dt * wanted * wanted) * cross(axis, tangent);
+}
+
 HWY_INLINE Vec3<V> bounded(D d, const Vec3<V>& v)
 {
     const V most = hn::Set(d, kMaxAirSpeed);
@@ -174,6 +186,7 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
         const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
         const std::size_t start = cells.column.at(0, j, k);
         const std::size_t inPlane = CurlPlane::at(cells.column, j);
+        const glm::vec3 rowStart = cells.grid.centre({0, j, k}) - step.swirl.place;
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
             const std::size_t at = start + i;
             const V heat = hn::Load(d, cells.heat.data() + at);
@@ -181,6 +194,9 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
             v.y = v.y + heat * (step.dt * step.buoyancy);
             if (step.confinement > 0.0F) {
                 v = v + confinement(d, curl, cells.column.row, step.confinement * step.dt, inPlane + i);
+            }
+            if (step.swirl.speed != 0.0F) {
+                v = v + swirled(d, step.swirl, step.dt, {hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)}, v);
             }
             if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
                 v = v * afterDrag(d, cells, step, onGround, v, at);

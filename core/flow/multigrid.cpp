@@ -187,7 +187,7 @@ void Multigrid::cycle(std::size_t level, AirColumn& pressure, AirColumn& rightSi
     }
     MultigridLevel& coarse = m_levels[level + 1];
     sweep(fine, pressure, rightSide, kSweeps);
-    forPlanes(coarse.layout, 0, coarse.layout.cells.z, 1, [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
+    forPlanes(fine.layout, 0, coarse.layout.cells.z, 1, [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
     cycle(level + 1, coarse.pressure, coarse.rightSide);
     forPlanes(fine.layout, 0, fine.layout.cells.z, 1, [&](int k) { prolong(fine, coarse, pressure, k); });
     sweep(fine, pressure, rightSide, kSweeps);

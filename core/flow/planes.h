@@ -6,7 +6,7 @@
 namespace fumage {
 
 /// A grid with fewer places, ghosts among them, is done by one thread: to share it would take longer.
-inline constexpr std::size_t kWorthSharing = 32768;
+inline constexpr std::size_t kWorthSharing = 24576;
 
 /// Calls body(i) for first, first + stride and so on below last, in any order, on all threads where the grid is worth it.
 template <class Body>

@@ -41,6 +41,16 @@ struct AirSource {
     glm::ivec3 last{0};
 };
 
+/// A vortex that turns the air about an axis: its speed is 2 s / (1 + s^2) of the fastest, s = distance / radius (Scully 1975).
+struct AirSwirl {
+    float speed = 0.0F; ///< where it is fastest, m/s; 0: none
+    float radius = 1.0F; ///< at which it is, beside the place, m
+    float widening = 0.0F; ///< of the radius, m for each along the axis
+    glm::vec3 place{0.0F}; ///< on the axis
+    glm::vec3 axis{0.0F, 1.0F, 0.0F};
+    float grip = 0.0F; ///< share of the way to its speed in a step
+};
+
 /// What happens to the air in one step.
 struct AirStep {
     float dt = 0.0F; ///< s
@@ -51,6 +61,7 @@ struct AirStep {
     glm::vec3 wind{0.0F}; ///< of the air outside, m/s
     glm::vec3 windChange{0.0F}; ///< since the step before; all of the air is moved by as much
     AirSource source;
+    AirSwirl swirl;
 };
 
 } // namespace fumage

@@ -125,12 +125,8 @@ struct Way {
     Vec3<V> detail; ///< the swirls below the grid: those of turbulence, times the strength that the air has here
 };
 
-template <class Time>
-HWY_INLINE void setOut(D d, const StepConstants& constants, const Time& time, Way& way)
+HWY_INLINE void setOut(D d, const StepConstants& constants, Way& way)
 {
-    if (constants.vortexStrength != 0.0F) {
-        way.position = turnedByVortex(d, constants, time, way.position);
-    }
     way.places = placesIn(d, *constants.air.field, way.position);
 }
 
@@ -212,7 +208,7 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
         });
         each([&](Way& way, std::size_t i) HWY_ATTR {
             way.position = load(d, p.x, p.y, p.z, i);
-            setOut(d, constants, time, way);
+            setOut(d, constants, way);
         });
         each([&](Way& way, std::size_t /*i*/) HWY_ATTR { readHere(constants, way); });
         each([&](Way& way, std::size_t i) HWY_ATTR {
@@ -267,7 +263,7 @@ void carryJustBorn(const StepConstants& constants, Particles& particles, std::si
         way.position = insideSource(d, constants, key, before.moving.position);
         // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
         way.relative = before.moving.velocity - constants.air.sourceVelocity;
-        setOut(d, constants, time, way);
+        setOut(d, constants, way);
         readHere(constants, way);
         accelerate(d, constants, time, way);
         findDetail(d, constants, way);

@@ -182,6 +182,14 @@ void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed,
     }
 }
 
+/// The vortex of the effect, about an axis through the emitter. The air takes up its speed while it goes a radius far.
+AirSwirl swirlOf(const SampledEffect& effect, float dt)
+{
+    const Vortex& vortex = effect->vortex;
+    const float rate = std::abs(vortex.strength) / vortex.radius;
+    return {vortex.strength, vortex.radius, vortex.widening, effect->emitter.position, glm::normalize(vortex.axis), 1.0F - portableExp(-rate * dt)};
+}
+
 } // namespace
 
 glm::vec3 sourceDepth(const Emitter& emitter, const AirGrid& grid)
@@ -261,6 +269,7 @@ AirPlan airPlan(const Model& model)
     steady.friction = effect->air.friction;
     steady.source = steadySource(effect, plan.grid);
     steady.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * schedule.dt) : 0.0F;
+    steady.swirl = swirlOf(effect, schedule.dt);
     const float radius = std::max(steady.source.reach.x, steady.source.reach.y);
     const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(effect->motion.buoyancy) * radius)) / radius;
     plan.stepTo = [model = Model(effect), steady, rate](std::int64_t number) {
@@ -296,6 +305,7 @@ Effect airPart(const Effect& effect)
     part.motion.drag = effect.motion.drag;
     part.motion.buoyancy = effect.motion.buoyancy;
     part.motion.cooling = effect.motion.cooling;
+    part.vortex = effect.vortex;
     part.life.initialAlpha = effect.life.initialAlpha;
     part.life.fadeRate = effect.life.fadeRate;
     part.timeline = effect.timeline;

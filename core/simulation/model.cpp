@@ -214,6 +214,7 @@ StepConstants Model::constants(std::int64_t step) const
     }
     out.vortexStrength = m_effect->vortex.strength;
     out.vortexRadius = m_effect->vortex.radius;
+    out.vortexWidening = m_effect->vortex.widening;
     out.vortexAxis = m_effect->vortex.axis;
     if (m_effect->rings.strength > 0.0F && !m_air) {
         placeRings(step, out); // air makes its own

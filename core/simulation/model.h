@@ -64,7 +64,8 @@ struct StepConstants {
     float rotationCos = 1.0F;
 
     float vortexStrength = 0.0F;
-    float vortexRadius = 1.0F;
+    float vortexRadius = 1.0F; ///< at the pivot, m
+    float vortexWidening = 0.0F; ///< of the radius, m for each along the axis
     glm::vec3 vortexAxis{0.0F, 1.0F, 0.0F};
 
     float ringStrength = 0.0F;

@@ -145,16 +145,17 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& pos
     }
 }
 
-/// Where a vortex about an axis through the pivot takes a position in one step or a part of it: speed = strength * 2 s / (1 + s^2), s = distance / radius
+/// Where a vortex about an axis through the pivot takes a position in one step or a part of it: speed = strength * 2 s / (1 + s^2), s = distance / radius, which may widen along the axis
 /// (Scully 1975). Turned exactly, by the angle at that distance; a straight step along the tangent would lead outwards in a spiral.
 /// @param time see WholeStep
 template <class D, class Time, class V = hn::VFromD<D>>
 HWY_INLINE Vec3<V> turnedByVortex(D d, const StepConstants& constants, const Time& time, const Vec3<V>& position)
 {
     const Vec3<V> axis = broadcast(d, constants.vortexAxis);
-    const Vec3<V> tangent = cross(axis, position - constants.pivot); // as long as the distance from the axis
+    const Vec3<V> away = position - constants.pivot;
+    const Vec3<V> tangent = cross(axis, away); // as long as the distance from the axis
     const Vec3<V> outward = cross(tangent, axis);
-    const float radius = constants.vortexRadius;
+    const V radius = constants.vortexWidening * hn::Max(dot(away, axis), hn::Zero(d)) + constants.vortexRadius;
     const V halfAngle = constants.vortexStrength * radius * constants.dt / (radius * radius + dot(tangent, tangent));
     const SineCosine<V> half = sinCos(d, time(halfAngle));
     return position + 2.0F * half.sine * (half.cosine * tangent - half.sine * outward);

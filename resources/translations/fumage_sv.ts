@@ -3353,6 +3353,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. Without it a cap is bald.</source>
         <translation>Hur mycket källans värme skiljer sig från ställe till ställe, som andel av den. Det hetare stiger före det övriga: bolmar på bolmar. Utan detta blir hatten kal.</translation>
     </message>
+    <message>
+        <source>Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.</source>
+        <translation>Så många meter växer radien med varje meter längs axeln, bort från källan: en tratt.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -3592,6 +3596,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>A front of dust that rolls along the ground.</source>
         <translation>En dammfront som rullar fram över marken.</translation>
+    </message>
+    <message>
+        <source>Fire whirl</source>
+        <translation>Eldvirvel</translation>
+    </message>
+    <message>
+        <source>A turning column of flame that its own wind twists and draws up.</source>
+        <translation>En roterande pelare av lågor som dess egen vind vrider och drar uppåt.</translation>
     </message>
 </context>
 <context>

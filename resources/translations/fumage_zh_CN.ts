@@ -3353,6 +3353,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. Without it a cap is bald.</source>
         <translation>热源的热量在各处相差多少，以其份额计。更热的部分先于其余上升：翻滚之上再翻滚。没有它，顶部会是光秃的。</translation>
     </message>
+    <message>
+        <source>Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.</source>
+        <translation>沿轴线远离发射器每前进一米，半径增大的米数：形成漏斗。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PointStrip</name>
@@ -3592,6 +3596,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>A front of dust that rolls along the ground.</source>
         <translation>沿地面翻滚推进的一道尘土。</translation>
+    </message>
+    <message>
+        <source>Fire whirl</source>
+        <translation>火旋风</translation>
+    </message>
+    <message>
+        <source>A turning column of flame that its own wind twists and draws up.</source>
+        <translation>一根旋转的火柱，被自身的风扭转并向上抽升。</translation>
     </message>
 </context>
 <context>

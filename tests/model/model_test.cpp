@@ -501,6 +501,11 @@ private slots:
         QVERIFY(near(turned(v[0], 0.25), 3.0 * 0.8, 1e-5)); // 2 s / (1 + s^2) at s = 1/2
         QVERIFY(near(turned(v[1], 0.5), 3.0, 1e-5));
         QVERIFY(near(turned(v[2], 1.0), 3.0 * 0.8, 1e-5));
+
+        effect.vortex.widening = 0.25F; // twice as wide two metres above, and no narrower below
+        const std::vector<glm::dvec3> funnel = carriedBy(effect, 1, {glm::vec3(1.0F, 2.0F, 0.0F), glm::vec3(0.5F, -2.0F, 0.0F)});
+        QVERIFY(near(turned(funnel[0], 1.0), 3.0, 1e-5));
+        QVERIFY(near(turned(funnel[1], 0.5), 3.0, 1e-5));
     }
 };
 

@@ -32,7 +32,6 @@ Effect inAir()
     effect.air.obstacleSize = {0.5F, 0.4F, 0.6F};
     effect.motion.rotation = 0.0F;
     effect.motion.rotationJitter = 0.0F;
-    effect.vortex.strength = 0.0F;
     effect.timeline.prewarm = false;
     return effect;
 }

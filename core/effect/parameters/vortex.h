@@ -32,6 +32,15 @@ inline constexpr std::array kRows<Vortex>{
         .scale = Scale::Log,
         .tip = "Distance from the axis at which the swirl is fastest.",
     }),
+    row<&Vortex::widening>({
+        .key = "vortex.widening",
+        .label = "Widening",
+        .synonyms = "tornado funnel cone grow expand",
+        .hard = {0, 10},
+        .soft = {0, 1},
+        .step = 0.01,
+        .tip = "Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.",
+    }),
     row<&Vortex::axis>({
         .key = "vortex.axis",
         .label = "Axis",
