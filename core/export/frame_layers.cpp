@@ -13,7 +13,7 @@ namespace {
 std::string lettersOf(Pass pass)
 {
     switch (pass) {
-    case Pass::Motion: return "XY";
+    case Pass::Motion: // Blender reads layers of one, three and four channels, and leaves out one of two
     case Pass::Normal: return "XYZ";
     case Pass::Depth: return "Z";
     case Pass::Alpha:
@@ -40,17 +40,13 @@ void unscale(Pass pass, const PassScales& scales, DataImage& image)
             value = value * (scales.farthest - scales.nearest) + scales.nearest;
         }
         break;
-    case Pass::Motion: {
-        std::vector<float> pixels;
-        pixels.reserve(image.values.size() / 3 * 2);
+    case Pass::Motion:
         for (std::size_t i = 0; i < image.values.size(); i += 3) {
-            pixels.push_back(image.values[i] * scales.motion * static_cast<float>(image.width));
-            pixels.push_back(image.values[i + 1] * scales.motion * static_cast<float>(image.height));
+            image.values[i] *= scales.motion * static_cast<float>(image.width);
+            image.values[i + 1] *= scales.motion * static_cast<float>(image.height);
+            image.values[i + 2] = 0.0F;
         }
-        image.values = std::move(pixels);
-        image.channels = 2;
         break;
-    }
     default: break;
     }
 }

@@ -21,6 +21,8 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 
+#include <algorithm>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -324,15 +326,18 @@ private slots:
         for (auto channel = file.header().channels().begin(); channel != file.header().channels().end(); ++channel) {
             names << channel.name();
         }
-        QCOMPARE(names, QStringList({"A", "B", "G", "R", "depth.Z", "motion.X", "motion.Y", "sixway_a.A", "sixway_a.B", "sixway_a.G", "sixway_a.R"}));
+        QCOMPARE(names, QStringList({"A", "B", "G", "R", "depth.Z", "motion.X", "motion.Y", "motion.Z", "sixway_a.A", "sixway_a.B", "sixway_a.G", "sixway_a.R"}));
         constexpr int kSize = 64;
         std::vector<float> values(std::size_t{4} * kSize * kSize);
+        std::vector<float> inwards(std::size_t{1} * kSize * kSize, 1.0F);
         Imf::FrameBuffer buffer;
+        buffer.insert("motion.Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(inwards.data()), sizeof(float), sizeof(float) * kSize));
         for (const auto& [name, at] : {std::pair{"A", 0}, std::pair{"motion.X", 1}, std::pair{"motion.Y", 2}, std::pair{"depth.Z", 3}}) {
             buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + at), 4 * sizeof(float), 4 * sizeof(float) * kSize));
         }
         file.setFrameBuffer(buffer);
         file.readPixels(0, kSize - 1);
+        QVERIFY(std::ranges::all_of(inwards, [](float value) { return value == 0.0F; }));
         double sum[4] = {};
         for (std::size_t i = 0; i < values.size(); i += 4) {
             for (std::size_t channel = 1; channel < 4; ++channel) {
