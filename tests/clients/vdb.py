@@ -5,28 +5,17 @@
 
 Needs python3-openvdb, libopenvdb-tools and python3-numpy; half a minute.
 """
-import csv
-import io
-import math
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import numpy as np
 import pyopenvdb as vdb
 
+from smoke import mass, particles, run
+
 PRESETS = {"plume": {"density", "vel", "temperature"}, "campfire": {"density", "vel", "temperature", "flames"}, "thesis-2012": {"density", "vel"}}
 FEWER = ["--set", "emitter.count=20000"]
-
-
-def run(*arguments):
-    return subprocess.run([str(each) for each in arguments], check=True, capture_output=True, text=True).stdout
-
-
-def particles(cli, preset, up):
-    rows = csv.DictReader(io.StringIO(run(cli, "dump", preset, "--frame", 40, "--up", up, *FEWER)))
-    return {key: np.array(values) for key, values in zip(rows.fieldnames, zip(*[[float(each) for each in row.values()] for row in rows]))}
 
 
 def values(grid):
@@ -39,20 +28,20 @@ def check(cli, folder, preset, up):
     grids = {grid.name: grid for grid in vdb.readAll(str(path))[0]}
     wanted = PRESETS[preset]
     assert set(grids) == wanted, set(grids)
-    smoke = particles(cli, preset, up)
-    mass = smoke["alpha"] * math.pi * smoke["radius"] ** 2 / 3
+    smoke = particles(cli, preset, 40, up, FEWER)
+    weight = mass(smoke)
     density = grids["density"]
     cell = density.transform.voxelSize()[0]
     extinction = values(density)
-    whole = extinction.sum() * cell**3 / mass.sum()
+    whole = extinction.sum() * cell**3 / weight.sum()
     assert abs(whole - 1) < 2e-3, whole  # half floats
     # Where the smoke is, and how fast, weighted by how much of it there is.
     places = np.array([density.transform.indexToWorld(each.min) for each in density.citerOnValues()])
     middle = (places * extinction[:, None]).sum(0) / extinction.sum()
-    expected = np.array([(smoke[axis] * mass).sum() for axis in "xyz"]) / mass.sum()
+    expected = np.array([(smoke[axis] * weight).sum() for axis in "xyz"]) / weight.sum()
     assert np.abs(middle - expected).max() < 0.05 * cell, (middle, expected, cell)
     velocity = (values(grids["vel"]) * extinction[:, None]).sum(0) / extinction.sum()
-    expected = np.array([(smoke["v" + axis] * mass).sum() for axis in "xyz"]) / mass.sum()
+    expected = np.array([(smoke["v" + axis] * weight).sum() for axis in "xyz"]) / weight.sum()
     assert np.abs(velocity - expected).max() < 5e-3, (velocity, expected)
     if "temperature" in grids:
         heat = values(grids["temperature"])
