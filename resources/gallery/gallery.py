@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the comparison sheets and their figures: `./dev gallery [folder of references] [folder of older presets]`.
 
-The sheets show each reference picture beside ours with the same framing, light and background, the sketches of smoke in air beside ours, every preset at
+Without a folder the references are those of resources/references, beside our presets of the same kind. The sheets show each reference picture beside ours with the same framing, light and background, the sketches of smoke in air beside ours, every preset at
 three moments, beside itself as it was before where older presets are given, and sixty frames of each. The figures
 compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, whether it rises again at the size of
 the sprites, steep gradients, how far apart structure is (see structure.py; beside it that of two pictures which are known to be worse), and the change
@@ -15,7 +15,7 @@ import sys
 import numpy as np
 from PIL import Image, ImageDraw
 
-from structure import distances
+from structure import structure_between
 
 EDGE = 512
 BACKGROUND = (29, 79, 145)
@@ -41,6 +41,8 @@ PAIRS = [
     ("solver_wind_rgba_110.png", "plume", 110, CAMERA + WIND),
     ("solver_wisp_rgba_140.png", "plume", 140, CAMERA + FRONT + YOUNG + WISP),
 ]
+# resources/references has other scenes than ours: the same kind of smoke at the same age, each in its own picture.
+SCENES = [("plume_30.png", "plume", 38, YOUNG), ("fire_36.png", "campfire", 60, []), ("fire_60.png", "campfire", 75, []), ("explosion_08.png", "explosion", 10, []), ("explosion_20.png", "explosion", 25, [])]
 # Eight frames of 128 x 256 side by side, each lit from the right and from above, and the mean of both; no other light.
 EMBERGEN = "embergen_fire_smoke_frames.png"
 EMBERGEN_FRAMES = (15, 30, 45, 60, 75, 90, 105, 120)
@@ -154,33 +156,35 @@ def main() -> None:
     out.mkdir(parents=True, exist_ok=True)
     rows: list[list[Image.Image]] = []
     print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s} {'structure':>10s} {'no air':>7s} {'sprites':>8s}")
-    for name, preset, frame, settings in PAIRS:
+    for name, preset, frame, settings in PAIRS + SCENES:
         if not (references / name).exists():
             continue
-        theirs = Image.open(references / name).convert("RGBA").resize((EDGE, EDGE))
-        ours = render(cli, preset, frame, out / f"ours_{name}", (EDGE, EDGE), settings)
+        theirs = Image.open(references / name).convert("RGBA")
+        size = theirs.size  # at which both are measured: made larger, a picture has nothing fine
+        ours = render(cli, preset, frame, out / f"ours_{name}", size, settings)
         a, b = density(theirs), density(ours)
         power_a, power_b = spectrum(a), spectrum(b)
         limit = np.percentile(gradients(a), STEEP)
         steep = [100.0 * float((gradients(image) > limit).mean()) for image in (a, b)]
         slopes = slope_of(power_a), slope_of(power_b)
-        apart = [distances(a, b).mean()]
+        apart = [structure_between(a, b)]
         for worse in WORSE:
-            apart.append(distances(a, density(render(cli, preset, frame, out / "worse.png", (EDGE, EDGE), settings + worse))).mean())
+            apart.append(structure_between(a, density(render(cli, preset, frame, out / "worse.png", size, settings + worse))))
         print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {rise_of(power_a):6.2f} {rise_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f} "
               f"{apart[0]:10.3f} {apart[1]:7.3f} {apart[2]:8.3f}")
-        rows.append([flat(theirs), flat(ours)])
+        rows.append([flat(image).resize((EDGE, EDGE)) for image in (theirs, ours)])
     presets = sorted(path.stem for path in (pathlib.Path(__file__).parents[1] / "presets").glob("*.json"))
     print(f"\n{'preset':18s} largest change of density from one frame to the next, beside those before and after")
     moments = []
     for preset in presets:
         print(f"{preset:18s} {spike_of(cli, preset, out):5.2f}")
         moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
-    sheet = Image.new("RGB", (2 * EDGE, EDGE * (len(rows) + 1)))
+    embergen = (references / EMBERGEN).exists()
+    sheet = Image.new("RGB", (2 * EDGE, EDGE * (len(rows) + embergen)))
     for y, row in enumerate(rows):
         for x, image in enumerate(row):
             sheet.paste(image, (x * EDGE, y * EDGE))
-    if (references / EMBERGEN).exists():
+    if embergen:
         sheet.paste(embergen_rows(cli, Image.open(references / EMBERGEN), out), (0, EDGE * len(rows)))
     sheet.save(out / "references.png")
     half = EDGE // 2
@@ -191,7 +195,8 @@ def main() -> None:
             sheet.paste(image, ((i % 2 * 3 + x) * half, i // 2 * half))
         draw.text((i % 2 * 3 * half + 6, i // 2 * half + 4), preset, fill=(255, 255, 255))
     sheet.save(out / "presets.png")
-    sketch_sheet(cli, references, out).save(out / "sketches.png")
+    if any((references / name).exists() for name, _, _ in SKETCHES):
+        sketch_sheet(cli, references, out).save(out / "sketches.png")
     if older is not None:
         before_and_now(cli, older, presets, out).save(out / "before_and_now.png")
     for preset in presets:

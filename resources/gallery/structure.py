@@ -30,19 +30,31 @@ def patches(detail: np.ndarray, density: np.ndarray) -> np.ndarray:
     windows = np.lib.stride_tricks.sliding_window_view(detail, (EDGE, EDGE))[::2, ::2]
     weight = np.lib.stride_tricks.sliding_window_view(density, (EDGE, EDGE))[::2, ::2].mean((2, 3))
     rows = windows[weight > SMOKE].reshape(-1, EDGE * EDGE)
-    return rows / max(np.sqrt((rows**2).mean()), 1e-9)
+    return rows / max(np.sqrt((rows**2).mean()), 1e-9) if len(rows) else rows
 
 
 def distances(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Of two pictures of density, from the finest level to the coarsest: 0 for what is alike, about 0.3 for what has nothing in common."""
+    """Of two pictures of density, from the finest level to the coarsest: 0 for what is alike, about 0.3 for what has nothing in common.
+
+    Not a number for a level at which one of them has no patch with smoke. Pictures of different smoke, or at a different scale, are as far apart as good
+    and bad pictures of one: only distances to the same reference can be compared.
+    """
     directions = np.random.default_rng(1).normal(size=(EDGE * EDGE, DIRECTIONS))
     directions /= np.linalg.norm(directions, axis=0)
     found = []
     for _ in range(LEVELS):
-        sorted_projections = []
-        for image in (one, other):
-            detail = image - doubled(halved(image), image.shape)
-            sorted_projections.append(np.quantile(patches(detail, image) @ directions, QUANTILES, axis=0))
-        found.append(float(np.abs(sorted_projections[0] - sorted_projections[1]).mean()))
+        clouds = [patches(image - doubled(halved(image), image.shape), image) for image in (one, other)]
+        if all(len(cloud) for cloud in clouds):
+            sorted_projections = [np.quantile(cloud @ directions, QUANTILES, axis=0) for cloud in clouds]
+            found.append(float(np.abs(sorted_projections[0] - sorted_projections[1]).mean()))
+        else:
+            found.append(float("nan"))
         one, other = halved(one), halved(other)
     return np.array(found)
+
+
+def structure_between(one: np.ndarray, other: np.ndarray) -> float:
+    """The mean of the levels that both have; not a number when there is none."""
+    found = distances(one, other)
+    known = found[~np.isnan(found)]
+    return float(known.mean()) if len(known) else float("nan")
