@@ -42,7 +42,7 @@ PAIRS = [
     ("solver_wisp_rgba_140.png", "plume", 140, CAMERA + FRONT + YOUNG + WISP),
 ]
 # resources/references has other scenes than ours: the same kind of smoke at the same age, each in its own picture.
-SCENES = [("plume_30.png", "plume", 38, YOUNG), ("fire_36.png", "campfire", 60, []), ("fire_60.png", "campfire", 75, []), ("explosion_08.png", "explosion", 10, []), ("explosion_20.png", "explosion", 25, [])]
+SCENES = [("plume_30.png", "plume", 38, YOUNG), ("plume_54.png", "plume", 68, YOUNG), ("fire_36.png", "campfire", 60, []), ("fire_60.png", "campfire", 75, []), ("explosion_08.png", "explosion", 10, []), ("explosion_20.png", "explosion", 25, [])]
 # Eight frames of 128 x 256 side by side, each lit from the right and from above, and the mean of both; no other light.
 EMBERGEN = "embergen_fire_smoke_frames.png"
 EMBERGEN_FRAMES = (15, 30, 45, 60, 75, 90, 105, 120)

@@ -54,7 +54,7 @@ def distances(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 def structure_between(one: np.ndarray, other: np.ndarray) -> float:
-    """The mean of the levels that both have; not a number when there is none."""
-    found = distances(one, other)
+    """The mean of the levels that both have, without the finest, which in path-traced references is the grain of few samples; not a number when there is none."""
+    found = distances(one, other)[1:]
     known = found[~np.isnan(found)]
     return float(known.mean()) if len(known) else float("nan")
