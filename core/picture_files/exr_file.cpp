@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <ImfIO.h>
 #include <ImfIntAttribute.h>
 #include <ImfOutputFile.h>
@@ -47,6 +49,32 @@ public:
 private:
     std::vector<std::byte> m_bytes;
     std::size_t m_at = 0;
+};
+
+/// The same to read from.
+class MemorySource : public Imf::IStream {
+public:
+    explicit MemorySource(std::span<const std::byte> bytes)
+        : Imf::IStream("memory")
+        , m_bytes(bytes)
+    {
+    }
+    bool read(char to[], int count) override
+    {
+        const auto size = static_cast<std::size_t>(count);
+        if (m_at > m_bytes.size() || size > m_bytes.size() - m_at) {
+            throw std::runtime_error("it ends too soon"); // as this library wants it; caught in readExr()
+        }
+        std::memcpy(to, m_bytes.data() + m_at, size);
+        m_at += size;
+        return m_at < m_bytes.size();
+    }
+    std::uint64_t tellg() override { return m_at; }
+    void seekg(std::uint64_t position) override { m_at = position; }
+
+private:
+    std::span<const std::byte> m_bytes;
+    std::uint64_t m_at = 0;
 };
 
 /// Says what the numbers mean: linear light in the primaries of Rec. 709 and sRGB, which are those that readers take where nothing is said.
@@ -91,6 +119,46 @@ void writeExr(const ExrPixels& pixels, Imf::PixelType type, MemoryStream& stream
     for (int row = 0; row < pixels.height && !stop.stop_requested(); row += kRowsAtOnce) {
         file.writePixels(std::min(kRowsAtOnce, pixels.height - row));
     }
+}
+
+/// Whether so many channels are read; some have fewer numbers than pixels, which we never write.
+Status checkShape(std::int64_t width, std::int64_t height, const Imf::ChannelList& channels)
+{
+    std::int64_t count = 0;
+    for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+        if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
+            return Error{ErrorCode::Syntax, said("a channel of the picture has fewer numbers than there are pixels"), {}, {}};
+        }
+        ++count;
+    }
+    const auto most = static_cast<std::int64_t>(kMostReadPixels);
+    if (width < 1 || height < 1 || width > most || height > most || width * height > most || width * height * count > static_cast<std::int64_t>(kMostReadNumbers)) {
+        return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", width, height), {}, {}};
+    }
+    return Done{};
+}
+
+Result<ExrNumbers> numbersOf(Imf::InputFile& file)
+{
+    const Imath::Box2i window = file.header().dataWindow();
+    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+    const Imf::ChannelList& channels = file.header().channels();
+    if (Status status = checkShape(width, height, channels); !status) {
+        return status.error();
+    }
+    ExrNumbers numbers{static_cast<int>(width), static_cast<int>(height), {}};
+    for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+        numbers.channels.push_back({channel.name(), std::vector<float>(static_cast<std::size_t>(width * height))});
+    }
+    Imf::FrameBuffer buffer;
+    for (ExrNumbers::Channel& channel : numbers.channels) {
+        const std::size_t rowStride = sizeof(float) * static_cast<std::size_t>(width);
+        buffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), window, sizeof(float), rowStride));
+    }
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    return numbers;
 }
 
 /// A callback of OpenEXR's C library, which has no limits but those of what it reads from.
@@ -168,6 +236,19 @@ Result<PictureNotes> readExrNotes(std::string_view head)
     const PictureNotes notes = notesOf(file);
     exr_finish(&file);
     return notes;
+}
+
+Result<ExrNumbers> readExr(std::span<const std::byte> file)
+{
+    try {
+        MemorySource source(file);
+        Imf::InputFile input(source, 0);
+        return numbersOf(input);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::OutOfMemory, said("there is not enough memory"), {}, {}};
+    } catch (const std::exception& cause) {
+        return Error{ErrorCode::Syntax, said("the picture is broken: %1", cause.what()), {}, {}};
+    }
 }
 
 } // namespace fumage

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/picture_files/picture_notes.h"
+#include "core/picture_files/picture_pixels.h"
 
 #include <cstddef>
 #include <span>
@@ -37,5 +38,9 @@ struct ExrPixels {
 
 /// readPictureNotes() of an EXR.
 [[nodiscard]] Result<PictureNotes> readExrNotes(std::string_view head);
+
+/// Reads all channels of an EXR that anybody may have made, to its end.
+/// @error as readPixels()
+[[nodiscard]] Result<ExrNumbers> readExr(std::span<const std::byte> file);
 
 } // namespace fumage

@@ -20,21 +20,25 @@ bool isTga(std::string_view head)
 
 } // namespace
 
+PictureKind kindOf(std::string_view head)
+{
+    return head.starts_with(kPngSignature) ? PictureKind::Png : head.starts_with(kExrSignature) ? PictureKind::Exr
+        : isTga(head)                                                                           ? PictureKind::Tga
+                                                                                                : PictureKind::None;
+}
+
 bool isPicture(std::string_view head)
 {
-    return head.starts_with(kPngSignature) || head.starts_with(kExrSignature) || isTga(head);
+    return kindOf(head) != PictureKind::None;
 }
 
 Result<PictureNotes> readPictureNotes(std::string_view head)
 {
-    if (head.starts_with(kPngSignature)) {
-        return readPngNotes(head);
-    }
-    if (head.starts_with(kExrSignature)) {
-        return readExrNotes(head);
-    }
-    if (isTga(head)) {
-        return PictureNotes{};
+    switch (kindOf(head)) {
+    case PictureKind::Png: return readPngNotes(head);
+    case PictureKind::Exr: return readExrNotes(head);
+    case PictureKind::Tga: return PictureNotes{};
+    case PictureKind::None: break;
     }
     return Error{ErrorCode::Syntax, said("this is neither a PNG nor an EXR"), {}, {}};
 }

@@ -24,6 +24,15 @@ inline constexpr std::size_t kPictureHead = std::size_t{2} << 20U;
 /// A preset that is longer, packed or not, is not read.
 inline constexpr std::size_t kMostNoteBytes = std::size_t{1} << 20U;
 
+/// What a file is by its first bytes.
+enum class PictureKind {
+    None, ///< none that is known
+    Png,
+    Exr,
+    Tga, ///< as encodeTga() makes it
+};
+[[nodiscard]] PictureKind kindOf(std::string_view head);
+
 /// Whether a file that begins with these bytes, eight or more, is a PNG, an EXR, or a TGA as encodeTga() makes it.
 [[nodiscard]] bool isPicture(std::string_view head);
 

@@ -139,6 +139,44 @@ bool readHead(png_structp png, png_infop info)
     return true;
 }
 
+/// Sets the size, and has the library hand out RGBA of 16 bits in the byte order of this machine.
+bool readShape(png_structp png, png_infop info, RgbaPixels& pixels)
+{
+    if (setjmp(png_jmpbuf(png)) != 0) { // NOLINT(cert-err52-cpp)
+        return false;
+    }
+    constexpr png_uint_32 kOpaque = 0xffff;
+    png_set_chunk_malloc_max(png, kMostNoteBytes);
+    png_read_info(png, info);
+    pixels.width = static_cast<int>(png_get_image_width(png, info));
+    pixels.height = static_cast<int>(png_get_image_height(png, info));
+    png_set_expand_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, kOpaque, PNG_FILLER_AFTER);
+    if (std::endian::native == std::endian::little) {
+        png_set_swap(png);
+    }
+    return true;
+}
+
+/// Reads all rows, and on to the end of the file.
+bool readRows(png_structp png, png_infop info, RgbaPixels& pixels)
+{
+    if (setjmp(png_jmpbuf(png)) != 0) { // NOLINT(cert-err52-cpp)
+        return false;
+    }
+    const int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
+    for (int pass = 0; pass < passes; ++pass) {
+        for (int y = 0; y < pixels.height; ++y) {
+            png_read_row(png, reinterpret_cast<png_bytep>(pixels.values.data() + static_cast<std::size_t>(y) * stride), nullptr);
+        }
+    }
+    png_read_end(png, nullptr);
+    return true;
+}
+
 /// The notes among the texts of a picture.
 PictureNotes notesAmong(png_structp png, png_infop info)
 {
@@ -156,6 +194,35 @@ PictureNotes notesAmong(png_structp png, png_infop info)
     }
     return notes;
 }
+
+/// The library, reading.
+class Reader {
+public:
+    explicit Reader(Source& source)
+        : png(png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &m_message, fail, ignore, nullptr, allocate, release))
+        , info(png == nullptr ? nullptr : png_create_info_struct(png))
+    {
+        if (info != nullptr) {
+            png_set_read_fn(png, &source, take);
+        }
+    }
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    explicit operator bool() const { return info != nullptr; }
+    [[nodiscard]] Error error() const
+    {
+        return info == nullptr ? Error{ErrorCode::ReadFailed, said("the PNG library could not be started"), {}, {}} : Error{ErrorCode::Syntax, said("the picture is broken: %1", m_message), {}, {}};
+    }
+
+private:
+    std::string m_message; // made before the library, which writes to it
+
+public:
+    png_structp png;
+    png_infop info;
+};
 
 } // namespace
 
@@ -185,21 +252,32 @@ Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::sto
 Result<PictureNotes> readPngNotes(std::string_view head)
 {
     Source source{head};
-    std::string message;
-    png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &message, fail, ignore, nullptr, allocate, release);
-    png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
-    if (info == nullptr) {
-        png_destroy_read_struct(&png, nullptr, nullptr);
-        return Error{ErrorCode::ReadFailed, said("the PNG library could not be started"), {}, {}};
+    Reader reader(source);
+    if (!reader) {
+        return reader.error();
     }
-    png_set_read_fn(png, &source, take);
-    const bool read = readHead(png, info);
-    const PictureNotes notes = notesAmong(png, info);
-    png_destroy_read_struct(&png, &info, nullptr);
-    if (!read) {
-        return Error{ErrorCode::Syntax, said("the picture is broken: %1", message), {}, {}};
+    const bool read = readHead(reader.png, reader.info);
+    const PictureNotes notes = notesAmong(reader.png, reader.info);
+    return read ? Result<PictureNotes>(notes) : reader.error();
+}
+
+Result<RgbaPixels> readPng(std::span<const std::byte> file)
+{
+    Source source{{reinterpret_cast<const char*>(file.data()), file.size()}};
+    Reader reader(source);
+    RgbaPixels pixels;
+    if (!reader || !readShape(reader.png, reader.info, pixels)) {
+        return reader.error();
     }
-    return notes;
+    const std::size_t count = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    if (count > kMostReadPixels) {
+        return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", pixels.width, pixels.height), {}, {}};
+    }
+    pixels.values.resize(count * 4);
+    if (!readRows(reader.png, reader.info, pixels)) {
+        return reader.error();
+    }
+    return pixels;
 }
 
 } // namespace fumage

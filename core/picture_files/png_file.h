@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/picture_files/picture_notes.h"
+#include "core/picture_files/picture_pixels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,5 +30,8 @@ struct PngPixels {
 
 /// readPictureNotes() of a PNG.
 [[nodiscard]] Result<PictureNotes> readPngNotes(std::string_view head);
+
+/// readPixels() of a PNG.
+[[nodiscard]] Result<RgbaPixels> readPng(std::span<const std::byte> file);
 
 } // namespace fumage

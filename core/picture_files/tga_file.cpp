@@ -91,6 +91,73 @@ void appendRuns(std::vector<std::byte>& out, const Row& row)
     }
 }
 
+/// Hands out the bytes of a file, as long as there are any.
+class ByteReader {
+public:
+    explicit ByteReader(std::span<const std::byte> bytes)
+        : m_bytes(bytes)
+    {
+    }
+
+    [[nodiscard]] bool has(std::size_t count) const { return m_bytes.size() >= count; }
+    /// @param count at most as many as there are
+    std::span<const std::byte> take(std::size_t count)
+    {
+        const auto taken = m_bytes.first(count);
+        m_bytes = m_bytes.subspan(count);
+        return taken;
+    }
+    [[nodiscard]] std::span<const std::byte> rest() const { return m_bytes; }
+
+private:
+    std::span<const std::byte> m_bytes;
+};
+
+/// BGRA, BGR or grey of 8 bits as RGBA of 16.
+void appendRgba(std::vector<std::uint16_t>& out, std::span<const std::byte> pixel)
+{
+    constexpr int kWide = 257;
+    const auto at = [&](std::size_t i) { return static_cast<std::uint16_t>(std::to_integer<int>(pixel[i]) * kWide); };
+    const bool grey = pixel.size() == 1;
+    out.insert(out.end(), {at(grey ? 0 : 2), at(grey ? 0 : 1), at(0), pixel.size() == 4 ? at(3) : std::uint16_t{0xffff}});
+}
+
+/// @return whether the bytes say what all pixels are
+bool readRuns(ByteReader& bytes, std::size_t channels, std::size_t count, std::vector<std::uint16_t>& out)
+{
+    while (out.size() < 4 * count) {
+        if (!bytes.has(1)) {
+            return false;
+        }
+        const auto head = std::to_integer<unsigned>(bytes.take(1)[0]);
+        const std::size_t length = (head & (kMostInRun - 1)) + 1;
+        const bool repeated = (head & kRepeated) != 0;
+        if (length > count - out.size() / 4 || !bytes.has(channels * (repeated ? 1 : length))) {
+            return false;
+        }
+        std::span<const std::byte> pixel;
+        for (std::size_t i = 0; i < length; ++i) {
+            pixel = repeated && i > 0 ? pixel : bytes.take(channels);
+            appendRgba(out, pixel);
+        }
+    }
+    return true;
+}
+
+bool readPlain(ByteReader& bytes, std::size_t channels, std::size_t count, std::vector<std::uint16_t>& out)
+{
+    if (!bytes.has(count * channels)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        appendRgba(out, bytes.take(channels));
+    }
+    return true;
+}
+
+constexpr std::size_t kHeaderBytes = 18;
+constexpr std::size_t kFooterBytes = 8 + kSignature.size();
+
 } // namespace
 
 std::vector<std::byte> encodeTga(const TgaPixels& pixels)
@@ -113,6 +180,31 @@ std::vector<std::byte> encodeTga(const TgaPixels& pixels)
     const auto signature = std::as_bytes(std::span(kSignature));
     out.insert(out.end(), signature.begin(), signature.end());
     return out;
+}
+
+Result<RgbaPixels> readTga(std::span<const std::byte> file)
+{
+    const Error broken{ErrorCode::Syntax, said("the picture is broken: %1", said("it is no TGA that Fumage has written, or not whole")), {}, {}};
+    ByteReader bytes(file);
+    if (!bytes.has(kHeaderBytes)) {
+        return broken;
+    }
+    const std::span<const std::byte> header = bytes.take(kHeaderBytes);
+    const auto at = [&](std::size_t i) { return std::to_integer<int>(header[i]); };
+    RgbaPixels pixels{at(12) + 256 * at(13), at(14) + 256 * at(15), {}};
+    const std::size_t count = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    const auto channels = static_cast<std::size_t>(at(16) / 8);
+    const bool known = at(2) == kGrey ? channels == 1 : at(2) == kColourInRuns && (channels == 3 || channels == 4);
+    if (!known || (at(17) & kFromTheTop) == 0 || count == 0) {
+        return broken;
+    }
+    if (count > kMostReadPixels) {
+        return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", pixels.width, pixels.height), {}, {}};
+    }
+    pixels.values.reserve(std::min(count, file.size() * kMostInRun) * 4); // a short file that says it is large gets no memory
+    const bool read = at(2) == kGrey ? readPlain(bytes, channels, count, pixels.values) : readRuns(bytes, channels, count, pixels.values);
+    const bool ends = bytes.rest().size() == kFooterBytes && std::ranges::equal(bytes.rest().last(kSignature.size()), std::as_bytes(std::span(kSignature)));
+    return read && ends ? Result<RgbaPixels>(std::move(pixels)) : broken;
 }
 
 } // namespace fumage

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/picture_files/picture_pixels.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,5 +22,8 @@ struct TgaPixels {
 /// Source: Truevision, "TGA File Format Specification", version 2.0, 1991.
 /// O(pixels).
 [[nodiscard]] std::vector<std::byte> encodeTga(const TgaPixels& pixels);
+
+/// readPixels() of a TGA as encodeTga() makes it. O(pixels).
+[[nodiscard]] Result<RgbaPixels> readTga(std::span<const std::byte> file);
 
 } // namespace fumage

@@ -1737,6 +1737,118 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Allow more memory, fewer passes or more frames</source>
         <translation>Tillåt mer minne, färre pass eller fler bildrutor</translation>
     </message>
+    <message>
+        <source>%1 has no way to write %2 in the names of files</source>
+        <translation>%1 kan inte skriva %2 i filnamn</translation>
+    </message>
+    <message>
+        <source>Choose another name or folder</source>
+        <translation>Välj ett annat namn eller en annan mapp</translation>
+    </message>
+    <message>
+        <source>only the colour can be joined of frames</source>
+        <translation>bara färgen kan sättas ihop av bildrutor</translation>
+    </message>
+    <message>
+        <source>Render a flipbook for its other passes</source>
+        <translation>Rendera en flipbook för dess övriga pass</translation>
+    </message>
+    <message>
+        <source>this is no picture of %1 x %2 pixels with colour and alpha</source>
+        <translation>det här är ingen bild på %1 x %2 pixlar med färg och alfa</translation>
+    </message>
+    <message>
+        <source>Render the frames anew, as EXR and in the preset&apos;s size</source>
+        <translation>Rendera bildrutorna på nytt, som EXR och i förinställningens storlek</translation>
+    </message>
+    <message>
+        <source>%1 is missing in the manifest, or of another type</source>
+        <translation>%1 saknas i manifestet eller är av en annan typ</translation>
+    </message>
+    <message>
+        <source>this is no manifest</source>
+        <translation>det här är inget manifest</translation>
+    </message>
+    <message>
+        <source>Manifests are written by --manifest</source>
+        <translation>Manifest skrivs av --manifest</translation>
+    </message>
+    <message>
+        <source>the manifest has another version than the %1 that this program reads</source>
+        <translation>manifestet har en annan version än den %1 som det här programmet läser</translation>
+    </message>
+    <message>
+        <source>Check it with the Fumage that wrote it</source>
+        <translation>Kontrollera det med den Fumage som skrev det</translation>
+    </message>
+    <message>
+        <source>the manifest names %1, which lies outside of its folder</source>
+        <translation>manifestet nämner %1, som ligger utanför dess mapp</translation>
+    </message>
+    <message>
+        <source>Do not trust it, and have it written anew</source>
+        <translation>Lita inte på det, och låt skriva det på nytt</translation>
+    </message>
+    <message>
+        <source>the manifest has %1 for a hash</source>
+        <translation>manifestet har %1 som hashvärde</translation>
+    </message>
+    <message>
+        <source>the manifest has a frame that is no number from 0 to %1</source>
+        <translation>manifestet har en bildruta som inte är ett tal från 0 till %1</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>mappen kan inte läsas: %1</translation>
+    </message>
+    <message>
+        <source>%1 does not lie in the folder of its manifest</source>
+        <translation>%1 ligger inte i manifestets mapp</translation>
+    </message>
+    <message>
+        <source>Name one in the folder of the pictures, or above it</source>
+        <translation>Ange ett i bildernas mapp, eller ovanför den</translation>
+    </message>
+    <message>
+        <source>what this manifest is of cannot be rendered again</source>
+        <translation>det som manifestet beskriver kan inte renderas på nytt</translation>
+    </message>
+    <message>
+        <source>Only frames can; of others the files are checked</source>
+        <translation>Det kan bara bildrutor; av annat kontrolleras filerna</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>avbrutet</translation>
+    </message>
+    <message>
+        <source>there is no manifest in this folder</source>
+        <translation>det finns inget manifest i den här mappen</translation>
+    </message>
+    <message>
+        <source>Write pictures with --manifest</source>
+        <translation>Skriv bilder med --manifest</translation>
+    </message>
+    <message>
+        <source>the manifests name none of the frames %1 to %2</source>
+        <translation>manifesten nämner ingen av bildrutorna %1 till %2</translation>
+    </message>
+    <message>
+        <source>Choose some that have been rendered as pictures of their own</source>
+        <translation>Välj några som har renderats som egna bilder</translation>
+    </message>
+    <message>
+        <source>a channel of the picture has fewer numbers than there are pixels</source>
+        <translation>en kanal i bilden har färre tal än det finns pixlar</translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor a TGA</source>
+        <translation>det här är varken en PNG eller en TGA</translation>
+    </message>
+    <message>
+        <source>it is no TGA that Fumage has written, or not whole</source>
+        <translation>det är ingen TGA som Fumage har skrivit, eller inte hel</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

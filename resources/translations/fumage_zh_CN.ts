@@ -1737,6 +1737,118 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Allow more memory, fewer passes or more frames</source>
         <translation>请增加内存、减少通道图或增加帧数</translation>
     </message>
+    <message>
+        <source>%1 has no way to write %2 in the names of files</source>
+        <translation>%1 无法在文件名中写入 %2</translation>
+    </message>
+    <message>
+        <source>Choose another name or folder</source>
+        <translation>请选择其他名称或文件夹</translation>
+    </message>
+    <message>
+        <source>only the colour can be joined of frames</source>
+        <translation>只有颜色可以由各帧拼合</translation>
+    </message>
+    <message>
+        <source>Render a flipbook for its other passes</source>
+        <translation>其他通道图请渲染序列图集</translation>
+    </message>
+    <message>
+        <source>this is no picture of %1 x %2 pixels with colour and alpha</source>
+        <translation>这不是带颜色和 Alpha 的 %1 x %2 像素图片</translation>
+    </message>
+    <message>
+        <source>Render the frames anew, as EXR and in the preset&apos;s size</source>
+        <translation>请按预设的尺寸以 EXR 重新渲染各帧</translation>
+    </message>
+    <message>
+        <source>%1 is missing in the manifest, or of another type</source>
+        <translation>清单中缺少 %1，或其类型不符</translation>
+    </message>
+    <message>
+        <source>this is no manifest</source>
+        <translation>这不是清单</translation>
+    </message>
+    <message>
+        <source>Manifests are written by --manifest</source>
+        <translation>清单由 --manifest 写出</translation>
+    </message>
+    <message>
+        <source>the manifest has another version than the %1 that this program reads</source>
+        <translation>清单的版本不是本程序可读取的版本 %1</translation>
+    </message>
+    <message>
+        <source>Check it with the Fumage that wrote it</source>
+        <translation>请用写出它的 Fumage 检查</translation>
+    </message>
+    <message>
+        <source>the manifest names %1, which lies outside of its folder</source>
+        <translation>清单提到的 %1 位于其文件夹之外</translation>
+    </message>
+    <message>
+        <source>Do not trust it, and have it written anew</source>
+        <translation>请勿信任它，并重新写出</translation>
+    </message>
+    <message>
+        <source>the manifest has %1 for a hash</source>
+        <translation>清单中的哈希值是 %1</translation>
+    </message>
+    <message>
+        <source>the manifest has a frame that is no number from 0 to %1</source>
+        <translation>清单中有一帧不是 0 到 %1 的数字</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>无法读取文件夹：%1</translation>
+    </message>
+    <message>
+        <source>%1 does not lie in the folder of its manifest</source>
+        <translation>%1 不在其清单所在的文件夹中</translation>
+    </message>
+    <message>
+        <source>Name one in the folder of the pictures, or above it</source>
+        <translation>请指定图片所在文件夹或其上级文件夹中的清单</translation>
+    </message>
+    <message>
+        <source>what this manifest is of cannot be rendered again</source>
+        <translation>此清单所记录的内容无法重新渲染</translation>
+    </message>
+    <message>
+        <source>Only frames can; of others the files are checked</source>
+        <translation>只有帧可以；其他内容只检查文件</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>there is no manifest in this folder</source>
+        <translation>此文件夹中没有清单</translation>
+    </message>
+    <message>
+        <source>Write pictures with --manifest</source>
+        <translation>请用 --manifest 写出图片</translation>
+    </message>
+    <message>
+        <source>the manifests name none of the frames %1 to %2</source>
+        <translation>清单中没有第 %1 到 %2 帧</translation>
+    </message>
+    <message>
+        <source>Choose some that have been rendered as pictures of their own</source>
+        <translation>请选择作为单独图片渲染过的帧</translation>
+    </message>
+    <message>
+        <source>a channel of the picture has fewer numbers than there are pixels</source>
+        <translation>图片的一个通道的数值少于像素数</translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor a TGA</source>
+        <translation>这既不是 PNG 也不是 TGA</translation>
+    </message>
+    <message>
+        <source>it is no TGA that Fumage has written, or not whole</source>
+        <translation>它不是 Fumage 写出的 TGA，或不完整</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
