@@ -22,6 +22,8 @@ enum ExitCode {
     kFailure = 1,
     kUsage = 2,
     kBadInput = 3,
+    kMismatch = 4,
+    kTryAgain = 75, ///< as EX_TEMPFAIL of sysexits.h
     kInterrupted = 130,
 };
 
@@ -69,6 +71,7 @@ void addFit(CLI::App& program, Action& action);
 void addBakeNoise(CLI::App& program, Action& action);
 void addAir(CLI::App& program, Action& action);
 void addDump(CLI::App& program, Action& action);
+void addVerify(CLI::App& program, Action& action);
 void addValidate(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);
 void addPresets(CLI::App& program, Action& action);

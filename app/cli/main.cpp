@@ -24,6 +24,11 @@ int exitCodeOf(ErrorCode code)
 {
     switch (code) {
     case ErrorCode::Cancelled: return kInterrupted;
+    case ErrorCode::Mismatch: return kMismatch;
+    case ErrorCode::DiskFull:
+    case ErrorCode::OutOfMemory:
+    case ErrorCode::ReadFailed:
+    case ErrorCode::WriteFailed: return kTryAgain;
     case ErrorCode::NotUtf8:
     case ErrorCode::Syntax:
     case ErrorCode::TooDeep:
@@ -42,6 +47,7 @@ int exitCodeOf(ErrorCode code)
 int report(const Error& error)
 {
     std::cerr << "fumage-cli: " << printable(error.text()) << '\n';
+    tellOpenJd("fail", error.text());
     return exitCodeOf(error.code);
 }
 
@@ -63,7 +69,7 @@ int answer(const CLI::App& program, const CLI::ParseError& error)
 Status checkCommand(const CLI::App& program, const std::vector<std::string>& words)
 {
     const auto word = std::find_if(words.begin(), words.end(), [](const std::string& text) { return !text.starts_with('-'); });
-    const bool isValue = word != words.begin() && word != words.end() && (*(word - 1) == "--threads" || *(word - 1) == "--simd");
+    const bool isValue = word != words.begin() && word != words.end() && (*(word - 1) == "--threads" || *(word - 1) == "--simd" || *(word - 1) == "--progress");
     if (word == words.end() || isValue) {
         return Done{};
     }
@@ -84,14 +90,26 @@ struct CommonOptions {
     int threads = 0;
     std::string simd;
     bool quiet = false;
+    std::string progress;
 
     void addTo(CLI::App& program)
     {
         constexpr int kMostThreads = 1024;
         addWhole(program, "--threads", threads, 0, kMostThreads, "Use at most this many threads; 0 is as many as there are");
         program.add_option("--simd", simd, "Force an instruction set (avx512, avx2, sse4, baseline): slower, the same bits")->type_name("NAME");
+        program.add_option("--progress", progress, "Say how far the work is: bar (on terminals, the default), or openjd, lines that Open Job Description reads on standard output")->check(CLI::IsMember({"bar", "openjd"}));
         program.add_flag("-q,--quiet", quiet, "Say nothing but what goes wrong");
         program.fallthrough();
+    }
+
+    void apply() const
+    {
+        if (quiet) {
+            beQuiet();
+        }
+        if (progress == "openjd") {
+            talkToOpenJd();
+        }
     }
 };
 
@@ -107,6 +125,7 @@ void addCommands(CLI::App& program, Action& action)
     addBakeNoise(program, action);
     addDump(program, action);
     addAir(program, action);
+    addVerify(program, action);
     addValidate(program, action);
     addInfo(program, action);
     addPresets(program, action);
@@ -135,7 +154,8 @@ int run(int argc, char** argv)
     program.footer("Start with:\n"
                    "  fumage-cli presets\n"
                    "  fumage-cli render campfire --frames 0-119 --output frames/fire_####.png\n\n"
-                   "Exit codes: 0 done, 1 could not be done, 2 wrong usage, 3 bad preset or value, 130 interrupted.");
+                   "Exit codes: 0 done, 1 could not be done, 2 wrong usage, 3 bad preset or value, 4 files are not what verify expects: trying again is of no use. "
+                   "75 the disk is full, memory ran out, or reading or writing failed, 130 interrupted: the same may work another time or on another machine.");
     CommonOptions common;
     common.addTo(program);
     Action action;
@@ -151,9 +171,7 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return answer(program, error);
     }
-    if (common.quiet) {
-        beQuiet();
-    }
+    common.apply();
     if (const Status status = common.simd.empty() ? Status(Done{}) : forceSimdTarget(common.simd); !status) {
         return report(status.error());
     }
@@ -170,6 +188,7 @@ int main(int argc, char** argv)
         return run(argc, argv);
     } catch (const std::bad_alloc&) {
         std::cerr << "fumage-cli: not enough memory. Use fewer particles or a smaller picture\n";
+        return fumage::cli::kTryAgain;
     } catch (const std::exception& error) {
         std::cerr << "fumage-cli: " << error.what() << '\n';
     }

@@ -4,17 +4,31 @@
 #include "app/cli/progress.h"
 
 #include "core/base/text.h"
+#include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
 
 #include <array>
-#include <map>
 #include <span>
 
 namespace fumage::cli {
 
 namespace {
 
-const std::map<std::string, ImageFormat> kFormats{{"png", ImageFormat::Png8}, {"png16", ImageFormat::Png16}, {"exr", ImageFormat::ExrHalf}, {"exr32", ImageFormat::ExrFloat}, {"tga", ImageFormat::Tga}};
+/// @param rendered frames that were not there already
+void tellDone(const ExportPlan& plan, const std::optional<Flipbook>& flipbook, int rendered)
+{
+    if (flipbook) {
+        tellWritten(flipbook->files, firstFile(plan), flipbook->description);
+        return;
+    }
+    const int count = plan.kind == ExportKind::Sequence ? plan.frames.count() : 1;
+    const int kept = plan.recording.skipExisting ? count - rendered : 0;
+    if (kept > 0) {
+        tell(std::to_string(kept) + " of " + std::to_string(count) + " files were there already, " + firstFile(plan).string() + " to " + lastFile(plan).string());
+    } else {
+        tellWritten(count, firstFile(plan), lastFile(plan));
+    }
+}
 
 } // namespace
 
@@ -57,12 +71,28 @@ void PictureOptions::addFormat(CLI::App& command)
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float), tga (8 bit). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32", "tga"}));
 }
 
+void PictureOptions::addManifest(CLI::App& command)
+{
+    command.add_flag("--manifest", manifest, "Write a manifest beside the pictures, for 'fumage-cli verify': hashes of what they show, and what they are made of. --manifest=FILE names it; frames have their range in its name")
+        ->type_name("FILE");
+}
+
+void PictureOptions::addSkipping(CLI::App& command)
+{
+    command.add_flag("--skip-existing", skipExisting, "Leave frames alone whose file is there as a whole, in this size, and made of this preset as far as it says so");
+}
+
 Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
 {
     Result<PictureJob> job = jobWithoutOutput(named);
     if (job) {
         if (Status status = chooseOutput(output, format, named.name, job.value().plan); !status) {
             return status.error();
+        }
+        ExportPlan& plan = job.value().plan;
+        plan.recording.skipExisting = skipExisting;
+        if (!manifest.empty()) {
+            plan.recording.manifest = manifest == "true" ? manifestBeside(plan.output) : std::filesystem::path(manifest);
         }
     }
     return job;
@@ -98,9 +128,7 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
 {
     static constexpr std::array<std::string_view, 3> kEndings{".png", ".exr", ".tga"};
     plan.output = output;
-    if (!formatName.empty()) {
-        plan.format = kFormats.at(formatName);
-    }
+    plan.format = imageFormatNamed(formatName).value_or(plan.format);
     if (output == kStandardStream) {
         return Done{};
     }
@@ -120,21 +148,25 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
 Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
 {
     if (job.plan.output == kStandardStream) {
+        if (talksToOpenJd()) {
+            return Error{ErrorCode::OutOfRange, said("standard output cannot have both the picture and what --progress says"), {}, said("Name a file")};
+        }
         const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, interruption(), ProgressBar("Rendering").listener());
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
+    int rendered = 0;
     Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
     {
         ProgressBar bar("Rendering");
-        done = runExport(job.effect, job.plan, bar.listener(), interruption());
+        const auto count = [&rendered, show = bar.listener()](Work work, int now, int total) {
+            rendered = work == Work::Frames ? total : rendered;
+            show(work, now, total);
+        };
+        done = runExport(job.effect, job.plan, count, interruption());
     }
     if (done) {
-        const bool one = job.plan.kind != ExportKind::Sequence;
-        const std::filesystem::path beside = done.value() ? done.value()->description : lastFile(job.plan);
-        tellWritten(done.value() ? done.value()->files : one ? 1
-                                                             : job.plan.frames.count(),
-            firstFile(job.plan), beside);
+        tellDone(job.plan, done.value(), rendered);
     }
     return done;
 }

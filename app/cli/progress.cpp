@@ -1,5 +1,8 @@
 #include "app/cli/progress.h"
+#include "app/cli/streams.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 
@@ -40,8 +43,27 @@ Progress ProgressBar::listener()
     return [this](Work work, int done, int total) { show(work, done, total); };
 }
 
+void ProgressBar::showToOpenJd(Work work, int done, int total)
+{
+    constexpr int kWhole = 100;
+    const int percent = static_cast<int>(static_cast<std::int64_t>(kWhole) * done / std::max(1, total));
+    if (m_work != work) {
+        tellOpenJd("status", nameOf(work, m_what));
+    }
+    // The way to the frames is none of them: a number that fell back would be none that people trust.
+    if (work == Work::Frames && percent != m_percent) {
+        tellOpenJd("progress", std::to_string(percent));
+        m_percent = percent;
+    }
+}
+
 void ProgressBar::show(Work work, int done, int total)
 {
+    if (talksToOpenJd()) {
+        showToOpenJd(work, done, total);
+        m_work = work;
+        return;
+    }
     const bool between = m_work == Work::Frames && work != Work::Frames;
     if (!m_terminal || between) {
         return;

@@ -8,7 +8,7 @@
 
 namespace fumage::cli {
 
-/// A bar with the time left on standard error; nothing where that is not a terminal.
+/// A bar with the time left on standard error; nothing where that is not a terminal. Open Job Description hears of it in lines of its own.
 class ProgressBar {
 public:
     /// @param what is being done to the frames: "Rendering"
@@ -22,11 +22,13 @@ public:
 
 private:
     void show(Work work, int done, int total);
+    void showToOpenJd(Work work, int done, int total);
 
     std::string m_what;
     bool m_terminal;
     bool m_shown = false;
     std::optional<Work> m_work;
+    int m_percent = -1; ///< that Open Job Description was told last
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 

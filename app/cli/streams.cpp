@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstring>
@@ -33,6 +34,8 @@ bool waitFor(int descriptor, short event)
     return false;
 }
 
+std::atomic<bool> hearsOpenJd = false; // set before any work begins
+
 Error interrupted()
 {
     return {ErrorCode::Cancelled, said("interrupted"), {}, {}};
@@ -48,6 +51,23 @@ bool passes(int number)
 void beQuiet()
 {
     std::clog.rdbuf(nullptr);
+}
+
+void talkToOpenJd()
+{
+    hearsOpenJd = true;
+}
+
+bool talksToOpenJd()
+{
+    return hearsOpenJd;
+}
+
+void tellOpenJd(std::string_view what, const std::string& text)
+{
+    if (hearsOpenJd) {
+        std::cout << "openjd_" << what << ": " << printable(text) << std::endl;
+    }
 }
 
 void warn(const std::string& text)

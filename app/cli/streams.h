@@ -17,6 +17,13 @@ inline constexpr std::string_view kStandardStream = "-";
 /// From now on warn() and tell() say nothing.
 void beQuiet();
 
+/// From now on progress and failures are said on standard output too, as Open Job Description hears them: "openjd_progress: 50".
+void talkToOpenJd();
+[[nodiscard]] bool talksToOpenJd();
+/// Says a line of Open Job Description, where somebody hears it.
+/// @param what "progress", "status" or "fail"
+void tellOpenJd(std::string_view what, const std::string& text);
+
 /// Prints "fumage-cli: warning: ..." to standard error.
 void warn(const std::string& text);
 

@@ -30,6 +30,7 @@ enum class ErrorCode {
     OutOfRange,
     OutOfMemory,
     WouldOverwrite,
+    Mismatch, ///< what was to be the same is not
 };
 
 /// An expected failure: what happened, where, and what the user can do about it.

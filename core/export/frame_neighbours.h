@@ -3,6 +3,7 @@
 #include "core/rendering/pass_renderer.h"
 #include "core/simulation/simulator.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,8 @@ class FrameNeighbours {
 public:
     /// @param frames in any order, but one that rises is quick; must stay
     /// @param wanted whether those beside are; else there is none
-    FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted);
+    /// @param step   0: those beside are the ones in the list; else those that are so many frames away, whatever is in the list, so that frames are the same however they are divided into lists
+    FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted, int step = 0);
 
     /// @param place of a frame in the list: 0, then one more each time
     /// @return the frame until the next call; after the last comes one that is as far behind it as that is behind the one before, or the first of all
@@ -21,15 +23,22 @@ public:
     [[nodiscard]] Result<FrameAmongOthers> at(std::size_t place, const std::stop_token& stop, const Progress& progress);
 
 private:
+    struct Numbered {
+        int number = 0;
+        std::shared_ptr<const Frame> frame; ///< null: none
+    };
+
+    /// Negative: there is none.
+    [[nodiscard]] int numberBefore(std::size_t place) const;
     [[nodiscard]] int numberAfter(std::size_t place) const;
-    [[nodiscard]] Status fetch(int number, std::shared_ptr<const Frame>& to, const std::stop_token& stop, const Progress& progress);
+    /// A frame, which may be one that was handed out last.
+    [[nodiscard]] Status fetch(int number, const std::array<Numbered, 3>& last, Numbered& to, const std::stop_token& stop, const Progress& progress);
 
     Simulator m_simulator;
     const std::vector<int>& m_frames;
     bool m_wanted;
-    std::shared_ptr<const Frame> m_previous;
-    std::shared_ptr<const Frame> m_now;
-    std::shared_ptr<const Frame> m_next;
+    int m_step;
+    std::array<Numbered, 3> m_held; ///< the one before, the frame, the one after
 };
 
 } // namespace fumage

@@ -95,6 +95,24 @@ int fullOf(ImageFormat format)
     return format == ImageFormat::Png16 ? std::numeric_limits<std::uint16_t>::max() : std::numeric_limits<std::uint8_t>::max();
 }
 
+std::string_view nameOf(ImageFormat format)
+{
+    switch (format) {
+    case ImageFormat::Png8: return "png";
+    case ImageFormat::Png16: return "png16";
+    case ImageFormat::ExrHalf: return "exr";
+    case ImageFormat::ExrFloat: return "exr32";
+    case ImageFormat::Tga: return "tga";
+    }
+    return {};
+}
+
+std::optional<ImageFormat> imageFormatNamed(std::string_view name)
+{
+    const auto* const found = std::ranges::find(kAllImageFormats, name, [](ImageFormat format) { return nameOf(format); });
+    return found == kAllImageFormats.end() ? std::nullopt : std::optional(*found);
+}
+
 std::string_view fileEnding(ImageFormat format)
 {
     return format == ImageFormat::Tga ? ".tga" : holdsFloats(format) ? ".exr"

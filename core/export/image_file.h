@@ -6,8 +6,10 @@
 #include "core/picture_files/picture_notes.h"
 #include "core/rendering/image.h"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,14 @@ enum class ImageFormat {
     ExrFloat, ///< the same in 32 bits
     Tga, ///< as PNG of 8 bits, without alpha where there is a background, and without notes
 };
+
+/// All of them, in their order.
+inline constexpr std::array kAllImageFormats{ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat, ImageFormat::Tga};
+
+/// "png", "png16", "exr", "exr32" or "tga": what command lines and manifests call it.
+[[nodiscard]] std::string_view nameOf(ImageFormat format);
+/// @return nothing where no format is called so
+[[nodiscard]] std::optional<ImageFormat> imageFormatNamed(std::string_view name);
 
 /// Whether a format holds floats: linear, premultiplied and with all values; else what displays show, in whole numbers.
 [[nodiscard]] bool holdsFloats(ImageFormat format);

@@ -112,7 +112,11 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
     }
     options.value().preset = projectOf(effect, plan);
     const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), progress, stop);
-    return flipbook ? Result<std::optional<Flipbook>>(flipbook.value()) : flipbook.error();
+    if (!flipbook) {
+        return flipbook.error();
+    }
+    const Status recorded = plan.recording.manifest.empty() ? Status(Done{}) : recordFlipbook(effect, options.value(), plan.recording.manifest);
+    return recorded ? Result<std::optional<Flipbook>>(flipbook.value()) : recorded.error();
 }
 
 } // namespace
@@ -211,7 +215,7 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     const auto plainly = [](const Status& status) { return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error(); };
     switch (plan.kind) {
     case ExportKind::Sequence:
-    case ExportKind::Picture: return plainly(renderSequence(effect, sequenceOf(plan, projectOf(effect, plan)), progress, stop));
+    case ExportKind::Picture: return plainly(renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
     case ExportKind::Video: return plainly(renderVideo(effect, {plan.output, plan.frames, plan.video}, progress, stop));
     case ExportKind::NoiseTexture:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/flipbook.h"
+#include "core/export/manifest/recorded.h"
 #include "core/export/particle_dump.h"
 #include "core/export/video.h"
 #include "core/preset/preset.h"
@@ -43,6 +44,7 @@ struct ExportPlan {
     bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds; of a flipbook over its own frames, else over framesToFit()
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
     std::optional<Preset> project; ///< that pictures carry, so that they open as it, with the effect that they show in place of its own; none: they carry nothing
+    Recording recording; ///< of frames and flipbooks
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
 };
 

@@ -8,6 +8,7 @@
 #include "core/rendering/renderer.h"
 #include "core/simulation/simulator.h"
 
+#include <algorithm>
 #include <array>
 #include <future>
 
@@ -76,7 +77,7 @@ public:
         : m_smoke(sampled(effect))
         , m_options(options)
         , m_numbers(std::move(numbers))
-        , m_neighbours(m_smoke, m_numbers, options.passes.has(Pass::Motion))
+        , m_neighbours(m_smoke, m_numbers, options.passes.has(Pass::Motion), options.frames.step)
     {
         m_options.passes.add(Pass::Colour);
         for (PassSheet& sheet : m_sheets) {
@@ -110,33 +111,33 @@ private:
 };
 
 template <class Frames>
-Status writeFrames(Frames& frames, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Status encodeEach(Frames frames, const SequenceOptions& options, const std::vector<int>& numbers, const FrameSink& sink, const Progress& progress, const std::stop_token& stop)
 {
-    std::future<Status> writing;
-    const auto finishWriting = [&]() -> Status { return writing.valid() ? writing.get() : Status(Done{}); };
-    const int total = options.frames.count();
+    std::future<Status> taking;
+    const auto finishTaking = [&]() -> Status { return taking.valid() ? taking.get() : Status(Done{}); };
+    const int total = static_cast<int>(numbers.size());
     for (int done = 0; done < total; ++done) {
         const auto place = static_cast<std::size_t>(done);
         if (Status status = frames.render(place, stop, progress); !status) {
             return status;
         }
-        if (Status status = finishWriting(); !status) {
+        if (Status status = finishTaking(); !status) {
             return status;
         }
         if (done > 0) {
             progress(Work::Frames, done, total);
         }
-        writing = std::async(std::launch::async, [&frames, &stop, place, path = framePath(options, options.frames.at(done))]() -> Status {
-            Result<std::vector<std::byte>> bytes = frames.encode(place, stop);
+        taking = std::async(std::launch::async, [&frames, &options, &sink, &stop, place, frame = numbers[place]]() -> Status {
+            const Result<std::vector<std::byte>> bytes = frames.encode(place, stop);
             if (!bytes) {
                 Error error = bytes.error();
-                error.place = path.string();
+                error.place = framePath(options, frame).string();
                 return error;
             }
-            return writeFileAtomically(path, bytes.value());
+            return sink(frame, bytes.value());
         });
     }
-    if (Status status = finishWriting(); !status) {
+    if (Status status = finishTaking(); !status) {
         return status;
     }
     progress(Work::Frames, total, total);
@@ -192,6 +193,17 @@ std::filesystem::path framePath(const SequenceOptions& options, int frame)
     return framePath(options.output, options.frames, fileEnding(options.format), frame);
 }
 
+std::vector<int> numbersOf(const SequenceOptions& options)
+{
+    std::vector<int> numbers;
+    for (int i = 0; i < options.frames.count(); ++i) {
+        if (!std::binary_search(options.leftOut.begin(), options.leftOut.end(), options.frames.at(i))) {
+            numbers.push_back(options.frames.at(i));
+        }
+    }
+    return numbers;
+}
+
 Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options, const std::stop_token& stop, const Progress& progress)
 {
     const auto encoded = [&](auto frames) -> Result<std::vector<std::byte>> {
@@ -226,6 +238,21 @@ Status writeNumbered(const NumberedFiles& files, const Progress& progress, const
     return Done{};
 }
 
+Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Progress& progress, const std::stop_token& stop)
+{
+    if (Status status = check(options); !status) {
+        return status;
+    }
+    const std::vector<int> numbers = numbersOf(options);
+    if (numbers.empty()) {
+        return Done{};
+    }
+    if (isLayered(options)) {
+        return encodeEach(LayeredFrames(effect, options, numbers), options, numbers, sink, progress, stop);
+    }
+    return encodeEach(ColourFrames(effect, options, numbers), options, numbers, sink, progress, stop);
+}
+
 Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = check(options); !status) {
@@ -234,16 +261,11 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
     }
-    std::vector<int> numbers;
-    for (int i = 0; i < options.frames.count(); ++i) {
-        numbers.push_back(options.frames.at(i));
-    }
-    if (isLayered(options)) {
-        LayeredFrames frames(effect, options, std::move(numbers));
-        return writeFrames(frames, options, progress, stop);
-    }
-    ColourFrames frames(effect, options, std::move(numbers));
-    return writeFrames(frames, options, progress, stop);
+    const auto write = [&](int frame, std::span<const std::byte> bytes) -> Status {
+        Status status = writeFileAtomically(framePath(options, frame), bytes);
+        return status && options.written ? options.written(frame, bytes) : status;
+    };
+    return encodeFrames(effect, options, write, progress, stop);
 }
 
 } // namespace fumage

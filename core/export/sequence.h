@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fumage {
 
@@ -42,6 +44,9 @@ inline constexpr int kMaxFrame = 1'000'000;
 /// @param file empty: none
 [[nodiscard]] bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames, std::string_view ending);
 
+/// Takes the bytes of a frame's file, one frame after the other, on a thread of its own.
+using FrameSink = std::function<Status(int frame, std::span<const std::byte> bytes)>;
+
 struct SequenceOptions {
     std::filesystem::path output; ///< a run of # in the file name becomes the frame number; see framePath()
     FrameRange frames;
@@ -49,9 +54,13 @@ struct SequenceOptions {
     PassSet passes{Pass::Colour}; ///< with others than the colour each file is an EXR of layers; see encodeLayers()
     bool premultiplied = true; ///< light, emission and albedo of the layers
     std::string preset{}; ///< that the pictures carry, as JSON; empty: none
+    std::vector<int> leftOut{}; ///< frames of the range that are not rendered; they rise
+    FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
 };
 
 [[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);
+/// The frames that are rendered, in their order.
+[[nodiscard]] std::vector<int> numbersOf(const SequenceOptions& options);
 
 /// Files that are numbered by their frames.
 struct NumberedFiles {
@@ -72,8 +81,13 @@ struct NumberedFiles {
 /// @error those of renderSequence()
 [[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options, const std::stop_token& stop = {}, const Progress& progress = {});
 
+/// Renders the frames of a range into the bytes of their files. What a frame's file holds is the same whatever else is in the range, as long as the step is.
+/// A file is encoded and taken while the next frame is simulated.
+/// @param sink its error ends the work
+/// @error those of renderSequence()
+[[nodiscard]] Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Progress& progress, const std::stop_token& stop = {});
+
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
-/// A file is encoded and written while the next frame is simulated.
 /// @param progress hears of Work::Frames after each, and of what leads to them
 /// @error OutOfRange where passes are asked for that the format cannot hold; else that of the first frame that fails; files before it stay
 [[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/export/flipbook.h"
+#include "core/export/manifest/manifest.h"
+#include "core/export/sequence.h"
+
+#include <filesystem>
+
+namespace fumage {
+
+/// What is done about files beside writing them.
+struct Recording {
+    std::filesystem::path manifest; ///< that is written of them, see partOf(); empty: none
+    bool skipExisting = false; ///< frames whose whole file is there stay as they are
+};
+
+/// The kind of jobs that are of frames.
+inline constexpr std::string_view kFramesKind = "frames";
+
+/// The job that frames are made by. Frames of one job are the same, whatever ranges it is divided into.
+[[nodiscard]] ManifestJob jobOf(const Effect& effect, const SequenceOptions& options);
+
+/// How the frames of a job are rendered: format, passes and step; not their range and name.
+/// @error WrongType: it is not of frames, or has settings that are not known
+[[nodiscard]] Result<SequenceOptions> sequenceOf(const ManifestJob& job);
+
+/// The frames of which the file is there as a whole: it reads to its end and has the right size, and where it carries a preset and a frame these are
+/// the right ones. O(pixels of those files).
+/// @param kept hears of each
+/// @error Cancelled; that of kept
+[[nodiscard]] Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options, const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop = {});
+
+/// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where the work ends early, of what was done until then.
+[[nodiscard]] Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Progress& progress, const std::stop_token& stop = {});
+
+/// Writes the manifest of a flipbook that has been written.
+/// @error those of readFile() and ManifestRecorder
+[[nodiscard]] Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest);
+
+} // namespace fumage

@@ -1,0 +1,220 @@
+#include "core/export/manifest/verify.h"
+
+#include "core/base/file.h"
+#include "core/export/manifest/recorded.h"
+#include "core/export/output_name.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace fumage {
+
+namespace {
+
+/// What manifests say of a file together.
+struct Expectation {
+    std::optional<int> frame;
+    Content content;
+    bool contradicted = false;
+};
+
+std::map<std::string, Expectation> expectationsOf(const ManifestSet& set)
+{
+    std::map<std::string, Expectation> all;
+    for (const FoundManifest& found : set.manifests) {
+        for (const ManifestEntry& entry : found.manifest.files) {
+            const auto [at, isNew] = all.try_emplace(entry.file, Expectation{entry.frame, entry.content, false});
+            at->second.contradicted = at->second.contradicted || at->second.content != entry.content;
+        }
+    }
+    return all;
+}
+
+Result<FileState> stateOf(const std::filesystem::path& file, const Expectation& expected)
+{
+    const Result<std::string> bytes = readFile(file, kMaxCheckedBytes);
+    if (!bytes && (bytes.error().code == ErrorCode::FileNotFound || bytes.error().code == ErrorCode::NotAFile)) {
+        return FileState::Missing;
+    }
+    if (!bytes) {
+        return bytes.error();
+    }
+    if (expected.contradicted) {
+        return FileState::Contradicted;
+    }
+    const Result<Content> content = contentOf(std::as_bytes(std::span(bytes.value())));
+    if (!content) {
+        return FileState::Broken;
+    }
+    return content.value() == expected.content ? FileState::Same : FileState::Different;
+}
+
+/// Files that have the ending of one that is named, and are not.
+std::vector<CheckedFile> extrasOf(const ManifestSet& set, const std::map<std::string, Expectation>& expected)
+{
+    std::set<std::string> endings;
+    for (const auto& [file, expectation] : expected) {
+        endings.insert(endingOf(file));
+    }
+    std::vector<CheckedFile> extras;
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(set.folder, error), end; !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        const bool isOfTheKind = endings.contains(endingOf(name)) && !name.starts_with('.') && !name.ends_with(".json");
+        if (isOfTheKind && !expected.contains(name) && at->is_regular_file(error)) {
+            extras.push_back({name, {}, FileState::Extra});
+        }
+    }
+    std::ranges::sort(extras, {}, &CheckedFile::file);
+    return extras;
+}
+
+std::vector<CheckedFile> unnamedOf(const FrameRange& frames, const std::map<std::string, Expectation>& expected)
+{
+    std::set<int> named;
+    for (const auto& [file, expectation] : expected) {
+        named.insert(expectation.frame.value_or(-1));
+    }
+    std::vector<CheckedFile> unnamed;
+    for (int i = 0; i < frames.count(); ++i) {
+        if (!named.contains(frames.at(i))) {
+            unnamed.push_back({{}, frames.at(i), FileState::Missing});
+        }
+    }
+    return unnamed;
+}
+
+/// Parts of one job as one, so that its air is baked once.
+std::map<std::string, Manifest> jobsOf(const ManifestSet& set)
+{
+    std::map<std::string, Manifest> jobs;
+    for (const FoundManifest& found : set.manifests) {
+        const auto [at, isNew] = jobs.try_emplace(found.manifest.job.hash(), found.manifest);
+        if (!isNew) {
+            at->second.files.insert(at->second.files.end(), found.manifest.files.begin(), found.manifest.files.end());
+        }
+    }
+    return jobs;
+}
+
+/// Renders the frames of a job that are wanted.
+Status renderJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
+{
+    Result<SequenceOptions> options = sequenceOf(job.job);
+    if (!options) {
+        return options.error();
+    }
+    std::map<int, const ManifestEntry*> entries;
+    for (const ManifestEntry& entry : job.files) {
+        const int frame = entry.frame.value_or(-1);
+        if (frame >= wanted.first && frame <= wanted.last && (frame - wanted.first) % wanted.step == 0) {
+            entries.emplace(frame, &entry);
+        }
+    }
+    if (entries.empty()) {
+        return Done{};
+    }
+    FrameRange& range = options.value().frames;
+    range.first = entries.begin()->first;
+    range.last = entries.rbegin()->first;
+    for (int i = 0; i < range.count(); ++i) {
+        if (!entries.contains(range.at(i))) {
+            options.value().leftOut.push_back(range.at(i));
+        }
+    }
+    std::map<int, Content> made;
+    const auto keep = [&](int frame, std::span<const std::byte> bytes) -> Status {
+        Result<Content> content = contentOf(bytes);
+        if (!content) {
+            return content.error();
+        }
+        made[frame] = std::move(content).value();
+        return Done{};
+    };
+    if (Status status = encodeFrames(job.job.effect, options.value(), keep, progress, stop); !status) {
+        return status;
+    }
+    for (const auto& [frame, entry] : entries) {
+        const auto found = made.find(frame);
+        checked.push_back({entry->file, frame, found != made.end() && found->second == entry->content ? FileState::Same : FileState::Different});
+    }
+    return Done{};
+}
+
+} // namespace
+
+std::string_view nameOf(FileState state)
+{
+    switch (state) {
+    case FileState::Same: return "same";
+    case FileState::Missing: return "missing";
+    case FileState::Different: return "different";
+    case FileState::Broken: return "broken";
+    case FileState::Contradicted: return "contradicted";
+    case FileState::Extra: return "extra";
+    }
+    return {};
+}
+
+Result<ManifestSet> openManifests(const std::filesystem::path& folderOrManifest)
+{
+    std::error_code error;
+    if (!std::filesystem::is_directory(folderOrManifest, error)) {
+        Result<Manifest> manifest = readManifest(folderOrManifest);
+        if (!manifest) {
+            return manifest.error();
+        }
+        ManifestSet set{folderOrManifest.parent_path(), false, {}};
+        set.manifests.push_back({folderOrManifest, std::move(manifest).value()});
+        return set;
+    }
+    Result<std::vector<FoundManifest>> found = findManifests(folderOrManifest);
+    if (!found) {
+        return found.error();
+    }
+    if (found.value().empty()) {
+        return Error{ErrorCode::FileNotFound, said("there is no manifest in this folder"), folderOrManifest.string(), said("Write pictures with --manifest")};
+    }
+    return ManifestSet{folderOrManifest, true, std::move(found).value()};
+}
+
+Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop)
+{
+    const std::map<std::string, Expectation> expected = expectationsOf(set);
+    std::vector<CheckedFile> checked;
+    const int total = static_cast<int>(expected.size());
+    for (const auto& [file, expectation] : expected) {
+        if (stop.stop_requested()) {
+            return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
+        }
+        const Result<FileState> state = stateOf(set.folder / file, expectation);
+        if (!state) {
+            return state.error();
+        }
+        checked.push_back({file, expectation.frame, state.value()});
+        progress(Work::Frames, static_cast<int>(checked.size()), total);
+    }
+    std::vector<CheckedFile> others = set.whole ? extrasOf(set, expected) : std::vector<CheckedFile>();
+    checked.insert(checked.end(), others.begin(), others.end());
+    others = frames ? unnamedOf(*frames, expected) : std::vector<CheckedFile>();
+    checked.insert(checked.end(), others.begin(), others.end());
+    return checked;
+}
+
+Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+{
+    std::vector<CheckedFile> checked;
+    for (const auto& [hash, job] : jobsOf(set)) {
+        const Status status = job.job.kind == kFramesKind ? renderJob(job, frames, checked, progress, stop) : Status(Done{});
+        if (!status) {
+            return status.error();
+        }
+    }
+    if (checked.empty()) {
+        return Error{ErrorCode::OutOfRange, said("the manifests name none of the frames %1 to %2", frames.first, frames.last), set.folder.string(), said("Choose some that have been rendered as pictures of their own")};
+    }
+    return checked;
+}
+
+} // namespace fumage

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/export/manifest/manifest_parts.h"
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace fumage {
+
+/// What a file is against its manifest.
+enum class FileState {
+    Same,
+    Missing,
+    Different,
+    Broken, ///< a picture that does not read to its end
+    Contradicted, ///< two manifests say different things of it
+    Extra, ///< it lies beside files of its kind, and is in no manifest
+};
+inline constexpr std::array kAllFileStates{FileState::Same, FileState::Missing, FileState::Different, FileState::Broken, FileState::Contradicted, FileState::Extra};
+
+/// "same", "missing": what answers for programs call it.
+[[nodiscard]] std::string_view nameOf(FileState state);
+
+struct CheckedFile {
+    std::string file; ///< path from the folder; of a frame that no manifest names: empty
+    std::optional<int> frame;
+    FileState state = FileState::Same;
+};
+
+/// Manifests, and where their files lie.
+struct ManifestSet {
+    std::filesystem::path folder;
+    bool whole = false; ///< whether these are all that the folder has
+    std::vector<FoundManifest> manifests; ///< 1 or more
+};
+
+/// Those of a folder, or a single one.
+/// @error FileNotFound where there is none; those of readManifest()
+[[nodiscard]] Result<ManifestSet> openManifests(const std::filesystem::path& folderOrManifest);
+
+/// Holds the files of a folder against its manifests.
+/// @param frames that must be there; none: those that the manifests name
+/// @return       all files, by name; frames that no manifest names come last
+/// @error        Cancelled, and those of readFile() but for files that are missing
+[[nodiscard]] Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop = {});
+
+/// Renders frames again, and holds what this machine makes of them against the manifests. Files are not looked at.
+/// @return the frames of the manifests that lie in the range
+/// @error  OutOfRange where none does, as of flipbooks; WrongType where a manifest does not say how; those of encodeFrames()
+[[nodiscard]] Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
+
+} // namespace fumage
