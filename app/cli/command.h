@@ -71,6 +71,7 @@ void addFit(CLI::App& program, Action& action);
 void addBakeNoise(CLI::App& program, Action& action);
 void addAir(CLI::App& program, Action& action);
 void addDump(CLI::App& program, Action& action);
+void addJoin(CLI::App& program, Action& action);
 void addVerify(CLI::App& program, Action& action);
 void addValidate(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);

@@ -125,6 +125,7 @@ void addCommands(CLI::App& program, Action& action)
     addBakeNoise(program, action);
     addDump(program, action);
     addAir(program, action);
+    addJoin(program, action);
     addVerify(program, action);
     addValidate(program, action);
     addInfo(program, action);

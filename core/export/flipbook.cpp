@@ -281,7 +281,12 @@ std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options)
     return files;
 }
 
-Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
+namespace {
+
+/// Fills the cells of a sheet, and says of the flipbook what was seen.
+using CellFill = std::function<Status(PassSheet& sheet, Flipbook& flipbook)>;
+
+Result<Flipbook> writeFlipbook(const Effect& effect, const FlipbookOptions& options, const CellFill& fill, const std::stop_token& stop)
 {
     if (Status status = check(effect, options); !status) {
         return status.error();
@@ -299,7 +304,7 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     }
 
     PassSheet sheet;
-    if (Status status = renderCells(effect, options, sheet, flipbook, progress, stop); !status) {
+    if (Status status = fill(sheet, flipbook); !status) {
         return status.error();
     }
     const PassPictures pictures(sheet, renderedPasses(options), options.style);
@@ -318,6 +323,23 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
         return status.error();
     }
     return flipbook;
+}
+
+} // namespace
+
+Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    const auto fill = [&](PassSheet& sheet, Flipbook& flipbook) { return renderCells(effect, options, sheet, flipbook, progress, stop); };
+    return writeFlipbook(effect, options, fill, stop);
+}
+
+Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Progress& progress, const std::stop_token& stop)
+{
+    if (renderedPasses(options) != PassSet{Pass::Colour}) {
+        return Error{ErrorCode::OutOfRange, said("only the colour can be joined of frames"), {}, said("Render a flipbook for its other passes")};
+    }
+    const auto fill = [&](PassSheet& sheet, Flipbook&) { return joinSheet(framesOfCells(options), options.columns, frames, {effect.output.width, effect.output.height}, sheet, progress, stop); };
+    return writeFlipbook(effect, options, fill, stop);
 }
 
 } // namespace fumage

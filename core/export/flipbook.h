@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/engines/engine.h"
+#include "core/export/frame_source.h"
 #include "core/export/packing.h"
 #include "core/export/sequence.h"
 
@@ -86,5 +87,10 @@ struct Flipbook {
 /// it, too. All are written whole or not at all.
 /// @error TooLarge before allocating, OutOfRange, those of checkEngine(), checkPacks() and renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
+
+/// The same of frames that are there already. Nothing is known of smoke that is cut off.
+/// @param options whose only pass is the colour
+/// @error OutOfRange where other passes are asked for; those of renderFlipbook() and of the frames
+[[nodiscard]] Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

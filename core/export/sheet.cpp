@@ -48,4 +48,24 @@ Status renderSheet(const Effect& effect, const std::vector<int>& frames, int col
     return Done{};
 }
 
+Status joinSheet(const std::vector<int>& frames, int columns, const FrameSource& source, const glm::ivec2& size, PassSheet& sheet, const Progress& progress, const std::stop_token& stop)
+{
+    const int cells = static_cast<int>(frames.size());
+    sheet.grid = {columns, cells, size.x, size.y};
+    Image& whole = sheet.layers.of(PassLayer::Colour);
+    whole.resize(size.x * columns, size.y * ((cells + columns - 1) / columns));
+    Image cell;
+    for (int number = 0; number < cells; ++number) {
+        if (stop.stop_requested()) {
+            return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
+        }
+        if (Status status = source(frames[static_cast<std::size_t>(number)], cell); !status) {
+            return status;
+        }
+        place(cell, whole, sheet.grid.cell(number));
+        progress(Work::Frames, number + 1, cells);
+    }
+    return Done{};
+}
+
 } // namespace fumage

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/export/frame_source.h"
 #include "core/export/pass_picture.h"
 #include "core/rendering/pass_renderer.h"
 
 #include <functional>
 #include <stop_token>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 namespace fumage {
 
@@ -19,5 +22,10 @@ using CellWatch = std::function<void(const PassImages& cell, const Frame& frame,
 /// @param passes  what the layers must do for
 /// @error those of Simulator and PassRenderer
 [[nodiscard]] Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {});
+
+/// Fills the colour of a sheet with frames that are there already.
+/// @param size of a cell, pixels
+/// @error those of the frames; Cancelled
+[[nodiscard]] Status joinSheet(const std::vector<int>& frames, int columns, const FrameSource& source, const glm::ivec2& size, PassSheet& sheet, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

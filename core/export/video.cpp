@@ -78,19 +78,13 @@ Result<ChildProcess> startFfmpeg(const std::vector<std::string>& arguments)
 
 /// Frames as ffmpeg takes them.
 template <class Channel>
-Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha, ChildProcess& program, const Progress& progress, const std::stop_token& stop)
+Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha, const FrameSource& frames, ChildProcess& program, const Progress& progress, const std::stop_token& stop)
 {
-    Simulator simulator(smoke);
-    Renderer renderer;
     Image image;
     EncodedImage<Channel> encoded;
     const int total = options.frames.count();
     for (int i = 0; i < total; ++i) {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(options.frames.at(i), stop, progress);
-        if (!frame) {
-            return frame.error();
-        }
-        if (Status status = renderer.render(*frame.value(), smoke, smoke->output.width, smoke->output.height, image, stop); !status) {
+        if (Status status = frames(options.frames.at(i), image); !status) {
             return status;
         }
         if (!alpha) {
@@ -119,6 +113,18 @@ bool hasAlpha(VideoFormat format)
 
 Status renderVideo(const Effect& effect, const VideoOptions& options, const Progress& progress, const std::stop_token& stop)
 {
+    const SampledEffect smoke = sampled(effect);
+    Simulator simulator(smoke);
+    Renderer renderer;
+    const auto render = [&](int number, Image& image) -> Status {
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
+        return frame ? renderer.render(*frame.value(), smoke, smoke->output.width, smoke->output.height, image, stop) : Status(frame.error());
+    };
+    return joinVideo(effect, options, render, progress, stop);
+}
+
+Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Progress& progress, const std::stop_token& stop)
+{
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
     }
@@ -132,8 +138,8 @@ Status renderVideo(const Effect& effect, const VideoOptions& options, const Prog
     if (!program) {
         return program.error();
     }
-    Status fed = recipe.wide ? feed<std::uint16_t>(smoke, options, recipe.alpha, program.value(), progress, stop)
-                             : feed<std::uint8_t>(smoke, options, recipe.alpha, program.value(), progress, stop);
+    Status fed = recipe.wide ? feed<std::uint16_t>(smoke, options, recipe.alpha, frames, program.value(), progress, stop)
+                             : feed<std::uint8_t>(smoke, options, recipe.alpha, frames, program.value(), progress, stop);
     if (!fed) {
         return fed;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/sequence.h"
+#include "core/export/frame_source.h"
 
 #include <array>
 
@@ -35,5 +35,9 @@ struct VideoOptions {
 /// @param progress as renderSequence()
 /// @error FileNotFound without ffmpeg, WriteFailed with what it said, Cancelled, those of writeFileAtomically()
 [[nodiscard]] Status renderVideo(const Effect& effect, const VideoOptions& options, const Progress& progress, const std::stop_token& stop = {});
+
+/// The same of frames that are there already.
+/// @error those of renderVideo() and of the frames
+[[nodiscard]] Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

@@ -1,0 +1,92 @@
+#include "app/cli/command.h"
+#include "app/cli/file_choice.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/progress.h"
+
+#include "core/base/memory.h"
+#include "core/export/video.h"
+
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+struct JoinOptions {
+    EffectOptions effect;
+    std::string input;
+    std::string frames;
+    std::string output;
+    std::string grid;
+};
+
+Status joinToVideo(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
+{
+    const Result<FileChoice<VideoFormat>> choice = chooseFile(options.output, {}, named.name, kAllVideoFormats);
+    if (!choice) {
+        return choice.error();
+    }
+    ProgressBar bar("Joining");
+    const VideoOptions video{choice.value().file, frames, choice.value().format};
+    if (Status status = withinMemory([&] { return joinVideo(named.preset.effect, video, source, bar.listener(), interruption()); }); !status) {
+        return status;
+    }
+    tellWritten(1, video.output, video.output);
+    return Done{};
+}
+
+Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
+{
+    ExportPlan plan;
+    plan.kind = ExportKind::Flipbook;
+    plan.frames = frames;
+    if (Status status = parseGrid(options.grid, plan.columns, plan.rows); !status) {
+        return status;
+    }
+    if (Status status = chooseOutput(options.output, {}, named.name, plan); !status) {
+        return status;
+    }
+    ProgressBar bar("Joining");
+    FlipbookOptions flipbook = flipbookOf(plan);
+    flipbook.preset = formatPreset(named.preset);
+    const Result<Flipbook> done = withinMemory([&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.listener(), interruption()); });
+    if (!done) {
+        return done.error();
+    }
+    tellWritten(done.value().files, done.value().picture, done.value().description);
+    return Done{};
+}
+
+Status joinOne(const JoinOptions& options, const NamedPreset& named)
+{
+    const Result<FrameRange> frames = parseFrameRange(options.frames);
+    if (!frames) {
+        return frames.error();
+    }
+    const Output& output = named.preset.effect.output;
+    const FrameSource source = framesOfFiles(options.input, frames.value(), output.width, output.height);
+    return options.grid.empty() ? joinToVideo(options, named, frames.value(), source) : joinToFlipbook(options, named, frames.value(), source);
+}
+
+} // namespace
+
+void addJoin(CLI::App& program, Action& action)
+{
+    auto options = std::make_shared<JoinOptions>();
+    CLI::App* command = program.add_subcommand("join", "Join frames that have been rendered to EXR into a video or a flipbook");
+    options->effect.addTo(*command);
+    command->add_option("-i,--input", options->input, "The frames, as --output of render named them: out/smoke_####.exr")->required()->type_name("FILE");
+    command->add_option("-f,--frames", options->frames, "Frames: 0-119 or 0-119:2")->required()->type_name("RANGE");
+    command->add_option("--grid", options->grid, "Make a flipbook with these columns and rows: 8 or 8x4. Default: a video")->type_name("GRID");
+    command->add_option("-o,--output", options->output, "File to write. In a folder, and by default, the preset's name")->type_name("FILE");
+    command->footer("The preset is the one that the frames were rendered of: it has their size and rate, the exposure, the view and the background.\n"
+                    "What comes out is what video and flipbook render, but for the rounding of half floats. Farms join frames this way when all of them are there.\n"
+                    "Examples:\n"
+                    "  fumage-cli join chimney --input out/smoke_####.exr --frames 0-119 --output smoke.mp4\n"
+                    "  fumage-cli join chimney --input out/smoke_####.exr --frames 0-119 --grid 8 --output smoke.png");
+    command->callback([options, &action] {
+        action = [options] { return options->effect.forEach(options->output, [&](const NamedPreset& named) { return joinOne(*options, named); }); };
+    });
+}
+
+} // namespace fumage::cli
