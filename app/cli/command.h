@@ -72,6 +72,7 @@ void addBakeNoise(CLI::App& program, Action& action);
 void addAir(CLI::App& program, Action& action);
 void addDump(CLI::App& program, Action& action);
 void addJoin(CLI::App& program, Action& action);
+void addFarm(CLI::App& program, Action& action);
 void addVerify(CLI::App& program, Action& action);
 void addValidate(CLI::App& program, Action& action);
 void addInfo(CLI::App& program, Action& action);

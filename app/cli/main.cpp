@@ -126,6 +126,7 @@ void addCommands(CLI::App& program, Action& action)
     addDump(program, action);
     addAir(program, action);
     addJoin(program, action);
+    addFarm(program, action);
     addVerify(program, action);
     addValidate(program, action);
     addInfo(program, action);

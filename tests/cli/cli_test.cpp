@@ -32,7 +32,7 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "volume", "air", "validate", "info", "presets", "parameters", "schema", "verify", "join"}) {
+        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "volume", "air", "validate", "info", "presets", "parameters", "schema", "verify", "farm", "join"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }

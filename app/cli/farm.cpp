@@ -1,0 +1,184 @@
+#include "app/cli/command.h"
+#include "app/cli/number_options.h"
+#include "app/cli/pass_options.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/progress.h"
+
+#include "core/base/file.h"
+#include "core/base/memory.h"
+#include "core/export/farm/chunk.h"
+#include "core/export/farm/farm.h"
+#include "core/export/output_name.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace fumage::cli {
+
+namespace {
+
+struct FarmOptions {
+    PictureOptions picture;
+    PassOptions passes;
+    std::string farm;
+    int chunk = 0; ///< 0: chosen
+    std::string then;
+    std::string grid = "8x8";
+};
+
+/// The job's name: that of the frames without their number.
+std::string nameOfJob(const std::filesystem::path& output)
+{
+    std::string name = output.stem().string();
+    name.erase(std::remove(name.begin(), name.end(), '#'), name.end());
+    name.erase(name.find_last_not_of("_-. ") + 1);
+    return name.empty() ? "frames" : name;
+}
+
+std::vector<std::string> renderWordsOf(const FarmOptions& options, const ExportPlan& plan)
+{
+    std::vector<std::string> words{"--format", std::string(nameOf(plan.format))};
+    if (!options.passes.passes.empty()) {
+        words.insert(words.end(), {"--passes", options.passes.passes});
+    }
+    if (!options.passes.alpha.empty()) {
+        words.insert(words.end(), {"--alpha", options.passes.alpha});
+    }
+    if (!options.picture.carriesPreset) {
+        words.emplace_back("--no-preset");
+    }
+    return words;
+}
+
+std::vector<std::string> joinWordsOf(const FarmOptions& options, const FarmJob& job)
+{
+    if (options.then.empty()) {
+        return {};
+    }
+    std::vector<std::string> words{"join", "./" + presetFileOf(job), "--input", "./" + job.output, "--frames", std::to_string(job.frames.first) + "-" + std::to_string(job.frames.last) + ":" + std::to_string(job.frames.step)};
+    if (options.then == "flipbook") {
+        words.insert(words.end(), {"--grid", options.grid, "--output", "./" + job.name + ".sheet.png"});
+    } else {
+        words.insert(words.end(), {"--output", "./" + job.name + ".mp4"});
+    }
+    return words;
+}
+
+/// What is asked for, checked as far as it can be before any machine has begun.
+Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
+{
+    PictureOptions picture = options.picture;
+    if (!options.then.empty() && picture.format.empty() && endingOf(picture.output).empty()) {
+        picture.format = nameOf(ImageFormat::ExrHalf);
+    }
+    Result<PictureJob> job = picture.jobFor(named);
+    if (!job) {
+        return job;
+    }
+    ExportPlan& plan = job.value().plan;
+    if (Status status = options.passes.applyTo(plan); !status) {
+        return status.error();
+    }
+    if (plan.output == kStandardStream) {
+        return Error{ErrorCode::OutOfRange, said("a farm writes no frames to standard output"), std::string("--output"), said("Name a file in a folder that all machines see")};
+    }
+    if (!options.then.empty() && plan.format != ImageFormat::ExrHalf && plan.format != ImageFormat::ExrFloat) {
+        return Error{ErrorCode::OutOfRange, said("frames that are to be joined are EXR"), "--then " + options.then, said("Write --format exr")};
+    }
+    int columns = 0;
+    int rows = 0;
+    if (Status status = parseGrid(options.grid, columns, rows); !status) {
+        return status.error();
+    }
+    if (options.then == "flipbook" && plan.frames.count() < columns * rows) {
+        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", plan.frames.count(), columns * rows), {}, said("Choose more frames or fewer columns and rows")};
+    }
+    return job;
+}
+
+FarmJob jobOf(const FarmOptions& options, const Effect& seen, const ExportPlan& plan)
+{
+    FarmJob job;
+    job.folder = std::filesystem::absolute(plan.output).lexically_normal().parent_path();
+    job.name = nameOfJob(plan.output);
+    job.output = plan.output.filename().string();
+    if (job.output.find('#') == std::string::npos) {
+        job.output = job.name + "_####" + std::string(fileEnding(plan.format)); // a task of one frame must not name it otherwise than others do
+    }
+    job.frames = plan.frames;
+    job.perTask = options.chunk > 0 ? std::min(options.chunk, plan.frames.count()) : framesPerTask(farmCost(seen), plan.frames);
+    job.renderWords = renderWordsOf(options, plan);
+    job.joinWords = joinWordsOf(options, job);
+    return job;
+}
+
+/// Writes the preset as it is to be rendered: with its changes, its size, and the camera that sees all of it.
+Status writePreset(const FarmJob& job, const NamedPreset& named, const Effect& seen)
+{
+    const std::filesystem::path file = job.folder / presetFileOf(job);
+    if (isSameFile(file, named.file)) {
+        return wouldOverwrite(file);
+    }
+    Preset preset = named.preset;
+    preset.effect = seen;
+    if (Status status = makeFolderOf(file); !status) {
+        return status;
+    }
+    return writePresetFile(file, preset);
+}
+
+Status writeOne(const FarmOptions& options, const NamedPreset& named)
+{
+    const Result<PictureJob> asked = planOf(options, named);
+    if (!asked) {
+        return asked.error();
+    }
+    const ExportPlan& plan = asked.value().plan;
+    const Result<Effect> seen = withinMemory([&] { return effectSeenBy(asked.value().effect, plan, ProgressBar("Looking").listener(), interruption()); });
+    if (!seen) {
+        return seen.error();
+    }
+    const FarmJob job = jobOf(options, seen.value(), plan);
+    const auto* const farm = std::ranges::find(kAllFarms, options.farm, [](Farm each) { return nameOf(each); });
+    const Result<FarmFiles> made = makeFarmFiles(*farm, job);
+    if (!made) {
+        return made.error();
+    }
+    if (Status status = writePreset(job, named, seen.value()); !status) {
+        return status;
+    }
+    for (const FarmFile& file : made.value().files) {
+        if (Status status = writeFileAtomically(file.path, file.contents); !status) {
+            return status;
+        }
+    }
+    tell(std::to_string(job.frames.count()) + " frames in " + std::to_string(taskCount(job.frames, job.perTask)) + " tasks of " + std::to_string(job.perTask));
+    return print(made.value().submit + "\n");
+}
+
+} // namespace
+
+void addFarm(CLI::App& program, Action& action)
+{
+    auto options = std::make_shared<FarmOptions>();
+    CLI::App* command = program.add_subcommand("farm", "Write what a render farm takes to render frames of a preset");
+    options->picture.addTo(*command, "Frames to write, in a folder that all machines see; #### stands for the frame number. In a folder, and by default, the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
+    options->picture.addFormat(*command);
+    options->passes.addLayersTo(*command);
+    std::vector<std::string> farms;
+    std::ranges::transform(kAllFarms, std::back_inserter(farms), [](Farm each) { return std::string(nameOf(each)); });
+    command->add_option("--for", options->farm, "What hands out the work: slurm, openjd (Open Job Description), flamenco (3), deadline")->required()->check(CLI::IsMember(farms));
+    addWhole(*command, "--chunk", options->chunk, 1, kMaxFrame, "Frames a task. Default: so many that machines spend no more on the way to their frames (air, particles) than on the frames");
+    command->add_option("--then", options->then, "When all frames are there, join them: flipbook or video. The frames are EXR then")->check(CLI::IsMember({"flipbook", "video"}));
+    command->add_option("--grid", options->grid, "Columns and rows of the flipbook")->type_name("GRID")->capture_default_str();
+    command->footer("Beside the frames go the preset as it is to be rendered and the farm's files; how to submit them is printed. Tasks leave alone what is there already\n"
+                    "and write a manifest: fumage-cli verify FOLDER --frames RANGE says afterwards whether all is there.\n"
+                    "Examples:\n"
+                    "  fumage-cli farm mushroom-cloud --frames 0-119 --for slurm --output /mnt/show/smoke/cloud_####.exr --then video\n"
+                    "  fumage-cli farm my.json --for openjd --chunk 8 --output frames/");
+    command->callback([options, &action] {
+        action = [options] { return options->picture.effect.forEach(options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named); }); };
+    });
+}
+
+} // namespace fumage::cli

@@ -1,0 +1,76 @@
+#include "core/export/farm/chunk.h"
+
+#include "core/effect/sampling.h"
+#include "core/simulation/air_plan.h"
+#include "core/simulation/schedule.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+// Seconds on two cores, as measured in resources/docs/performance.md, rounded.
+constexpr double kPerCellStep = 23e-9;
+constexpr double kPerParticleStep = 10e-9;
+constexpr double kPerParticleDrawn = 250e-9;
+constexpr double kPerPixel = 60e-9; ///< shaded, encoded and written
+
+} // namespace
+
+double FarmCost::reach(int number) const
+{
+    const std::int64_t step = firstStep + number * stepsPerFrame;
+    const std::int64_t airSteps = loopSteps > 0 ? firstStep + 2 * loopSteps : step;
+    const std::int64_t particleSteps = std::min(step, lifetimeSteps);
+    return static_cast<double>(airSteps) * airStep + static_cast<double>(particleSteps) * particleStep;
+}
+
+FarmCost farmCost(const Effect& effect)
+{
+    const SampledEffect smoke = sampled(effect);
+    const Schedule schedule = makeSchedule(smoke);
+    const auto particles = static_cast<double>(schedule.capacity());
+    const double edge = effect.output.supersample;
+    const double pixels = static_cast<double>(effect.output.width) * effect.output.height * edge * edge;
+    FarmCost cost;
+    cost.particleStep = particles * kPerParticleStep;
+    cost.stepsPerFrame = schedule.stepsPerFrame;
+    cost.firstStep = schedule.firstStep;
+    cost.loopSteps = schedule.loopSteps;
+    cost.lifetimeSteps = schedule.lifetimeSteps;
+    cost.frame = particles * kPerParticleDrawn + pixels * kPerPixel + static_cast<double>(schedule.stepsPerFrame) * cost.particleStep;
+    if (effect.air.enabled && checkAir(smoke)) {
+        const glm::ivec3 cells = airGrid(smoke).cells;
+        cost.airStep = static_cast<double>(cells.x) * cells.y * cells.z * kPerCellStep;
+    }
+    return cost;
+}
+
+int framesPerTask(const FarmCost& cost, const FrameRange& frames)
+{
+    const int fewest = (frames.count() + kMostTasks - 1) / kMostTasks;
+    for (int perTask = fewest; perTask < frames.count(); ++perTask) {
+        double reached = 0.0;
+        for (int task = 0; task < taskCount(frames, perTask); ++task) {
+            reached += cost.reach(framesOfTask(frames, perTask, task).first);
+        }
+        if (reached <= cost.frame * frames.count()) {
+            return perTask;
+        }
+    }
+    return frames.count();
+}
+
+FrameRange framesOfTask(const FrameRange& frames, int perTask, int task)
+{
+    const int first = task * perTask;
+    return {frames.at(first), frames.at(std::min(first + perTask, frames.count()) - 1), frames.step};
+}
+
+int taskCount(const FrameRange& frames, int perTask)
+{
+    return (frames.count() + perTask - 1) / perTask;
+}
+
+} // namespace fumage
