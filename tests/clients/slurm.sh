@@ -3,13 +3,13 @@
 #   slurm.sh <fumage-cli> [log folder]
 # Needs slurmctld, slurmd and slurm-client (22.05 of Debian 12), python3, and to be root. No munge, no systemd: controller and daemon listen on the
 # loopback, in a folder of their own, and are ended by their process ids. What must hold: tasks that were lost are done again, all frames are there,
-# `verify` finds nothing, the joined sheet is there, and every frame has the same bytes as one process gives it.
+# a task that ended with "try again" is tried again, `verify` finds nothing, the joined sheet is there, and every frame has the same bytes as one process gives it.
 set -euo pipefail
 cli=$(realpath "$1")
 work=$(mktemp -d)
 logs=${2:-$work}
 mkdir -p "$logs"
-export SLURM_CONF=$work/slurm.conf FUMAGE_CLI=$cli
+export SLURM_CONF=$work/slurm.conf FUMAGE_CLI=$work/flaky
 controller='' daemon=''
 
 finish() {
@@ -68,12 +68,6 @@ wait_for() {
 }
 is_up() { sinfo -h -o %T | grep -qE '^(idle|mixed|allocated)$'; }
 frames_there() { find "$work/frames" -name '*.exr' | wc -l; }
-# Some tasks are done, and one is in the middle of its frames.
-is_half_done() {
-    local count
-    count=$(frames_there)
-    ((count > 30 && count % 8 > 0 && count % 8 < 6))
-}
 is_over() { [ -z "$(squeue -h)" ]; }
 
 start_daemon() {
@@ -106,6 +100,22 @@ kill_machine() {
     ((${#tasks[@]} > 0)) || { echo "no task was running"; exit 1; }
 }
 
+# The program, but the first time that frames 16 to 23 are asked for there is no room on the disk, and the first time that 48 to 55 are, it gets no
+# farther than the middle.
+cat > "$FUMAGE_CLI" << FLAKY
+#!/bin/bash
+if [[ " \$* " == *" 16-23 "* ]] && mkdir "$work/failed" 2> /dev/null; then
+    exit 75
+fi
+if [[ " \$* " == *" 48-55 "* ]] && mkdir "$work/begun" 2> /dev/null; then
+    "$cli" "\${@/48-55/48-51}"
+    mkdir "$work/middle"
+    sleep 600
+fi
+exec "$cli" "\$@"
+FLAKY
+chmod +x "$FUMAGE_CLI"
+
 configure
 slurmctld -D -c > "$logs/slurmctld.log" 2>&1 &
 controller=$!
@@ -115,7 +125,7 @@ wait_for 30 "Slurm" is_up
 smoke=(plume --frames 0-119 --size 96 --set emitter.count=20000 --set air.resolution=48 --set noise.slices=4 --set noise.resolution=32)
 "$cli" farm "${smoke[@]}" --for slurm --chunk 8 --then flipbook --output "$work/frames/smoke_####.exr" > "$work/submit"
 (cd "$work" && bash "$work/submit")
-wait_for 240 "the middle of a task" is_half_done
+wait_for 240 "the middle of a task" test -d "$work/middle"
 kill_machine
 start_daemon
 wait_for 60 "the daemon" is_up
@@ -124,6 +134,7 @@ grep -oE 'requeu[a-z]*.*' "$logs/slurmctld.log" | sort | uniq -c | head -5 || tr
 "$cli" verify "$work/frames" --frames 0-119
 ls "$work"/frames/smoke.*.manifest.json | wc -l | sed 's/$/ parts of the manifest/'
 test -s "$work/frames/smoke.sheet.png"
+test -d "$work/failed"
 "$cli" --quiet render "$work/frames/smoke.fumage.json" --frames 0-119 --format exr --manifest --output "$work/whole/smoke_####.exr"
 for frame in "$work"/whole/*.exr; do
     cmp "$frame" "$work/frames/$(basename "$frame")"

@@ -107,6 +107,14 @@ private slots:
         QVERIFY(taskCount({0, 99'999, 1}, framesPerTask(cost, {0, 99'999, 1})) <= kMostTasks);
     }
 
+    void tasksThatFarmsTakeLongToStartAreLonger()
+    {
+        FarmCost cost;
+        cost.frame = 0.1;
+        cost.start = 1.0;
+        QCOMPARE(framesPerTask(cost, {0, 119, 1}), 10); // 12 tasks take 12 s to start, and 120 frames 12 s
+    }
+
     void aWayThatIsTooLongIsGoneOnce()
     {
         FarmCost cost = airAlone();

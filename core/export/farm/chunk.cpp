@@ -15,6 +15,7 @@ constexpr double kPerCellStep = 23e-9;
 constexpr double kPerParticleStep = 10e-9;
 constexpr double kPerParticleDrawn = 250e-9;
 constexpr double kPerPixel = 60e-9; ///< shaded, encoded and written
+constexpr double kStart = 1.0; ///< a guess: queues of farms are looked at about once a second
 
 } // namespace
 
@@ -23,7 +24,7 @@ double FarmCost::reach(int number) const
     const std::int64_t step = firstStep + number * stepsPerFrame;
     const std::int64_t airSteps = loopSteps > 0 ? firstStep + 2 * loopSteps : step;
     const std::int64_t particleSteps = std::min(step, lifetimeSteps);
-    return static_cast<double>(airSteps) * airStep + static_cast<double>(particleSteps) * particleStep;
+    return start + static_cast<double>(airSteps) * airStep + static_cast<double>(particleSteps) * particleStep;
 }
 
 FarmCost farmCost(const Effect& effect)
@@ -34,6 +35,7 @@ FarmCost farmCost(const Effect& effect)
     const double edge = effect.output.supersample;
     const double pixels = static_cast<double>(effect.output.width) * effect.output.height * edge * edge;
     FarmCost cost;
+    cost.start = kStart;
     cost.particleStep = particles * kPerParticleStep;
     cost.stepsPerFrame = schedule.stepsPerFrame;
     cost.firstStep = schedule.firstStep;

@@ -8,6 +8,7 @@ namespace fumage {
 /// What frames cost on a machine of two cores, roughly: good enough to divide work by, and computed without measuring anything.
 struct FarmCost {
     double frame = 0.0; ///< s, to draw and write one
+    double start = 0.0; ///< s, for a farm to start a task
     double airStep = 0.0; ///< s, of the air; 0: there is none
     double particleStep = 0.0; ///< s, of all particles
     std::int64_t stepsPerFrame = 1;
@@ -15,7 +16,7 @@ struct FarmCost {
     std::int64_t loopSteps = 0; ///< that the whole air of a loop has; 0: it does not loop
     std::int64_t lifetimeSteps = 1; ///< particles are simulated from no farther back
 
-    /// s, until a task can draw the frame of a number as its first: the air from its beginning (of a loop, all of it), the particles for as long as one lives.
+    /// s, from its start until a task can draw the frame of a number as its first: the air from its beginning (of a loop, all of it), the particles for as long as one lives.
     [[nodiscard]] double reach(int number) const;
 };
 
