@@ -1,9 +1,11 @@
 #include "app/cli/command.h"
 #include "app/cli/file_choice.h"
+#include "app/cli/manifest_option.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
 #include "core/export/air_file.h"
+#include "core/export/manifest/recorded.h"
 
 #include <memory>
 #include <sstream>
@@ -17,6 +19,7 @@ struct AirOptions {
     std::string output;
     std::string frames = "0";
     std::string format;
+    ManifestOption manifest;
 };
 
 Result<AirSequenceOptions> sequenceOf(const AirOptions& options, const NamedPreset& named)
@@ -48,20 +51,26 @@ std::string boxOf(const AirGrid& grid)
 
 Status writeOne(const AirOptions& options, const NamedPreset& named)
 {
-    const Result<AirSequenceOptions> sequence = sequenceOf(options, named);
+    Result<AirSequenceOptions> sequence = sequenceOf(options, named);
     if (!sequence) {
         return sequence.error();
     }
-    const auto write = [&]() -> Result<AirGrid> {
+    const std::string_view ending = fileEnding(sequence.value().format);
+    AirGrid grid;
+    const auto write = [&](const FrameSink& written) -> Status {
+        sequence.value().written = written;
         ProgressBar bar("Writing");
-        return withinMemory([&] { return writeAir(named.preset.effect, sequence.value(), bar.listener(), interruption()); });
+        const Result<AirGrid> box = withinMemory([&] { return writeAir(named.preset.effect, sequence.value(), bar.listener(), interruption()); });
+        grid = box ? box.value() : grid;
+        return box ? Status(Done{}) : box.error();
     };
-    const Result<AirGrid> grid = write();
-    if (!grid) {
-        return grid.error();
+    const ManifestJob job{"air", {{"format", std::string(ending.substr(1))}}, named.preset.effect};
+    const std::filesystem::path& output = sequence.value().output;
+    if (Status status = recordNumbered(job, options.manifest.fileFor(output), {output, sequence.value().frames, ending, {}}, write); !status) {
+        return status;
     }
-    tellWritten(sequence.value().output, sequence.value().frames, fileEnding(sequence.value().format));
-    return print(boxOf(grid.value()));
+    tellWritten(output, sequence.value().frames, ending);
+    return print(boxOf(grid));
 }
 
 } // namespace
@@ -74,6 +83,7 @@ void addAir(CLI::App& program, Action& action)
     command->add_option("-f,--frame,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
     command->add_option("--format", options->format, "fga (Unreal) or vf (Unity's Volume File). Default: by the ending of the file, else fga")->check(CLI::IsMember({"fga", "vf"}));
     command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
+    options->manifest.addTo(*command);
     command->footer("Velocities in the middle of the cells, in the engine's axes: Unreal's are (x, z, y) of ours in cm, Unity's (x, y, -z) in m. Particles of the engine that are moved\n"
                     "by them go with the smoke.\n"
                     "Example:\n"

@@ -1,8 +1,10 @@
 #include "app/cli/command.h"
 #include "app/cli/file_choice.h"
+#include "app/cli/manifest_option.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
+#include "core/export/manifest/recorded.h"
 #include "core/export/particle_dump.h"
 #include "core/export/plan.h"
 
@@ -18,6 +20,7 @@ struct DumpOptions {
     std::string frames = "0";
     std::string format;
     std::string up = "y";
+    ManifestOption manifest;
 };
 
 Status dumpToStandardOutput(const DumpOptions& options, const NamedPreset& named, const ParticleSequenceOptions& sequence)
@@ -29,15 +32,19 @@ Status dumpToStandardOutput(const DumpOptions& options, const NamedPreset& named
     return text ? print(text.value()) : Status(text.error());
 }
 
-Status dumpToFiles(const NamedPreset& named, const ParticleSequenceOptions& sequence)
+Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, ParticleSequenceOptions sequence)
 {
-    {
+    const std::string_view ending = fileEnding(sequence.format);
+    const ManifestJob job{"particles", {{"format", std::string(ending.substr(1))}, {"up", options.up}}, named.preset.effect};
+    const auto write = [&](const FrameSink& written) {
+        sequence.written = written;
         ProgressBar bar("Writing");
-        if (Status status = dumpSequence(named.preset.effect, sequence, bar.listener(), interruption()); !status) {
-            return status;
-        }
+        return dumpSequence(named.preset.effect, sequence, bar.listener(), interruption());
+    };
+    if (Status status = recordNumbered(job, options.manifest.fileFor(sequence.output), {sequence.output, sequence.frames, ending, {}}, write); !status) {
+        return status;
     }
-    tellWritten(sequence.output, sequence.frames, fileEnding(sequence.format));
+    tellWritten(sequence.output, sequence.frames, ending);
     return Done{};
 }
 
@@ -60,7 +67,7 @@ Status dumpOne(const DumpOptions& options, const NamedPreset& named)
     sequence.output = choice.value().file;
     sequence.format = choice.value().format;
     sequence.source = named.file;
-    return withinMemory([&] { return dumpToFiles(named, sequence); });
+    return withinMemory([&] { return dumpToFiles(options, named, sequence); });
 }
 
 Status dump(const DumpOptions& options)
@@ -79,6 +86,7 @@ void addDump(CLI::App& program, Action& action)
     command->add_option("--format", options->format, "csv, ply (binary), or pcache (Unity's point cache, in Unity's axes). Default: by the ending of the file")->check(CLI::IsMember({"csv", "ply", "pcache"}));
     command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
     command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")->type_name("FILE")->capture_default_str();
+    options->manifest.addTo(*command);
     command->callback([options, &action] { action = [options] { return dump(*options); }; });
 }
 

@@ -151,7 +151,7 @@ void addFlipbook(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
     arguments->picture.addFormat(*command);
-    arguments->picture.addManifest(*command);
+    arguments->picture.manifest.addTo(*command);
     CLI::Option* grid = command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
     command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
     command->add_option("--optimise", arguments->budget,

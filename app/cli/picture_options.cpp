@@ -4,7 +4,6 @@
 #include "app/cli/progress.h"
 
 #include "core/base/text.h"
-#include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
 
 #include <array>
@@ -71,12 +70,6 @@ void PictureOptions::addFormat(CLI::App& command)
     command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float), tga (8 bit). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32", "tga"}));
 }
 
-void PictureOptions::addManifest(CLI::App& command)
-{
-    command.add_flag("--manifest", manifest, "Write a manifest beside the pictures, for 'fumage-cli verify': hashes of what they show, and what they are made of. --manifest=FILE names it; frames have their range in its name")
-        ->type_name("FILE");
-}
-
 void PictureOptions::addSkipping(CLI::App& command)
 {
     command.add_flag("--skip-existing", skipExisting, "Leave frames alone whose file is there as a whole, in this size, and made of this preset as far as it says so");
@@ -91,9 +84,7 @@ Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
         }
         ExportPlan& plan = job.value().plan;
         plan.recording.skipExisting = skipExisting;
-        if (!manifest.empty()) {
-            plan.recording.manifest = manifest == "true" ? manifestBeside(plan.output) : std::filesystem::path(manifest);
-        }
+        plan.recording.manifest = manifest.fileFor(plan.output);
     }
     return job;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/command.h"
+#include "app/cli/manifest_option.h"
 
 #include "core/export/plan.h"
 
@@ -30,14 +31,12 @@ struct PictureOptions {
     std::string format;
     bool fit = false;
     bool carriesPreset = true;
-    std::string manifest; ///< as CLI11 hands out a flag with a value: "true" where no file is named
+    ManifestOption manifest;
     bool skipExisting = false;
 
     void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
     /// Adds what only pictures have.
     void addFormat(CLI::App& command);
-    /// Adds what keeps record of them.
-    void addManifest(CLI::App& command);
     /// Adds what only frames have, of which some may be there already.
     void addSkipping(CLI::App& command);
     /// What is to be done with one of the presets.

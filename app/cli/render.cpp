@@ -36,7 +36,7 @@ void addRender(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("render", "Render frames of a preset to numbered pictures");
     arguments->picture.addTo(*command, "File to write; #### stands for the frame number, - is standard output (one frame). In a folder, and by default, the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
     arguments->picture.addFormat(*command);
-    arguments->picture.addManifest(*command);
+    arguments->picture.manifest.addTo(*command);
     arguments->picture.addSkipping(*command);
     arguments->passes.addLayersTo(*command);
     command->footer("PNG is sRGB with straight alpha, after exposure and view transform; EXR is linear with premultiplied alpha, before them: a filmic look is in the PNG only.\n"

@@ -1,8 +1,10 @@
 #include "app/cli/command.h"
+#include "app/cli/manifest_option.h"
 #include "app/cli/number_options.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
+#include "core/export/manifest/recorded.h"
 #include "core/export/output_name.h"
 #include "core/export/vdb_file.h"
 
@@ -19,6 +21,7 @@ struct VolumeArguments {
     std::string frames = "0";
     std::string up = "z";
     int cells = VolumeSequenceOptions().longest;
+    ManifestOption manifest;
 };
 
 Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
@@ -40,7 +43,12 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
     options.source = named.file;
     {
         ProgressBar bar("Writing");
-        if (Status status = withinMemory([&] { return writeVolumes(named.preset.effect, options, bar.listener(), interruption()); }); !status) {
+        const ManifestJob job{"volumes", {{"cells", std::to_string(arguments.cells)}, {"up", arguments.up}}, named.preset.effect};
+        const auto write = [&](const FrameSink& written) {
+            options.written = written;
+            return withinMemory([&] { return writeVolumes(named.preset.effect, options, bar.listener(), interruption()); });
+        };
+        if (Status status = recordNumbered(job, arguments.manifest.fileFor(options.output), {options.output, options.frames, kEndings.front(), {}}, write); !status) {
             return status;
         }
     }
@@ -59,6 +67,7 @@ void addVolume(CLI::App& program, Action& action)
     addWhole(*command, "--cells", arguments->cells, kMinVolumeCells, kMaxVolumeCells, "Cells along the longest edge. Default: 128");
     command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
     command->add_option("-o,--output", arguments->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
+    arguments->manifest.addTo(*command);
     command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for smoke in air or with glow temperature (1 at the source), and\n"
                     "for what glows flames.\n"
                     "Example:\n"

@@ -87,7 +87,7 @@ Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options
     const auto baking = [&](double share) { progress(Work::Air, static_cast<int>(kPercent * share), kPercent); };
     const std::int64_t last = model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1));
     AirGrid grid;
-    const Status written = writeNumbered({options.output, options.frames, fileEnding(options.format), options.source}, progress, [&](int number) -> Result<std::string> {
+    const Status written = writeNumbered({options.output, options.frames, fileEnding(options.format), options.source, options.written}, progress, [&](int number) -> Result<std::string> {
         if (Status status = model.air()->bake(last, stop, baking); !status) { // the first time; what is baked stays
             return status.error();
         }

@@ -33,6 +33,7 @@ struct AirSequenceOptions {
     FrameRange frames;
     AirFormat format = AirFormat::Fga;
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+    FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
 };
 
 /// Writes the air of frames into numbered files, each whole or not at all.

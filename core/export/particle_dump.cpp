@@ -172,7 +172,7 @@ Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleForma
 Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     Simulator simulator(sampled(effect));
-    return writeNumbered({options.output, options.frames, fileEnding(options.format), options.source}, progress,
+    return writeNumbered({options.output, options.frames, fileEnding(options.format), options.source, options.written}, progress,
         [&](int number) { return dumpFrame(simulator, number, options.format, options.up, stop, progress); });
 }
 

@@ -46,6 +46,7 @@ struct ParticleSequenceOptions {
     ParticleFormat format = ParticleFormat::Csv;
     UpAxis up = UpAxis::Y;
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+    FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
 };
 
 /// Writes the particles of frames into numbered files, each whole or not at all.

@@ -230,7 +230,9 @@ Status writeNumbered(const NumberedFiles& files, const Progress& progress, const
         if (!bytes) {
             return bytes.error();
         }
-        if (Status status = writeFileAtomically(framePath(files.output, files.frames, files.ending, frame), bytes.value()); !status) {
+        Status status = writeFileAtomically(framePath(files.output, files.frames, files.ending, frame), bytes.value());
+        status = status && files.written ? files.written(frame, std::as_bytes(std::span(bytes.value()))) : status;
+        if (!status) {
             return status;
         }
         progress(Work::Frames, done + 1, files.frames.count());

@@ -68,6 +68,7 @@ struct NumberedFiles {
     FrameRange frames;
     std::string_view ending; ///< with its dot
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+    FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
 };
 
 /// Writes a file a frame, each whole or not at all, into a folder that is made if it is not there.

@@ -22,6 +22,7 @@ struct VolumeSequenceOptions {
     int longest = 128; ///< cells along the longest edge, kMinVolumeCells to kMaxVolumeCells
     UpAxis up = UpAxis::Z;
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
+    FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
 };
 
 /// Writes the smoke of frames into numbered files, each whole or not at all.

@@ -78,6 +78,29 @@ private slots:
         QVERIFY2(changed.code == 4 && changed.out.contains("different: sheet.flipbook.json"), changed.out);
     }
 
+    void filesThatAreNoPicturesHaveManifestsToo_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("particles") << QStringList{"dump", "thesis-2012", "--set", "emitter.count=50", "-o", "p_##.ply"};
+        QTest::newRow("volumes") << QStringList{"volume", "thesis-2012", "--set", "emitter.count=50", "--cells", "16", "-o", "v_##.vdb"};
+        QTest::newRow("air") << QStringList{"air", "plume", "--set", "air.resolution=8", "-o", "a_##.fga"};
+    }
+    void filesThatAreNoPicturesHaveManifestsToo()
+    {
+        QFETCH(QStringList, arguments);
+        const QTemporaryDir folder;
+        QCOMPARE(runIn(folder, arguments + QStringList{"--frames", "0-1", "--manifest"}).code, 0);
+        QCOMPARE(runIn(folder, arguments + QStringList{"--frames", "2-2", "--manifest"}).code, 0);
+        const Outcome clean = runIn(folder, {"verify", ".", "--frames", "0-2"});
+        QVERIFY2(clean.code == 0 && clean.out.contains("3 of 3"), clean.out + clean.error);
+        const QString ending = arguments.back().right(4);
+        QFile file(folder.filePath(arguments.back().left(2) + "01" + ending));
+        QVERIFY(file.open(QIODevice::Append) && file.write(" ") == 1);
+        file.close();
+        QVERIFY(runIn(folder, {"verify", "."}).out.contains("different: " + arguments.back().left(2).toUtf8() + "01"));
+        QCOMPARE(runIn(folder, {"verify", ".", "--render", "0"}).code, 3); // only pictures are rendered again
+    }
+
     void whatIsThereIsNotRenderedAgain()
     {
         const QTemporaryDir folder;

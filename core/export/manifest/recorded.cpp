@@ -120,6 +120,17 @@ Status renderRecorded(const Effect& effect, SequenceOptions options, const Recor
     return rendered ? recorded : rendered;
 }
 
+Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manifest, const NumberedFiles& files, const std::function<Status(const FrameSink& written)>& write)
+{
+    if (manifest.empty()) {
+        return write({});
+    }
+    ManifestRecorder recorder(job, manifest, files.frames);
+    const Status written = write([&](int frame, std::span<const std::byte> bytes) { return recorder.add(framePath(files.output, files.frames, files.ending, frame), frame, bytes); });
+    const Status recorded = recorder.write();
+    return written ? recorded : written;
+}
+
 Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest)
 {
     const std::string grid = std::to_string(options.columns) + "x" + std::to_string(options.rows);

@@ -33,6 +33,12 @@ inline constexpr std::string_view kFramesKind = "frames";
 /// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where the work ends early, of what was done until then.
 [[nodiscard]] Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Progress& progress, const std::stop_token& stop = {});
 
+/// Writes numbered files that are no pictures, with a manifest of them. It is written too where the work ends early.
+/// @param manifest empty: none
+/// @param files    how they are named
+/// @param write    writes them, and tells the sink of each, which is empty where nobody hears
+[[nodiscard]] Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manifest, const NumberedFiles& files, const std::function<Status(const FrameSink& written)>& write);
+
 /// Writes the manifest of a flipbook that has been written.
 /// @error those of readFile() and ManifestRecorder
 [[nodiscard]] Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest);

@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/export/manifest/manifest_parts.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <stop_token>
