@@ -68,7 +68,7 @@ void addVolume(CLI::App& program, Action& action)
     command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
     command->add_option("-o,--output", arguments->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
     arguments->manifest.addTo(*command);
-    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for smoke in air or with glow temperature (1 at the source), and\n"
+    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for smoke in air or with glow temperature (about 1 at the source), and\n"
                     "for what glows flames.\n"
                     "Example:\n"
                     "  fumage-cli volume mushroom-cloud --frames 0-119 --cells 128 --output vdb/mushroom_####.vdb");

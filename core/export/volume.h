@@ -14,7 +14,7 @@ struct Volume {
     float cell = 1.0F; ///< edge of one, m
     glm::vec3 corner{0.0F}; ///< where the box begins, m
     std::vector<float> density; ///< extinction, 1/m; 0: nothing is there, in all other columns as well
-    std::vector<float> temperature; ///< mean heat of the smoke, 1 at the source; empty where neither air nor glow knows any
+    std::vector<float> temperature; ///< mean heat of the smoke, 1 in the mean over the source, where air.unevenness makes it vary; empty where neither air nor glow knows any
     std::vector<float> flames; ///< extinction of what glows, weighted by the brightness of its glow, of the brightest 1; empty without glow
     std::vector<glm::vec3> velocity; ///< mean of the smoke, m/s
 
