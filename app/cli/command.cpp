@@ -62,6 +62,30 @@ Status forAll(const std::vector<NamedPreset>& presets, const std::function<Statu
 
 } // namespace
 
+ExitCode exitCodeOf(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::Cancelled: return kInterrupted;
+    case ErrorCode::Mismatch: return kMismatch;
+    case ErrorCode::DiskFull:
+    case ErrorCode::OutOfMemory:
+    case ErrorCode::ReadFailed:
+    case ErrorCode::WriteFailed: return kTryAgain;
+    case ErrorCode::NotUtf8:
+    case ErrorCode::Syntax:
+    case ErrorCode::TooDeep:
+    case ErrorCode::TooLarge:
+    case ErrorCode::WrongType:
+    case ErrorCode::WrongVersion:
+    case ErrorCode::NotFinite:
+    case ErrorCode::UnknownKey:
+    case ErrorCode::UnknownName:
+    case ErrorCode::OutOfRange:
+    case ErrorCode::WouldOverwrite: return kBadInput;
+    default: return kFailure;
+    }
+}
+
 void EffectOptions::addTo(CLI::App& command)
 {
     command.add_option("preset", presets, "Presets: names (see 'fumage-cli presets'), JSON files, or - for standard input")->required()->type_name("PRESET")->option_text("PRESET...");

@@ -27,6 +27,9 @@ enum ExitCode {
     kInterrupted = 130,
 };
 
+/// What the program exits with where this is all that was done.
+[[nodiscard]] ExitCode exitCodeOf(ErrorCode code);
+
 /// The action of the chosen subcommand; set while the command line is read, run after it.
 using Action = std::function<Status()>;
 

@@ -20,30 +20,6 @@ namespace {
 using namespace fumage;
 using namespace fumage::cli;
 
-int exitCodeOf(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::Cancelled: return kInterrupted;
-    case ErrorCode::Mismatch: return kMismatch;
-    case ErrorCode::DiskFull:
-    case ErrorCode::OutOfMemory:
-    case ErrorCode::ReadFailed:
-    case ErrorCode::WriteFailed: return kTryAgain;
-    case ErrorCode::NotUtf8:
-    case ErrorCode::Syntax:
-    case ErrorCode::TooDeep:
-    case ErrorCode::TooLarge:
-    case ErrorCode::WrongType:
-    case ErrorCode::WrongVersion:
-    case ErrorCode::NotFinite:
-    case ErrorCode::UnknownKey:
-    case ErrorCode::UnknownName:
-    case ErrorCode::OutOfRange:
-    case ErrorCode::WouldOverwrite: return kBadInput;
-    default: return kFailure;
-    }
-}
-
 int report(const Error& error)
 {
     std::cerr << "fumage-cli: " << printable(error.text()) << '\n';

@@ -9,49 +9,6 @@
 
 namespace fumage::cli {
 
-namespace {
-
-/// Of enumerators that are counted from 0, the one with a name that is among theirs.
-template <class Enum, std::size_t kCount>
-Enum named(const std::string& name)
-{
-    for (std::size_t i = 0; i < kCount; ++i) {
-        if (nameOf(static_cast<Enum>(i)) == name) {
-            return static_cast<Enum>(i);
-        }
-    }
-    return Enum{};
-}
-
-} // namespace
-
-Result<PassSet> parsePasses(const std::string& text)
-{
-    PassSet passes;
-    if (trimmed(text) == "none") {
-        return passes;
-    }
-    for (std::string_view rest = text; !rest.empty();) {
-        const std::string_view word = trimmed(rest.substr(0, rest.find(',')));
-        rest.remove_prefix(std::min(rest.size(), rest.find(',') == std::string_view::npos ? rest.size() : rest.find(',') + 1));
-        bool known = false;
-        for (const Pass pass : kAllPasses) {
-            const bool isSixWay = word == "six-way" && (pass == Pass::SixWayA || pass == Pass::SixWayB);
-            if (word == "all" || isSixWay || word == passName(pass) || (word == "color" && pass == Pass::Colour)) {
-                passes.add(pass);
-                known = true;
-            }
-        }
-        if (!known) {
-            return Error{ErrorCode::UnknownName, said("there is no pass %1", inQuotes(word)), std::string("--passes"), said("Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all")};
-        }
-    }
-    if (passes == PassSet()) {
-        return Error{ErrorCode::OutOfRange, said("no pass is asked for"), std::string("--passes"), said("Write colour,six-way,motion")};
-    }
-    return passes;
-}
-
 void PassOptions::addTo(CLI::App& command)
 {
     std::vector<std::string> engines;
@@ -101,21 +58,23 @@ void PassOptions::addLayersTo(CLI::App& command)
 
 Status PassOptions::applyTo(ExportPlan& plan) const
 {
-    plan.engine = named<Engine, kEngines>(engine);
+    plan.engine = enumeratorNamed<Engine, kEngines>(engine).value_or(Engine{});
     plan.passes = passesFor(plan.engine);
     plan.style = styleFor(plan.engine, plan.format);
     if (!passes.empty()) {
         const Result<PassSet> parsed = parsePasses(passes);
         if (!parsed) {
-            return parsed.error();
+            Error error = parsed.error();
+            error.place = std::string("--passes");
+            return error;
         }
         plan.passes = parsed.value();
     }
     if (!layout.empty()) {
-        plan.style.layout = named<SixWayLayout, 4>(layout);
+        plan.style.layout = enumeratorNamed<SixWayLayout, 4>(layout).value_or(SixWayLayout{});
     }
     if (!vectors.empty()) {
-        plan.style.vectors = named<VectorSigns, 2>(vectors);
+        plan.style.vectors = enumeratorNamed<VectorSigns, 2>(vectors).value_or(VectorSigns{});
     }
     if (!alpha.empty()) {
         plan.style.premultiplied = alpha == "premultiplied";

@@ -27,8 +27,4 @@ struct PassOptions {
     [[nodiscard]] Status applyTo(ExportPlan& plan) const;
 };
 
-/// Reads "colour,six-way,motion"; "six-way" is both maps, "all" all there are, and "none" alone none.
-/// @error UnknownName
-[[nodiscard]] Result<PassSet> parsePasses(const std::string& text);
-
 } // namespace fumage::cli

@@ -16,16 +16,12 @@ namespace {
 /// @param rendered frames that were not there already
 void tellDone(const ExportPlan& plan, const std::optional<Flipbook>& flipbook, int rendered)
 {
-    if (flipbook) {
-        tellWritten(flipbook->files, firstFile(plan), flipbook->description);
-        return;
-    }
-    const int count = plan.kind == ExportKind::Sequence ? plan.frames.count() : 1;
-    const int kept = plan.recording.skipExisting ? count - rendered : 0;
+    const Written written = writtenBy(plan, flipbook);
+    const int kept = plan.recording.skipExisting ? written.count - rendered : 0;
     if (kept > 0) {
-        tell(std::to_string(kept) + " of " + std::to_string(count) + " files were there already, " + firstFile(plan).string() + " to " + lastFile(plan).string());
+        tell(std::to_string(kept) + " of " + std::to_string(written.count) + " files were there already, " + written.first.string() + " to " + written.last.string());
     } else {
-        tellWritten(count, firstFile(plan), lastFile(plan));
+        tellWritten(written);
     }
 }
 
@@ -119,7 +115,7 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
 {
     static constexpr std::array<std::string_view, 3> kEndings{".png", ".exr", ".tga"};
     plan.output = output;
-    plan.format = imageFormatNamed(formatName).value_or(plan.format);
+    plan.format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(formatName).value_or(plan.format);
     if (output == kStandardStream) {
         return Done{};
     }
@@ -160,6 +156,19 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
         tellDone(job.plan, done.value(), rendered);
     }
     return done;
+}
+
+Written writtenBy(const ExportPlan& plan, const std::optional<Flipbook>& flipbook)
+{
+    if (flipbook) {
+        return {flipbook->files, firstFile(plan), flipbook->description};
+    }
+    return {plan.kind == ExportKind::Sequence ? plan.frames.count() : 1, firstFile(plan), lastFile(plan)};
+}
+
+void tellWritten(const Written& written)
+{
+    tellWritten(written.count, written.first, written.last);
 }
 
 } // namespace fumage::cli

@@ -55,4 +55,16 @@ struct PictureOptions {
 /// @return the flipbook, where that is what was made
 [[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
+/// The files that an export has written.
+struct Written {
+    int count;
+    std::filesystem::path first;
+    std::filesystem::path last;
+};
+
+/// @param flipbook what runExport() returned
+[[nodiscard]] Written writtenBy(const ExportPlan& plan, const std::optional<Flipbook>& flipbook);
+/// Says it, on standard error.
+void tellWritten(const Written& written);
+
 } // namespace fumage::cli

@@ -39,4 +39,13 @@ void enterParallelLoop()
     }
 }
 
+void runBehindOthers(const std::function<void()>& work)
+{
+#ifdef __linux__
+    constexpr int kLeast = 19;
+    (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLeast);
+#endif
+    runInLowArena(work);
+}
+
 } // namespace fumage

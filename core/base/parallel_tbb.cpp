@@ -24,6 +24,12 @@ void runParallel(std::size_t count, const ParallelBody& body)
     });
 }
 
+void runInLowArena(const std::function<void()>& work)
+{
+    tbb::task_arena arena(tbb::task_arena::automatic, 1, tbb::task_arena::priority::low);
+    arena.execute(work);
+}
+
 std::size_t parallelThreads()
 {
     const auto arena = static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));

@@ -87,6 +87,11 @@ void runParallel(std::size_t count, const ParallelBody& body)
     loop.rethrow();
 }
 
+void runInLowArena(const std::function<void()>& work)
+{
+    work();
+}
+
 std::size_t parallelThreads()
 {
     const std::size_t limit = s_limit.load();

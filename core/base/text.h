@@ -35,6 +35,18 @@ namespace fumage {
 /// O(candidates * length^2).
 [[nodiscard]] std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
+/// Of enumerators that are counted from 0, the one that nameOf() calls so.
+template <class Enum, std::size_t kCount>
+[[nodiscard]] constexpr std::optional<Enum> enumeratorNamed(std::string_view name)
+{
+    for (std::size_t i = 0; i < kCount; ++i) {
+        if (nameOf(static_cast<Enum>(i)) == name) {
+            return static_cast<Enum>(i);
+        }
+    }
+    return std::nullopt;
+}
+
 /// A text on one line without what would steer a terminal or turn the direction of writing: such characters, and bytes that are not UTF-8, become '?', line breaks and tabs
 /// spaces.
 [[nodiscard]] std::string printable(std::string_view text);

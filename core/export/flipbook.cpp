@@ -200,11 +200,17 @@ std::filesystem::path besides(const std::filesystem::path& picture, const std::s
     return picture.parent_path() / (picture.stem().string() + "_" + name + picture.extension().string());
 }
 
+/// What the curve of the frames is, as parameters are described.
+Parameter sharesByShares()
+{
+    return {.kind = Kind::Curve, .hard = {0.0, 1.0}};
+}
+
 } // namespace
 
 Result<Curve> parseRetime(std::string_view text)
 {
-    const Parameter shares{.kind = Kind::Curve, .hard = {0.0, 1.0}};
+    const Parameter shares = sharesByShares();
     const Result<Clamped> read = parseValue(shares, text);
     if (!read) {
         return read.error();
@@ -213,6 +219,11 @@ Result<Curve> parseRetime(std::string_view text)
         return Error{ErrorCode::OutOfRange, said("the points %1 do not lie between 0 and 1, from left to right", inQuotes(text)), {}, said("Write [[0, 0], [0.3, 0.6], [1, 1]]")};
     }
     return std::get<Curve>(read.value().value);
+}
+
+std::string textOfRetime(const Curve& retime)
+{
+    return formatJson(sharesByShares(), retime);
 }
 
 int frameOfCell(const FlipbookOptions& options, int cell)

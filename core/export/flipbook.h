@@ -55,6 +55,8 @@ struct Flipbook {
 /// Reads points as curves of parameters have them, "[[0, 0], [0.3, 0.6], [1, 1]]".
 /// @error WrongType; OutOfRange where they do not lie between 0 and 1, from left to right
 [[nodiscard]] Result<Curve> parseRetime(std::string_view text);
+/// What parseRetime() reads.
+[[nodiscard]] std::string textOfRetime(const Curve& retime);
 
 /// Frame that a cell shows.
 /// @param cell 0 at the top left, counted along rows

@@ -107,12 +107,6 @@ std::string_view nameOf(ImageFormat format)
     return {};
 }
 
-std::optional<ImageFormat> imageFormatNamed(std::string_view name)
-{
-    const auto* const found = std::ranges::find(kAllImageFormats, name, [](ImageFormat format) { return nameOf(format); });
-    return found == kAllImageFormats.end() ? std::nullopt : std::optional(*found);
-}
-
 std::string_view fileEnding(ImageFormat format)
 {
     return format == ImageFormat::Tga ? ".tga" : holdsFloats(format) ? ".exr"

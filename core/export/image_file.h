@@ -29,8 +29,6 @@ inline constexpr std::array kAllImageFormats{ImageFormat::Png8, ImageFormat::Png
 
 /// "png", "png16", "exr", "exr32" or "tga": what command lines and manifests call it.
 [[nodiscard]] std::string_view nameOf(ImageFormat format);
-/// @return nothing where no format is called so
-[[nodiscard]] std::optional<ImageFormat> imageFormatNamed(std::string_view name);
 
 /// Whether a format holds floats: linear, premultiplied and with all values; else what displays show, in whole numbers.
 [[nodiscard]] bool holdsFloats(ImageFormat format);

@@ -135,6 +135,15 @@ std::string textOf(const PackedChannel& channel)
     return numbersOf(*channel.pass) == 1 ? name : name + "." + kLetters[static_cast<std::size_t>(channel.channel)];
 }
 
+std::string textOf(const PackedPicture& pack)
+{
+    std::string text = pack.name;
+    for (std::size_t i = 0; i < pack.channels.size(); ++i) {
+        text += (i == 0 ? "=" : ",") + textOf(pack.channels[i]);
+    }
+    return pack.divisor == 1 ? text : text + "@1/" + std::to_string(pack.divisor);
+}
+
 Result<PackedPicture> parsePack(std::string_view text)
 {
     const std::size_t equals = text.find('=');

@@ -41,6 +41,9 @@ inline constexpr int kMostDivisor = 16;
 /// "shadow", "six-way-a.r", "0": what parsePack() reads.
 [[nodiscard]] std::string textOf(const PackedChannel& channel);
 
+/// "masks=shadow,temperature,alpha@1/2": what parsePack() reads.
+[[nodiscard]] std::string textOf(const PackedPicture& pack);
+
 /// All that there are, the constants first.
 [[nodiscard]] std::vector<PackedChannel> allChannels();
 

@@ -8,6 +8,7 @@
 #include "core/noise/texture.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <span>
 
@@ -89,19 +90,8 @@ bool overwritesSource(const ExportPlan& plan)
     if (plan.source.empty()) {
         return false;
     }
-    const SequenceOptions sequence = sequenceOf(plan);
-    switch (plan.kind) {
-    case ExportKind::Sequence:
-    case ExportKind::Picture: return isFileOfAFrame(plan.source, sequence.output, sequence.frames, fileEnding(plan.format));
-    case ExportKind::Flipbook: {
-        const std::vector<std::filesystem::path> files = filesOf(flipbookOf(plan));
-        return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
-    }
-    case ExportKind::Video:
-    case ExportKind::NoiseTexture:
-    case ExportKind::Particles: break;
-    }
-    return isSameFile(plan.output, plan.source);
+    const std::vector<std::filesystem::path> files = filesOf(plan);
+    return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
 }
 
 Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
@@ -121,6 +111,12 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
 
 } // namespace
 
+std::string_view nameOf(ExportKind kind)
+{
+    constexpr std::array<std::string_view, kExportKinds> kNames{"sequence", "flipbook", "video", "picture", "noise", "particles"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
 bool isPicture(ExportKind kind)
 {
     return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Video || kind == ExportKind::Picture;
@@ -135,17 +131,30 @@ std::string_view fileEnding(const ExportPlan& plan)
     }
 }
 
-std::filesystem::path firstFile(const ExportPlan& plan)
+std::vector<std::filesystem::path> filesOf(const ExportPlan& plan)
 {
     switch (plan.kind) {
     case ExportKind::Sequence:
-    case ExportKind::Picture: return framePath(sequenceOf(plan), plan.frames.first);
-    case ExportKind::Flipbook: return filesOf(flipbookOf(plan)).front();
+    case ExportKind::Picture: {
+        const SequenceOptions sequence = sequenceOf(plan);
+        std::vector<std::filesystem::path> files;
+        for (int i = 0; i < sequence.frames.count(); ++i) {
+            files.push_back(framePath(sequence, sequence.frames.at(i)));
+        }
+        return files;
+    }
+    case ExportKind::Flipbook: return filesOf(flipbookOf(plan));
     case ExportKind::Video:
     case ExportKind::NoiseTexture:
     case ExportKind::Particles: break;
     }
-    return plan.output;
+    return {plan.output};
+}
+
+std::filesystem::path firstFile(const ExportPlan& plan)
+{
+    const bool isNumbered = plan.kind == ExportKind::Sequence || plan.kind == ExportKind::Picture;
+    return isNumbered ? framePath(sequenceOf(plan), plan.frames.first) : filesOf(plan).front();
 }
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)

@@ -20,6 +20,11 @@ enum class ExportKind {
     Particles, ///< where they are at one frame
 };
 
+inline constexpr std::size_t kExportKinds = 6;
+
+/// "sequence", "flipbook", "video", "picture", "noise" or "particles": what lists of jobs call it.
+[[nodiscard]] std::string_view nameOf(ExportKind kind);
+
 /// Whether it shows the smoke.
 [[nodiscard]] bool isPicture(ExportKind kind);
 
@@ -51,6 +56,8 @@ struct ExportPlan {
 /// The ending of the files that a plan writes, with its dot.
 [[nodiscard]] std::string_view fileEnding(const ExportPlan& plan);
 
+/// All files that a plan writes, in their order; what describes a flipbook, and what its engine needs, among them. O(files).
+[[nodiscard]] std::vector<std::filesystem::path> filesOf(const ExportPlan& plan);
 /// The files of a plan, first and last; what describes a flipbook lies beside it.
 [[nodiscard]] std::filesystem::path firstFile(const ExportPlan& plan);
 [[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);

@@ -164,6 +164,13 @@ Result<FrameRange> parseFrameRange(std::string_view text)
     return FrameRange{static_cast<int>(*first), static_cast<int>(*last), static_cast<int>(*every)};
 }
 
+std::string textOf(const FrameRange& frames)
+{
+    const std::string first = std::to_string(frames.first);
+    const std::string range = frames.last == frames.first ? first : first + "-" + std::to_string(frames.last);
+    return frames.step == 1 ? range : range + ":" + std::to_string(frames.step);
+}
+
 std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame)
 {
     constexpr std::size_t kDigits = 4;

@@ -34,6 +34,8 @@ inline constexpr int kMaxFrame = 1'000'000;
 /// Reads "7", "0-119" or "0-119:2".
 /// @error Syntax, OutOfRange
 [[nodiscard]] Result<FrameRange> parseFrameRange(std::string_view text);
+/// What parseFrameRange() reads.
+[[nodiscard]] std::string textOf(const FrameRange& frames);
 
 /// The file of a frame: a run of # in the name is replaced by the number with as many digits; a name without # gets _0000 before its ending when there
 /// are several frames.

@@ -5,7 +5,7 @@
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/picture_files/picture_notes.h"
-#include "core/preset/json_tree.h"
+#include "core/preset/preset_node.h"
 
 #include <algorithm>
 #include <array>
@@ -17,21 +17,19 @@ namespace {
 constexpr std::array<std::string_view, 4> kHeaderKeys{"format", "version", "name", "description"};
 /// Where editors of text look for the schema; kept, and nothing to warn of.
 constexpr std::string_view kSchemaKey = "$schema";
-/// More are counted only: nobody reads them, and a hostile file has a hundred thousand.
-constexpr std::size_t kMostWarnings = 20;
-
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& place)
+    Reader(std::string_view text, const std::string& place, std::size_t mostWarnings)
         : m_text(text)
         , m_place(place)
+        , m_mostWarnings(mostWarnings)
     {
     }
 
     Result<PresetReading> read()
     {
         if (m_text.size() > kMaxPresetBytes) {
-            return Error{ErrorCode::TooLarge, said("a preset of %1 bytes", m_text.size()), m_place, said("Presets have at most %1", kMaxPresetBytes)};
+            return tooLarge(m_text.size(), m_place);
         }
         const Result<JsonNode> root = parseJson(m_text);
         if (!root) {
@@ -39,7 +37,15 @@ public:
             error.place = placed(error.place);
             return error;
         }
-        if (Status status = readRoot(root.value()); !status) {
+        return read(root.value());
+    }
+
+    Result<PresetReading> read(const JsonNode& root)
+    {
+        if (root.end - root.begin > kMaxPresetBytes) {
+            return tooLarge(root.end - root.begin, placed(placeInText(m_text, root.begin)));
+        }
+        if (Status status = readRoot(root); !status) {
             return status.error();
         }
         reportHidden();
@@ -48,6 +54,11 @@ public:
     }
 
 private:
+    static Error tooLarge(std::size_t bytes, const Message& place)
+    {
+        return {ErrorCode::TooLarge, said("a preset of %1 bytes", bytes), place, said("Presets have at most %1", kMaxPresetBytes)};
+    }
+
     [[nodiscard]] Message placed(const Message& inText) const { return m_place.empty() ? inText : said("%1, %2", m_place, inText); }
 
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
@@ -60,7 +71,7 @@ private:
     void warn(const JsonNode& node, const Say& message)
     {
         ++m_warnings;
-        if (m_warnings <= kMostWarnings) {
+        if (m_warnings <= m_mostWarnings) {
             m_reading.warnings.push_back(said("%1: %2", placed(placeInText(m_text, node.begin)), message()));
         }
     }
@@ -200,8 +211,8 @@ private:
 
     void reportHidden()
     {
-        if (m_warnings > kMostWarnings) {
-            warnOfFile(said("and %1 more warnings", m_warnings - kMostWarnings));
+        if (m_warnings > m_mostWarnings) {
+            warnOfFile(said("and %1 more warnings", m_warnings - m_mostWarnings));
         }
     }
 
@@ -222,6 +233,7 @@ private:
 
     std::string_view m_text;
     const std::string& m_place;
+    std::size_t m_mostWarnings;
     PresetReading m_reading;
     std::size_t m_warnings = 0; ///< all of them, shown or not
     std::vector<std::string_view> m_seen;
@@ -263,7 +275,12 @@ Result<PresetReading> readPicture(const std::filesystem::path& path)
 
 Result<PresetReading> parsePreset(std::string_view json, const std::string& place)
 {
-    return Reader(json, place).read();
+    return Reader(json, place, kMostWarnings).read();
+}
+
+Result<PresetReading> readPreset(std::string_view text, const JsonNode& root, const std::string& place, std::size_t mostWarnings)
+{
+    return Reader(text, place, mostWarnings).read(root);
 }
 
 std::string formatPreset(const Preset& preset)

@@ -1,16 +1,63 @@
 #include "core/rendering/passes.h"
 
+#include "core/base/text.h"
+
 namespace fumage {
 
 namespace {
 
 constexpr std::array<std::string_view, kPasses> kNames{"colour", "alpha", "six-way-a", "six-way-b", "motion", "normal", "depth", "emission", "albedo", "temperature", "shadow"};
+constexpr std::string_view kNone = "none";
+
+/// The passes that a word of a list stands for; none: it is not known.
+PassSet passesCalled(std::string_view word)
+{
+    PassSet passes;
+    for (const Pass pass : kAllPasses) {
+        const bool isSixWay = word == "six-way" && (pass == Pass::SixWayA || pass == Pass::SixWayB);
+        if (word == "all" || isSixWay || word == passName(pass) || (word == "color" && pass == Pass::Colour)) {
+            passes.add(pass);
+        }
+    }
+    return passes;
+}
 
 } // namespace
 
 std::string_view passName(Pass pass)
 {
     return kNames[static_cast<std::size_t>(pass)];
+}
+
+Result<PassSet> parsePasses(std::string_view text)
+{
+    PassSet passes;
+    if (trimmed(text) == kNone) {
+        return passes;
+    }
+    if (trimmed(text).empty()) {
+        return Error{ErrorCode::OutOfRange, said("no pass is asked for"), {}, said("Write colour,six-way,motion")};
+    }
+    for (std::size_t i = 0; i < splitCount(text, ','); ++i) {
+        const std::string_view word = trimmed(splitPart(text, ',', i));
+        const PassSet called = passesCalled(word);
+        if (called == PassSet()) {
+            return Error{ErrorCode::UnknownName, said("there is no pass %1", inQuotes(word)), {}, said("Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all")};
+        }
+        passes.add(called);
+    }
+    return passes;
+}
+
+std::string textOf(PassSet passes)
+{
+    std::string text;
+    for (const Pass pass : kAllPasses) {
+        if (passes.has(pass)) {
+            text += (text.empty() ? "" : ",") + std::string(passName(pass));
+        }
+    }
+    return text.empty() ? std::string(kNone) : text;
 }
 
 bool needsLayer(PassSet passes, PassLayer layer)

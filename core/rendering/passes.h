@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/rendering/image.h"
 #include "core/rendering/sprites.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace fumage {
@@ -57,6 +59,12 @@ private:
     static constexpr std::uint32_t bit(Pass pass) { return 1U << static_cast<unsigned>(pass); }
     std::uint32_t m_bits = 0;
 };
+
+/// Reads "colour,six-way,motion"; "six-way" is both maps, "all" all there are, and "none" alone none.
+/// @error UnknownName; OutOfRange for an empty list
+[[nodiscard]] Result<PassSet> parsePasses(std::string_view text);
+/// "colour,six-way-a", "none": what parsePasses() reads.
+[[nodiscard]] std::string textOf(PassSet passes);
 
 /// The pictures that passes are made of: each three channels that are blended as the colour is, premultiplied, and the alpha of the smoke.
 enum class PassLayer {

@@ -368,6 +368,10 @@
         <source>Variations</source>
         <translation>Variationer</translation>
     </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exporter</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::Document</name>
@@ -516,10 +520,6 @@
 <context>
     <name>fumage::ui::ExportDesk</name>
     <message>
-        <source>Exporting: %1 of %2 files, %3 s left</source>
-        <translation>Exporterar: %1 av %2 filer, %3 s kvar</translation>
-    </message>
-    <message>
         <source>Exported %1</source>
         <translation>Exporterade %1</translation>
     </message>
@@ -532,28 +532,12 @@
         <translation>Exporten misslyckades: %1</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportera</translation>
+        <source>The queue of exports cannot be kept safe: %1</source>
+        <translation>Exportkön kan inte sparas undan: %1</translation>
     </message>
     <message>
-        <source>An export is being written.</source>
-        <translation>En export skrivs just nu.</translation>
-    </message>
-    <message>
-        <source>Finish in the background and close</source>
-        <translation>Slutför i bakgrunden och stäng</translation>
-    </message>
-    <message>
-        <source>Stop the export and close</source>
-        <translation>Stoppa exporten och stäng</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Avbryt</translation>
-    </message>
-    <message>
-        <source>Exporting. %1</source>
-        <translation>Exporterar. %1</translation>
+        <source>Exporting “%1”: %2</source>
+        <translation>Exporterar ”%1”: %2</translation>
     </message>
 </context>
 <context>
@@ -776,7 +760,61 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::ExportJob</name>
+    <name>fumage::ui::ExportProgress</name>
+    <message>
+        <source>Done: %1</source>
+        <translation>Klart: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportQueue</name>
+    <message>
+        <source>Not begun: left from before</source>
+        <translation>Inte påbörjad: kvar sedan tidigare</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Väntar</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Påbörjad</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klar</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Misslyckades</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 av %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 s left</source>
+        <translation>%1, %2 s kvar</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportWorker</name>
+    <message>
+        <source>Baking the air: %1 %</source>
+        <translation>Bakar luften: %1 %</translation>
+    </message>
+    <message>
+        <source>Looking where the smoke is: %1 %</source>
+        <translation>Letar efter röken: %1 %</translation>
+    </message>
+    <message>
+        <source>Simulating what comes before: %1 %</source>
+        <translation>Simulerar det som kommer före: %1 %</translation>
+    </message>
     <message>
         <source>left</source>
         <translation>vänster</translation>
@@ -800,33 +838,6 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
         <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas.</translation>
-    </message>
-    <message>
-        <source>Looking where the smoke is: %1 %</source>
-        <translation>Letar efter röken: %1 %</translation>
-    </message>
-    <message>
-        <source>Simulating what comes before: %1 %</source>
-        <translation>Simulerar det som kommer före: %1 %</translation>
-    </message>
-    <message>
-        <source>Baking the air: %1 %</source>
-        <translation>Bakar luften: %1 %</translation>
-    </message>
-</context>
-<context>
-    <name>fumage::ui::ExportProgress</name>
-    <message>
-        <source>Done: %1</source>
-        <translation>Klart: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Files that were complete are kept.</source>
-        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
-    </message>
-    <message>
-        <source>%1 of %2, %3 s left</source>
-        <translation>%1 av %2, %3 s kvar</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +1859,134 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>it is no TGA that Fumage has written, or not whole</source>
         <translation>det är ingen TGA som Fumage har skrivit, eller inte hel</translation>
+    </message>
+    <message>
+        <source>expected a text in quotes</source>
+        <translation>en text inom citattecken väntades</translation>
+    </message>
+    <message>
+        <source>a text of %1 bytes</source>
+        <translation>en text på %1 byte</translation>
+    </message>
+    <message>
+        <source>Write at most %1</source>
+        <translation>Skriv högst %1</translation>
+    </message>
+    <message>
+        <source>there is a zero byte in the text</source>
+        <translation>det finns en nollbyte i texten</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>true eller false väntades</translation>
+    </message>
+    <message>
+        <source>expected a whole number from %1 to %2</source>
+        <translation>ett heltal från %1 till %2 väntades</translation>
+    </message>
+    <message>
+        <source>%1 is not known here</source>
+        <translation>%1 är inte känt här</translation>
+    </message>
+    <message>
+        <source>Choose among %1</source>
+        <translation>Välj bland %1</translation>
+    </message>
+    <message>
+        <source>expected a list of up to %1 texts such as &quot;masks=shadow,alpha&quot;</source>
+        <translation>en lista med högst %1 texter som &quot;masks=shadow,alpha&quot; väntades</translation>
+    </message>
+    <message>
+        <source>expected a number from 0 to 1</source>
+        <translation>ett tal från 0 till 1 väntades</translation>
+    </message>
+    <message>
+        <source>a list of jobs of %1 bytes</source>
+        <translation>en jobblista på %1 byte</translation>
+    </message>
+    <message>
+        <source>Lists have at most %1</source>
+        <translation>Listor har högst %1</translation>
+    </message>
+    <message>
+        <source>this JSON is not a list of Fumage&apos;s jobs</source>
+        <translation>denna JSON är ingen lista med jobb för Fumage</translation>
+    </message>
+    <message>
+        <source>A list begins with &quot;format&quot;: &quot;fumage-jobs&quot;</source>
+        <translation>En lista börjar med &quot;format&quot;: &quot;fumage-jobs&quot;</translation>
+    </message>
+    <message>
+        <source>the version of the list is missing, or not one up to %1, which this program reads</source>
+        <translation>listans version saknas, eller är inte en av dem till och med %1 som programmet läser</translation>
+    </message>
+    <message>
+        <source>%1: expected a list in brackets [ ]</source>
+        <translation>%1: en lista inom hakparenteser [ ] väntades</translation>
+    </message>
+    <message>
+        <source>a list of %1 jobs</source>
+        <translation>en lista med %1 jobb</translation>
+    </message>
+    <message>
+        <source>a job is an object in braces { }</source>
+        <translation>ett jobb är ett objekt inom klamrar { }</translation>
+    </message>
+    <message>
+        <source>the job %1 names no file that it writes</source>
+        <translation>jobbet %1 anger ingen fil som det skriver</translation>
+    </message>
+    <message>
+        <source>Write &quot;output&quot;: &quot;smoke.png&quot;</source>
+        <translation>Skriv &quot;output&quot;: &quot;smoke.png&quot;</translation>
+    </message>
+    <message>
+        <source>a job has no %1</source>
+        <translation>ett jobb har inget %1</translation>
+    </message>
+    <message>
+        <source>the job %1 has no preset</source>
+        <translation>jobbet %1 har ingen förinställning</translation>
+    </message>
+    <message>
+        <source>Write it as &quot;preset&quot;, whole or as its name</source>
+        <translation>Skriv den som &quot;preset&quot;, hel eller som sitt namn</translation>
+    </message>
+    <message>
+        <source>the jobs write more than %1 files</source>
+        <translation>jobben skriver mer än %1 filer</translation>
+    </message>
+    <message>
+        <source>Make two lists of them</source>
+        <translation>Gör två listor av dem</translation>
+    </message>
+    <message>
+        <source>%1 would write over a file of %2</source>
+        <translation>%1 skulle skriva över en fil som hör till %2</translation>
+    </message>
+    <message>
+        <source>%1 would overwrite the preset that %2 is made of</source>
+        <translation>%1 skulle skriva över förinställningen som %2 görs av</translation>
+    </message>
+    <message>
+        <source>Write colour,six-way,motion</source>
+        <translation>Skriv colour,six-way,motion</translation>
+    </message>
+    <message>
+        <source>there is no pass %1</source>
+        <translation>det finns inget pass %1</translation>
+    </message>
+    <message>
+        <source>Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
+        <translation>Välj bland colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow och all</translation>
+    </message>
+    <message>
+        <source>%1 exports are waiting already</source>
+        <translation>%1 exporter väntar redan</translation>
+    </message>
+    <message>
+        <source>Wait until some are done, or remove some</source>
+        <translation>Vänta tills några är klara, eller ta bort några</translation>
     </message>
 </context>
 <context>
@@ -3836,6 +3975,65 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>fumage::ui::QueuePanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starta</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Tidigare</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Senare</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Byt namn</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Visa i mappen</translation>
+    </message>
+    <message>
+        <source>Export again, with the smoke as it is now</source>
+        <translation>Exportera igen, med röken som den är nu</translation>
+    </message>
+    <message>
+        <source>Remove what has ended</source>
+        <translation>Ta bort det som är avslutat</translation>
+    </message>
+    <message>
+        <source>Save the list…</source>
+        <translation>Spara listan…</translation>
+    </message>
+    <message>
+        <source>Save what is not done as a list, which fumage-cli render --jobs does without a display</source>
+        <translation>Spara det som inte är klart som en lista, som fumage-cli render --jobs gör utan skärm</translation>
+    </message>
+    <message>
+        <source>Save the list of exports</source>
+        <translation>Spara listan över exporter</translation>
+    </message>
+    <message>
+        <source>Not finished when the program ended: %1</source>
+        <translation>Inte färdiga när programmet avslutades: %1</translation>
+    </message>
+</context>
+<context>
     <name>Readout</name>
     <message>
         <source>%1 frames/s</source>
@@ -3910,6 +4108,34 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Close</source>
         <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Exports that are not finished: %1</source>
+        <translation>Exporter som inte är färdiga: %1</translation>
+    </message>
+    <message>
+        <source>Finish in the background and close</source>
+        <translation>Slutför i bakgrunden och stäng</translation>
+    </message>
+    <message>
+        <source>Stop them and close</source>
+        <translation>Stoppa dem och stäng</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>A list of exports cannot be read. It stays where it is: %1</source>
+        <translation>En lista över exporter kan inte läsas. Den ligger kvar: %1</translation>
+    </message>
+    <message>
+        <source>Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.</source>
+        <translation>Exporter som inte var färdiga när programmet avslutades: %1. Panelen Exporter startar eller tar bort dem.</translation>
     </message>
 </context>
 <context>

@@ -368,6 +368,10 @@
         <source>Variations</source>
         <translation>变体</translation>
     </message>
+    <message>
+        <source>Exports</source>
+        <translation>导出</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::Document</name>
@@ -516,10 +520,6 @@
 <context>
     <name>fumage::ui::ExportDesk</name>
     <message>
-        <source>Exporting: %1 of %2 files, %3 s left</source>
-        <translation>正在导出：%2 个文件中的第 %1 个，剩余 %3 秒</translation>
-    </message>
-    <message>
         <source>Exported %1</source>
         <translation>已导出 %1</translation>
     </message>
@@ -532,28 +532,12 @@
         <translation>导出失败：%1</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>导出</translation>
+        <source>The queue of exports cannot be kept safe: %1</source>
+        <translation>无法妥善保存导出队列：%1</translation>
     </message>
     <message>
-        <source>An export is being written.</source>
-        <translation>正在写出一次导出。</translation>
-    </message>
-    <message>
-        <source>Finish in the background and close</source>
-        <translation>在后台完成并关闭</translation>
-    </message>
-    <message>
-        <source>Stop the export and close</source>
-        <translation>停止导出并关闭</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Exporting. %1</source>
-        <translation>正在导出。%1</translation>
+        <source>Exporting “%1”: %2</source>
+        <translation>正在导出“%1”：%2</translation>
     </message>
 </context>
 <context>
@@ -776,7 +760,61 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::ExportJob</name>
+    <name>fumage::ui::ExportProgress</name>
+    <message>
+        <source>Done: %1</source>
+        <translation>完成：%1</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportQueue</name>
+    <message>
+        <source>Not begun: left from before</source>
+        <translation>尚未开始：上次遗留</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>已开始</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>已取消。已完成的文件会保留。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 s left</source>
+        <translation>%1，剩余 %2 秒</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::ExportWorker</name>
+    <message>
+        <source>Baking the air: %1 %</source>
+        <translation>正在烘焙空气：%1 %</translation>
+    </message>
+    <message>
+        <source>Looking where the smoke is: %1 %</source>
+        <translation>正在查找烟雾的位置：%1 %</translation>
+    </message>
+    <message>
+        <source>Simulating what comes before: %1 %</source>
+        <translation>正在模拟之前的部分：%1 %</translation>
+    </message>
     <message>
         <source>left</source>
         <translation>左</translation>
@@ -800,33 +838,6 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
         <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应。</translation>
-    </message>
-    <message>
-        <source>Looking where the smoke is: %1 %</source>
-        <translation>正在查找烟雾的位置：%1 %</translation>
-    </message>
-    <message>
-        <source>Simulating what comes before: %1 %</source>
-        <translation>正在模拟之前的部分：%1 %</translation>
-    </message>
-    <message>
-        <source>Baking the air: %1 %</source>
-        <translation>正在烘焙空气：%1 %</translation>
-    </message>
-</context>
-<context>
-    <name>fumage::ui::ExportProgress</name>
-    <message>
-        <source>Done: %1</source>
-        <translation>完成：%1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Files that were complete are kept.</source>
-        <translation>已取消。已完成的文件会保留。</translation>
-    </message>
-    <message>
-        <source>%1 of %2, %3 s left</source>
-        <translation>%1 / %2，剩余 %3 秒</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +1859,134 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>it is no TGA that Fumage has written, or not whole</source>
         <translation>它不是 Fumage 写出的 TGA，或不完整</translation>
+    </message>
+    <message>
+        <source>expected a text in quotes</source>
+        <translation>此处应为带引号的文本</translation>
+    </message>
+    <message>
+        <source>a text of %1 bytes</source>
+        <translation>文本有 %1 字节</translation>
+    </message>
+    <message>
+        <source>Write at most %1</source>
+        <translation>最多写 %1 字节</translation>
+    </message>
+    <message>
+        <source>there is a zero byte in the text</source>
+        <translation>文本中有零字节</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>此处应为 true 或 false</translation>
+    </message>
+    <message>
+        <source>expected a whole number from %1 to %2</source>
+        <translation>此处应为 %1 到 %2 的整数</translation>
+    </message>
+    <message>
+        <source>%1 is not known here</source>
+        <translation>此处不认识 %1</translation>
+    </message>
+    <message>
+        <source>Choose among %1</source>
+        <translation>请从 %1 中选择</translation>
+    </message>
+    <message>
+        <source>expected a list of up to %1 texts such as &quot;masks=shadow,alpha&quot;</source>
+        <translation>此处应为最多 %1 个文本的列表，例如 &quot;masks=shadow,alpha&quot;</translation>
+    </message>
+    <message>
+        <source>expected a number from 0 to 1</source>
+        <translation>此处应为 0 到 1 的数</translation>
+    </message>
+    <message>
+        <source>a list of jobs of %1 bytes</source>
+        <translation>任务列表有 %1 字节</translation>
+    </message>
+    <message>
+        <source>Lists have at most %1</source>
+        <translation>列表最多为 %1</translation>
+    </message>
+    <message>
+        <source>this JSON is not a list of Fumage&apos;s jobs</source>
+        <translation>此 JSON 不是 Fumage 的任务列表</translation>
+    </message>
+    <message>
+        <source>A list begins with &quot;format&quot;: &quot;fumage-jobs&quot;</source>
+        <translation>列表以 &quot;format&quot;: &quot;fumage-jobs&quot; 开头</translation>
+    </message>
+    <message>
+        <source>the version of the list is missing, or not one up to %1, which this program reads</source>
+        <translation>列表缺少版本，或版本不在本程序可读取的范围内（至 %1）</translation>
+    </message>
+    <message>
+        <source>%1: expected a list in brackets [ ]</source>
+        <translation>%1：此处应为方括号 [ ] 中的列表</translation>
+    </message>
+    <message>
+        <source>a list of %1 jobs</source>
+        <translation>列表有 %1 个任务</translation>
+    </message>
+    <message>
+        <source>a job is an object in braces { }</source>
+        <translation>任务是花括号 { } 中的对象</translation>
+    </message>
+    <message>
+        <source>the job %1 names no file that it writes</source>
+        <translation>任务 %1 没有指定要写入的文件</translation>
+    </message>
+    <message>
+        <source>Write &quot;output&quot;: &quot;smoke.png&quot;</source>
+        <translation>请写 &quot;output&quot;: &quot;smoke.png&quot;</translation>
+    </message>
+    <message>
+        <source>a job has no %1</source>
+        <translation>任务没有 %1</translation>
+    </message>
+    <message>
+        <source>the job %1 has no preset</source>
+        <translation>任务 %1 没有预设</translation>
+    </message>
+    <message>
+        <source>Write it as &quot;preset&quot;, whole or as its name</source>
+        <translation>请将其写为 &quot;preset&quot;，可以是完整内容或名称</translation>
+    </message>
+    <message>
+        <source>the jobs write more than %1 files</source>
+        <translation>这些任务写入的文件超过 %1 个</translation>
+    </message>
+    <message>
+        <source>Make two lists of them</source>
+        <translation>请分成两个列表</translation>
+    </message>
+    <message>
+        <source>%1 would write over a file of %2</source>
+        <translation>%1 会覆盖 %2 的文件</translation>
+    </message>
+    <message>
+        <source>%1 would overwrite the preset that %2 is made of</source>
+        <translation>%1 会覆盖 %2 所依据的预设</translation>
+    </message>
+    <message>
+        <source>Write colour,six-way,motion</source>
+        <translation>请写 colour,six-way,motion</translation>
+    </message>
+    <message>
+        <source>there is no pass %1</source>
+        <translation>没有通道图 %1</translation>
+    </message>
+    <message>
+        <source>Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
+        <translation>请从 colour、alpha、six-way、motion、normal、depth、emission、albedo、temperature、shadow 和 all 中选择</translation>
+    </message>
+    <message>
+        <source>%1 exports are waiting already</source>
+        <translation>已有 %1 个导出在等待</translation>
+    </message>
+    <message>
+        <source>Wait until some are done, or remove some</source>
+        <translation>请等待部分完成，或移除一些</translation>
     </message>
 </context>
 <context>
@@ -3836,6 +3975,65 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>fumage::ui::QueuePanel</name>
+    <message>
+        <source>Exports</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>提前</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>推后</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>在文件夹中显示</translation>
+    </message>
+    <message>
+        <source>Export again, with the smoke as it is now</source>
+        <translation>以烟雾的当前状态再次导出</translation>
+    </message>
+    <message>
+        <source>Remove what has ended</source>
+        <translation>移除已结束的项</translation>
+    </message>
+    <message>
+        <source>Save the list…</source>
+        <translation>保存列表…</translation>
+    </message>
+    <message>
+        <source>Save what is not done as a list, which fumage-cli render --jobs does without a display</source>
+        <translation>将未完成的项保存为列表，可由 fumage-cli render --jobs 在无显示器时执行</translation>
+    </message>
+    <message>
+        <source>Save the list of exports</source>
+        <translation>保存导出列表</translation>
+    </message>
+    <message>
+        <source>Not finished when the program ended: %1</source>
+        <translation>程序结束时尚未完成：%1</translation>
+    </message>
+</context>
+<context>
     <name>Readout</name>
     <message>
         <source>%1 frames/s</source>
@@ -3910,6 +4108,34 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Exports that are not finished: %1</source>
+        <translation>尚未完成的导出：%1</translation>
+    </message>
+    <message>
+        <source>Finish in the background and close</source>
+        <translation>在后台完成并关闭</translation>
+    </message>
+    <message>
+        <source>Stop them and close</source>
+        <translation>停止并关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>A list of exports cannot be read. It stays where it is: %1</source>
+        <translation>无法读取一个导出列表。它保留在原处：%1</translation>
+    </message>
+    <message>
+        <source>Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.</source>
+        <translation>程序结束时尚未完成的导出：%1。可在“导出”面板中开始或移除它们。</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,28 @@ private slots:
         QCOMPARE(sum.load(), 400);
     }
 
+    void workBehindOthersIsDoneAndItsThreadGivesWay()
+    {
+        std::vector<std::atomic<int>> runs(1000);
+        int nice = 0;
+        bool caught = false;
+        std::jthread thread([&] {
+            try {
+                runBehindOthers([&] {
+                    nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+                    parallelFor(runs.size(), [&](std::size_t index) { ++runs[index]; });
+                    throw std::runtime_error("as any other");
+                });
+            } catch (const std::runtime_error&) {
+                caught = true;
+            }
+        });
+        thread.join();
+        QVERIFY(std::all_of(runs.begin(), runs.end(), [](const std::atomic<int>& each) { return each == 1; }));
+        QVERIFY(caught);
+        QCOMPARE(nice, 19);
+    }
+
     void anExceptionLeavesTheLoop()
     {
         std::atomic<int> running{0};

@@ -2,7 +2,7 @@
 #include "tests/benchmarks/measure.h"
 
 #include "ui/document/document.h"
-#include "ui/export/export_job.h"
+#include "ui/export/export_worker.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/session.h"
 #include "ui/viewport/viewport.h"
@@ -191,16 +191,17 @@ void blockedWhileExporting(benchmark::State& state)
 {
     Editor editor(100000);
     QTemporaryDir folder;
+    ExportWorker worker;
     for (auto _ : state) {
         ExportPlan plan;
         plan.output = folder.filePath(QStringLiteral("smoke_####.png")).toStdString();
         plan.frames = {0, 10000, 1};
-        editor.window->exportJob().start(editor.window->document().effect(), plan);
+        worker.start(std::make_shared<ExportJob>(ExportJob{"long", {.effect = editor.window->document().effect()}, plan}));
         editor.window->player().play();
         Heartbeat heartbeat;
         Editor::waitFor(5000);
-        editor.window->exportJob().cancel();
-        while (editor.window->exportJob().isRunning()) {
+        worker.cancel();
+        while (worker.isRunning()) {
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         }
         state.counters["longest ms"] = heartbeat.longestMs();

@@ -33,16 +33,16 @@ private slots:
         m_player = std::make_unique<Player>();
         m_player->setTimeline(100, 30);
         m_locks = std::make_unique<Locks>();
-        m_job = std::make_unique<ExportJob>();
+        m_queue = std::make_unique<ExportQueue>(QDir(m_folder.filePath(u"queue"_q)));
         m_dialog = std::make_unique<ExportDialog>(
-            *m_document, *m_player, *m_locks, *m_job, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; }, nullptr);
+            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; }, nullptr);
         m_dialog->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
     }
     void cleanup()
     {
         m_dialog.reset();
-        m_job.reset();
+        m_queue.reset();
     }
 
     void nothingIsCutOffAtItsSide()
@@ -277,9 +277,8 @@ private slots:
         QVERIFY(m_document->save(file).ok());
         m_dialog->setKind(ExportKind::Particles);
         typePath(file);
-        QSignalSpy failed(m_job.get(), &ExportJob::failed);
         QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
-        QTRY_COMPARE(failed.size(), 1);
+        QTRY_COMPARE(m_queue->at(0).state, ExportState::Failed);
         QVERIFY(readPresetFile(file.toStdString()).ok());
     }
 
@@ -333,9 +332,8 @@ private slots:
     void returnBeginsAnExportOrDoesNothing()
     {
         typePath(u"  "_q); // nothing can be begun
-        QSignalSpy started(m_job.get(), &ExportJob::started);
         QTest::keyClick(child<QLineEdit>(u"export.path"_q), Qt::Key_Return);
-        QCOMPARE(started.size(), 0);
+        QCOMPARE(m_queue->rowCount(), 0);
         for (const QPushButton* button : m_dialog->findChildren<QPushButton*>()) {
             QCOMPARE(button->autoDefault(), button->objectName() == u"export.begin"_q);
         }
@@ -343,7 +341,9 @@ private slots:
 
     void theMessageOfTheExportBeforeIsForgotten()
     {
-        emit m_job->failed(u"no room"_q);
+        typePath(u"/proc/nowhere/smoke.png"_q);
+        QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
+        QTRY_COMPARE(m_queue->at(0).state, ExportState::Failed);
         QVERIFY(child<QLabel>(u"export.state"_q)->isVisible());
         m_dialog->hide();
         m_dialog->show();
@@ -402,7 +402,8 @@ private:
     std::unique_ptr<Document> m_document;
     std::unique_ptr<Player> m_player;
     std::unique_ptr<Locks> m_locks;
-    std::unique_ptr<ExportJob> m_job;
+    QTemporaryDir m_folder;
+    std::unique_ptr<ExportQueue> m_queue;
     std::unique_ptr<ExportDialog> m_dialog;
 };
 

@@ -2,7 +2,7 @@
 #include "editor_helpers.h"
 #include "picture_helpers.h"
 
-#include "ui/export/export_job.h"
+#include "ui/export/export_worker.h"
 #include "ui/noise_preview/noise_picture.h"
 #include "ui/pictures/picture_feed.h"
 #include "ui/shell/guarded_application.h"
@@ -69,19 +69,19 @@ private slots:
         ExportPlan plan;
         plan.kind = ExportKind::Picture;
         plan.output = folder.filePath(u"large.png"_q).toStdString();
-        ExportJob job;
-        QSignalSpy failed(&job, &ExportJob::failed);
+        ExportWorker worker;
+        QSignalSpy failed(&worker, &ExportWorker::failed);
         {
             const MemoryLimit limit(kLittle);
-            job.start(effect, plan);
+            worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.effect = effect}, plan}));
             QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, 60000);
         }
         QVERIFY2(failed[0][0].toString().contains(u"memory"_q), qPrintable(failed[0][0].toString()));
         QVERIFY(QDir(folder.path()).isEmpty());
         effect.output.width = 16;
         effect.output.height = 16;
-        QSignalSpy finished(&job, &ExportJob::finished);
-        job.start(effect, plan);
+        QSignalSpy finished(&worker, &ExportWorker::finished);
+        worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.effect = effect}, plan}));
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
     }
 

@@ -1,9 +1,12 @@
 // What is drawn can be told from what it is drawn on. Contrast as in WCAG 2.2: 4.5 for text, 3 for the edges of controls.
 #include "editor_helpers.h"
 
+#include "ui/face/choice_question.h"
 #include "ui/face/theme.h"
 
 #include <QCheckBox>
+#include <QPushButton>
+#include <QTimer>
 
 #include <cmath>
 
@@ -51,6 +54,21 @@ private slots:
         const ThemeColours& colours = chosen();
         compare(colours.control, colours.window, 3.0);
         compare(colours.control, colours.base, 3.0);
+    }
+
+    void longAnswersOfAQuestionAreWhole()
+    {
+        applyTheme(*qApp, Theme::Dark, true);
+        QList<int> missing;
+        QTimer::singleShot(0, qApp, [&] {
+            QWidget* box = QApplication::activeModalWidget();
+            for (const QPushButton* button : box->findChildren<QPushButton*>()) {
+                missing += std::max(0, button->sizeHint().width() - button->width());
+            }
+            box->close();
+        });
+        static_cast<void>(askInBox(nullptr, {.name = u"box"_q, .title = u"Exports"_q, .text = u"Some"_q, .answers = {u"Finish in the background and close the window"_q, u"Stop them and close"_q, u"Cancel"_q}}));
+        QCOMPARE(missing, (QList<int>{0, 0, 0}));
     }
 
     void anEmptyBoxHasThatEdgeOnTheScreen_data() { addThemes(); }

@@ -1,7 +1,7 @@
 // Exports from the window, while one works.
 #include "window_fixture.h"
 
-#include "ui/export/export_job.h"
+#include "ui/export/export_queue.h"
 #include "ui/viewport/viewport.h"
 
 #include "core/effect/known_parameter.h"
@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -32,10 +33,10 @@ private slots:
         QTest::keyClicks(field, path);
         childOf<QSpinBox>(*dialog, u"export.first"_q)->setValue(3);
         childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(6);
-        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
         QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
         m_window->document().edit(knownParameter("motion.gravity"), 2.0F); // does not touch what is being written
-        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Done, 60000);
+        QCOMPARE(queue().at(0).job->preset.effect.motion.gravity, smallPreset().effect.motion.gravity);
         QCOMPARE(QDir(m_folder.filePath(u"out"_q)).entryList({u"*.png"_q}), (QStringList{u"smoke_03.png"_q, u"smoke_04.png"_q, u"smoke_05.png"_q, u"smoke_06.png"_q}));
         const QImage image(m_folder.filePath(u"out/smoke_03.png"_q));
         QCOMPARE(image.size(), QSize(128, 128));
@@ -81,16 +82,13 @@ private slots:
         childOf<QSpinBox>(*dialog, u"export.rows"_q)->setValue(2);
         QVERIFY(begin->isEnabled());
         m_window->document().edit(knownParameter("camera.distance"), 2.0F);
-        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
-        QTest::mouseClick(begin, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        exportAndWait(*begin);
         QCOMPARE(QImage(m_folder.filePath(u"book.png"_q)).size(), QSize(4 * 128, 2 * 128));
         QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
         QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
         childOf<QCheckBox>(*dialog, u"export.fit"_q)->setChecked(true);
         m_chosenAnswer = 0; // overwrite
-        QTest::mouseClick(begin, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, 60000);
+        exportAndWait(*begin);
         QVERIFY(!childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q));
     }
 
@@ -101,12 +99,11 @@ private slots:
         field->selectAll();
         QTest::keyClicks(field, m_folder.filePath(u"long/smoke_####.png"_q));
         childOf<QSpinBox>(*dialog, u"export.last"_q)->setValue(5000);
-        QSignalSpy cancelled(&m_window->exportJob(), &ExportJob::cancelled);
         QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
         auto* cancel = childOf<QPushButton>(*dialog, u"export.cancel"_q);
         QTRY_VERIFY(!QDir(m_folder.filePath(u"long"_q)).isEmpty());
         QTest::mouseClick(cancel, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(cancelled.size(), 1, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Cancelled, 60000);
         // What is there is whole.
         for (const QFileInfo& file : QDir(m_folder.filePath(u"long"_q)).entryInfoList(QDir::Files | QDir::Hidden)) {
             QVERIFY2(!QImage(file.filePath()).isNull(), qPrintable(file.filePath()));
@@ -124,7 +121,7 @@ private slots:
         const QString last = m_folder.filePath(u"whole/smoke_40.png"_q);
         QVERIFY(!QFile::exists(last)); // it was not waited for
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(last), 60000);
-        QTRY_VERIFY(m_session->findChild<ExportJob*>() == nullptr);
+        QTRY_COMPARE(stateOf(0), ExportState::Done);
     }
 
     void closingTheWindowStopsAnExport()
@@ -134,7 +131,7 @@ private slots:
         const QPointer<MainWindow> window(m_window);
         QVERIFY(m_window->close());
         QTRY_VERIFY(window == nullptr);
-        QVERIFY(m_session->findChild<ExportJob*>() == nullptr);
+        QCOMPARE(queue().active(), 0);
         QVERIFY(!QFile::exists(m_folder.filePath(u"part/smoke_5000.png"_q)));
     }
 
@@ -143,7 +140,51 @@ private slots:
         beginSequence(u"on/smoke_####.png"_q, 5000);
         QVERIFY(!m_window->close());
         QCOMPARE(m_choiceQuestions.size(), 1);
-        QVERIFY(m_window->exportJob().isRunning());
+        QCOMPARE(stateOf(0), ExportState::Running);
+    }
+
+    void onlyTheLastWindowAsks()
+    {
+        beginSequence(u"on/smoke_####.png"_q, 5000);
+        MainWindow* other = m_session->openWindow();
+        QVERIFY(QTest::qWaitForWindowExposed(other));
+        QVERIFY(m_window->close());
+        QVERIFY(m_choiceQuestions.isEmpty());
+        QCOMPARE(stateOf(0), ExportState::Running);
+        QVERIFY(!other->close());
+        QCOMPARE(m_choiceQuestions.size(), 1);
+    }
+
+    void thePanelOfTheExportsComesOnceByItself()
+    {
+        auto* dock = childOf<QDockWidget>(*m_window, u"dock.queue"_q);
+        m_session->settings().setKnowsQueue(false);
+        dock->hide();
+        QVERIFY(!dock->isVisible());
+        const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 3);
+        auto* begin = childOf<QPushButton>(*dialog, u"export.begin"_q);
+        const QSize before = m_window->viewport().size();
+        exportAndWait(*begin);
+        QTRY_VERIFY(dock->isVisible());
+        QCOMPARE(m_window->viewport().size(), before);
+        dock->hide();
+        m_chosenAnswer = 0;
+        exportAndWait(*begin);
+        QVERIFY(!dock->isVisible()); // the user has put it away
+    }
+
+    void exportingAgainTakesTheSmokeAsItIsNow()
+    {
+        const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 3);
+        exportAndWait(*childOf<QPushButton>(*dialog, u"export.begin"_q));
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
+        m_chosenAnswer = 1; // number on
+        trigger("file.exportAgain");
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(1), ExportState::Done, 60000);
+        QCOMPARE(queue().at(1).job->preset.effect.motion.gravity, 2.0F);
+        const Result<PresetReading> carried = readPresetFile(m_folder.filePath(u"a-2_03.png"_q).toStdString());
+        QVERIFY(carried.ok());
+        QCOMPARE(carried.value().preset.effect.motion.gravity, 2.0F);
     }
 
     void filesThatAreThereAreAskedAbout()
@@ -157,7 +198,7 @@ private slots:
         QTest::mouseClick(begin, Qt::LeftButton); // and is cancelled
         QCOMPARE(m_choiceQuestions.size(), 1);
         QVERIFY(m_choiceQuestions[0].text.contains(first));
-        QVERIFY(!m_window->exportJob().isRunning());
+        QCOMPARE(queue().rowCount(), 0);
         QCOMPARE(QFileInfo(first).size(), 0);
         m_chosenAnswer = 0;
         exportAndWait(*begin);
@@ -184,9 +225,8 @@ private slots:
         exportAndWait(*childOf<QPushButton>(*dialog, u"export.begin"_q));
         m_chosenAnswer = 1;
         for (int i = 0; i < 3; ++i) {
-            QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
             trigger("file.exportAgain");
-            QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+            QTRY_COMPARE_WITH_TIMEOUT(stateOf(queue().rowCount() - 1), ExportState::Done, 60000);
         }
         QCOMPARE(m_choiceQuestions.size(), 1);
         QVERIFY(QFile::exists(m_folder.filePath(u"a-4_03.png"_q)));
@@ -210,9 +250,8 @@ private slots:
         auto* field = childOf<QLineEdit>(*dialog, u"export.path"_q);
         field->selectAll();
         QTest::keyClicks(field, u"/proc/smoke_##.png"_q);
-        QSignalSpy failed(&m_window->exportJob(), &ExportJob::failed);
         QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Failed, 60000);
         QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"/proc"_q));
     }
 
@@ -239,10 +278,13 @@ private:
 
     void exportAndWait(QPushButton& begin)
     {
-        QSignalSpy finished(&m_window->exportJob(), &ExportJob::finished);
+        const int row = queue().rowCount();
         QTest::mouseClick(&begin, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(queue().rowCount() > row && stateOf(row) == ExportState::Done, 60000);
     }
+
+    [[nodiscard]] ExportQueue& queue() { return m_session->exports(); }
+    [[nodiscard]] ExportState stateOf(int row) { return queue().at(row).state; }
 
     QDialog* openExport()
     {

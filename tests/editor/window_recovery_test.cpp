@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/effect/known_parameter.h"
 
+#include <QDockWidget>
 #include <QProcess>
 #include <QStatusBar>
 #include <QTimer>
@@ -22,11 +23,7 @@ private slots:
     void whatWasNotSavedIsThereAgainAfterAKill()
     {
         QProcess victim;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("FUMAGE_TEST_VICTIM"), QStringLiteral("1"));
-        victim.setProcessEnvironment(environment);
-        victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        victim.start(QCoreApplication::applicationFilePath());
+        startVictim(victim, {});
         QVERIFY(victim.waitForReadyRead(20000)); // it says so when its copy is on the disk
         victim.kill();
         QVERIFY(victim.waitForFinished());
@@ -45,6 +42,35 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(recoveryFolder().entryList({u"*.trial"_q}).isEmpty(), 20000); // what has been shown is harmless
     }
 
+    void exportsThatWereNotFinishedAreOfferedAfterAKill()
+    {
+        const QString output = m_folder.filePath(u"out/smoke_####.png"_q);
+        QProcess victim;
+        startVictim(victim, {{u"FUMAGE_TEST_EXPORT"_q, output}});
+        QVERIFY(victim.waitForReadyRead(20000)); // it says so when its first file is written
+        Session beside; // while it lives its exports are its own
+        beside.exports().takeLeftovers();
+        QCOMPARE(beside.exports().rowCount(), 0);
+        victim.kill();
+        QVERIFY(victim.waitForFinished());
+
+        m_session->start({});
+        ExportQueue& queue = m_session->exports();
+        QCOMPARE(queue.rowCount(), 2);
+        QCOMPARE(queue.held(), 2);
+        QCOMPARE(queue.index(0).data().toString(), u"Long"_q);
+        QCOMPARE(queue.at(0).job->preset.effect.motion.gravity, 6.5F);
+        for (const QFileInfo& file : QDir(m_folder.filePath(u"out"_q)).entryInfoList({u"*.png"_q}, QDir::Files)) {
+            QVERIFY2(!QImage(file.filePath()).isNull(), qPrintable(file.filePath()));
+        }
+        auto* dock = childOf<QDockWidget>(*otherWindow(), u"dock.queue"_q);
+        QTRY_VERIFY(dock->isVisible());
+        queue.remove(0);
+        queue.startHeld();
+        QTRY_COMPARE_WITH_TIMEOUT(queue.at(0).state, ExportState::Done, 60000);
+        QVERIFY(QFile::exists(m_folder.filePath(u"out/short.png"_q)));
+    }
+
     void aCopyThatCannotBeReadIsMentioned()
     {
         const QString copy = recoveryFolder().filePath(u"left.json"_q);
@@ -57,6 +83,19 @@ private slots:
     }
 
 private:
+    /// Another program of this kind, in the same folders.
+    static void startVictim(QProcess& victim, const QMap<QString, QString>& variables)
+    {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("FUMAGE_TEST_VICTIM"), QStringLiteral("1"));
+        for (auto each = variables.begin(); each != variables.end(); ++each) {
+            environment.insert(each.key(), each.value());
+        }
+        victim.setProcessEnvironment(environment);
+        victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        victim.start(QCoreApplication::applicationFilePath());
+    }
+
     static QDir recoveryFolder() { return QDir(Settings::recoveryFolder()); }
 
     static MainWindow* windowOn(const QString& path)
@@ -71,17 +110,39 @@ private:
     }
 };
 
-/// The program that is killed while it has unsaved work.
+/// Adds exports of which the first does not end by itself.
+static void addExports(ExportQueue& queue, const QString& output)
+{
+    ExportJob job{"Long", smallPreset(), {}};
+    job.preset.effect.motion.gravity = 6.5F;
+    job.preset.effect.output.width = job.preset.effect.output.height = 64;
+    job.plan.output = output.toStdString();
+    job.plan.frames = {0, 100'000, 1};
+    static_cast<void>(queue.add(job));
+    job.name = "Short";
+    job.plan.kind = ExportKind::Picture;
+    job.plan.output.replace_filename("short.png");
+    static_cast<void>(queue.add(job));
+}
+
+/// The program that is killed while it has unsaved work, or exports.
 static int runVictim(int argc, char** argv)
 {
     QApplication application(argc, argv);
     Session session;
+    const QString output = qEnvironmentVariable("FUMAGE_TEST_EXPORT");
+    if (!output.isEmpty()) {
+        addExports(session.exports(), output);
+    }
     MainWindow* window = session.openWindow();
     window->document().load(smallPreset(), u"/somewhere/mine.json"_q);
-    window->document().edit(knownParameter("motion.gravity"), 6.5F);
+    if (output.isEmpty()) {
+        window->document().edit(knownParameter("motion.gravity"), 6.5F);
+    }
+    const QDir folder = output.isEmpty() ? QDir(Settings::recoveryFolder()) : QFileInfo(output).dir();
     QTimer timer;
-    QObject::connect(&timer, &QTimer::timeout, &timer, [] {
-        if (!QDir(Settings::recoveryFolder()).entryList({u"*.json"_q}).isEmpty()) {
+    QObject::connect(&timer, &QTimer::timeout, &timer, [folder] {
+        if (!folder.entryList({u"*.json"_q, u"*.png"_q}).isEmpty()) {
             std::puts("saved");
             std::fflush(stdout);
         }

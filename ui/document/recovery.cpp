@@ -6,7 +6,6 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QUuid>
 
 namespace fumage::ui {
 
@@ -15,18 +14,9 @@ namespace {
 /// Soon enough that a crash costs no work worth speaking of, late enough that a drag does not write a hundred files.
 constexpr int kSoonMs = 1000;
 
-const QString kCopy = QStringLiteral(".json");
-const QString kLock = QStringLiteral(".lock");
 const QString kOrigin = QStringLiteral(".origin"); ///< beside a copy: the path of the document's file
 const QString kTrial = QStringLiteral(".trial"); ///< beside a copy: has a byte for each program that was about to show it
 constexpr qint64 kMostTrials = 2; ///< the first may have been ended by chance
-
-/// A lock whose program is gone can be had; that of a running one cannot.
-/// @param name without ending
-std::unique_ptr<FileLock> lockOf(const QString& name)
-{
-    return FileLock::tryTake((name + kLock).toStdString());
-}
 
 QString readOrigin(const QString& copy)
 {
@@ -35,31 +25,21 @@ QString readOrigin(const QString& copy)
     return origin ? toQString(origin.value()) : QString();
 }
 
-/// Sessions that were killed without unsaved work leave their lock alone.
-void clearLocks(const QDir& folder)
-{
-    for (const QString& name : folder.entryList({QLatin1Char('*') + kLock}, QDir::Files)) {
-        static_cast<void>(lockOf(folder.filePath(name).chopped(kLock.size()))); // goes with its owner, who ends here
-    }
-}
-
-} // namespace
-
-void RecoveryCopy::remove() const
+/// Takes a copy and what lies beside it away.
+void removeCopy(const QString& path)
 {
     for (const QString& file : {path, path + kOrigin, path + kTrial}) {
         QFile::remove(file);
     }
 }
 
+} // namespace
+
 Recovery::Recovery(Document& document, const QDir& folder, QObject* parent)
     : QObject(parent)
     , m_document(document)
+    , m_copy(makeOwnFile(folder))
 {
-    folder.mkpath(QStringLiteral("."));
-    QFile::setPermissions(folder.path(), QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner);
-    const QString name = folder.filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
-    m_copy = {name + kCopy, lockOf(name)};
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoonMs);
     connect(&m_soon, &QTimer::timeout, this, &Recovery::saveNow);
@@ -98,27 +78,20 @@ void Recovery::saveNow()
 void Recovery::discard()
 {
     m_soon.stop();
-    m_copy.remove();
+    removeCopy(m_copy.path);
 }
 
 Recovery::Leftovers Recovery::find(const QDir& folder)
 {
     Leftovers found;
-    clearLeftovers(folder.path().toStdString());
-    clearLocks(folder);
-    for (const QString& name : folder.entryList({QLatin1Char('*') + kCopy}, QDir::Files, QDir::Time)) {
-        const QString path = folder.filePath(name);
-        std::unique_ptr<FileLock> lock = lockOf(path.chopped(kCopy.size()));
-        if (!lock) {
-            continue;
-        }
-        Result<PresetReading> reading = readPresetFile(path.toStdString());
+    for (OwnFile& copy : takeOrphans(folder)) {
+        Result<PresetReading> reading = readPresetFile(copy.path.toStdString());
         if (!reading) {
-            found.unreadable += path;
-        } else if (QFileInfo(path + kTrial).size() >= kMostTrials) {
-            found.dangerous += path;
+            found.unreadable += copy.path;
+        } else if (QFileInfo(copy.path + kTrial).size() >= kMostTrials) {
+            found.dangerous += copy.path;
         } else {
-            found.works.push_back({std::move(reading).value().preset, readOrigin(path), {path, std::move(lock)}});
+            found.works.push_back({std::move(reading).value().preset, readOrigin(copy.path), std::move(copy)});
         }
     }
     return found;

@@ -1,25 +1,13 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/own_file.h"
 
-#include "core/base/file_lock.h"
-
-#include <QDir>
 #include <QTimer>
 
-#include <memory>
 #include <vector>
 
 namespace fumage::ui {
-
-/// A copy of unsaved work on disk, which belongs to whoever holds this.
-struct RecoveryCopy {
-    QString path; ///< of the copy; others beside it have its name and more
-    std::unique_ptr<FileLock> lock; ///< says that a running program owns the copy
-
-    /// Takes the copy away.
-    void remove() const;
-};
 
 /// Keeps a copy of unsaved work on disk, a moment after each change, and takes it away once the work is saved or given up: what is
 /// there when a program starts, and belongs to no running one, is what a crash has left. The copies are for the user's eyes alone.
@@ -40,7 +28,7 @@ public:
     struct Work {
         Preset preset;
         QString originalPath; ///< of the document's file; empty where it had none
-        RecoveryCopy copy;
+        OwnFile copy;
     };
     struct Leftovers {
         std::vector<Work> works; ///< the newest first
@@ -64,7 +52,7 @@ private:
     void follow();
 
     Document& m_document;
-    RecoveryCopy m_copy;
+    OwnFile m_copy; ///< files beside it have its name and more
     QTimer m_soon;
     bool m_onTrial = false; ///< adopted work has not been shown yet
     bool m_hasFailed = false;

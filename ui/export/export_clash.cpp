@@ -13,13 +13,6 @@ namespace fumage::ui {
 
 namespace {
 
-void addIfThere(QStringList& there, const std::filesystem::path& path)
-{
-    if (std::error_code unknown; std::filesystem::exists(path, unknown)) {
-        there += toQString(path.string());
-    }
-}
-
 /// "smoke" becomes "smoke-2", and that "smoke-3".
 std::string withNextNumber(const std::string& name)
 {
@@ -44,31 +37,25 @@ std::filesystem::path withNextNumber(const std::filesystem::path& path)
 QStringList filesThere(const ExportPlan& plan)
 {
     QStringList there;
-    if (plan.kind == ExportKind::Sequence) {
-        for (int i = 0; i < plan.frames.count(); ++i) {
-            addIfThere(there, framePath({plan.output, plan.frames, plan.format}, plan.frames.at(i)));
+    for (const std::filesystem::path& file : filesOf(plan)) {
+        if (std::error_code unknown; std::filesystem::exists(file, unknown)) {
+            there += toQString(file.string());
         }
-        return there;
     }
-    if (plan.kind == ExportKind::Flipbook) {
-        for (const std::filesystem::path& file : filesOf(flipbookOf(plan))) {
-            addIfThere(there, file);
-        }
-        return there;
-    }
-    addIfThere(there, firstFile(plan));
     return there;
 }
 
-ExportPlan numberedOn(ExportPlan plan)
+ExportPlan numberedOn(ExportPlan plan, const JobFiles& others)
 {
     do {
         plan.output = withNextNumber(plan.output);
-    } while (!filesThere(plan).isEmpty());
+    } while (!filesThere(plan).isEmpty() || !others.check({{}, {}, plan}));
     return plan;
 }
 
-OnClash askOnClash(QWidget* parent, const AskForChoice& ask, const QStringList& there)
+namespace {
+
+OnClash askAboutFiles(QWidget* parent, const AskForChoice& ask, const QStringList& there)
 {
     const QString first = QDir::toNativeSeparators(there.constFirst());
     const QString text = there.size() == 1 ? ExportDialog::tr("There is a file %1 already.").arg(first)
@@ -80,6 +67,40 @@ OnClash askOnClash(QWidget* parent, const AskForChoice& ask, const QStringList& 
             .answers = {ExportDialog::tr("Overwrite"), ExportDialog::tr("Number on"), ExportDialog::tr("Cancel")}});
     constexpr std::array kAnswers{OnClash::Overwrite, OnClash::NumberOn, OnClash::Cancel};
     return kAnswers[static_cast<std::size_t>(answer)];
+}
+
+/// Two exports of the queue never write one file, whatever the user would make of it.
+OnClash askAboutQueue(QWidget* parent, const AskForChoice& ask, const Error& clash)
+{
+    const int answer = ask(parent,
+        {.name = QStringLiteral("exportQueuedBox"),
+            .title = ExportDialog::tr("Export"),
+            .text = told(clash),
+            .answers = {ExportDialog::tr("Number on"), ExportDialog::tr("Cancel")}});
+    return answer == 0 ? OnClash::NumberOn : OnClash::Cancel;
+}
+
+} // namespace
+
+std::optional<ExportPlan> settled(QWidget* parent, const AskForChoice& ask, const ExportQueue& queue, const ExportPlan& plan, std::optional<OnClash>& answered)
+{
+    const JobFiles queued = queue.files();
+    const Status apart = queued.check({plan.output.filename().string(), {}, plan});
+    const QStringList there = filesThere(plan);
+    if (apart && there.isEmpty()) {
+        return plan;
+    }
+    if (!apart && answered != OnClash::NumberOn) {
+        answered = askAboutQueue(parent, ask, apart.error());
+    } else if (!answered) {
+        answered = askAboutFiles(parent, ask, there);
+    }
+    switch (*answered) {
+    case OnClash::Overwrite: return plan;
+    case OnClash::NumberOn: return numberedOn(plan, queued);
+    case OnClash::Cancel: answered.reset(); break;
+    }
+    return std::nullopt;
 }
 
 } // namespace fumage::ui

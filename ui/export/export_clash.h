@@ -1,16 +1,19 @@
 #pragma once
 
+#include "ui/export/export_queue.h"
 #include "ui/face/choice_question.h"
 
-#include "core/export/plan.h"
+#include "core/export/jobs.h"
+
+#include <optional>
 
 namespace fumage::ui {
 
 /// The files of a plan that are there already.
 [[nodiscard]] QStringList filesThere(const ExportPlan& plan);
 
-/// The same plan under the first name of which no file is there yet: "smoke-2_####.png" after "smoke_####.png".
-[[nodiscard]] ExportPlan numberedOn(ExportPlan plan);
+/// The same job under the first name of which no file is there yet, and that none of some others writes: "smoke-2_####.png" after "smoke_####.png".
+[[nodiscard]] ExportPlan numberedOn(ExportPlan plan, const JobFiles& others = {});
 
 /// What becomes of an export of which files are there already.
 enum class OnClash {
@@ -19,7 +22,9 @@ enum class OnClash {
     Cancel,
 };
 
-/// @param there not empty
-[[nodiscard]] OnClash askOnClash(QWidget* parent, const AskForChoice& ask, const QStringList& there);
+/// Asks a person what is to become of files that are there, or that an export of the queue is to write.
+/// @param answered what was answered before, and is not asked again; takes the answer
+/// @return the plan as it may be added to the queue; nothing: it is not to be
+[[nodiscard]] std::optional<ExportPlan> settled(QWidget* parent, const AskForChoice& ask, const ExportQueue& queue, const ExportPlan& plan, std::optional<OnClash>& answered);
 
 } // namespace fumage::ui

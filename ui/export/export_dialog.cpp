@@ -50,12 +50,12 @@ constexpr std::array kParameters{
 
 } // namespace
 
-ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent)
+ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_player(player)
     , m_locks(locks)
-    , m_job(job)
+    , m_queue(queue)
     , m_askForFile(std::move(askForFile))
     , m_askForChoice(std::move(askForChoice))
     , m_kind(new QComboBox(this))
@@ -71,7 +71,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
     , m_carries(new QCheckBox(tr("Pictures carry the preset"), this))
     , m_files(new QLabel(this))
-    , m_progress(new ExportProgress(job, this))
+    , m_progress(new ExportProgress(queue, this))
     , m_export(new QPushButton(tr("Export"), this))
     , m_cancel(new QPushButton(tr("Cancel"), this))
     , m_show(new QPushButton(tr("Show in folder"), this))
@@ -80,7 +80,9 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     setWindowTitle(tr("Export"));
     m_kind->setObjectName(QStringLiteral("export.kind"));
     m_kind->setAccessibleName(tr("What"));
-    m_kind->addItems({tr("Image sequence"), tr("Flipbook"), tr("Video"), tr("Single picture"), tr("Noise texture"), tr("Particles")});
+    for (std::size_t each = 0; each < kExportKinds; ++each) {
+        m_kind->addItem(kindName(static_cast<ExportKind>(each)));
+    }
     m_format->setObjectName(QStringLiteral("export.format"));
     m_format->setAccessibleName(tr("Format"));
     m_path->setObjectName(QStringLiteral("export.path"));
@@ -92,9 +94,9 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     buildForm();
     buildProgress();
     connectPlan();
-    connectJob();
+    connectButtons();
     followKind();
-    followJob();
+    followProgress();
 }
 
 void ExportDialog::connectPlan()
@@ -198,16 +200,12 @@ void ExportDialog::buildProgress()
     }
 }
 
-void ExportDialog::connectJob()
+void ExportDialog::connectButtons()
 {
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::begin);
-    connect(m_cancel, &QPushButton::clicked, &m_job, &ExportJob::cancel);
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
     connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
-    connect(&m_job, &ExportJob::finished, this, [this](const QString& firstFile) { m_written = firstFile; });
-    connect(&m_job, &ExportJob::started, this, &ExportDialog::followJob);
-    connect(&m_job, &ExportJob::finished, this, &ExportDialog::followJob);
-    connect(&m_job, &ExportJob::cancelled, this, &ExportDialog::followJob);
-    connect(&m_job, &ExportJob::failed, this, &ExportDialog::followJob);
+    connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
 }
 
 ExportKind ExportDialog::kind() const
@@ -315,33 +313,34 @@ void ExportDialog::followPlan()
     if (kind() == ExportKind::Flipbook) {
         m_preview->follow(m_document.effect(), now);
     }
-    m_export->setEnabled(isPossible(now, m_document.effect()) && !m_job.isRunning());
+    m_export->setEnabled(isPossible(now, m_document.effect()));
 }
 
-void ExportDialog::followJob()
+void ExportDialog::followProgress()
 {
-    const bool running = m_job.isRunning();
-    m_cancel->setVisible(running);
-    m_show->setVisible(!running && !m_written.isEmpty());
-    followPlan();
+    const QueuedExport* last = m_progress->followed();
+    m_cancel->setVisible(last != nullptr && last->isActive());
+    m_show->setVisible(last != nullptr && last->state == ExportState::Done);
 }
 
 void ExportDialog::begin()
 {
-    ExportPlan wanted = plan();
-    if (const QStringList there = filesThere(wanted); !there.isEmpty()) {
-        const OnClash answer = askOnClash(this, m_askForChoice, there);
-        if (answer == OnClash::Cancel) {
-            return;
-        }
-        if (answer == OnClash::NumberOn) {
-            wanted = numberedOn(wanted);
-            m_pathIsSuggested = false;
-            m_path->setText(toQString(wanted.output.string()));
-        }
+    std::optional<OnClash> answered;
+    const std::optional<ExportPlan> wanted = settled(this, m_askForChoice, m_queue, plan(), answered);
+    if (!wanted) {
+        return;
     }
-    m_written.clear();
-    m_job.start(m_document.effect(), wanted);
+    if (answered == OnClash::NumberOn) {
+        m_pathIsSuggested = false;
+        m_path->setText(toQString(wanted->output.string()));
+    }
+    const Result<quint64> id = m_queue.add({m_document.displayName().toStdString(), m_document.preset(), *wanted});
+    if (!id) {
+        m_progress->say(told(id.error()));
+        return;
+    }
+    m_progress->follow(id.value());
+    emit added(*wanted);
 }
 
 void ExportDialog::browse()
@@ -356,19 +355,18 @@ void ExportDialog::browse()
 
 void ExportDialog::showInFolder()
 {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(m_written).path()));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(toQString(m_progress->followed()->job->plan.output.string())).path()));
 }
 
 void ExportDialog::showEvent(QShowEvent* event)
 {
     QDialog::showEvent(event);
-    if (!m_job.isRunning()) {
+    if (const QueuedExport* last = m_progress->followed(); last == nullptr || !last->isActive()) {
         m_first->setValue(m_player.first());
         m_last->setValue(m_player.last());
-        m_progress->forget();
-        m_written.clear();
+        m_progress->follow(0);
     }
-    followJob();
+    followPlan();
     fitScreen();
     emit shownChanged(true);
 }

@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
-#include "ui/export/export_job.h"
+#include "ui/export/export_queue.h"
 #include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
@@ -27,14 +27,14 @@ class FlipbookChoices;
 class PreviewPane;
 class ParameterRow;
 
-/// What is to be written and where; does not block the window it belongs to. Size and background are parameters of the document.
+/// What is to be written and where: adds it to the queue of exports. Does not block the window it belongs to. Size and background are parameters of the document.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// @param askForFile for the name of the file
     /// @param askForChoice what becomes of files that are there
-    ExportDialog(Document& document, Player& player, Locks& locks, ExportJob& job, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent);
+    ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
     void setKind(ExportKind kind);
@@ -42,6 +42,8 @@ public:
 signals:
     /// While it is open, the exported frame should be seen in the picture.
     void shownChanged(bool shown);
+    /// To the queue.
+    void added(const fumage::ExportPlan& plan);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -52,7 +54,7 @@ private:
     void buildForm();
     void buildProgress();
     void connectPlan();
-    void connectJob();
+    void connectButtons();
     /// As high as its contents, as far as the screen allows.
     void fitScreen();
     void followKind();
@@ -60,7 +62,7 @@ private:
     /// A person has named the file; its ending may name another format.
     void takePath(const QString& path);
     void followPlan();
-    void followJob();
+    void followProgress();
     void begin();
     void browse();
     void showInFolder();
@@ -69,7 +71,7 @@ private:
     Document& m_document;
     Player& m_player;
     Locks& m_locks;
-    ExportJob& m_job;
+    ExportQueue& m_queue;
     const AskForFile m_askForFile;
     const AskForChoice m_askForChoice;
     QComboBox* m_kind;
@@ -91,7 +93,6 @@ private:
     QPushButton* m_cancel;
     QPushButton* m_show;
     std::vector<ParameterRow*> m_rows;
-    QString m_written; ///< first file of the last export
     bool m_pathIsSuggested = true;
     int m_imageFormat = 0; ///< that was chosen last, for any kind of picture
 };

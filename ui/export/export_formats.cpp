@@ -21,6 +21,19 @@ std::optional<int> withEnding(std::string_view ending, const Formats& formats)
 
 } // namespace
 
+QString kindName(ExportKind kind)
+{
+    switch (kind) {
+    case ExportKind::Sequence: return ExportDialog::tr("Image sequence");
+    case ExportKind::Flipbook: return ExportDialog::tr("Flipbook");
+    case ExportKind::Video: return ExportDialog::tr("Video");
+    case ExportKind::Picture: return ExportDialog::tr("Single picture");
+    case ExportKind::NoiseTexture: return ExportDialog::tr("Noise texture");
+    case ExportKind::Particles: return ExportDialog::tr("Particles");
+    }
+    return {};
+}
+
 QStringList formatsOf(ExportKind kind)
 {
     switch (kind) {

@@ -8,6 +8,9 @@
 
 namespace fumage::ui {
 
+/// A kind in words.
+[[nodiscard]] QString kindName(ExportKind kind);
+
 /// The formats of a kind in words, in the order of ImageFormat, VideoFormat or ParticleFormat.
 [[nodiscard]] QStringList formatsOf(ExportKind kind);
 

@@ -1,6 +1,6 @@
 #include "ui/export/export_progress.h"
 
-#include <cmath>
+#include "ui/document/text.h"
 
 #include <QDir>
 #include <QLabel>
@@ -9,8 +9,9 @@
 
 namespace fumage::ui {
 
-ExportProgress::ExportProgress(const ExportJob& job, QWidget* parent)
+ExportProgress::ExportProgress(const ExportQueue& queue, QWidget* parent)
     : QWidget(parent)
+    , m_queue(queue)
     , m_bar(new QProgressBar(this))
     , m_state(new QLabel(this))
 {
@@ -24,42 +25,41 @@ ExportProgress::ExportProgress(const ExportJob& job, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_bar);
     layout->addWidget(m_state);
-    connect(&job, &ExportJob::started, this, &ExportProgress::begin);
-    connect(&job, &ExportJob::progressed, this, &ExportProgress::follow);
-    connect(&job, &ExportJob::preparing, this, &ExportProgress::say);
-    connect(&job, &ExportJob::finished, this, [this](const QString& firstFile, const QString& remark) {
-        const QString done = tr("Done: %1").arg(QDir::toNativeSeparators(firstFile));
-        end(remark.isEmpty() ? done : done + QLatin1Char('\n') + remark);
+    connect(&queue, &ExportQueue::changed, this, [this](quint64 id) {
+        if (const QueuedExport* one = followed(); one != nullptr && id == m_id) {
+            show(*one);
+            emit changed();
+        }
     });
-    connect(&job, &ExportJob::cancelled, this, [this] { end(tr("Cancelled. Files that were complete are kept.")); });
-    connect(&job, &ExportJob::failed, this, &ExportProgress::end);
-    if (job.isRunning()) {
-        begin();
+}
+
+void ExportProgress::follow(quint64 id)
+{
+    m_id = id;
+    if (const QueuedExport* one = followed()) {
+        show(*one);
+    } else {
+        say({});
     }
+    emit changed();
 }
 
-void ExportProgress::begin()
+void ExportProgress::show(const QueuedExport& one)
 {
-    m_bar->setRange(0, 0);
-    m_bar->show();
-    say({});
-}
-
-void ExportProgress::follow(int done, int total, double secondsLeft)
-{
-    m_bar->setRange(0, total);
-    m_bar->setValue(done);
-    say(tr("%1 of %2, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)));
-}
-
-void ExportProgress::end(const QString& outcome)
-{
-    m_bar->hide();
-    say(outcome);
+    if (one.state == ExportState::Done) {
+        const QString file = tr("Done: %1").arg(QDir::toNativeSeparators(toQString(firstFile(one.job->plan).string())));
+        say(one.remark.isEmpty() ? file : file + QLatin1Char('\n') + one.remark);
+    } else {
+        say(one.told);
+    }
+    m_bar->setVisible(one.isActive());
+    m_bar->setRange(0, one.total);
+    m_bar->setValue(one.done);
 }
 
 void ExportProgress::say(const QString& text)
 {
+    m_bar->hide();
     m_state->setText(text);
     m_state->setVisible(!text.isEmpty());
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/export/export_job.h"
+#include "ui/export/export_queue.h"
 
 #include <QWidget>
 
@@ -9,22 +9,30 @@ class QProgressBar;
 
 namespace fumage::ui {
 
-/// How far an export has come, and what became of the last one.
+/// How far one export of the queue is, and what became of it.
 class ExportProgress : public QWidget {
     Q_OBJECT
 
 public:
-    ExportProgress(const ExportJob& job, QWidget* parent);
+    ExportProgress(const ExportQueue& queue, QWidget* parent);
 
-    /// Says nothing more of the last export.
-    void forget() { say({}); }
-
-private:
-    void begin();
-    void follow(int done, int total, double secondsLeft);
-    void end(const QString& outcome);
+    /// From now on says how far this one is.
+    /// @param id 0: nothing more of any
+    void follow(quint64 id);
+    /// The one that is followed; null: none, or it is gone.
+    [[nodiscard]] const QueuedExport* followed() const { return m_queue.find(m_id); }
+    /// Says what keeps an export from being begun.
     void say(const QString& text);
 
+signals:
+    /// Its state, or how far it is.
+    void changed();
+
+private:
+    void show(const QueuedExport& one);
+
+    const ExportQueue& m_queue;
+    quint64 m_id = 0;
     QProgressBar* m_bar;
     QLabel* m_state;
 };

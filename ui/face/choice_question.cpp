@@ -13,6 +13,9 @@ int askInBox(QWidget* parent, const ChoiceQuestion& question)
     for (const QString& answer : question.answers) {
         // All of one role: else the desktop would put them into an order of its own.
         buttons += box.addButton(answer, MessageBox::ActionRole);
+        // The theme's least width would count as enough, and the box is as narrow as can be.
+        buttons.constLast()->ensurePolished();
+        buttons.constLast()->setMinimumWidth(buttons.constLast()->sizeHint().width());
     }
     box.setDefaultButton(qobject_cast<QPushButton*>(buttons.constFirst()));
     box.setEscapeButton(buttons.constLast());

@@ -1,5 +1,6 @@
 #include "ui/shell/docks.h"
 
+#include "ui/export/queue_panel.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/parameter_rows.h"
@@ -36,25 +37,28 @@ void bringToFront(QDockWidget& dock)
 
 } // namespace
 
-Docks::Docks(QMainWindow& window, Document& document, Locks& locks)
+Docks::Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue& exports, const AskForFile& askForFile)
     : m_window(window)
+    , m_exports(exports)
     , m_browser(new PresetBrowser)
     , m_effectPanel(new EffectPanel(document, locks))
     , m_noisePane(new NoisePane(document))
+    , m_queuePanel(new QueuePanel(exports, askForFile))
     , m_presets(makeDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser))
     , m_parameters(makeDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel))
     , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), m_noisePane))
     , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), makeHistory(document)))
     , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new VariationsPanel(document, locks)))
+    , m_queue(makeDock(QStringLiteral("dock.queue"), tr("Exports"), m_queuePanel))
 {
     constexpr std::array kBesideTheNoise{&knownParameter("noise.octaves"), &knownParameter("noise.sharpness")};
     m_noisePane->addControls(new ParameterRows(kBesideTheNoise, QStringLiteral("noisePane/"), document, locks));
     arrange();
 }
 
-std::array<QDockWidget*, 5> Docks::all() const
+std::array<QDockWidget*, 6> Docks::all() const
 {
-    return {m_presets.get(), m_noise.get(), m_history.get(), m_variations.get(), m_parameters.get()};
+    return {m_presets.get(), m_noise.get(), m_history.get(), m_variations.get(), m_parameters.get(), m_queue.get()};
 }
 
 Docks::Dock Docks::makeDock(const QString& name, const QString& title, QWidget* content)
@@ -80,7 +84,7 @@ void Docks::arrange()
 {
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
-        dock->show();
+        dock->setVisible(dock != m_queue.get() || m_exports.rowCount() > 0);
     }
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_presets.get());
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_noise.get());
@@ -93,6 +97,8 @@ void Docks::arrange()
         m_window.tabifyDockWidget(m_presets.get(), m_noise.get());
         m_presets->raise();
     }
+    m_window.tabifyDockWidget(m_presets.get(), m_queue.get());
+    m_presets->raise();
     m_window.addDockWidget(Qt::RightDockWidgetArea, m_parameters.get());
     m_window.tabifyDockWidget(m_parameters.get(), m_variations.get());
     m_window.tabifyDockWidget(m_variations.get(), m_history.get());
@@ -124,6 +130,11 @@ void Docks::setPutAway(bool away)
 void Docks::showVariations()
 {
     bringToFront(*m_variations);
+}
+
+void Docks::showQueue()
+{
+    bringToFront(*m_queue);
 }
 
 void Docks::searchParameters()

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
+#include "ui/face/file_question.h"
 
 #include <QByteArray>
 #include <QDockWidget>
@@ -15,8 +16,10 @@ class QMenu;
 namespace fumage::ui {
 
 class EffectPanel;
+class ExportQueue;
 class NoisePane;
 class PresetBrowser;
+class QueuePanel;
 class VariationsPanel;
 
 /// The panels of a window in their docks, which can be moved, put behind one another and put away.
@@ -24,15 +27,18 @@ class Docks : public QObject {
     Q_OBJECT
 
 public:
-    Docks(QMainWindow& window, Document& document, Locks& locks);
+    /// @param askForFile for the names of files that panels write
+    Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue& exports, const AskForFile& askForFile);
 
     [[nodiscard]] EffectPanel& effectPanel() const { return *m_effectPanel; }
     [[nodiscard]] NoisePane& noisePane() const { return *m_noisePane; }
     [[nodiscard]] PresetBrowser& browser() const { return *m_browser; }
+    [[nodiscard]] QueuePanel& queuePanel() const { return *m_queuePanel; }
 
-    /// Puts all panels where they belong, in sight.
+    /// Puts all panels where they belong, in sight; that of the exports where there are any.
     void arrange();
     void showVariations();
+    void showQueue();
     void searchParameters();
     /// Goes to the editor of a parameter.
     void showParameter(const QString& key);
@@ -44,17 +50,20 @@ public:
 private:
     using Dock = std::unique_ptr<QDockWidget>;
     [[nodiscard]] Dock makeDock(const QString& name, const QString& title, QWidget* content);
-    [[nodiscard]] std::array<QDockWidget*, 5> all() const;
+    [[nodiscard]] std::array<QDockWidget*, 6> all() const;
 
     QMainWindow& m_window;
+    const ExportQueue& m_exports;
     PresetBrowser* m_browser;
     EffectPanel* m_effectPanel;
     NoisePane* m_noisePane;
+    QueuePanel* m_queuePanel;
     Dock m_presets;
     Dock m_parameters;
     Dock m_noise;
     Dock m_history;
     Dock m_variations;
+    Dock m_queue;
     QByteArray m_before; ///< the layout before the panels were put away; empty: they are not
 };
 

@@ -1,12 +1,10 @@
 #include "ui/shell/export_desk.h"
 
+#include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/shell/action_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
 #include <QScreen>
 
@@ -24,19 +22,20 @@ void placeBeside(const QWidget& window, QWidget& dialog)
 
 } // namespace
 
-ExportDesk::ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window)
-    : m_document(document)
+ExportDesk::ExportDesk(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window)
+    : m_queue(queue)
+    , m_document(document)
     , m_player(player)
     , m_locks(locks)
     , m_frame(actions.get("view.frame"))
     , m_askForFile(askForFile)
     , m_askForChoice(askForChoice)
     , m_window(window)
-    , m_job(std::make_unique<ExportJob>())
 {
     actions.on("file.export", this, [this] { openDialog(); });
-    actions.on("file.exportAgain", this, &ExportDesk::exportAgain);
-    connectNews();
+    actions.on("file.exportAgain", this, &ExportDesk::exportLastAgain);
+    connect(&queue, &ExportQueue::changed, this, &ExportDesk::tell);
+    connect(&queue, &ExportQueue::notKept, this, [this](const QString& message) { emit news(tr("The queue of exports cannot be kept safe: %1").arg(message), 0); });
 }
 
 ExportDesk::~ExportDesk() = default;
@@ -44,9 +43,13 @@ ExportDesk::~ExportDesk() = default;
 ExportDialog& ExportDesk::openDialog()
 {
     if (m_dialog == nullptr) {
-        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, *m_job, m_askForFile, m_askForChoice, m_window);
+        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_queue, m_askForFile, m_askForChoice, m_window);
         connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnClash.reset(); });
         connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
+        connect(m_dialog.get(), &ExportDialog::added, this, [this](const ExportPlan& plan) {
+            m_last = plan;
+            emit added();
+        });
     }
     const bool wasOpen = m_dialog->isVisible();
     m_dialog->show();
@@ -57,62 +60,44 @@ ExportDialog& ExportDesk::openDialog()
     return *m_dialog;
 }
 
-void ExportDesk::exportAgain()
+void ExportDesk::exportLastAgain()
 {
-    if (!m_job->lastPlan()) {
+    if (m_last) {
+        exportAgain(ExportPlan(*m_last)); // a copy: it becomes the last
+    } else {
         openDialog();
+    }
+}
+
+void ExportDesk::exportAgain(const ExportPlan& plan)
+{
+    std::optional<ExportPlan> wanted = settled(m_window, m_askForChoice, m_queue, plan, m_againOnClash);
+    if (!wanted) {
         return;
     }
-    if (m_job->isRunning()) {
+    wanted->source = m_document.filePath().toStdString();
+    const Result<quint64> id = m_queue.add({m_document.displayName().toStdString(), m_document.preset(), *wanted});
+    if (!id) {
+        emit news(told(id.error()), 0);
         return;
     }
-    ExportPlan plan = *m_job->lastPlan();
-    if (const QStringList there = filesThere(plan); !there.isEmpty()) {
-        const OnClash answer = m_againOnClash ? *m_againOnClash : askOnClash(m_window, m_askForChoice, there);
-        if (answer == OnClash::Cancel) {
-            return;
-        }
-        m_againOnClash = answer;
-        if (answer == OnClash::NumberOn) {
-            plan = numberedOn(plan);
-        }
-    }
-    m_job->start(m_document.effect(), plan);
+    m_last = std::move(wanted);
+    emit added();
 }
 
-ExportDesk::Leaving ExportDesk::askBeforeLeaving() const
-{
-    if (!m_job->isRunning()) {
-        return Leaving::Stop;
-    }
-    const int answer = m_askForChoice(m_window,
-        {.name = QStringLiteral("exportRunsBox"),
-            .title = tr("Export"),
-            .text = tr("An export is being written."),
-            .answers = {tr("Finish in the background and close"), tr("Stop the export and close"), tr("Cancel")}});
-    constexpr std::array kAnswers{Leaving::Finish, Leaving::Stop, Leaving::Stay};
-    return kAnswers[static_cast<std::size_t>(answer)];
-}
-
-std::unique_ptr<ExportJob> ExportDesk::takeJob()
-{
-    m_dialog.reset(); // it shows that job
-    m_job->disconnect(this);
-    std::unique_ptr<ExportJob> job = std::exchange(m_job, std::make_unique<ExportJob>());
-    connectNews();
-    return job;
-}
-
-void ExportDesk::connectNews()
+void ExportDesk::tell(quint64 id)
 {
     constexpr int kShownMs = 8000;
-    connect(m_job.get(), &ExportJob::progressed, this, [this](int done, int total, double secondsLeft) {
-        emit news(tr("Exporting: %1 of %2 files, %3 s left").arg(done).arg(total).arg(std::ceil(secondsLeft)), 0);
-    });
-    connect(m_job.get(), &ExportJob::preparing, this, [this](const QString& what) { emit news(tr("Exporting. %1").arg(what), 0); });
-    connect(m_job.get(), &ExportJob::finished, this, [this](const QString& file) { emit news(tr("Exported %1").arg(file), kShownMs); });
-    connect(m_job.get(), &ExportJob::cancelled, this, [this] { emit news(tr("Export cancelled"), kShownMs); });
-    connect(m_job.get(), &ExportJob::failed, this, [this](const QString& message) { emit news(tr("Export failed: %1").arg(message), 0); });
+    const QueuedExport& one = *m_queue.find(id);
+    const QString name = toQString(one.job->name);
+    switch (one.state) {
+    case ExportState::Running: emit news(tr("Exporting “%1”: %2").arg(name, one.told), 0); break;
+    case ExportState::Done: emit news(tr("Exported %1").arg(toQString(firstFile(one.job->plan).string())), kShownMs); break;
+    case ExportState::Cancelled: emit news(tr("Export cancelled"), kShownMs); break;
+    case ExportState::Failed: emit news(tr("Export failed: %1").arg(one.told), 0); break;
+    case ExportState::Held:
+    case ExportState::Waiting: break;
+    }
 }
 
 } // namespace fumage::ui

@@ -3,7 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 #include "ui/export/export_clash.h"
-#include "ui/export/export_job.h"
+#include "ui/export/export_queue.h"
 #include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
@@ -18,38 +18,32 @@ namespace fumage::ui {
 class ActionSet;
 class ExportDialog;
 
-/// The exports of one window: the job, the dialog that begins it, and the news of it for those who have closed the dialog.
+/// The exports of one window: the dialog that adds them to the program's queue, and the news of the queue for those who look at neither.
 class ExportDesk : public QObject {
     Q_OBJECT
 
 public:
     /// @param askForFile for the names of files
     /// @param window parent of the dialog
-    ExportDesk(Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window);
+    ExportDesk(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window);
     ~ExportDesk() override;
 
-    [[nodiscard]] ExportJob& job() { return *m_job; }
     ExportDialog& openDialog();
-    /// The same again; asks where nothing has been exported yet, and once what becomes of files that are there.
-    void exportAgain();
-
-    /// What becomes of an export that runs when its window closes.
-    enum class Leaving {
-        Stop, ///< also where none runs
-        Finish, ///< whoever asked takes the job
-        Stay, ///< the window does not close
-    };
-    [[nodiscard]] Leaving askBeforeLeaving() const;
-    /// The job that runs; the desk goes on with another.
-    [[nodiscard]] std::unique_ptr<ExportJob> takeJob();
+    /// What was exported last from this window, with the smoke as it is now; opens the dialog where nothing has been.
+    void exportLastAgain();
+    /// The same of any plan; asks once what becomes of files that are there.
+    void exportAgain(const ExportPlan& plan);
 
 signals:
     /// @param forMs how long it is of interest; 0: until the next news
     void news(const QString& message, int forMs);
+    /// To the queue.
+    void added();
 
 private:
-    void connectNews();
+    void tell(quint64 id);
 
+    ExportQueue& m_queue;
     Document& m_document;
     Player& m_player;
     Locks& m_locks;
@@ -57,7 +51,7 @@ private:
     const AskForFile& m_askForFile;
     const AskForChoice& m_askForChoice;
     QWidget* m_window;
-    std::unique_ptr<ExportJob> m_job;
+    std::optional<ExportPlan> m_last; ///< that was added to the queue
     std::optional<OnClash> m_againOnClash; ///< what was answered last time, until the dialog is seen
     std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for
 };

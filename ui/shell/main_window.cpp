@@ -2,6 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
+#include "ui/export/queue_panel.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/start_dialog.h"
@@ -45,11 +46,11 @@ MainWindow::MainWindow(Session& session)
     , m_recovery(m_document, QDir(Settings::recoveryFolder()))
     , m_viewport(std::make_unique<Viewport>(m_document, m_player, session.glSupport()))
     , m_timeline(std::make_unique<TimelineBar>(m_document, m_player))
-    , m_docks(*this, m_document, m_locks)
+    , m_docks(*this, m_document, m_locks, session.exports(), session.askForFile())
     , m_editActions(m_actions, m_document, m_locks)
     , m_viewActions(m_actions, m_document, *m_viewport, *this)
     , m_comparison(m_document, *m_viewport, m_actions)
-    , m_exports(m_document, m_player, m_locks, m_actions, session.askForFile(), session.askForChoice(), this)
+    , m_exports(session.exports(), m_document, m_player, m_locks, m_actions, session.askForFile(), session.askForChoice(), this)
     , m_drops(*this, m_files, m_docks.browser().list())
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -62,6 +63,7 @@ MainWindow::MainWindow(Session& session)
     connectPlayActions(m_actions, m_player);
     connectWindowActions();
     connectPresets();
+    connectExports();
     connectStatus();
     connect(&m_document, &Document::titleChanged, &m_ear, [this] { showTitle(); });
     connect(&m_document, &Document::loaded, &m_ear, [this] { showTitle(); });
@@ -145,7 +147,6 @@ void MainWindow::connectWindowActions()
     m_actions.on("help.reference", this, [this] { showReference(this); });
     m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
     m_actions.on("help.about", this, [this] { showAbout(this); });
-    connect(&m_docks.noisePane(), &NoisePane::exportRequested, &m_exports, [this] { m_exports.openDialog().setKind(ExportKind::NoiseTexture); });
 }
 
 void MainWindow::connectPresets()
@@ -160,6 +161,20 @@ void MainWindow::connectPresets()
     connect(&browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
     connect(&settings, &Settings::favouritesChanged, &browser, [&browser, &settings] { browser.setFavourites(settings.favourites()); });
     connect(&m_files, &DocumentFiles::libraryChanged, &browser.list(), &PresetList::reload);
+}
+
+void MainWindow::connectExports()
+{
+    connect(&m_docks.noisePane(), &NoisePane::exportRequested, &m_exports, [this] { m_exports.openDialog().setKind(ExportKind::NoiseTexture); });
+    connect(&m_docks.queuePanel(), &QueuePanel::againRequested, &m_exports, &ExportDesk::exportAgain);
+    connect(&m_docks.queuePanel(), &QueuePanel::failed, &m_ear, [this](const QString& message) { notify(message); });
+    connect(&m_exports, &ExportDesk::added, &m_docks, [this] {
+        // The panel comes by itself once; where it is then is up to the user.
+        if (!m_session.settings().knowsQueue()) {
+            m_session.settings().setKnowsQueue(true);
+            m_docks.showQueue();
+        }
+    });
 }
 
 void MainWindow::connectStatus()
@@ -213,13 +228,9 @@ void MainWindow::showTitle()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    const auto leaving = m_files.mayLeave() ? m_exports.askBeforeLeaving() : ExportDesk::Leaving::Stay;
-    if (leaving == ExportDesk::Leaving::Stay) {
+    if (!m_files.mayLeave() || !m_session.mayClose(*this)) {
         event->ignore();
         return;
-    }
-    if (leaving == ExportDesk::Leaving::Finish && m_exports.job().isRunning()) {
-        m_session.finish(m_exports.takeJob());
     }
     m_actions.get("view.smokeOnly").setChecked(false); // is not remembered
     saveLayout(*this, m_docks, m_viewActions, m_session.settings());

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] Player& player() { return m_player; }
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
     [[nodiscard]] NoisePane& noisePane() { return m_docks.noisePane(); }
-    [[nodiscard]] ExportJob& exportJob() { return m_exports.job(); }
+    [[nodiscard]] Docks& docks() { return m_docks; }
     [[nodiscard]] Recovery& recovery() { return m_recovery; }
     [[nodiscard]] DocumentFiles& files() { return m_files; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
@@ -54,6 +54,7 @@ private:
     void connectFileActions();
     void connectWindowActions();
     void connectPresets();
+    void connectExports();
     void connectStatus();
     void searchCommands();
     void showTitle();

@@ -1,10 +1,11 @@
 #include "ui/shell/session.h"
 
-#include "ui/export/export_job.h"
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
 #include "core/base/parallel.h"
+
+#include <algorithm>
 
 #include <QApplication>
 #include <QEventLoopLocker>
@@ -34,7 +35,9 @@ Session::Session(AskForFile askForFile, AskForChoice askForChoice, QObject* pare
     , m_askForChoice(std::move(askForChoice))
     , m_desktopIsDark(isDark(QApplication::palette()))
     , m_glSupport(probeOpenGl())
+    , m_exports(QDir(Settings::queueFolder()))
 {
+    connectExports();
     computeInBackground();
     ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
     qApp->installEventFilter(new KeyGuard(this));
@@ -77,6 +80,7 @@ void Session::start(const QStringList& files)
     if (left.works.empty() && files.isEmpty()) {
         openWindow()->begin();
     }
+    offerExports();
     if (!remark.isEmpty()) {
         m_windows.constLast()->notify(remark);
     }
@@ -91,18 +95,53 @@ void Session::closeAll()
     }
 }
 
-void Session::finish(std::unique_ptr<ExportJob> job)
+bool Session::isLast(const MainWindow& window) const
 {
-    ExportJob* kept = job.release();
-    kept->setParent(this);
-    const auto lock = std::make_shared<QEventLoopLocker>();
-    const auto end = [kept, lock] { kept->deleteLater(); };
-    connect(kept, &ExportJob::finished, kept, end);
-    connect(kept, &ExportJob::cancelled, kept, end);
-    connect(kept, &ExportJob::failed, kept, [this, end](const QString& message) {
-        m_askForChoice(nullptr, {.name = QStringLiteral("exportFailedBox"), .title = tr("Export"), .text = tr("Export failed: %1").arg(message), .answers = {tr("Close")}});
-        end();
+    return std::none_of(m_windows.begin(), m_windows.end(), [&](const QPointer<MainWindow>& other) { return other && other != &window && other->isVisible(); });
+}
+
+bool Session::mayClose(MainWindow& window)
+{
+    if (m_exports.active() == 0 || !isLast(window)) {
+        return true;
+    }
+    const int answer = m_askForChoice(&window,
+        {.name = QStringLiteral("exportRunsBox"),
+            .title = tr("Exports"),
+            .text = tr("Exports that are not finished: %1").arg(m_exports.active()),
+            .answers = {tr("Finish in the background and close"), tr("Stop them and close"), tr("Cancel")}});
+    constexpr int kFinish = 0;
+    constexpr int kStop = 1;
+    if (answer == kStop) {
+        m_exports.stopAll();
+    } else if (answer == kFinish && m_exports.active() > 0) { // while one thought about it they may have ended
+        m_untilExported = std::make_shared<QEventLoopLocker>();
+    }
+    return answer == kFinish || answer == kStop;
+}
+
+void Session::connectExports()
+{
+    connect(&m_exports, &ExportQueue::ended, this, [this](quint64 id) {
+        const QueuedExport* one = m_exports.find(id);
+        if (m_untilExported && one != nullptr && one->state == ExportState::Failed) { // there is no window that says it
+            m_askForChoice(nullptr, {.name = QStringLiteral("exportFailedBox"), .title = tr("Export"), .text = tr("Export failed: %1").arg(one->told), .answers = {tr("Close")}});
+        }
     });
+    connect(&m_exports, &ExportQueue::emptied, this, [this] { m_untilExported.reset(); });
+}
+
+void Session::offerExports()
+{
+    const QStringList unreadable = m_exports.takeLeftovers();
+    MainWindow* window = m_windows.constLast();
+    if (!unreadable.isEmpty()) {
+        window->notify(tr("A list of exports cannot be read. It stays where it is: %1").arg(unreadable.join(QStringLiteral(", "))));
+    }
+    if (const int left = m_exports.held(); left > 0) {
+        QMetaObject::invokeMethod(&window->docks(), &Docks::showQueue, Qt::QueuedConnection); // once the panels have their places
+        window->notify(tr("Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.").arg(left));
+    }
 }
 
 void Session::applyTheme(Theme theme)

@@ -18,12 +18,19 @@ const QString kTheme = QStringLiteral("face/theme");
 const QString kLanguage = QStringLiteral("face/language");
 const QString kNavigation = QStringLiteral("viewport/navigation");
 const QString kStart = QStringLiteral("start/shown");
+const QString kKnowsQueue = QStringLiteral("exports/shown");
 
 /// A number that an older or newer version may have written, as an enumerator that this one knows.
 template <class Enum>
 Enum known(const QVariant& value, Enum last)
 {
     return static_cast<Enum>(std::clamp(value.toInt(), 0, static_cast<int>(last)));
+}
+
+/// Where the program keeps what is not a setting.
+QString dataFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fumage");
 }
 
 } // namespace
@@ -126,6 +133,16 @@ void Settings::setShowsStartDialog(bool shows)
     m_settings.setValue(kStart, shows);
 }
 
+bool Settings::knowsQueue() const
+{
+    return m_settings.value(kKnowsQueue, false).toBool();
+}
+
+void Settings::setKnowsQueue(bool knows)
+{
+    m_settings.setValue(kKnowsQueue, knows);
+}
+
 QByteArray Settings::bytes(const QString& key) const
 {
     return m_settings.value(key).toByteArray();
@@ -148,7 +165,12 @@ void Settings::setList(const QString& key, const QStringList& value)
 
 QString Settings::recoveryFolder()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fumage/recovery");
+    return dataFolder() + QStringLiteral("/recovery");
+}
+
+QString Settings::queueFolder()
+{
+    return dataFolder() + QStringLiteral("/exports");
 }
 
 } // namespace fumage::ui

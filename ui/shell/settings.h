@@ -36,6 +36,10 @@ public:
     [[nodiscard]] bool showsStartDialog() const;
     void setShowsStartDialog(bool shows);
 
+    /// Whether the panel of exports has come by itself, which it does once.
+    [[nodiscard]] bool knowsQueue() const;
+    void setKnowsQueue(bool knows);
+
     [[nodiscard]] QByteArray bytes(const QString& key) const;
     void setBytes(const QString& key, const QByteArray& value);
     [[nodiscard]] QStringList list(const QString& key, const QStringList& otherwise) const;
@@ -43,6 +47,8 @@ public:
 
     /// Where unsaved work is kept.
     [[nodiscard]] static QString recoveryFolder();
+    /// Where exports that are not done are kept.
+    [[nodiscard]] static QString queueFolder();
 
 signals:
     void recentFilesChanged();

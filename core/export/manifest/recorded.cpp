@@ -1,6 +1,7 @@
 #include "core/export/manifest/recorded.h"
 
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/picture_files/picture_notes.h"
 #include "core/picture_files/picture_pixels.h"
@@ -67,7 +68,7 @@ Result<SequenceOptions> sequenceOf(const ManifestJob& job)
         const auto found = job.settings.find(key);
         return found == job.settings.end() ? std::string() : found->second;
     };
-    const std::optional<ImageFormat> format = imageFormatNamed(setting("format"));
+    const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(setting("format"));
     const Result<FrameRange> step = parseFrameRange("0:" + setting("step"));
     const PassSet passes = passesNamed(setting("passes"));
     if (job.kind != kFramesKind || !format || !step || passes == PassSet()) {

@@ -1,6 +1,8 @@
-#include "ui/export/export_job.h"
+#include "ui/export/export_worker.h"
 
 #include "ui/document/text.h"
+
+#include "core/base/parallel.h"
 
 #include <system_error>
 
@@ -9,27 +11,26 @@
 
 namespace fumage::ui {
 
-ExportJob::ExportJob(QObject* parent)
+ExportWorker::ExportWorker(QObject* parent)
     : QObject(parent)
 {
 }
 
-void ExportJob::start(const Effect& effect, const ExportPlan& plan)
+void ExportWorker::start(std::shared_ptr<const ExportJob> job)
 {
-    if (m_running) {
+    if (isRunning()) {
         return;
     }
-    m_running = true;
-    m_lastPlan = plan;
+    m_job = std::move(job);
     m_timer.start();
     m_hasBegun = false;
-    emit started();
-    const auto work = [this, effect, plan](const std::stop_token& stop) {
+    const auto work = [this, job = m_job](const std::stop_token& stop) {
         const auto report = [this](Work part, int done, int total) {
             QMetaObject::invokeMethod(
                 this, [this, part, done, total] { tell(part, done, total); }, Qt::QueuedConnection);
         };
-        const Result<std::optional<Flipbook>> result = runExport(effect, plan, report, stop);
+        Result<std::optional<Flipbook>> result = std::optional<Flipbook>();
+        runBehindOthers([&] { result = runJob(*job, report, stop); });
         QMetaObject::invokeMethod(
             this, [this, result] { end(result); }, Qt::QueuedConnection);
     };
@@ -40,7 +41,7 @@ void ExportJob::start(const Effect& effect, const ExportPlan& plan)
     }
 }
 
-void ExportJob::tell(Work work, int done, int total)
+void ExportWorker::tell(Work work, int done, int total)
 {
     if (work == Work::Frames) {
         m_hasBegun = true;
@@ -58,17 +59,16 @@ void ExportJob::tell(Work work, int done, int total)
     }
 }
 
-void ExportJob::cancel()
+void ExportWorker::cancel()
 {
     m_thread.request_stop();
 }
 
-void ExportJob::end(const Result<std::optional<Flipbook>>& result)
+void ExportWorker::end(const Result<std::optional<Flipbook>>& result)
 {
-    m_running = false;
+    m_job.reset();
     if (result) {
-        const QString remark = result.value() && result.value()->cutOff ? complaint(*result.value()->cutOff) : QString();
-        emit finished(toQString(firstFile(*m_lastPlan).string()), remark);
+        emit finished(result.value() && result.value()->cutOff ? complaint(*result.value()->cutOff) : QString());
     } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {
@@ -76,7 +76,7 @@ void ExportJob::end(const Result<std::optional<Flipbook>>& result)
     }
 }
 
-QString ExportJob::complaint(const CutOff& cut)
+QString ExportWorker::complaint(const CutOff& cut)
 {
     QStringList edges;
     for (const auto& [reached, name] : {std::pair{cut.left, tr("left")}, std::pair{cut.right, tr("right")}, std::pair{cut.top, tr("top")}, std::pair{cut.bottom, tr("bottom")}}) {

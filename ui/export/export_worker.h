@@ -1,39 +1,36 @@
 #pragma once
 
-#include "core/export/plan.h"
+#include "core/export/jobs.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
-#include <optional>
+#include <memory>
 #include <thread>
 
 namespace fumage::ui {
 
-/// One export at a time, on a thread of its own, while the artist goes on working.
-class ExportJob : public QObject {
+/// Does one export at a time, on a thread of its own and behind all else that the program computes.
+class ExportWorker : public QObject {
     Q_OBJECT
 
 public:
-    explicit ExportJob(QObject* parent = nullptr);
+    explicit ExportWorker(QObject* parent = nullptr);
 
-    [[nodiscard]] bool isRunning() const { return m_running; }
-    /// The plan of the last export that was begun.
-    [[nodiscard]] const std::optional<ExportPlan>& lastPlan() const { return m_lastPlan; }
+    [[nodiscard]] bool isRunning() const { return m_job != nullptr; }
 
-    /// @param effect copied: later changes do not touch what is being written
-    void start(const Effect& effect, const ExportPlan& plan);
+    /// Does nothing while one runs.
+    void start(std::shared_ptr<const ExportJob> job);
     void cancel();
 
 signals:
-    void started();
     /// @param secondsLeft less than 0 while it cannot be told
     void progressed(int done, int total, double secondsLeft);
     /// What leads to the first picture, in words.
     void preparing(const QString& what);
     /// @param remark what the artist should know of the result; empty: nothing
-    void finished(const QString& firstFile, const QString& remark);
+    void finished(const QString& remark);
     void cancelled();
     void failed(const QString& message);
 
@@ -42,9 +39,8 @@ private:
     void tell(Work work, int done, int total);
     void end(const Result<std::optional<Flipbook>>& result);
 
-    std::optional<ExportPlan> m_lastPlan;
+    std::shared_ptr<const ExportJob> m_job; ///< null: none runs
     QElapsedTimer m_timer; ///< since the first picture was begun
-    bool m_running = false;
     bool m_hasBegun = false; ///< whether a picture is done
     std::jthread m_thread;
 };

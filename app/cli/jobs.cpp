@@ -1,0 +1,94 @@
+#include "app/cli/jobs.h"
+
+#include "app/cli/command.h"
+#include "app/cli/interruption.h"
+#include "app/cli/json_answer.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/progress.h"
+
+#include "core/base/text.h"
+#include "core/export/job_file.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace fumage::cli {
+
+namespace {
+
+Result<std::vector<ExportJob>> load(const std::string& file)
+{
+    Result<JobsReading> reading = JobsReading();
+    if (file == kStandardStream) {
+        const Result<std::string> text = readStandardInput(kMaxJobsBytes);
+        reading = text ? parseJobs(text.value(), "standard input") : text.error();
+    } else {
+        reading = readJobsFile(file);
+    }
+    if (!reading) {
+        return reading.error();
+    }
+    for (const Message& warning : reading.value().warnings) {
+        warn(warning.text());
+    }
+    const Status apart = checkJobs(reading.value().jobs);
+    return apart ? Result<std::vector<ExportJob>>(std::move(reading).value().jobs) : apart.error();
+}
+
+/// One job of a list with what became of it, for programs.
+nlohmann::ordered_json answerOf(const ExportJob& job, const Result<std::optional<Flipbook>>& done)
+{
+    nlohmann::ordered_json answer{{"name", job.name}, {"outcome", done ? "done" : "failed"}};
+    if (!done) {
+        answer["error"] = done.error().text();
+        return answer;
+    }
+    const Written written = writtenBy(job.plan, done.value());
+    answer["files"] = written.count;
+    answer["first"] = written.first.string();
+    answer["last"] = written.last.string();
+    return answer;
+}
+
+} // namespace
+
+Status doJobs(const std::string& file, bool asJson)
+{
+    const Result<std::vector<ExportJob>> jobs = load(file);
+    if (!jobs) {
+        return jobs.error();
+    }
+    const std::size_t total = jobs.value().size();
+    std::vector<ErrorCode> failures;
+    nlohmann::ordered_json answers = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < total; ++i) {
+        const ExportJob& job = jobs.value()[i];
+        const std::string name = printable(job.name);
+        tell("job " + std::to_string(i + 1) + " of " + std::to_string(total) + ": " + name);
+        Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
+        {
+            ProgressBar bar("Rendering");
+            done = runJob(job, bar.listener(), interruption());
+        }
+        if (!done && done.error().code == ErrorCode::Cancelled) {
+            return done.error();
+        }
+        if (done) {
+            tellWritten(writtenBy(job.plan, done.value()));
+        } else {
+            failures.push_back(done.error().code);
+            std::cerr << "fumage-cli: " << name << ": " << printable(done.error().text()) << '\n';
+        }
+        answers.push_back(answerOf(job, done));
+    }
+    const Status answered = asJson ? printJson({{"done", total - failures.size()}, {"failed", failures.size()}, {"jobs", answers}}) : Status(Done{});
+    if (!answered || failures.empty()) {
+        return answered;
+    }
+    // As long as one cannot be mended by trying again, the list cannot.
+    const auto lasting = std::ranges::find_if(failures, [](ErrorCode code) { return exitCodeOf(code) != kTryAgain; });
+    const ErrorCode code = lasting == failures.end() ? failures.front() : *lasting;
+    return Error{code, said("%1 of %2 jobs failed", failures.size(), total), file, said("Mend what is said above, and do them again")};
+}
+
+} // namespace fumage::cli

@@ -1,0 +1,227 @@
+#include "core/export/job_file.h"
+
+#include "core/base/memory.h"
+#include "core/base/text.h"
+#include "core/export/job_fields.h"
+#include "core/export/output_name.h"
+#include "core/preset/library.h"
+#include "core/preset/preset_node.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::string_view kPreset = "preset";
+
+/// The format of this kind that the ending of an output asks for, where it asks for one.
+template <class Format, std::size_t kCount>
+void takeEnding(const std::filesystem::path& output, const std::array<Format, kCount>& formats, Format& format)
+{
+    const std::string ending = endingOf(output);
+    const auto* const found = std::find_if(formats.begin(), formats.end(), [&](Format each) { return fileEnding(each) == ending; });
+    format = found == formats.end() ? format : *found;
+}
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& place)
+        : m_text(text)
+        , m_place(place)
+    {
+    }
+
+    Result<JobsReading> read()
+    {
+        if (m_text.size() > kMaxJobsBytes) {
+            return Error{ErrorCode::TooLarge, said("a list of jobs of %1 bytes", m_text.size()), m_place, said("Lists have at most %1", kMaxJobsBytes)};
+        }
+        const Result<JsonNode> root = parseJson(m_text);
+        if (!root) {
+            Error error = root.error();
+            error.place = placed(error.place);
+            return error;
+        }
+        const Result<const JsonNode*> list = listIn(root.value());
+        if (!list) {
+            return list.error();
+        }
+        for (const JsonNode& node : list.value()->items) {
+            if (Status status = readJob(node); !status) {
+                return status.error();
+            }
+        }
+        return std::move(m_reading);
+    }
+
+private:
+    [[nodiscard]] Message placed(const Message& inText) const { return m_place.empty() ? inText : said("%1, %2", m_place, inText); }
+
+    [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
+    {
+        return {code, std::move(message), placed(placeInText(m_text, node.begin)), std::move(remedy)};
+    }
+
+    [[nodiscard]] Result<const JsonNode*> listIn(const JsonNode& root) const
+    {
+        const JsonNode* format = root.find("format");
+        if (format == nullptr || format->string != kJobsFormat) {
+            return errorAt(format == nullptr ? root : *format, ErrorCode::WrongType, said("this JSON is not a list of Fumage's jobs"), said("A list begins with \"format\": \"fumage-jobs\""));
+        }
+        const JsonNode* version = root.find("version");
+        if (version == nullptr || version->type != JsonNode::Type::Number || !version->isWhole || version->number < 1.0 || version->number > kJobsVersion) {
+            return errorAt(version == nullptr ? root : *version, ErrorCode::WrongVersion, said("the version of the list is missing, or not one up to %1, which this program reads", kJobsVersion), said("Open it with a newer Fumage"));
+        }
+        const JsonNode* jobs = root.find("jobs");
+        if (jobs == nullptr || jobs->type != JsonNode::Type::Array) {
+            return errorAt(jobs == nullptr ? root : *jobs, ErrorCode::WrongType, said("%1: expected a list in brackets [ ]", "jobs"), {});
+        }
+        if (jobs->items.size() > kMostJobs) {
+            return errorAt(*jobs, ErrorCode::TooLarge, said("a list of %1 jobs", jobs->items.size()), said("Lists have at most %1", kMostJobs));
+        }
+        return jobs;
+    }
+
+    Status readJob(const JsonNode& node)
+    {
+        if (node.type != JsonNode::Type::Object) {
+            return errorAt(node, ErrorCode::WrongType, said("a job is an object in braces { }"), {});
+        }
+        if (Status status = checkKeys(node); !status) {
+            return status;
+        }
+        ExportJob job;
+        job.plan.project = Preset();
+        for (const JobField& field : jobFields()) {
+            const JsonNode* value = node.find(field.key);
+            if (Status status = value == nullptr ? Status(Done{}) : field.read(*value, m_text, job); !status) {
+                return errorAt(*value, status.error().code, said("%1: %2", std::string(field.key), status.error().message), status.error().remedy);
+            }
+            if (field.key == "format" && value == nullptr) {
+                takeFormatOfOutput(job.plan);
+            }
+        }
+        if (Status status = readPresetOf(node, job); !status) {
+            return status;
+        }
+        if (job.plan.output.filename().empty()) {
+            return errorAt(node, ErrorCode::WrongType, said("the job %1 names no file that it writes", inQuotes(job.name)), said("Write \"output\": \"smoke.png\""));
+        }
+        complete(node, job);
+        m_reading.jobs.push_back(std::move(job));
+        return Done{};
+    }
+
+    [[nodiscard]] Status checkKeys(const JsonNode& node) const
+    {
+        std::vector<std::string_view> known{kPreset};
+        std::transform(jobFields().begin(), jobFields().end(), std::back_inserter(known), [](const JobField& field) { return field.key; });
+        for (std::size_t i = 0; i < node.keys.size(); ++i) {
+            if (std::find(known.begin(), known.end(), node.keys[i]) == known.end()) {
+                const std::string_view near = nearestName(node.keys[i], known);
+                return errorAt(node.items[i], ErrorCode::UnknownKey, said("a job has no %1", inQuotes(node.keys[i])), near.empty() ? Message() : said("Did you mean %1?", inQuotes(near)));
+            }
+        }
+        return Done{};
+    }
+
+    Status readPresetOf(const JsonNode& node, ExportJob& job)
+    {
+        const JsonNode* preset = node.find(kPreset);
+        if (preset == nullptr) {
+            return errorAt(node, ErrorCode::WrongType, said("the job %1 has no preset", inQuotes(job.name)), said("Write it as \"preset\", whole or as its name"));
+        }
+        const bool isName = preset->type == JsonNode::Type::String;
+        const Result<PresetReading> reading = isName ? loadNamed(*preset, job) : readPreset(m_text, *preset, m_place, kMostWarnings - std::min(kMostWarnings, m_reading.warnings.size()));
+        if (!reading) {
+            return reading.error();
+        }
+        job.preset = reading.value().preset;
+        const std::vector<Message>& warnings = reading.value().warnings;
+        m_reading.warnings.insert(m_reading.warnings.end(), warnings.begin(), warnings.end());
+        return Done{};
+    }
+
+    /// A preset that stands elsewhere, and is not to be written over.
+    [[nodiscard]] Result<PresetReading> loadNamed(const JsonNode& name, ExportJob& job) const
+    {
+        const Result<LibraryEntry> entry = findPreset(name.string);
+        if (!entry) {
+            return errorAt(name, entry.error().code, entry.error().message, entry.error().remedy);
+        }
+        job.plan.source = job.plan.source.empty() ? entry.value().path : job.plan.source;
+        return loadPreset(entry.value());
+    }
+
+    static void takeFormatOfOutput(ExportPlan& plan)
+    {
+        takeEnding(plan.output, kAllVideoFormats, plan.video);
+        takeEnding(plan.output, kAllParticleFormats, plan.particles);
+        plan.format = formatOf(plan.output);
+    }
+
+    /// What a person may leave out.
+    static void complete(const JsonNode& node, ExportJob& job)
+    {
+        job.name = job.name.empty() ? job.plan.output.filename().string() : job.name;
+        job.plan.output = withEnding(job.plan.output, fileEnding(job.plan));
+        if (node.find("frames") == nullptr) {
+            job.plan.frames = {0, job.preset.effect.timeline.length - 1, 1};
+        }
+        if (job.plan.project) {
+            job.plan.project = isPicture(job.plan.kind) ? std::optional(job.preset) : std::nullopt;
+        }
+    }
+
+    std::string_view m_text;
+    const std::string& m_place;
+    JobsReading m_reading;
+};
+
+std::string formatJob(const ExportJob& job)
+{
+    std::string out = "    {";
+    for (const JobField& field : jobFields()) {
+        if (const std::optional<std::string> value = field.written(job)) {
+            out += "\n      " + quoteJson(field.key) + ": " + *value + ",";
+        }
+    }
+    // As it stands in a file of its own: what this version does not know in it must not change from one writing to the next.
+    std::string preset = formatPreset(job.preset);
+    preset.pop_back();
+    return out + "\n      " + quoteJson(kPreset) + ": " + preset + "\n    }";
+}
+
+} // namespace
+
+std::string formatJobs(std::span<const ExportJob> jobs)
+{
+    std::string list;
+    for (const ExportJob& job : jobs) {
+        list += (list.empty() ? "\n" : ",\n") + formatJob(job);
+    }
+    return "{\n  \"format\": " + quoteJson(kJobsFormat) + ",\n  \"version\": " + std::to_string(kJobsVersion) + ",\n  \"jobs\": [" + list + "\n  ]\n}\n";
+}
+
+Result<JobsReading> parseJobs(std::string_view json, const std::string& place)
+{
+    return withinMemory([&]() -> Result<JobsReading> { return Reader(json, place).read(); });
+}
+
+Result<JobsReading> readJobsFile(const std::filesystem::path& path)
+{
+    const Result<std::string> text = readFile(path, kMaxJobsBytes);
+    return text ? parseJobs(text.value(), path.string()) : text.error();
+}
+
+Status writeJobsFile(const std::filesystem::path& path, std::span<const ExportJob> jobs, FileAccess access)
+{
+    const std::string text = formatJobs(jobs);
+    if (jobs.size() > kMostJobs || text.size() > kMaxJobsBytes) {
+        return Error{ErrorCode::TooLarge, said("a list of %1 jobs", jobs.size()), path.string(), said("Lists have at most %1", kMostJobs)};
+    }
+    return writeFileAtomically(path, text, access);
+}
+
+} // namespace fumage

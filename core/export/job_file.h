@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/base/file.h"
+#include "core/export/jobs.h"
+
+namespace fumage {
+
+inline constexpr std::string_view kJobsFormat = "fumage-jobs";
+inline constexpr int kJobsVersion = 1;
+/// Largest file of jobs: some hundred of them.
+inline constexpr std::size_t kMaxJobsBytes = std::size_t{1} << 22U;
+/// Longest name of a job, in bytes.
+inline constexpr std::size_t kMaxJobName = 1000;
+
+/// Jobs that were read, and what the reader had to put right in their presets.
+struct JobsReading {
+    std::vector<ExportJob> jobs;
+    std::vector<Message> warnings; ///< as of PresetReading, a bounded number of them
+};
+
+/// Jobs as JSON: each with its whole preset and all that its kind asks for, in the words of the command line. Paths that are not UTF-8 get replacement
+/// characters. parseJobs() of it gives the same jobs; writing those again gives the same text.
+[[nodiscard]] std::string formatJobs(std::span<const ExportJob> jobs);
+
+/// Reads jobs from a text that may be anything. What is missing is as the command line has it: the whole timeline, the format that the ending of the
+/// output asks for, the passes of the engine. The preset may be the name of one, as loadPreset() takes it. Outputs get the ending of their format.
+/// @param place name of the source for messages, usually the file; may be empty
+/// @error Syntax, NotUtf8, NotFinite, TooDeep, TooLarge, WrongType, WrongVersion, OutOfRange, UnknownName; UnknownKey with the nearest one: a slip would cost
+///        hours; those of loadPreset(). Places have line and column. OutOfMemory
+/// O(n log n) in the text.
+[[nodiscard]] Result<JobsReading> parseJobs(std::string_view json, const std::string& place = "");
+
+/// @error those of readFile() and parseJobs()
+[[nodiscard]] Result<JobsReading> readJobsFile(const std::filesystem::path& path);
+/// Writes formatJobs(), whole or not at all.
+/// @error TooLarge where readJobsFile() would not read it; those of writeFileAtomically()
+[[nodiscard]] Status writeJobsFile(const std::filesystem::path& path, std::span<const ExportJob> jobs, FileAccess access = FileAccess::Usual);
+
+} // namespace fumage

@@ -1,0 +1,85 @@
+#include "core/export/jobs.h"
+
+#include "core/base/text.h"
+
+namespace fumage {
+
+namespace {
+
+/// Where a folder lies, be it there or not.
+std::filesystem::path placeOf(const std::filesystem::path& folder)
+{
+    std::error_code unknown;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, unknown);
+    return unknown ? folder.lexically_normal() : whole;
+}
+
+std::filesystem::path placedIn(const std::filesystem::path& folder, const std::filesystem::path& file)
+{
+    return folder / file.filename();
+}
+
+} // namespace
+
+Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& progress, const std::stop_token& stop)
+{
+    ExportPlan plan = job.plan;
+    if (plan.project) {
+        plan.project = job.preset;
+    }
+    return runExport(job.preset.effect, plan, progress, stop);
+}
+
+Status JobFiles::check(const ExportJob& job) const
+{
+    const std::vector<std::filesystem::path> files = filesOf(job.plan);
+    if (files.size() + m_writers.size() > kMostJobFiles) {
+        return Error{ErrorCode::TooLarge, said("the jobs write more than %1 files", kMostJobFiles), inQuotes(job.name), said("Make two lists of them")};
+    }
+    const std::filesystem::path folder = placeOf(job.plan.output.parent_path()); // all of them lie in one
+    for (const std::filesystem::path& file : files) {
+        if (const auto found = m_writers.find(placedIn(folder, file).string()); found != m_writers.end()) {
+            return Error{ErrorCode::WouldOverwrite, said("%1 would write over a file of %2", inQuotes(job.name), inQuotes(m_names[found->second])), file.string(), said("Choose another name")};
+        }
+    }
+    return Done{};
+}
+
+Status JobFiles::add(const ExportJob& job)
+{
+    if (Status status = check(job); !status) {
+        return status;
+    }
+    const std::filesystem::path folder = placeOf(job.plan.output.parent_path());
+    for (const std::filesystem::path& file : filesOf(job.plan)) {
+        m_writers.emplace(placedIn(folder, file).string(), m_names.size());
+    }
+    m_names.push_back(job.name);
+    return Done{};
+}
+
+std::optional<std::size_t> JobFiles::writerOf(const std::filesystem::path& file) const
+{
+    const auto found = m_writers.find(placedIn(placeOf(file.parent_path()), file).string());
+    return found == m_writers.end() ? std::nullopt : std::optional(found->second);
+}
+
+Status checkJobs(std::span<const ExportJob> jobs)
+{
+    JobFiles files;
+    for (const ExportJob& job : jobs) {
+        if (Status status = files.add(job); !status) {
+            return status;
+        }
+    }
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const std::filesystem::path& source = jobs[i].plan.source;
+        const std::optional<std::size_t> writer = source.empty() ? std::nullopt : files.writerOf(source);
+        if (writer && *writer != i) {
+            return Error{ErrorCode::WouldOverwrite, said("%1 would overwrite the preset that %2 is made of", inQuotes(jobs[*writer].name), inQuotes(jobs[i].name)), source.string(), said("Choose another name")};
+        }
+    }
+    return Done{};
+}
+
+} // namespace fumage

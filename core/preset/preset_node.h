@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/preset/json_tree.h"
+#include "core/preset/preset.h"
+
+namespace fumage {
+
+/// More warnings are counted only: nobody reads them, and a hostile file has a hundred thousand.
+inline constexpr std::size_t kMostWarnings = 20;
+
+/// Reads a preset that stands in a file among other things.
+/// @param text         the whole file, in which messages tell lines and columns
+/// @param root         the preset
+/// @param mostWarnings as parsePreset() has kMostWarnings
+/// @error those of parsePreset()
+[[nodiscard]] Result<PresetReading> readPreset(std::string_view text, const JsonNode& root, const std::string& place, std::size_t mostWarnings = kMostWarnings);
+
+} // namespace fumage

@@ -1,0 +1,356 @@
+// The queue of exports and its panel: order, names, what ends in the middle, and what is on the disk meanwhile.
+#include "editor_helpers.h"
+
+#include "ui/export/export_clash.h"
+#include "ui/export/queue_panel.h"
+
+#include "core/base/file.h"
+#include "core/export/job_file.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+
+#include <csignal>
+
+#include <sys/resource.h>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+constexpr int kEndMs = 60000;
+
+Preset tinyPreset()
+{
+    Preset preset;
+    preset.effect.emitter.count = 200;
+    preset.effect.noise.resolution = 16;
+    preset.effect.noise.slices = 2;
+    preset.effect.light.resolution = 16;
+    preset.effect.output.width = 24;
+    preset.effect.output.height = 16;
+    return preset;
+}
+
+/// Files may have so many bytes while it is there, as on a disk that is nearly full.
+class FileLimit {
+public:
+    explicit FileLimit(rlim_t bytes)
+    {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit tight = m_before;
+        tight.rlim_cur = bytes;
+        std::signal(SIGXFSZ, SIG_IGN); // as the program has it
+        setrlimit(RLIMIT_FSIZE, &tight);
+    }
+    ~FileLimit() { setrlimit(RLIMIT_FSIZE, &m_before); }
+    FileLimit(const FileLimit&) = delete;
+    FileLimit& operator=(const FileLimit&) = delete;
+
+private:
+    rlimit m_before{};
+};
+
+} // namespace
+
+class QueueTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_queue = std::make_unique<ExportQueue>(queueFolder());
+        m_panel = std::make_unique<QueuePanel>(*m_queue, [this](QWidget*, const FileQuestion&) { return m_chosenFile; });
+        m_panel->resize(320, 400);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_queue.reset();
+        m_folder.reset();
+    }
+
+    void exportsAreDoneOneAfterTheOther()
+    {
+        QList<quint64> ended;
+        connect(m_queue.get(), &ExportQueue::ended, this, [&](quint64 id) {
+            ended += id;
+            QVERIFY(m_queue->active() == 0 || m_queue->at(static_cast<int>(ended.size())).state == ExportState::Running);
+        });
+        const QList<quint64> added{add("a"), add("b"), add("c")};
+        QCOMPARE(stateOf(0), ExportState::Running);
+        QCOMPARE(stateOf(1), ExportState::Waiting);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
+        QCOMPARE(ended, added);
+        QCOMPARE(filesWritten(), (QStringList{u"a.png"_q, u"b.png"_q, u"c.png"_q}));
+    }
+
+    void whatWaitsIsPutInAnotherOrder()
+    {
+        addLong();
+        add("b");
+        add("c");
+        choose(2);
+        action("queue.up")->trigger();
+        QCOMPARE(names(), (QStringList{u"long"_q, u"c"_q, u"b"_q}));
+        QCOMPARE(list()->currentIndex().row(), 1); // what is chosen stays so
+        QVERIFY(m_queue->moveRow({}, 2, {}, 0)); // as the list does where one is dropped
+        QCOMPARE(names(), (QStringList{u"b"_q, u"long"_q, u"c"_q}));
+        choose(0);
+        QVERIFY(!action("queue.up")->isEnabled());
+        action("queue.down")->trigger();
+        QCOMPARE(names(), (QStringList{u"long"_q, u"b"_q, u"c"_q}));
+        m_queue->moveRow({}, 2, {}, 1);
+        QTRY_COMPARE(namesOnDisk(), (QStringList{u"long"_q, u"c"_q, u"b"_q}));
+        QStringList ended;
+        connect(m_queue.get(), &ExportQueue::ended, this, [&](quint64 id) { ended += toQString(m_queue->find(id)->job->name); });
+        m_queue->cancel(0);
+        QTRY_COMPARE_WITH_TIMEOUT(ended, (QStringList{u"long"_q, u"c"_q, u"b"_q}), kEndMs);
+    }
+
+    void anExportIsRenamedWhereItStands()
+    {
+        addLong();
+        choose(0);
+        action("queue.rename")->trigger();
+        auto* field = list()->findChild<QLineEdit*>();
+        QVERIFY(field != nullptr);
+        field->selectAll();
+        QTest::keyClicks(field, u"  Night run  "_q);
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(names(), QStringList{u"Night run"_q});
+        QTRY_COMPARE(namesOnDisk(), QStringList{u"Night run"_q});
+        QVERIFY(!m_queue->setData(m_queue->index(0), u"   "_q, Qt::EditRole));
+        QCOMPARE(names(), QStringList{u"Night run"_q});
+    }
+
+    void cancellingKeepsWhatIsCompleteAndTheNextOneBegins()
+    {
+        addLong();
+        add("b");
+        add("c");
+        QTRY_VERIFY(!filesWritten().isEmpty());
+        choose(1);
+        QCOMPARE(action("queue.stop")->text(), u"Cancel"_q);
+        QTest::keyClick(list(), Qt::Key_Delete);
+        QCOMPARE(stateOf(1), ExportState::Cancelled);
+        QCOMPARE(action("queue.stop")->text(), u"Remove"_q);
+        choose(0);
+        action("queue.stop")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Cancelled, kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(2), ExportState::Done, kEndMs);
+        QVERIFY(!filesWritten().contains(u"b.png"_q));
+        action("queue.stop")->trigger();
+        QCOMPARE(names(), (QStringList{u"b"_q, u"c"_q}));
+        action("queue.clear")->trigger();
+        QCOMPARE(m_queue->rowCount(), 0);
+    }
+
+    void oneThatFailsSaysWhyAndTheOthersAreDone()
+    {
+        add("a");
+        static_cast<void>(m_queue->add(jobFor("b", "/proc/nowhere/b.png")));
+        ExportJob large = jobFor("large", at("large.png"));
+        large.preset.effect.output.width = large.preset.effect.output.height = 600;
+        large.plan.format = ImageFormat::ExrFloat;
+        large.plan.output = at("large.exr");
+        static_cast<void>(m_queue->add(std::move(large)));
+        add("d");
+        {
+            const FileLimit limit(100'000);
+            QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
+        }
+        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1), stateOf(2), stateOf(3)}), (QList<ExportState>{ExportState::Done, ExportState::Failed, ExportState::Failed, ExportState::Done}));
+        QVERIFY2(m_queue->at(1).told.contains(u"/proc/nowhere"_q), qPrintable(m_queue->at(1).told));
+        QVERIFY2(m_queue->at(2).told.contains(u"large.exr"_q), qPrintable(m_queue->at(2).told));
+        QCOMPARE(filesWritten(), (QStringList{u"a.png"_q, u"d.png"_q}));
+        // With room on the disk it is done as it was asked for.
+        choose(2);
+        action("queue.start")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(2), ExportState::Done, kEndMs);
+    }
+
+    void twoExportsNeverWriteOneFile()
+    {
+        addLong();
+        add("b");
+        QStringList asked;
+        int answer = 1;
+        const auto ask = [&](QWidget*, const ChoiceQuestion& question) {
+            asked += question.text;
+            return answer;
+        };
+        std::optional<OnClash> answered;
+        const ExportPlan plan = jobFor("again", at("b.png")).plan;
+        QVERIFY(!settled(nullptr, ask, *m_queue, plan, answered)); // given up
+        QVERIFY2(asked.size() == 1 && asked[0].contains(u"b.png"_q), qPrintable(asked.join(u' ')));
+        answer = 0;
+        const std::optional<ExportPlan> other = settled(nullptr, ask, *m_queue, plan, answered);
+        QVERIFY(other.has_value());
+        QCOMPARE(other->output.filename().string(), std::string("b-2.png"));
+        // Once that has been answered it is not asked again.
+        QCOMPARE(m_queue->add({"c", tinyPreset(), *other}).ok(), true);
+        QCOMPARE(settled(nullptr, ask, *m_queue, plan, answered)->output.filename().string(), std::string("b-3.png"));
+        QCOMPARE(asked.size(), 2);
+        // Nor does one that was cancelled come back over the one that took its name.
+        m_queue->cancel(1);
+        add("b");
+        m_queue->start(1);
+        QCOMPARE(stateOf(1), ExportState::Failed);
+        QVERIFY(m_queue->at(1).told.contains(u"would write over"_q));
+    }
+
+    void whatIsNotDoneIsOnTheDisk()
+    {
+        addLong();
+        add("b");
+        QTRY_COMPARE(namesOnDisk(), (QStringList{u"long"_q, u"b"_q}));
+        const QFileInfo file = listFiles().constFirst();
+        QCOMPARE(file.permissions() & (QFileDevice::ReadGroup | QFileDevice::ReadOther), QFileDevice::Permissions());
+        // Another program that is started now leaves them alone.
+        ExportQueue other(queueFolder());
+        QVERIFY(other.takeLeftovers().isEmpty());
+        QCOMPARE(other.rowCount(), 0);
+        m_queue->stopAll();
+        QTRY_VERIFY(listFiles().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Cancelled, kEndMs);
+    }
+
+    void whatAProgramThatIsGoneHasLeftIsOfferedAndNotBegun()
+    {
+        const std::vector<ExportJob> jobs{jobFor("one", at("one.png")), jobFor("two", at("two.png"))};
+        QVERIFY(writeJobsFile(queueFolder().filePath(u"left.json"_q).toStdString(), jobs).ok());
+        QVERIFY(writeFileAtomically(queueFolder().filePath(u"torn.json"_q).toStdString(), std::string_view("{ half a li")).ok());
+        const auto* notice = m_panel->findChild<QWidget*>(u"queue.notice"_q);
+        QVERIFY(!notice->isVisible());
+        const QStringList unreadable = m_queue->takeLeftovers();
+        QCOMPARE(unreadable, QStringList{queueFolder().filePath(u"torn.json"_q)});
+        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1)}), (QList<ExportState>{ExportState::Held, ExportState::Held}));
+        QVERIFY(notice->isVisible());
+        QVERIFY(m_panel->findChild<QLabel*>(u"queue.left"_q)->text().endsWith(u"2"_q));
+        QVERIFY(!QFile::exists(queueFolder().filePath(u"left.json"_q))); // its jobs are in the list of this program
+        QCOMPARE(namesOnDisk(), (QStringList{u"one"_q, u"two"_q}));
+        add("three"); // goes before them, since they wait for somebody
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(2), ExportState::Done, kEndMs);
+        QCOMPARE(stateOf(0), ExportState::Held);
+        QTest::mouseClick(m_panel->findChild<QPushButton*>(u"queue.startLeft"_q), Qt::LeftButton);
+        QVERIFY(!notice->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(filesWritten(), (QStringList{u"one.png"_q, u"three.png"_q, u"two.png"_q}), kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
+        QTRY_VERIFY(namesOnDisk().isEmpty());
+    }
+
+    void aQueueThatEndsWithItsProgramLeavesItsList()
+    {
+        addLong();
+        add("b");
+        m_panel.reset();
+        m_queue.reset(); // as where the session is ended by the system
+        QCOMPARE(namesOnDisk(), (QStringList{u"long"_q, u"b"_q}));
+        m_queue = std::make_unique<ExportQueue>(queueFolder());
+        QVERIFY(m_queue->takeLeftovers().isEmpty());
+        QCOMPARE(m_queue->held(), 2);
+    }
+
+    void theListIsSavedForTheCommandLine()
+    {
+        addLong();
+        add("b");
+        m_chosenFile = m_folder->filePath(u"tonight.json"_q);
+        action("queue.save")->trigger();
+        const Result<JobsReading> reading = readJobsFile(m_chosenFile.toStdString());
+        QVERIFY(reading.ok());
+        QCOMPARE(reading.value().jobs.size(), std::size_t{2});
+        QCOMPARE(reading.value().jobs[1].name, std::string("b"));
+    }
+
+    void theListSaysWhatIsWrittenAndWhere()
+    {
+        ExportJob job = jobFor("a", "/proc/nowhere/fire_##.png");
+        job.plan.kind = ExportKind::Sequence;
+        static_cast<void>(m_queue->add(job));
+        job.plan.output = (QDir::homePath() + u"/fire/b.png"_q).toStdString();
+        job.plan.kind = ExportKind::Flipbook;
+        static_cast<void>(m_queue->add(job));
+        QCOMPARE(m_queue->index(0).data(ExportQueue::PlaceRole).toString(), u"Image sequence · fire_##.png · /proc/nowhere"_q);
+        QCOMPARE(m_queue->index(1).data(ExportQueue::PlaceRole).toString(), u"Flipbook · b.png · ~/fire"_q);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
+    }
+
+    void aQueueThatIsFullSaysSo()
+    {
+        addLong();
+        for (std::size_t i = 1; i < kMostJobs; ++i) {
+            add(("job" + std::to_string(i)).c_str());
+        }
+        const Result<quint64> more = m_queue->add(jobFor("more", at("more.png")));
+        QVERIFY(!more.ok());
+        QVERIFY(toQString(more.error().text()).contains(u"256"_q));
+        m_queue->stopAll();
+    }
+
+private:
+    [[nodiscard]] QDir queueFolder() const { return QDir(m_folder->filePath(u"queue"_q)); }
+    [[nodiscard]] std::string at(const std::string& name) const { return (m_folder->path() + u"/out/"_q).toStdString() + name; }
+    [[nodiscard]] QStringList filesWritten() const { return QDir(m_folder->filePath(u"out"_q)).entryList({u"*.png"_q}, QDir::Files, QDir::Name); }
+    [[nodiscard]] QFileInfoList listFiles() const { return queueFolder().entryInfoList({u"*.json"_q}, QDir::Files); }
+    [[nodiscard]] ExportState stateOf(int row) const { return m_queue->at(row).state; }
+    [[nodiscard]] QListView* list() const { return m_panel->findChild<QListView*>(u"queue.list"_q); }
+    [[nodiscard]] QAction* action(const char* name) const { return m_panel->findChild<QAction*>(QLatin1String(name)); }
+    void choose(int row) { list()->setCurrentIndex(m_queue->index(row)); }
+
+    [[nodiscard]] QStringList names() const
+    {
+        QStringList names;
+        for (int row = 0; row < m_queue->rowCount(); ++row) {
+            names += m_queue->index(row).data().toString();
+        }
+        return names;
+    }
+
+    [[nodiscard]] QStringList namesOnDisk() const
+    {
+        QStringList names;
+        for (const QFileInfo& file : listFiles()) {
+            const Result<JobsReading> reading = readJobsFile(file.filePath().toStdString());
+            for (const ExportJob& job : reading ? reading.value().jobs : std::vector<ExportJob>()) {
+                names += toQString(job.name);
+            }
+        }
+        return names;
+    }
+
+    [[nodiscard]] static ExportJob jobFor(const std::string& name, const std::string& output)
+    {
+        ExportJob job{name, tinyPreset(), {}};
+        job.plan.kind = ExportKind::Picture;
+        job.plan.output = output;
+        return job;
+    }
+
+    quint64 add(const char* name) { return m_queue->add(jobFor(name, at(std::string(name) + ".png"))).value(); }
+
+    /// One that does not end by itself.
+    void addLong()
+    {
+        ExportJob job = jobFor("long", at("long_######.png"));
+        job.plan.kind = ExportKind::Sequence;
+        job.plan.frames = {0, 20'000, 1};
+        QVERIFY(m_queue->add(std::move(job)).ok());
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_chosenFile;
+    std::unique_ptr<ExportQueue> m_queue;
+    std::unique_ptr<QueuePanel> m_panel;
+};
+
+FUMAGE_TEST_MAIN(QueueTest)
+#include "queue_test.moc"

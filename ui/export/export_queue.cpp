@@ -1,0 +1,373 @@
+#include "ui/export/export_queue.h"
+
+#include "ui/document/text.h"
+#include "ui/export/export_formats.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace fumage::ui {
+
+namespace {
+
+/// More of those that are done are forgotten, the oldest first.
+constexpr int kMostEnded = 100;
+
+/// A folder as people call it: "~/smoke".
+QString folderName(const QString& folder)
+{
+    const QString home = QDir::homePath();
+    const bool isInHome = folder == home || folder.startsWith(home + QLatin1Char('/'));
+    return QDir::toNativeSeparators(isInHome ? QLatin1Char('~') + folder.mid(home.size()) : folder);
+}
+
+/// What comes first is seen where there is little room.
+QString placeOf(const ExportPlan& plan)
+{
+    const QFileInfo file(toQString(plan.output.string()));
+    return QStringLiteral("%1 · %2 · %3").arg(kindName(plan.kind), file.fileName(), folderName(file.path()));
+}
+
+QString usualText(ExportState state)
+{
+    switch (state) {
+    case ExportState::Held: return ExportQueue::tr("Not begun: left from before");
+    case ExportState::Waiting: return ExportQueue::tr("Waiting");
+    case ExportState::Running: return ExportQueue::tr("Begun");
+    case ExportState::Done: return ExportQueue::tr("Done");
+    case ExportState::Failed: return ExportQueue::tr("Failed");
+    case ExportState::Cancelled: return ExportQueue::tr("Cancelled. Files that were complete are kept.");
+    }
+    return {};
+}
+
+double shareOf(const QueuedExport& one)
+{
+    return one.total > 0 ? static_cast<double>(one.done) / one.total : -1.0;
+}
+
+} // namespace
+
+ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_folder(folder)
+    , m_file(folder)
+{
+    connect(&m_file, &QueueFile::failed, this, &ExportQueue::notKept);
+    connect(&m_worker, &ExportWorker::progressed, this, [this](int done, int total, double secondsLeft) {
+        const QString files = tr("%1 of %2").arg(done).arg(total);
+        follow(done, total, secondsLeft < 0.0 ? files : tr("%1, %2 s left").arg(files).arg(std::ceil(secondsLeft)));
+    });
+    connect(&m_worker, &ExportWorker::preparing, this, [this](const QString& what) { follow(0, 0, what); });
+    connect(&m_worker, &ExportWorker::finished, this, [this](const QString& remark) { end(ExportState::Done, remark); });
+    connect(&m_worker, &ExportWorker::cancelled, this, [this] { end(ExportState::Cancelled, {}); });
+    connect(&m_worker, &ExportWorker::failed, this, [this](const QString& message) { end(ExportState::Failed, message); });
+}
+
+ExportQueue::~ExportQueue() = default;
+
+// --- the list ------------------------------------------------------------------------------------------------------------
+
+int ExportQueue::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_exports.size());
+}
+
+QVariant ExportQueue::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return {};
+    }
+    const QueuedExport& one = at(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole: return toQString(one.job->name);
+    case Qt::ToolTipRole: return QStringLiteral("%1\n%2").arg(QDir::toNativeSeparators(toQString(one.job->plan.output.string())), one.told);
+    case Qt::AccessibleTextRole: return QStringLiteral("%1, %2").arg(toQString(one.job->name), one.told);
+    case StateRole: return static_cast<int>(one.state);
+    case ShareRole: return shareOf(one);
+    case ToldRole: return one.told;
+    case PlaceRole: return placeOf(one.job->plan);
+    default: return {};
+    }
+}
+
+bool ExportQueue::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const QString name = value.toString().simplified();
+    if (role != Qt::EditRole || name.isEmpty() || !checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return false;
+    }
+    QueuedExport& one = m_exports[static_cast<std::size_t>(index.row())];
+    auto renamed = std::make_shared<ExportJob>(*one.job);
+    renamed->name = shortened(name, 200).toStdString();
+    one.job = std::move(renamed);
+    emit dataChanged(index, index);
+    emit changed(one.id);
+    keep();
+    return true;
+}
+
+Qt::ItemFlags ExportQueue::flags(const QModelIndex& index) const
+{
+    const Qt::ItemFlags usual = QAbstractListModel::flags(index);
+    return index.isValid() ? usual | Qt::ItemIsEditable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren : usual | Qt::ItemIsDropEnabled;
+}
+
+bool ExportQueue::moveRows(const QModelIndex& source, int row, int count, const QModelIndex& target, int before)
+{
+    const bool isThere = row >= 0 && count == 1 && row < rowCount() && before >= 0 && before <= rowCount();
+    if (!isThere || !beginMoveRows(source, row, row, target, before)) {
+        return false;
+    }
+    const auto from = m_exports.begin() + row;
+    if (before > row) {
+        std::rotate(from, from + 1, m_exports.begin() + before);
+    } else {
+        std::rotate(m_exports.begin() + before, from, from + 1);
+    }
+    endMoveRows();
+    keep();
+    return true;
+}
+
+const QueuedExport* ExportQueue::find(quint64 id) const
+{
+    const int row = rowOf(id);
+    return row < 0 ? nullptr : &at(row);
+}
+
+int ExportQueue::rowOf(quint64 id) const
+{
+    const auto found = std::find_if(m_exports.begin(), m_exports.end(), [&](const QueuedExport& one) { return one.id == id; });
+    return found == m_exports.end() ? -1 : static_cast<int>(found - m_exports.begin());
+}
+
+int ExportQueue::running() const
+{
+    const auto found = std::find_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Running; });
+    return found == m_exports.end() ? -1 : static_cast<int>(found - m_exports.begin());
+}
+
+int ExportQueue::active() const
+{
+    return static_cast<int>(std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.isActive(); }));
+}
+
+int ExportQueue::held() const
+{
+    return static_cast<int>(std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Held; }));
+}
+
+JobFiles ExportQueue::files() const
+{
+    JobFiles files;
+    for (const QueuedExport& one : m_exports) {
+        if (one.isActive()) {
+            static_cast<void>(files.add(*one.job)); // they leave one another alone: that was seen to when they were added
+        }
+    }
+    return files;
+}
+
+ExportJobs ExportQueue::unfinishedJobs() const
+{
+    ExportJobs jobs;
+    for (const QueuedExport& one : m_exports) {
+        if (one.isUnfinished()) {
+            jobs.push_back(one.job);
+        }
+    }
+    return jobs;
+}
+
+// --- what people do with it ----------------------------------------------------------------------------------------------
+
+Result<quint64> ExportQueue::add(ExportJob job)
+{
+    if (unfinishedJobs().size() >= kMostJobs) {
+        return Error{ErrorCode::TooLarge, said("%1 exports are waiting already", kMostJobs), {}, said("Wait until some are done, or remove some")};
+    }
+    append(std::make_shared<const ExportJob>(std::move(job)), ExportState::Waiting);
+    const quint64 id = m_lastId;
+    forgetOldest();
+    emit changed(id);
+    goOn();
+    keep();
+    return id;
+}
+
+void ExportQueue::forgetOldest()
+{
+    auto ended = std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return !one.isUnfinished(); });
+    removeAll([&](const QueuedExport& one) { return !one.isUnfinished() && ended-- > kMostEnded; });
+}
+
+void ExportQueue::append(std::shared_ptr<const ExportJob> job, ExportState state)
+{
+    beginInsertRows({}, rowCount(), rowCount());
+    m_exports.push_back({.id = ++m_lastId, .job = std::move(job), .state = state, .told = usualText(state)});
+    endInsertRows();
+}
+
+void ExportQueue::start(int row)
+{
+    const ExportState state = at(row).state;
+    if (state != ExportState::Held && state != ExportState::Failed && state != ExportState::Cancelled) {
+        return;
+    }
+    if (const Status apart = files().add(*at(row).job); apart) {
+        setState(row, ExportState::Waiting);
+    } else {
+        setState(row, ExportState::Failed, fumage::ui::told(apart.error()));
+    }
+    goOn();
+    keep();
+}
+
+void ExportQueue::startHeld()
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        if (at(row).state == ExportState::Held) {
+            start(row);
+        }
+    }
+}
+
+void ExportQueue::cancel(int row)
+{
+    switch (at(row).state) {
+    case ExportState::Running: m_worker.cancel(); break; // and it says so when it has ended
+    case ExportState::Waiting:
+    case ExportState::Held:
+        setState(row, ExportState::Cancelled);
+        keep();
+        break;
+    default: break;
+    }
+}
+
+template <class IsMeant>
+void ExportQueue::removeAll(const IsMeant& isMeant)
+{
+    for (int row = 0; row < rowCount();) {
+        if (at(row).state == ExportState::Running || !isMeant(at(row))) {
+            ++row;
+            continue;
+        }
+        beginRemoveRows({}, row, row);
+        m_exports.erase(m_exports.begin() + row);
+        endRemoveRows();
+    }
+}
+
+void ExportQueue::remove(int row)
+{
+    removeAll([id = at(row).id](const QueuedExport& one) { return one.id == id; });
+    keep();
+}
+
+void ExportQueue::removeEnded()
+{
+    removeAll([](const QueuedExport& one) { return !one.isUnfinished(); });
+}
+
+void ExportQueue::removeHeld()
+{
+    removeAll([](const QueuedExport& one) { return one.state == ExportState::Held; });
+    keep();
+}
+
+void ExportQueue::stopAll()
+{
+    removeAll([](const QueuedExport& one) { return one.state == ExportState::Waiting; });
+    m_worker.cancel();
+    if (const int row = running(); row >= 0) {
+        setState(row, ExportState::Cancelled); // the program may end before its thread has: nothing is to be left of it on the disk
+    }
+    keep();
+}
+
+QStringList ExportQueue::takeLeftovers()
+{
+    QueueFile::Leftovers left = QueueFile::find(m_folder);
+    for (const std::shared_ptr<const ExportJob>& job : left.jobs) {
+        if (unfinishedJobs().size() < kMostJobs) {
+            append(job, ExportState::Held);
+        }
+    }
+    if (!left.jobs.empty()) {
+        m_file.keepNow(unfinishedJobs());
+    }
+    for (const OwnFile& file : left.files) {
+        QFile::remove(file.path);
+    }
+    return left.unreadable;
+}
+
+// --- doing them ----------------------------------------------------------------------------------------------------------
+
+void ExportQueue::goOn()
+{
+    if (m_worker.isRunning()) {
+        return;
+    }
+    const auto next = std::find_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Waiting; });
+    if (next == m_exports.end()) {
+        return;
+    }
+    next->done = next->total = 0;
+    const std::shared_ptr<const ExportJob> job = next->job;
+    setState(static_cast<int>(next - m_exports.begin()), ExportState::Running);
+    m_worker.start(job);
+}
+
+void ExportQueue::setState(int row, ExportState state, const QString& told)
+{
+    QueuedExport& one = m_exports[static_cast<std::size_t>(row)];
+    one.state = state;
+    one.told = told.isEmpty() ? usualText(state) : told;
+    emit dataChanged(index(row), index(row));
+    emit changed(one.id);
+}
+
+void ExportQueue::follow(int done, int total, const QString& told)
+{
+    const int row = running();
+    if (row < 0) {
+        return;
+    }
+    QueuedExport& one = m_exports[static_cast<std::size_t>(row)];
+    one.done = done;
+    one.total = total;
+    setState(row, ExportState::Running, told);
+}
+
+void ExportQueue::end(ExportState state, const QString& told)
+{
+    const int row = running();
+    const quint64 id = row < 0 ? 0 : at(row).id;
+    if (row >= 0) {
+        m_exports[static_cast<std::size_t>(row)].remark = state == ExportState::Done ? told : QString();
+        setState(row, state, told);
+    }
+    goOn();
+    keep();
+    if (id != 0) {
+        emit ended(id);
+    }
+    if (active() == 0) {
+        emit emptied();
+    }
+}
+
+void ExportQueue::keep()
+{
+    m_file.keep(unfinishedJobs());
+}
+
+} // namespace fumage::ui

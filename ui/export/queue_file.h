@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ui/document/own_file.h"
+#include "ui/work/latest_job.h"
+
+#include "core/export/job_file.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <memory>
+#include <vector>
+
+namespace fumage::ui {
+
+using ExportJobs = std::vector<std::shared_ptr<const ExportJob>>;
+
+/// writeJobsFile() of jobs that are shared.
+[[nodiscard]] Status writeList(const QString& path, const ExportJobs& jobs, FileAccess access);
+
+/// Keeps the exports that are not done on disk, on a thread of its own: what is there when a program starts, and belongs to no running one, is what a
+/// crash has left. For the user's eyes alone.
+class QueueFile : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param folder made if it is not there
+    explicit QueueFile(const QDir& folder, QObject* parent = nullptr);
+    ~QueueFile() override;
+
+    /// Soon these are on the disk, and no others; none: there is no file.
+    void keep(ExportJobs jobs);
+    /// Returns when they are.
+    void keepNow(const ExportJobs& jobs);
+
+    /// What programs that are gone have left.
+    struct Leftovers {
+        ExportJobs jobs; ///< the newest list first
+        QStringList unreadable; ///< files that are no lists; they stay
+        std::vector<OwnFile> files; ///< that they were read from: whoever keeps the jobs elsewhere takes them away
+    };
+    [[nodiscard]] static Leftovers find(const QDir& folder);
+
+signals:
+    /// The list cannot be written; once, until it can be again.
+    void failed(const QString& message);
+
+private:
+    void report(const Status& status);
+
+    const OwnFile m_file;
+    bool m_hasFailed = false;
+    ExportJobs m_latest; ///< what was to be kept last
+    std::unique_ptr<LatestJob<ExportJobs>> m_writer;
+};
+
+} // namespace fumage::ui
