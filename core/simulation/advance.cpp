@@ -1,8 +1,8 @@
 #include "core/simulation/advance.h"
 
 #include "core/base/parallel.h"
-#include "core/simulation/air_kernel.h"
-#include "core/simulation/step.h"
+#include "core/simulation/chunk_step.h"
+#include "core/simulation/slot_ring.h"
 
 #include <algorithm>
 #include <vector>
@@ -31,95 +31,48 @@ public:
         : m_schedule(model.schedule())
         , m_birthPlace(model.effect()->emitter)
         , m_particles(particles)
-        , m_capacity(static_cast<std::int64_t>(particles.capacity))
+        , m_ring(particles)
     {
     }
 
     /// @param from the step that the chunk's state is at
     void run(std::size_t chunk, std::int64_t from, std::span<const PlannedStep> steps) const
     {
-        const Slots slots = slotsOf(chunk);
-        bool occupied = false;
-        forSlots(m_schedule.firstAlive(from), firstUnborn(from), slots, [&](std::int64_t, std::int64_t, std::int64_t) { occupied = true; });
+        bool occupied = m_ring.reaches(chunk, m_schedule.firstAlive(from), firstUnborn(from));
         for (const PlannedStep& step : steps) {
             if (occupied) {
-                const auto move = step.air ? &carryChunk : &stepChunk;
-                move(step.constants, m_particles, chunk);
+                moveChunk(step.constants, m_particles, chunk);
             }
-            forSlots(step.firstBirth, step.endBirth, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                bear(low, high, lap, step.constants);
+            m_ring.forChunk(chunk, step.firstBirth, step.endBirth, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
+                bear(low, high, slot, step.constants);
                 occupied = true;
             });
         }
     }
 
     /// Empties the slots of a chunk whose particles are not alive at a step.
-    void bury(std::size_t chunk, std::int64_t step) const
-    {
-        const std::int64_t first = m_schedule.firstAlive(step);
-        const std::int64_t last = firstUnborn(step);
-        const Slots slots = slotsOf(chunk);
-        if (last - first < m_capacity) {
-            // The ring's free slots are those of the births that come next.
-            forSlots(last, first + m_capacity, slots, [&](std::int64_t low, std::int64_t high, std::int64_t lap) {
-                clear(low - lap, high - lap);
-            });
-        }
-        clear(std::max(slots.begin, slots.end), static_cast<std::int64_t>((chunk + 1) * Particles::kChunk)); // padding
-    }
+    void bury(std::size_t chunk, std::int64_t step) const { m_ring.clearOthers(m_particles, chunk, m_schedule.firstAlive(step), firstUnborn(step)); }
 
 private:
-    /// Slots [begin, end) of a chunk without padding.
-    struct Slots {
-        std::int64_t begin, end;
-    };
-
-    [[nodiscard]] Slots slotsOf(std::size_t chunk) const
-    {
-        const auto begin = static_cast<std::int64_t>(chunk * Particles::kChunk);
-        return {begin, std::min(begin + static_cast<std::int64_t>(Particles::kChunk), m_capacity)};
-    }
-
-    /// Visits the particles [first, last) of consecutive birth index that fall into some slots, lap by lap of the ring.
-    template <class Visit>
-    void forSlots(std::int64_t first, std::int64_t last, const Slots& slots, const Visit& visit) const
-    {
-        for (std::int64_t lap = first / m_capacity * m_capacity; lap < last; lap += m_capacity) {
-            const std::int64_t low = std::max(first, lap + slots.begin);
-            const std::int64_t high = std::min(last, lap + slots.end);
-            if (low < high) {
-                visit(low, high, lap);
-            }
-        }
-    }
-
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.
-    void bear(std::int64_t first, std::int64_t last, std::int64_t lap, const StepConstants& constants) const
+    void bear(std::int64_t first, std::int64_t last, std::size_t slot, const StepConstants& constants) const
     {
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
             const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
-            const auto slot = static_cast<std::size_t>(first - lap);
             const std::size_t end = slot + static_cast<std::size_t>(count);
-            m_particles.clearRoll(slot, end);
-            bearParticles(m_birthPlace, random, constants.step, slot, end - slot, m_particles);
-            if (constants.air.field != nullptr) {
-                carryNewborns(constants, m_particles, slot, end);
-            } else if (constants.betweenSteps) {
-                stepNewborns(constants, m_particles, slot, end);
-            }
+            bearInChunk(m_birthPlace, constants, random, slot, end, m_particles);
+            slot = end;
             first += count;
         }
     }
 
-    void clear(std::int64_t first, std::int64_t last) const { m_particles.clear(static_cast<std::size_t>(first), static_cast<std::size_t>(last)); }
-
     const Schedule& m_schedule;
     BirthPlace m_birthPlace;
     Particles& m_particles;
-    std::int64_t m_capacity;
+    SlotRing m_ring;
 };
 
 /// Plans steps (from, to].
@@ -210,9 +163,7 @@ Status advanceInto(const Model& model, const Particles& before, Particles& after
 
 Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
-    const bool inAir = model.air() != nullptr;
-    const Look& look = model.effect()->look;
-    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), {.rolls = look.roll > 0.0F, .inAir = inAir, .deforms = inAir && look.deformation > 0.0F});
+    particles.reset(static_cast<std::size_t>(model.schedule().capacity()), columnsOf(model));
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
     return run(model, particles, from, to, stop, progress, [](std::size_t) {});
 }

@@ -250,39 +250,44 @@ Status checkAir(const SampledEffect& effect)
     return Error{ErrorCode::OutOfRange, said("the obstacle fills the box of the air"), std::string("air.obstacle_size"), said("Make the obstacle smaller, or move it")};
 }
 
-AirPlan airPlan(const Model& model)
+AirStep airStep(const Model& model, const AirGrid& grid, std::int64_t number, bool acts)
 {
     const SampledEffect& effect = model.effect();
     const Schedule& schedule = model.schedule();
+    const Motion& motion = effect->motion;
+    AirStep step;
+    step.dt = schedule.dt;
+    step.buoyancy = motion.buoyancy;
+    step.heatKept = portableExp(-motion.cooling * schedule.dt);
+    step.confinement = effect->air.vorticity;
+    step.friction = effect->air.friction;
+    step.wind = windSpeed(model.windAt(number), motion);
+    step.windChange = step.wind - windSpeed(model.windAt(number - 1), motion);
+    step.source = steadySource(effect, grid);
+    step.source.acts = acts;
+    step.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * schedule.dt) : 0.0F;
+    step.swirl = swirlOf(effect, schedule.dt);
+    if (acts && (step.source.raggedness > 0.0F || step.source.unevenness > 0.0F)) {
+        const float radius = std::max(step.source.reach.x, step.source.reach.y);
+        const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(motion.buoyancy) * radius)) / radius;
+        moveSource(step.source, schedule, effect->emitter.seed, rate, number);
+    }
+    return step;
+}
+
+AirPlan airPlan(const Model& model)
+{
+    const SampledEffect& effect = model.effect();
     AirPlan plan;
     plan.grid = airGrid(effect);
     plan.borders.low[1] = standsOnGround(effect, plan.grid) ? Border::Solid : Border::Open;
     plan.solids = solidsOf(effect->air);
-    plan.firstStep = schedule.firstStep;
-    plan.loopSteps = schedule.loopSteps;
+    plan.firstStep = model.schedule().firstStep;
+    plan.loopSteps = model.schedule().loopSteps;
     plan.wind = windSpeed(model.windAt(0), effect->motion);
-    AirStep steady;
-    steady.dt = schedule.dt;
-    steady.buoyancy = effect->motion.buoyancy;
-    steady.heatKept = portableExp(-effect->motion.cooling * schedule.dt);
-    steady.confinement = effect->air.vorticity;
-    steady.friction = effect->air.friction;
-    steady.source = steadySource(effect, plan.grid);
-    steady.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * schedule.dt) : 0.0F;
-    steady.swirl = swirlOf(effect, schedule.dt);
-    const float radius = std::max(steady.source.reach.x, steady.source.reach.y);
-    const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(effect->motion.buoyancy) * radius)) / radius;
-    plan.stepTo = [model = Model(effect), steady, rate](std::int64_t number) {
+    plan.stepTo = [model = Model(effect), grid = plan.grid](std::int64_t number) {
         const Schedule& times = model.schedule();
-        const Motion& motion = model.effect()->motion;
-        AirStep step = steady;
-        step.wind = windSpeed(model.windAt(number), motion);
-        step.windChange = step.wind - windSpeed(model.windAt(number - 1), motion);
-        step.source.acts = (number - 1) % times.periodSteps < times.windowSteps;
-        if ((step.source.raggedness > 0.0F || step.source.unevenness > 0.0F) && step.source.acts) {
-            moveSource(step.source, times, model.effect()->emitter.seed, rate, number);
-        }
-        return step;
+        return airStep(model, grid, number, (number - 1) % times.periodSteps < times.windowSteps);
     };
     return plan;
 }

@@ -23,6 +23,11 @@ class Model;
 /// @error OutOfRange
 [[nodiscard]] Status checkAir(const SampledEffect& effect);
 
+/// What moves the air of an effect from step number - 1 to step number.
+/// @param grid that the air is on
+/// @param acts whether the source gives anything off in this step
+[[nodiscard]] AirStep airStep(const Model& model, const AirGrid& grid, std::int64_t number, bool acts);
+
 /// Everything that the air of an effect depends on.
 /// @param model of the same effect, whose checkAir() found nothing
 [[nodiscard]] AirPlan airPlan(const Model& model);

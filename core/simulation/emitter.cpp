@@ -58,6 +58,36 @@ HWY_INLINE Vec3<V> birthVelocity(D d, const BirthPlace& place, VU key)
     return n * (random * emitter.velocityRandomness + glm::vec3(1.0F - emitter.velocityRandomness)) * emitter.speed;
 }
 
+/// A particle's start.
+struct Start {
+    Vec3<V> position;
+    Vec3<V> velocity;
+};
+
+/// Takes starts at the emitter's place now to where it was when they were born. The turn from normal n to m, unit vectors, is
+/// v + k x v + k x (k x v) / (1 + n.m) with k = n x m.
+HWY_INLINE Start onTheWay(D d, const BirthPlace& place, VU key, const Start& born)
+{
+    const EmitterTravel& travel = place.travel;
+    const V lived = travel.betweenSteps ? signedValue(d, hn::ShiftRight<8>(key)) * 0x1p-24F : hn::Zero(d);
+    Vec3<V> away = born.position - place.emitter.position;
+    Vec3<V> velocity = born.velocity;
+    if (travel.normalBefore != place.emitter.normal) {
+        const Vec3<V> normal = broadcast(d, place.emitter.normal);
+        const Vec3<V> then = normal + lived * (travel.normalBefore - place.emitter.normal);
+        const V perLength = 1.0F / hn::Sqrt(dot(then, then));
+        const Vec3<V> k = cross(normal, then) * perLength;
+        const V fold = 1.0F / (1.0F + dot(normal, then) * perLength);
+        const auto turned = [&](const Vec3<V>& v) HWY_ATTR {
+            const Vec3<V> aside = cross(k, v);
+            return v + aside + cross(k, aside) * fold;
+        };
+        away = turned(away);
+        velocity = turned(velocity);
+    }
+    return {away + place.emitter.position - lived * travel.way, velocity + travel.velocity};
+}
+
 void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
 {
     const D d;
@@ -81,8 +111,12 @@ void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, 
         const VU carry = hn::VecFromMask(du, hn::Lt(low, hn::Set(du, start))); // all ones, which is -1, where the low half has wrapped
         const VU high = static_cast<std::uint32_t>(index >> 32U) - carry;
         const VU key = keysOf(place.emitter.seed, low, high);
-        const Vec3<V> v = birthVelocity(d, place, key);
-        const Vec3<V> p = birthPosition(d, place, key);
+        Start born{birthPosition(d, place, key), birthVelocity(d, place, key)};
+        if (place.travels) {
+            born = onTheWay(d, place, key, born);
+        }
+        const Vec3<V>& p = born.position;
+        const Vec3<V>& v = born.velocity;
         const std::size_t n = std::min(lanes, count - done);
         const std::size_t to = slot + done;
         store(d, p.x, particles.x.data() + to, n);
@@ -110,6 +144,13 @@ BirthPlace::BirthPlace(const Emitter& from)
 {
     const float half = portableSin(0.5F * radians(from.spread));
     coneHeight = 2.0F * half * half; // 1 - cos(spread), without its cancellation
+}
+
+BirthPlace::BirthPlace(const Emitter& at, const EmitterTravel& coming)
+    : BirthPlace(at)
+{
+    travel = coming;
+    travels = coming.way != glm::vec3(0.0F) || coming.normalBefore != at.normal || coming.velocity != glm::vec3(0.0F);
 }
 
 void bearParticles(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)

@@ -10,6 +10,16 @@
 
 namespace fumage {
 
+/// How an emitter has come to its place within the step that particles are born in. A particle that has lived for a share s of the step was born
+/// s of the way back: its place and velocity about the emitter are turned with the normal, which goes straight from one to the other and is made a unit again.
+/// Without turning, way or velocity it changes no bit.
+struct EmitterTravel {
+    glm::vec3 way{0.0F}; ///< from where the emitter was a step before, m
+    glm::vec3 normalBefore{0.0F, 1.0F, 0.0F}; ///< unit vector, a step before; not opposite to the normal now
+    glm::vec3 velocity{0.0F}; ///< that particles take along from it, m/s
+    bool betweenSteps = false; ///< whether particles are born between steps, see Schedule; otherwise all are born at its place now
+};
+
 /// Where and how fast particles start: eq. I and II of the 2012 model, with cone and shapes beside.
 ///
 /// I: P uniform on a rectangle (or disc, or in a ball) around the emitter, across its normal N.
@@ -17,10 +27,14 @@ namespace fumage {
 /// With a spread, N is first tilted to any direction of a cone with the same chance: the cosine of the angle is uniform.
 struct BirthPlace {
     explicit BirthPlace(const Emitter& from);
+    /// An emitter that has come to its place during the step.
+    BirthPlace(const Emitter& at, const EmitterTravel& coming);
 
     Emitter emitter;
     PlaneBasis basis;
     float coneHeight = 0.0F; ///< 1 - cos(spread): of the cap that the cone cuts from a unit sphere
+    EmitterTravel travel;
+    bool travels = false;
 };
 
 /// Gives birth to particles of consecutive index in consecutive slots.

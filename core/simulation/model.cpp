@@ -75,7 +75,19 @@ Model::Model(const SampledEffect& effect, std::shared_ptr<BakedAir> air)
     : m_effect(effect)
     , m_schedule(makeSchedule(m_effect))
     , m_air(std::move(air))
-    , m_turbulence(m_air ? belowTheGrid(effect->turbulence, m_air->plan().grid.cell, effect->air.detail) : effect->turbulence)
+    , m_turbulence(effect->turbulence)
+{
+    if (m_air) {
+        m_grid = m_air->plan().grid;
+        m_turbulence = belowTheGrid(effect->turbulence, m_grid->cell, effect->air.detail);
+    }
+}
+
+Model::Model(const SampledEffect& effect, const AirGrid& grid)
+    : m_effect(effect)
+    , m_schedule(makeSchedule(m_effect))
+    , m_grid(grid)
+    , m_turbulence(belowTheGrid(effect->turbulence, grid.cell, effect->air.detail))
 {
 }
 
@@ -196,7 +208,7 @@ StepConstants Model::constants(std::int64_t step) const
     out.step = static_cast<std::int32_t>(step);
     out.betweenSteps = m_schedule.betweenSteps;
     const glm::vec3 gravity{0.0F, motion.gravity / motion.mass, 0.0F};
-    const glm::vec3 acceleration = m_air ? -gravity : windAt(step) - gravity; // where there is air, it is what the wind moves
+    const glm::vec3 acceleration = inAir() ? -gravity : windAt(step) - gravity; // where there is air, it is what the wind moves
     out.steady = acceleration * ((1.0F - r) * tau);
     out.random = acceleration * (r * drawScale() * tau * 0x1p-31F);
     out.steadyShare = 1.0F - r;
@@ -216,7 +228,7 @@ StepConstants Model::constants(std::int64_t step) const
     out.vortexRadius = m_effect->vortex.radius;
     out.vortexWidening = m_effect->vortex.widening;
     out.vortexAxis = m_effect->vortex.axis;
-    if (m_effect->rings.strength > 0.0F && !m_air) {
+    if (m_effect->rings.strength > 0.0F && !inAir()) {
         placeRings(step, out); // air makes its own
     }
     out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
@@ -227,8 +239,8 @@ StepConstants Model::constants(std::int64_t step) const
         out.octave[static_cast<std::size_t>(octave)] = octaveAt(step, octave);
     }
     out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F && motion.rotationJitter == 0.0F
-        && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0 && !m_air;
-    if (m_air) {
+        && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0 && !inAir();
+    if (inAir()) {
         placeAir(out);
     }
     return out;
@@ -237,7 +249,7 @@ StepConstants Model::constants(std::int64_t step) const
 void Model::placeAir(StepConstants& out) const
 {
     const Air& air = m_effect->air;
-    const AirGrid& grid = m_air->plan().grid;
+    const AirGrid& grid = *m_grid;
     constexpr float kShareOfBox = 0.25F;
     out.air.reach = kShareOfBox * grid.cell * static_cast<float>(std::max({grid.cells.x, grid.cells.y, grid.cells.z}));
     out.air.detail = air.detail * kDetailPerShear;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -97,11 +98,17 @@ public:
     /// @param air that carries the particles, of the same effect; null where none does
     explicit Model(const SampledEffect& effect, std::shared_ptr<BakedAir> air = nullptr);
 
+    /// An effect whose air somebody else computes, step by step, on a grid of his own; air() is then nullptr.
+    Model(const SampledEffect& effect, const AirGrid& grid);
+
     [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
+    /// Whether air carries the particles, baked or not.
+    [[nodiscard]] bool inAir() const { return m_grid.has_value(); }
+
     /// When particles are born and for how long they live.
     [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
 
-    /// The air that carries the particles, or nullptr.
+    /// The baked air that carries the particles, or nullptr.
     [[nodiscard]] BakedAir* air() const { return m_air.get(); }
 
     /// What moves particles from step - 1 to step; without the air's field, which has to be computed first.
@@ -127,6 +134,7 @@ private:
     SampledEffect m_effect;
     Schedule m_schedule;
     std::shared_ptr<BakedAir> m_air;
+    std::optional<AirGrid> m_grid; ///< of the air that carries the particles; none where none does
     Turbulence m_turbulence; ///< the effect's, or in air the part of it that is below the grid
 };
 

@@ -22,27 +22,41 @@ void fillSlots(AlignedArray<T>& values, std::size_t first, std::size_t last, T v
     }
 }
 
+bool hasColumnsOf(ColumnOf owner, const Particles::Columns& columns)
+{
+    switch (owner) {
+    case ColumnOf::Rolling:
+        return columns.rolls;
+    case ColumnOf::InAir:
+        return columns.inAir;
+    case ColumnOf::Deforming:
+        return columns.deforms;
+    case ColumnOf::All:
+        break;
+    }
+    return true;
+}
+
 } // namespace
 
 void Particles::reset(std::size_t slotCount, const Columns& columns)
 {
-    const auto hasColumnsOf = [&](ColumnOf owner) {
-        switch (owner) {
-        case ColumnOf::Rolling:
-            return columns.rolls;
-        case ColumnOf::InAir:
-            return columns.inAir;
-        case ColumnOf::Deforming:
-            return columns.deforms;
-        case ColumnOf::All:
-            break;
-        }
-        return true;
-    };
     capacity = slotCount;
     const std::size_t padded = roundUp(slotCount, kChunk);
     forEachColumn([&](const auto& column) {
-        column.of(*this).assign(hasColumnsOf(column.owner) ? padded : 0, column.empty);
+        column.of(*this).assign(hasColumnsOf(column.owner, columns) ? padded : 0, column.empty);
+    });
+}
+
+void Particles::setColumns(const Columns& wanted)
+{
+    const std::size_t padded = x.size();
+    forEachColumn([&](const auto& column) {
+        auto& values = column.of(*this);
+        const std::size_t size = hasColumnsOf(column.owner, wanted) ? padded : 0;
+        if (values.size() != size) {
+            values.assign(size, column.empty);
+        }
     });
 }
 

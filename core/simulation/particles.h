@@ -39,6 +39,9 @@ struct Particles {
     void reset(std::size_t slotCount, const Columns& columns);
     void reset(std::size_t slotCount) { reset(slotCount, {}); }
 
+    /// Adds columns that are missing, empty, and lets go of those that nobody needs; what all others hold stays.
+    void setColumns(const Columns& columns);
+
     /// Empties slots [first, last).
     void clear(std::size_t first, std::size_t last);
 

@@ -1988,6 +1988,70 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Wait until some are done, or remove some</source>
         <translation>Vänta tills några är klara, eller ta bort några</translation>
     </message>
+    <message>
+        <source>the emitter&apos;s place or velocity is no number</source>
+        <translation>emitterns plats eller hastighet är inget tal</translation>
+    </message>
+    <message>
+        <source>Pass finite numbers</source>
+        <translation>Ange ändliga tal</translation>
+    </message>
+    <message>
+        <source>the emitter&apos;s normal has no direction</source>
+        <translation>emitterns normal har ingen riktning</translation>
+    </message>
+    <message>
+        <source>Pass a normal that is not zero</source>
+        <translation>Ange en normal som inte är noll</translation>
+    </message>
+    <message>
+        <source>%1 particles are not possible</source>
+        <translation>%1 partiklar är inte möjligt</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to %1, or 0 for as many as the effect has</source>
+        <translation>Begär 1 till %1, eller 0 för så många som effekten har</translation>
+    </message>
+    <message>
+        <source>%1 steps a second are not possible</source>
+        <translation>%1 steg i sekunden är inte möjligt</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to %1, or 0 for those of the effect</source>
+        <translation>Begär 1 till %1, eller 0 för effektens egna</translation>
+    </message>
+    <message>
+        <source>a budget below 0 or less than one step at once is not possible</source>
+        <translation>en budget under 0 eller färre än ett steg åt gången är inte möjligt</translation>
+    </message>
+    <message>
+        <source>Ask for 0 ms or more, and for 1 step or more</source>
+        <translation>Begär 0 ms eller mer, och 1 steg eller fler</translation>
+    </message>
+    <message>
+        <source>time that goes back, or is no number, is not possible</source>
+        <translation>tid som går bakåt, eller inte är något tal, är inte möjligt</translation>
+    </message>
+    <message>
+        <source>Pass the seconds since the last step, 0 or more</source>
+        <translation>Ange sekunderna sedan förra steget, 0 eller mer</translation>
+    </message>
+    <message>
+        <source>a step cannot become longer or shorter while the simulation runs</source>
+        <translation>ett steg kan inte bli längre eller kortare medan simuleringen pågår</translation>
+    </message>
+    <message>
+        <source>Keep timeline.frame_rate and timeline.steps_per_frame, or start a new simulation</source>
+        <translation>Behåll timeline.frame_rate och timeline.steps_per_frame, eller starta en ny simulering</translation>
+    </message>
+    <message>
+        <source>box, grid, ground and obstacle of the air are fixed while the simulation runs</source>
+        <translation>luftens låda, rutnät, mark och hinder ligger fast medan simuleringen pågår</translation>
+    </message>
+    <message>
+        <source>Keep them, or start a new simulation</source>
+        <translation>Behåll dem, eller starta en ny simulering</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

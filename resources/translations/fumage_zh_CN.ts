@@ -1988,6 +1988,70 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Wait until some are done, or remove some</source>
         <translation>请等待部分完成，或移除一些</translation>
     </message>
+    <message>
+        <source>the emitter&apos;s place or velocity is no number</source>
+        <translation>发射器的位置或速度不是数值</translation>
+    </message>
+    <message>
+        <source>Pass finite numbers</source>
+        <translation>请传入有限的数值</translation>
+    </message>
+    <message>
+        <source>the emitter&apos;s normal has no direction</source>
+        <translation>发射器的法线没有方向</translation>
+    </message>
+    <message>
+        <source>Pass a normal that is not zero</source>
+        <translation>请传入不为零的法线</translation>
+    </message>
+    <message>
+        <source>%1 particles are not possible</source>
+        <translation>无法使用 %1 个粒子</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to %1, or 0 for as many as the effect has</source>
+        <translation>请取 1 到 %1，或取 0 表示与效果相同的数量</translation>
+    </message>
+    <message>
+        <source>%1 steps a second are not possible</source>
+        <translation>无法每秒计算 %1 步</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to %1, or 0 for those of the effect</source>
+        <translation>请取 1 到 %1，或取 0 表示使用效果自己的步数</translation>
+    </message>
+    <message>
+        <source>a budget below 0 or less than one step at once is not possible</source>
+        <translation>时间预算不能小于 0，每次也不能少于一步</translation>
+    </message>
+    <message>
+        <source>Ask for 0 ms or more, and for 1 step or more</source>
+        <translation>请取 0 毫秒或更多，以及 1 步或更多</translation>
+    </message>
+    <message>
+        <source>time that goes back, or is no number, is not possible</source>
+        <translation>时间不能倒退，也必须是数值</translation>
+    </message>
+    <message>
+        <source>Pass the seconds since the last step, 0 or more</source>
+        <translation>请传入距上一步的秒数，0 或更多</translation>
+    </message>
+    <message>
+        <source>a step cannot become longer or shorter while the simulation runs</source>
+        <translation>模拟运行时不能改变步长</translation>
+    </message>
+    <message>
+        <source>Keep timeline.frame_rate and timeline.steps_per_frame, or start a new simulation</source>
+        <translation>请保持 timeline.frame_rate 和 timeline.steps_per_frame，或开始新的模拟</translation>
+    </message>
+    <message>
+        <source>box, grid, ground and obstacle of the air are fixed while the simulation runs</source>
+        <translation>模拟运行时，空气的范围、网格、地面和障碍物固定不变</translation>
+    </message>
+    <message>
+        <source>Keep them, or start a new simulation</source>
+        <translation>请保持不变，或开始新的模拟</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the library into a temporary folder, builds a small program against the installed package and runs it; then builds the same
-# program with the library as a part of its tree.
+# Installs the library into a temporary folder, builds a small program against the installed package and runs it, and one in C against the shared
+# library where there is one; then builds the first program with the library as a part of its tree.
 #   build_consumer.sh <build tree> <consumer> <compiler> <its flags> <source tree> [whole]
 # A part of a tree is compiled as far as the program's own code; "whole" links and runs that too, which compiles the library once more.
 set -euo pipefail
@@ -33,6 +33,24 @@ strangers=$(find "$work/installed/include" -name '*-inl.h' -o -name '*_kernel.h'
 [ -z "$strangers" ] || { echo "headers that are nobody's business: $strangers"; exit 1; }
 if grep -rn '#include "core/' "$work/installed/include"; then
     exit 1
+fi
+
+pc=$(find "$work/installed" -name fumage.pc)
+if [ -n "$pc" ]; then
+    echo "-- in C"
+    export PKG_CONFIG_PATH=${pc%/*}
+    library=$(pkg-config --variable=libdir fumage)
+    # shellcheck disable=SC2046 # options are words
+    quietly "${CC:-cc}" -std=c11 -Wall -Wextra -pedantic -Werror "$consumer/smoke.c" -o "$work/smoke" $(pkg-config --cflags --libs fumage)
+    LD_LIBRARY_PATH=$library "$work/smoke"
+    if LD_LIBRARY_PATH=$library "$work/smoke" chimny 2> "$work/log" || ! grep -q chimney "$work/log"; then
+        echo "a wrong name is not told with the right one:"
+        cat "$work/log"
+        exit 1
+    fi
+    readelf -d "$work/smoke" | grep -q 'NEEDED.*libfumage\.so\.[0-9]' || { echo "the shared library has no version in its name"; exit 1; }
+    strangers=$(nm -D --defined-only "$library/libfumage.so" | awk '$2 != "A" && $3 !~ /^fumage_/')
+    [ -z "$strangers" ] || { echo "the shared library exports what is nobody's business: $strangers"; exit 1; }
 fi
 
 echo "-- as a part of a tree"

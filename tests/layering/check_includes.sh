@@ -31,13 +31,15 @@ if [ -n "$boxes" ]; then
     printf '%s\n%s\n' 'texts of files are shown by MessageBox, which takes nothing for HTML:' "$boxes"
     failed=1
 fi
-forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export)/' 'base stands below everything'
-forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export)/' 'files of pictures know only base'
-forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export)/' 'effect knows only base'
-forbid core/preset 'core/(noise|flow|simulation|lighting|rendering|export)/' 'preset knows effect, files of pictures and base'
-forbid core/noise 'core/(preset|flow|simulation|lighting|rendering|export)/' 'noise does not know what uses it'
-forbid core/flow 'core/(preset|simulation|lighting|rendering|export)/' 'the air knows no particles'
-forbid core/simulation 'core/(preset|lighting|rendering|export)/' 'simulation does not know rendering'
-forbid core/lighting 'core/(preset|rendering|export)/' 'lighting does not know rendering'
-forbid core/rendering 'core/(preset|export)/' 'rendering does not know files'
+forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'base stands below everything'
+forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
+forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'
+forbid core/preset 'core/(noise|flow|simulation|lighting|rendering|export|live|c)/' 'preset knows effect, files of pictures and base'
+forbid core/noise 'core/(preset|flow|simulation|lighting|rendering|export|live|c)/' 'noise does not know what uses it'
+forbid core/flow 'core/(preset|simulation|lighting|rendering|export|live|c)/' 'the air knows no particles'
+forbid core/simulation 'core/(preset|lighting|rendering|export|live|c)/' 'simulation does not know rendering'
+forbid core/lighting 'core/(preset|rendering|export|live|c)/' 'lighting does not know rendering'
+forbid core/rendering 'core/(preset|export|live|c)/' 'rendering does not know files'
+forbid core/export 'core/(live|c)/' 'files know no game'
+forbid core/live 'core/(preset|rendering|export|c)/' 'live smoke knows no files and no pictures'
 exit $failed

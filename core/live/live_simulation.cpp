@@ -1,0 +1,351 @@
+#include "core/live/live_simulation.h"
+
+#include "core/base/parallel.h"
+#include "core/simulation/air_plan.h"
+#include "core/simulation/chunk_step.h"
+#include "core/simulation/slot_ring.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+/// An effect as it is simulated here: endless, and from nothing.
+Effect endless(const Effect& effect)
+{
+    Effect out = effect;
+    out.timeline.loop = false;
+    out.timeline.prewarm = false;
+    return out;
+}
+
+/// An effect in steps that somebody else chooses; 0: in its own.
+Effect inSteps(const Effect& effect, int stepsPerSecond)
+{
+    Effect out = effect;
+    if (stepsPerSecond > 0) {
+        out.timeline.frameRate = stepsPerSecond;
+        out.timeline.stepsPerFrame = 1;
+    }
+    return out;
+}
+
+/// What of the air is fixed as long as it lives.
+Air fixedPart(const Air& air)
+{
+    Air part;
+    part.enabled = air.enabled;
+    if (air.enabled) {
+        part = air;
+        part.vorticity = Air().vorticity;
+        part.raggedness = Air().raggedness;
+        part.unevenness = Air().unevenness;
+        part.detail = Air().detail;
+        part.heatOpacity = Air().heatOpacity;
+        part.expansion = Air().expansion;
+        part.friction = Air().friction;
+    }
+    return part;
+}
+
+EmitterPose poseOf(const Emitter& emitter)
+{
+    return {emitter.position, glm::normalize(emitter.normal), glm::vec3(0.0F)};
+}
+
+bool isFinite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The pose with its normal made a unit.
+Result<EmitterPose> checked(const EmitterPose& pose)
+{
+    if (!isFinite(pose.position) || !isFinite(pose.normal) || !isFinite(pose.velocity)) {
+        return Error{ErrorCode::OutOfRange, said("the emitter's place or velocity is no number"), {}, said("Pass finite numbers")};
+    }
+    const float longest = std::max({std::abs(pose.normal.x), std::abs(pose.normal.y), std::abs(pose.normal.z)});
+    if (longest == 0.0F) {
+        return Error{ErrorCode::OutOfRange, said("the emitter's normal has no direction"), {}, said("Pass a normal that is not zero")};
+    }
+    return EmitterPose{pose.position, glm::normalize(pose.normal / longest), pose.velocity};
+}
+
+/// Whether a turn from one unit vector to another has no way of its own: they are almost opposite.
+bool isFlip(const glm::vec3& a, const glm::vec3& b)
+{
+    constexpr float kAlmostOpposite = -0.99F;
+    return glm::dot(a, b) < kAlmostOpposite;
+}
+
+EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share)
+{
+    if (share >= 1.0) {
+        return to;
+    }
+    const auto t = static_cast<float>(share);
+    EmitterPose out{glm::mix(from.position, to.position, t), to.normal, glm::mix(from.velocity, to.velocity, t)};
+    if (from.normal != to.normal && !isFlip(from.normal, to.normal)) {
+        out.normal = glm::normalize(glm::mix(from.normal, to.normal, t));
+    }
+    return out;
+}
+
+/// Keeps the swirls where they are in the world when the place that they are counted from is moved: the part of the lattice is added that it has moved by.
+void anchorSwirls(StepConstants& constants, const glm::vec3& anchor)
+{
+    const glm::vec3 moved = (constants.pivot - anchor) * constants.turbulenceFrequency;
+    for (int octave = 0; octave < constants.octaves; ++octave) {
+        OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
+        at.shift += moved * at.frequency;
+    }
+}
+
+/// As many frames a second as an effect has at most.
+constexpr int kMostStepsPerSecond = 240;
+
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Status checkOptions(const LiveOptions& options)
+{
+    if (options.mostParticles < 0 || options.mostParticles > kMaxParticles) {
+        return Error{ErrorCode::TooLarge, said("%1 particles are not possible", options.mostParticles), {}, said("Ask for 1 to %1, or 0 for as many as the effect has", kMaxParticles)};
+    }
+    if (options.stepsPerSecond < 0 || options.stepsPerSecond > kMostStepsPerSecond) {
+        return Error{ErrorCode::OutOfRange, said("%1 steps a second are not possible", options.stepsPerSecond), {}, said("Ask for 1 to %1, or 0 for those of the effect", kMostStepsPerSecond)};
+    }
+    if (options.mostStepsAtOnce < 1 || !(options.budgetMs >= 0.0)) {
+        return Error{ErrorCode::OutOfRange, said("a budget below 0 or less than one step at once is not possible"), {}, said("Ask for 0 ms or more, and for 1 step or more")};
+    }
+    return Done{};
+}
+
+} // namespace
+
+Result<LiveSimulation> LiveSimulation::start(const Effect& effect, const LiveOptions& options)
+{
+    if (Status status = checkOptions(options); !status) {
+        return status.error();
+    }
+    const Effect timed = inSteps(effect, options.stepsPerSecond);
+    if (Status status = checkAir(sampled(endless(timed))); !status) {
+        return status.error();
+    }
+    return LiveSimulation(timed, options);
+}
+
+LiveSimulation::LiveSimulation(const Effect& effect, const LiveOptions& options)
+    : m_effect(effect)
+    , m_options(options)
+    , m_stepSeconds(1.0 / (static_cast<double>(effect.timeline.frameRate) * effect.timeline.stepsPerFrame))
+    , m_pose(poseOf(effect.emitter))
+    , m_reached(m_pose)
+    , m_target(m_pose)
+    , m_anchor(m_pose.position)
+{
+    if (effect.air.enabled) {
+        m_air = std::make_unique<LiveAir>(Model(sampled(endless(effect))));
+    }
+    m_model = std::make_shared<Model>(modelAt(m_pose));
+    if (options.budgetMs > 0.0) {
+        constexpr double kSecondsPerMs = 1e-3;
+        m_budget.emplace(options.budgetMs * kSecondsPerMs);
+    }
+    const std::int64_t most = options.mostParticles > 0 ? options.mostParticles : m_model->schedule().capacity();
+    m_frame.model = m_model;
+    m_frame.step = -1;
+    m_frame.particles.reset(static_cast<std::size_t>(most), columnsOf(*m_model));
+}
+
+Model LiveSimulation::modelAt(const EmitterPose& pose) const
+{
+    Effect effect = endless(m_effect);
+    effect.emitter.position = pose.position;
+    effect.emitter.normal = pose.normal;
+    return m_air ? Model(sampled(effect), m_air->grid()) : Model(sampled(effect));
+}
+
+Result<int> LiveSimulation::step(double seconds)
+{
+    if (!(seconds >= 0.0) || !std::isfinite(seconds)) {
+        return Error{ErrorCode::OutOfRange, said("time that goes back, or is no number, is not possible"), {}, said("Pass the seconds since the last step, 0 or more")};
+    }
+    // A game's 1/60 as a float is a hair away from a step: without this there would now and then be none, and two the next time.
+    constexpr double kRoundingOfFloats = 1e-6;
+    const double before = m_saved;
+    const double due = (before + seconds) / m_stepSeconds;
+    const double whole = std::floor(due + kRoundingOfFloats);
+    const int steps = static_cast<int>(std::min(whole, static_cast<double>(m_options.mostStepsAtOnce)));
+    const double stretch = steps > 0 ? whole / steps : 1.0; // time that is let go takes its part of the emitter's way with it
+    for (int i = 1; i <= steps; ++i) {
+        const double share = seconds > 0.0 ? (i * stretch * m_stepSeconds - before) / seconds : 1.0;
+        const bool isNow = share > 1.0 - kRoundingOfFloats;
+        stepOnce(between(m_reached, m_target, isNow ? 1.0 : std::max(0.0, share)));
+    }
+    m_saved = (due - whole) * m_stepSeconds;
+    m_reached = m_target;
+    return steps;
+}
+
+void LiveSimulation::stepOnce(const EmitterPose& pose)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const std::int64_t step = m_frame.step + 1;
+    *m_model = modelAt(pose);
+    StepConstants constants = m_model->constants(step);
+    anchorSwirls(constants, m_anchor);
+    if (m_air) {
+        const bool emits = m_clock.emits(m_model->schedule()) && share() > 0.0F;
+        m_air->step(*m_model, step, step == 0 ? emits : m_emitted);
+        m_emitted = emits;
+        constants.air.field = &m_air->field();
+    }
+    const double airSeconds = m_budget ? secondsSince(start) : 0.0;
+    bury(step);
+    moveParticles(constants, pose, countBirths());
+    m_pose = pose;
+    m_frame.step = step;
+    m_frame.number = static_cast<int>(step / m_model->schedule().stepsPerFrame);
+    m_appearanceIsNew = false;
+    m_coloursAreNew = false;
+    if (m_budget) {
+        (void)m_budget->observe({airSeconds, secondsSince(start) - airSeconds}, living(), static_cast<std::size_t>(m_model->effect()->emitter.count));
+    }
+}
+
+void LiveSimulation::bury(std::int64_t step)
+{
+    const SlotRing ring(m_frame.particles);
+    const std::int64_t lifetime = m_model->schedule().lifetimeSteps;
+    while (m_first < m_next && m_frame.particles.birthStep[ring.slotOf(m_first)] + lifetime <= step) {
+        const std::size_t slot = ring.slotOf(m_first);
+        m_frame.particles.clear(slot, slot + 1);
+        ++m_first;
+    }
+}
+
+std::int64_t LiveSimulation::countBirths()
+{
+    const std::int64_t births = m_clock.next(m_model->schedule(), share());
+    const auto places = static_cast<std::int64_t>(m_frame.particles.capacity) - (m_next - m_first);
+    return std::min(births, places);
+}
+
+void LiveSimulation::moveParticles(const StepConstants& constants, const EmitterPose& pose, std::int64_t births)
+{
+    EmitterTravel travel{pose.position - m_pose.position, m_pose.normal, pose.velocity, constants.betweenSteps};
+    if (isFlip(travel.normalBefore, pose.normal)) {
+        travel.normalBefore = pose.normal;
+    }
+    const BirthPlace place(m_model->effect()->emitter, travel);
+    Particles& particles = m_frame.particles;
+    const SlotRing ring(particles);
+    const std::int64_t end = m_next + births;
+    parallelFor(particles.chunks(), [&](std::size_t chunk) {
+        const bool lives = ring.reaches(chunk, m_first, m_next);
+        if (lives) {
+            moveChunk(constants, particles, chunk);
+        }
+        ring.forChunk(chunk, m_next, end, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
+            bearInChunk(place, constants, low, slot, slot + static_cast<std::size_t>(high - low), particles);
+        });
+        if (lives || ring.reaches(chunk, m_next, end)) {
+            ring.clearOthers(particles, chunk, m_first, end); // moved too, though nobody lives there
+        }
+    });
+    m_next = end;
+}
+
+Status LiveSimulation::setEffect(const Effect& wanted)
+{
+    const Effect effect = inSteps(wanted, m_options.stepsPerSecond);
+    if (effect.timeline.frameRate != m_effect.timeline.frameRate || effect.timeline.stepsPerFrame != m_effect.timeline.stepsPerFrame) {
+        return Error{ErrorCode::OutOfRange, said("a step cannot become longer or shorter while the simulation runs"), std::string("timeline.frame_rate"),
+            said("Keep timeline.frame_rate and timeline.steps_per_frame, or start a new simulation")};
+    }
+    if (fixedPart(effect.air) != fixedPart(m_effect.air)) {
+        return Error{ErrorCode::OutOfRange, said("box, grid, ground and obstacle of the air are fixed while the simulation runs"), std::string("air"),
+            said("Keep them, or start a new simulation")};
+    }
+    if (effect.emitter.position != m_effect.emitter.position) {
+        m_target.position = effect.emitter.position;
+    }
+    if (effect.emitter.normal != m_effect.emitter.normal) {
+        m_target.normal = glm::normalize(effect.emitter.normal);
+    }
+    m_effect = effect;
+    *m_model = modelAt(m_pose);
+    m_frame.particles.setColumns(columnsOf(*m_model));
+    m_appearanceIsNew = false;
+    m_coloursAreNew = false;
+    return Done{};
+}
+
+Status LiveSimulation::setEmitter(const EmitterPose& pose)
+{
+    const Result<EmitterPose> target = checked(pose);
+    if (!target) {
+        return target.error();
+    }
+    m_target = target.value();
+    return Done{};
+}
+
+Status LiveSimulation::placeEmitter(const EmitterPose& pose)
+{
+    if (Status status = setEmitter(pose); !status) {
+        return status;
+    }
+    m_reached = m_target;
+    m_pose = m_target;
+    return Done{};
+}
+
+void LiveSimulation::setShare(float share)
+{
+    m_share = share > 0.0F ? std::min(share, 1.0F) : 0.0F;
+}
+
+float LiveSimulation::share() const
+{
+    return m_share * (m_budget ? m_budget->share() : 1.0F);
+}
+
+const Appearance& LiveSimulation::appearance()
+{
+    if (!m_appearanceIsNew) {
+        findAppearance(m_frame, m_model->effect(), Axes{}, m_appearance);
+        m_appearanceIsNew = true;
+    }
+    return m_appearance;
+}
+
+std::span<const glm::vec4> LiveSimulation::colours()
+{
+    const Appearance& looks = appearance();
+    if (m_coloursAreNew) {
+        return m_colours;
+    }
+    constexpr std::size_t kEntries = 256;
+    std::array<glm::vec3, kEntries> table;
+    for (std::size_t i = 0; i < kEntries; ++i) {
+        table[i] = m_effect.look.colour * m_effect.look.colourGradient.at(static_cast<float>(i) / static_cast<float>(kEntries - 1));
+    }
+    m_colours.resize(looks.life.size());
+    for (std::size_t i = 0; i < m_colours.size(); ++i) {
+        m_colours[i] = glm::vec4(table[static_cast<std::size_t>(looks.life[i] * static_cast<float>(kEntries - 1))], looks.alpha[i]);
+    }
+    m_coloursAreNew = true;
+    return m_colours;
+}
+
+} // namespace fumage

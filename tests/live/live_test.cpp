@@ -1,0 +1,425 @@
+#include "tests/helpers.h"
+#include "tests/live/counted_heap.h"
+
+#include "core/live/live_simulation.h"
+#include "core/simulation/advance.h"
+
+#include <random>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+constexpr double kDt = 1.0 / 60.0;
+
+LiveSimulation started(const Effect& effect, const LiveOptions& options = {})
+{
+    Result<LiveSimulation> made = LiveSimulation::start(effect, options);
+    if (!made) {
+        qFatal("%s", made.error().text().c_str());
+    }
+    return std::move(made).value();
+}
+
+void go(LiveSimulation& live, int steps)
+{
+    for (int i = 0; i < steps; ++i) {
+        QCOMPARE(live.step(live.stepSeconds()).value(), 1);
+    }
+}
+
+/// Smoke in a wind, at 60 steps a second.
+Effect windy(int count)
+{
+    Effect effect = thesisEffect(count);
+    effect.emitter.subframe = true;
+    effect.emitter.velocityRandomness = 0.4F;
+    effect.emitter.shape = EmitterShape::Disc;
+    effect.motion.wind = 2.0F;
+    effect.motion.gust = 0.8F;
+    effect.motion.drag = 1.0F;
+    effect.motion.buoyancy = 1.0F;
+    effect.turbulence.strength = 0.7F;
+    effect.life.initialAlpha = 0.1F;
+    effect.life.fadeRate = 0.05F;
+    effect.timeline.frameRate = 60;
+    return effect;
+}
+
+/// A point that leaves particles standing where they are born.
+Effect standing(int count)
+{
+    Effect effect = thesisEffect(count);
+    effect.emitter.shape = EmitterShape::Disc;
+    effect.emitter.radius = 0.0F;
+    effect.emitter.subframe = true;
+    effect.emitter.speed = 0.0F;
+    effect.timeline.frameRate = 60;
+    return effect;
+}
+
+/// A game that does with a smoke what comes into its mind.
+class Restless {
+public:
+    explicit Restless(const Effect& effect)
+        : m_effect(effect)
+    {
+    }
+
+    void act(LiveSimulation& live, int step)
+    {
+        EmitterPose pose = live.emitter();
+        pose.position += 0.3F * draw();
+        pose.normal = glm::normalize(pose.normal + 0.5F * draw());
+        pose.velocity = 2.0F * draw();
+        QVERIFY(live.setEmitter(pose).ok());
+        if (step % 7 == 0) {
+            m_effect.emitter.count = 200 + static_cast<int>(m_random() % 6000);
+            m_effect.motion.wind = 4.0F * draw().x;
+            m_effect.life.fadeRate = 0.04F + 0.02F * draw().x;
+            QVERIFY(live.setEffect(m_effect).ok());
+        }
+        live.setShare(step % 200 < 10 ? 0.0F : 1.0F);
+        QCOMPARE(live.step(kDt).value(), 1);
+    }
+
+private:
+    glm::vec3 draw()
+    {
+        const auto one = [&] { return static_cast<float>(m_random()) / static_cast<float>(std::mt19937::max()) * 2.0F - 1.0F; };
+        const float x = one();
+        const float y = one();
+        return {x, y, one()};
+    }
+
+    Effect m_effect;
+    std::mt19937 m_random{2012};
+};
+
+/// Whether every number of every particle is one.
+bool isFinite(const Particles& particles)
+{
+    bool finite = true;
+    forEachColumn([&](const auto& column) {
+        const auto& values = column.of(particles);
+        finite = finite && std::all_of(values.begin(), values.end(), [](auto value) { return std::isfinite(static_cast<double>(value)); });
+    });
+    return finite;
+}
+
+/// The farthest that a particle has gone in a step beyond what it may: its speed, and that of the swirls.
+float longestJump(const Particles& before, const Particles& after, float swirls)
+{
+    float jump = 0.0F;
+    for (std::size_t i = 0; i < after.capacity; ++i) {
+        if (before.key[i] != after.key[i] || before.birthStep[i] != after.birthStep[i] || after.birthStep[i] == Particles::kUnborn) {
+            continue; // not the same particle
+        }
+        const glm::vec3 way{after.x[i] - before.x[i], after.y[i] - before.y[i], after.z[i] - before.z[i]};
+        const float speed = glm::length(glm::vec3(after.vx[i], after.vy[i], after.vz[i]));
+        jump = std::max(jump, glm::length(way) - (speed + swirls) * static_cast<float>(kDt));
+    }
+    return jump;
+}
+
+} // namespace
+
+class LiveTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatNobodyChangesIsTheSimulatorToTheBit()
+    {
+        for (const EmissionMode mode : {EmissionMode::Continuous, EmissionMode::Burst}) {
+            Effect effect = everythingOn();
+            effect.emitter.mode = mode;
+            effect.timeline.prewarm = false;
+            const Model model(sampled(effect));
+            LiveSimulation live = started(effect);
+            int made = 0;
+            for (const int step : {0, 1, 40, 200, 333}) {
+                go(live, step + 1 - made);
+                made = step + 1;
+                Particles expected;
+                QVERIFY(advanceFromNothing(model, expected, step).ok());
+                QVERIFY(sameBits(live.particles(), expected));
+            }
+        }
+    }
+
+    void airThatStepsIsTheAirThatIsBakedToTheBit()
+    {
+        Effect effect = everythingOn();
+        effect.air.enabled = true;
+        effect.air.resolution = 16;
+        effect.emitter.mode = EmissionMode::Burst; // its source ends
+        effect.timeline.prewarm = false;
+        Simulator simulator(sampled(effect));
+        LiveSimulation live = started(effect);
+        for (const int number : {0, 1, 2, 5, 30}) {
+            go(live, number + 1 - static_cast<int>(live.frame().step + 1));
+            QVERIFY(sameBits(live.particles(), simulator.frame(number).value()->particles));
+        }
+    }
+
+    void aMinuteOfChangesIsSmoothAndFlat()
+    {
+        const Effect effect = windy(3000);
+        LiveSimulation live = started(effect);
+        Restless game(effect);
+        Particles before;
+        before.reset(live.particles().capacity);
+        std::size_t most = 0;
+        for (int step = 0; step < 3600; ++step) {
+            const std::size_t allocated = allocations();
+            before.copySlots(live.particles(), 0, before.x.size());
+            game.act(live, step);
+            constexpr int kSettled = 10;
+            if (step >= kSettled) {
+                QCOMPARE(allocations(), allocated);
+            }
+            QVERIFY2(isFinite(live.particles()), qPrintable(QString::number(step)));
+            constexpr float kPeakOfSwirls = 6.0F; // times their root mean square
+            QVERIFY(longestJump(before, live.particles(), kPeakOfSwirls * effect.turbulence.strength) < 1e-5F);
+            most = std::max(most, live.living());
+        }
+        QVERIFY(most > 2000 && most <= live.particles().capacity);
+    }
+
+    void theSameMinuteHasTheSameBits()
+    {
+        const Effect effect = windy(1500);
+        const auto run = [&] {
+            LiveSimulation live = started(effect);
+            Restless game(effect);
+            for (int step = 0; step < 900; ++step) {
+                game.act(live, step);
+            }
+            return live.particles();
+        };
+        const Particles first = run();
+        const ThreadLimit one(1);
+        QVERIFY(sameBits(first, run()));
+    }
+
+    void smokeIsBornAlongTheWayOfTheEmitter()
+    {
+        LiveSimulation live = started(standing(60000));
+        go(live, 1);
+        QVERIFY(live.setEmitter({{3.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, glm::vec3(0.0F)}).ok());
+        QCOMPARE(live.step(3.0 * live.stepSeconds()).value(), 3);
+        const Particles& p = live.particles();
+        std::array<int, 6> bins{};
+        for (std::size_t i = 0; i < p.capacity; ++i) {
+            if (p.birthStep[i] != Particles::kUnborn && p.birthStep[i] > 0) {
+                const float age = static_cast<float>(3 - p.birthStep[i]) + static_cast<float>(p.key[i] >> 8U) * 0x1p-24F;
+                QVERIFY(near(p.x[i], 3.0F - age, 1e-5)); // a metre a step
+                ++bins[static_cast<std::size_t>(std::min(5.0F, 2.0F * p.x[i]))];
+            }
+        }
+        for (const int count : bins) {
+            QVERIFY(near(count, 100.0, 40.0)); // 200 births a step, each half a metre has half of them
+        }
+    }
+
+    void smokeIsThrownAlongTheNormalOnTheWay()
+    {
+        Effect effect = standing(6000);
+        effect.emitter.speed = 2.0F;
+        LiveSimulation live = started(effect);
+        go(live, 1);
+        QVERIFY(live.setEmitter({glm::vec3(0.0F), {5.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 7.0F}}).ok());
+        go(live, 1);
+        const Particles& p = live.particles();
+        bool isBetween = false;
+        for (std::size_t i = 0; i < p.capacity; ++i) {
+            if (p.birthStep[i] == 1) {
+                // From up to the right, in a straight line whose length is made 1; and the emitter's own velocity beside.
+                const float share = static_cast<float>(p.key[i] >> 8U) * 0x1p-24F;
+                const glm::vec3 expected = 2.0F * glm::normalize(glm::vec3(1.0F - share, share, 0.0F)) + glm::vec3(0.0F, 0.0F, 7.0F);
+                QVERIFY(glm::distance(expected, glm::vec3(p.vx[i], p.vy[i], p.vz[i])) < 1e-4F);
+                isBetween = isBetween || (share > 0.3F && share < 0.7F);
+            }
+        }
+        QVERIFY(isBetween);
+    }
+
+    void nothingIsBornWhereTheEmitterLeapsOver()
+    {
+        LiveSimulation live = started(standing(6000));
+        go(live, 5);
+        QVERIFY(live.placeEmitter({{100.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, glm::vec3(0.0F)}).ok());
+        go(live, 5);
+        const Particles& p = live.particles();
+        for (std::size_t i = 0; i < p.capacity; ++i) {
+            if (p.birthStep[i] != Particles::kUnborn) {
+                QCOMPARE(p.x[i], p.birthStep[i] < 5 ? 0.0F : 100.0F);
+            }
+        }
+    }
+
+    void turbulenceStaysInTheWorld()
+    {
+        Effect effect = windy(2000);
+        effect.turbulence.growth = 0.0F;
+        LiveSimulation still = started(effect);
+        LiveSimulation moved = started(effect);
+        go(still, 60);
+        go(moved, 60);
+        still.setShare(0.0F);
+        moved.setShare(0.0F);
+        QVERIFY(moved.setEmitter({{4.0F, 1.0F, -2.0F}, {0.0F, 1.0F, 0.0F}, glm::vec3(0.0F)}).ok());
+        go(still, 30);
+        go(moved, 30);
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < still.particles().capacity; ++i) {
+            farthest = std::max(farthest, std::abs(static_cast<double>(still.particles().x[i] - moved.particles().x[i])));
+        }
+        QVERIFY(near(farthest, 0.0, 1e-3)); // rounding of places on the lattice, and what the swirls make of it
+    }
+
+    void sharesAndRatesAreKeptWhateverTheyChangeInto()
+    {
+        Schedule schedule = makeSchedule(sampled(thesisEffect(997)));
+        BirthClock clock;
+        double expected = 0.0;
+        std::int64_t births = 0;
+        std::mt19937 random{7};
+        for (int step = 0; step < 5000; ++step) {
+            schedule.birthsPerPeriod = 1 + static_cast<std::int64_t>(random() % 2000);
+            schedule.windowSteps = schedule.periodSteps = 1 + static_cast<std::int64_t>(random() % 300);
+            const float share = static_cast<float>(random() % 5) / 4.0F;
+            expected += static_cast<double>(schedule.birthsPerPeriod) / static_cast<double>(schedule.windowSteps) * static_cast<double>(share);
+            births += clock.next(schedule, share);
+            QVERIFY(near(static_cast<double>(births), expected + 0.5, 0.51 + 1e-4 * step));
+        }
+    }
+
+    void aBurstComesOnceAndAgainWhenAsked()
+    {
+        Effect effect = standing(600);
+        effect.emitter.mode = EmissionMode::Burst;
+        effect.emitter.burstDuration = 0.1F;
+        LiveSimulation live = started(effect, {.mostParticles = 5000});
+        go(live, 30);
+        QCOMPARE(live.living(), std::size_t(600));
+        live.burst();
+        go(live, 30);
+        QCOMPARE(live.living(), std::size_t(1200));
+    }
+
+    void shorterLivesEndAtOnceAndPlacesBecomeFree()
+    {
+        Effect effect = standing(300); // of 5 s
+        LiveSimulation live = started(effect);
+        go(live, 300);
+        QCOMPARE(live.living(), std::size_t(300));
+        effect.life.fadeRate *= 5.0F; // 1 s
+        QVERIFY(live.setEffect(effect).ok());
+        go(live, 1);
+        QVERIFY(live.living() <= 65);
+        go(live, 120);
+        QCOMPARE(live.living(), std::size_t(300));
+    }
+
+    void timeIsSavedUpIntoSteps()
+    {
+        LiveSimulation live = started(standing(60), {.mostStepsAtOnce = 4});
+        QCOMPARE(live.step(0.4 * kDt).value(), 0);
+        QCOMPARE(live.step(0.4 * kDt).value(), 0);
+        QCOMPARE(live.step(0.4 * kDt).value(), 1);
+        QVERIFY(near(live.saved(), 0.2 * kDt, 1e-9));
+        for (int i = 0; i < 1000; ++i) {
+            QCOMPARE(live.step(static_cast<double>(1.0F / 60.0F)).value(), 1);
+        }
+        QCOMPARE(live.step(10.0).value(), 4); // a game that has stood still
+        QVERIFY(live.saved() < kDt);
+    }
+
+    void aRendererTakesItsFrames()
+    {
+        Effect effect = everythingOn();
+        effect.timeline.prewarm = false;
+        LiveSimulation live = started(effect);
+        go(live, 41);
+        Renderer renderer;
+        Image image;
+        QVERIFY(renderer.render(live.frame(), live.sampledEffect(), effect.output.width, effect.output.height, image).ok());
+        const Image expected = render(effect, 40);
+        QCOMPARE(image.pixels.size(), expected.pixels.size());
+        QVERIFY(std::memcmp(image.pixels.data(), expected.pixels.data(), image.pixels.size() * sizeof(image.pixels[0])) == 0);
+        QCOMPARE(live.appearance().radius[0], renderer.appearance().radius[0]);
+        QCOMPARE(live.colours()[0].a, renderer.appearance().alpha[0]);
+    }
+
+    void particlesBeginToRollWhileTheyLive()
+    {
+        Effect effect = windy(2000);
+        effect.look.roll = 0.0F;
+        LiveSimulation live = started(effect);
+        go(live, 20);
+        QVERIFY(!live.particles().rolls());
+        const float x = live.particles().x[0];
+        effect.look.roll = 1.0F;
+        QVERIFY(live.setEffect(effect).ok());
+        QVERIFY(live.particles().rolls());
+        QCOMPARE(live.particles().x[0], x);
+        go(live, 20);
+        QVERIFY(live.particles().rollX[0] != 0.0F);
+    }
+
+    void theBudgetFindsItsShareAtOnceAndStaysThere()
+    {
+        BirthBudget budget(1e-3);
+        constexpr double kEach = 1e-6; // s a particle
+        QCOMPARE(budget.observe({0.0, kEach * 100}, 100, 10000), 1.0F); // too few to tell
+        double living = 10000;
+        for (int step = 0; step < 300; ++step) {
+            const float share = budget.observe({0.0, kEach * living}, static_cast<std::size_t>(living), 10000);
+            QVERIFY(near(share, 0.08, 1e-4)); // 0.8 ms at 1 us each
+            living += 0.02 * (10000.0 * static_cast<double>(share) - living);
+        }
+        float share = 0.0F;
+        for (int step = 0; step < 300; ++step) {
+            share = budget.observe({0.0, 0.01 * kEach * 1000.0}, 1000, 10000);
+        }
+        QVERIFY(share > 0.99F); // the machine has become faster
+        for (int step = 0; step < 300; ++step) {
+            const double interrupted = step % 10 == 0 ? 50.0 : 1.0;
+            share = budget.observe({0.0, interrupted * kEach * 1000.0}, 1000, 10000);
+        }
+        QVERIFY(share > 0.065F && share <= 0.08F);
+        for (int step = 0; step < 100; ++step) {
+            share = budget.observe({5e-3, kEach * 1000.0}, 1000, 10000);
+        }
+        QCOMPARE(share, BirthBudget::kLeastShare); // air alone takes longer
+    }
+
+    void whatCannotBeIsRefusedAndChangesNothing()
+    {
+        Effect effect = windy(100);
+        LiveSimulation live = started(effect);
+        go(live, 3);
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        QVERIFY(!live.step(-1.0));
+        QVERIFY(!live.step(static_cast<double>(nan)));
+        QVERIFY(!live.setEmitter({glm::vec3(nan), {0.0F, 1.0F, 0.0F}, glm::vec3(0.0F)}));
+        QVERIFY(!live.setEmitter({glm::vec3(0.0F), glm::vec3(0.0F), glm::vec3(0.0F)}));
+        Effect other = effect;
+        other.timeline.frameRate = 30;
+        QVERIFY(!live.setEffect(other));
+        other = effect;
+        other.air.enabled = true;
+        QVERIFY(!live.setEffect(other));
+        QCOMPARE(live.effect(), effect);
+        QVERIFY(!LiveSimulation::start(effect, {.mostParticles = kMaxParticles + 1}));
+        QVERIFY(!LiveSimulation::start(effect, {.stepsPerSecond = 241}));
+        QVERIFY(!LiveSimulation::start(effect, {.budgetMs = -1.0}));
+        QVERIFY(!LiveSimulation::start(effect, {.mostStepsAtOnce = 0}));
+        go(live, 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveTest)
+#include "live_test.moc"
