@@ -26,15 +26,6 @@ struct FarmOptions {
     std::string grid = "8x8";
 };
 
-/// The job's name: that of the frames without their number.
-std::string nameOfJob(const std::filesystem::path& output)
-{
-    std::string name = output.stem().string();
-    name.erase(std::remove(name.begin(), name.end(), '#'), name.end());
-    name.erase(name.find_last_not_of("_-. ") + 1);
-    return name.empty() ? "frames" : name;
-}
-
 std::vector<std::string> renderWordsOf(const FarmOptions& options, const ExportPlan& plan)
 {
     std::vector<std::string> words{"--format", std::string(nameOf(plan.format))};
@@ -55,7 +46,7 @@ std::vector<std::string> joinWordsOf(const FarmOptions& options, const FarmJob& 
     if (options.then.empty()) {
         return {};
     }
-    std::vector<std::string> words{"join", "./" + presetFileOf(job), "--input", "./" + job.output, "--frames", std::to_string(job.frames.first) + "-" + std::to_string(job.frames.last) + ":" + std::to_string(job.frames.step)};
+    std::vector<std::string> words{"join", "./" + presetFileOf(job), "--input", "./" + job.output, "--frames", textOf(job.frames)};
     if (options.then == "flipbook") {
         words.insert(words.end(), {"--grid", options.grid, "--output", "./" + job.name + ".sheet.png"});
     } else {
@@ -100,7 +91,7 @@ FarmJob jobOf(const FarmOptions& options, const Effect& seen, const ExportPlan& 
 {
     FarmJob job;
     job.folder = std::filesystem::absolute(plan.output).lexically_normal().parent_path();
-    job.name = nameOfJob(plan.output);
+    job.name = nameWithoutNumber(plan.output);
     job.output = plan.output.filename().string();
     if (job.output.find('#') == std::string::npos) {
         job.output = job.name + "_####" + std::string(fileEnding(plan.format)); // a task of one frame must not name it otherwise than others do

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <string_view>
 
 namespace fumage {
@@ -9,5 +11,12 @@ struct EmbeddedFile {
     std::string_view name; ///< without folder and ending
     std::string_view contents;
 };
+
+/// @return null where none has this name
+[[nodiscard]] inline const EmbeddedFile* findEmbedded(std::span<const EmbeddedFile> files, std::string_view name)
+{
+    const auto found = std::ranges::find(files, name, &EmbeddedFile::name);
+    return found == files.end() ? nullptr : &*found;
+}
 
 } // namespace fumage

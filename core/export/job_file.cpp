@@ -37,11 +37,9 @@ public:
         if (m_text.size() > kMaxJobsBytes) {
             return Error{ErrorCode::TooLarge, said("a list of jobs of %1 bytes", m_text.size()), m_place, said("Lists have at most %1", kMaxJobsBytes)};
         }
-        const Result<JsonNode> root = parseJson(m_text);
+        const Result<JsonNode> root = parseJsonOf(m_place, m_text);
         if (!root) {
-            Error error = root.error();
-            error.place = placed(error.place);
-            return error;
+            return root.error();
         }
         const Result<const JsonNode*> list = listIn(root.value());
         if (!list) {
@@ -56,11 +54,9 @@ public:
     }
 
 private:
-    [[nodiscard]] Message placed(const Message& inText) const { return m_place.empty() ? inText : said("%1, %2", m_place, inText); }
-
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
     {
-        return {code, std::move(message), placed(placeInText(m_text, node.begin)), std::move(remedy)};
+        return {code, std::move(message), placeInFile(m_place, placeInText(m_text, node.begin)), std::move(remedy)};
     }
 
     [[nodiscard]] Result<const JsonNode*> listIn(const JsonNode& root) const

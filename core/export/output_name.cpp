@@ -41,6 +41,14 @@ std::string endingOf(const std::filesystem::path& path)
     return ending.find_first_not_of(".#") == std::string::npos ? std::string() : inSmallLetters(ending);
 }
 
+std::string nameWithoutNumber(const std::filesystem::path& output)
+{
+    std::string name = output.stem().string();
+    name.erase(std::remove(name.begin(), name.end(), '#'), name.end());
+    name.erase(name.find_last_not_of("_-. ") + 1);
+    return name.empty() ? "frames" : name;
+}
+
 Error wouldOverwrite(const std::filesystem::path& source)
 {
     return {ErrorCode::WouldOverwrite, said("this would overwrite the preset that it is made of"), source.string(), said("Choose another name")};

@@ -284,6 +284,22 @@ Message placeInText(std::string_view text, std::size_t offset)
     return said("line %1, column %2", line, column);
 }
 
+Message placeInFile(const std::string& file, const Message& inText)
+{
+    return file.empty() ? inText : said("%1, %2", file, inText);
+}
+
+Result<JsonNode> parseJsonOf(const std::string& file, std::string_view text)
+{
+    Result<JsonNode> root = parseJson(text);
+    if (root) {
+        return root;
+    }
+    Error error = root.error();
+    error.place = placeInFile(file, error.place);
+    return error;
+}
+
 std::string quoteJson(std::string_view text)
 {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

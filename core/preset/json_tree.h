@@ -42,6 +42,11 @@ struct JsonNode {
 /// @return "line L, column C" of a byte, both from 1; columns count characters, not bytes. O(offset)
 [[nodiscard]] Message placeInText(std::string_view text, std::size_t offset);
 
+/// A place in a text with the name of its file before it, where there is one: "smoke.json, line 3, column 5".
+[[nodiscard]] Message placeInFile(const std::string& file, const Message& inText);
+/// parseJson() of a file: errors name it.
+[[nodiscard]] Result<JsonNode> parseJsonOf(const std::string& file, std::string_view text);
+
 /// @return the text as a JSON string with its quotes
 [[nodiscard]] std::string quoteJson(std::string_view text);
 

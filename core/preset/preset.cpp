@@ -31,11 +31,9 @@ public:
         if (m_text.size() > kMaxPresetBytes) {
             return tooLarge(m_text.size(), m_place);
         }
-        const Result<JsonNode> root = parseJson(m_text);
+        const Result<JsonNode> root = parseJsonOf(m_place, m_text);
         if (!root) {
-            Error error = root.error();
-            error.place = placed(error.place);
-            return error;
+            return root.error();
         }
         return read(root.value());
     }
@@ -43,7 +41,7 @@ public:
     Result<PresetReading> read(const JsonNode& root)
     {
         if (root.end - root.begin > kMaxPresetBytes) {
-            return tooLarge(root.end - root.begin, placed(placeInText(m_text, root.begin)));
+            return tooLarge(root.end - root.begin, placeInFile(m_place, placeInText(m_text, root.begin)));
         }
         if (Status status = readRoot(root); !status) {
             return status.error();
@@ -59,11 +57,9 @@ private:
         return {ErrorCode::TooLarge, said("a preset of %1 bytes", bytes), place, said("Presets have at most %1", kMaxPresetBytes)};
     }
 
-    [[nodiscard]] Message placed(const Message& inText) const { return m_place.empty() ? inText : said("%1, %2", m_place, inText); }
-
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
     {
-        return {code, std::move(message), placed(placeInText(m_text, node.begin)), std::move(remedy)};
+        return {code, std::move(message), placeInFile(m_place, placeInText(m_text, node.begin)), std::move(remedy)};
     }
 
     /// @param message called only where there is room for it: a place and a suggestion cost far more than reading what they are about
@@ -72,7 +68,7 @@ private:
     {
         ++m_warnings;
         if (m_warnings <= m_mostWarnings) {
-            m_reading.warnings.push_back(said("%1: %2", placed(placeInText(m_text, node.begin)), message()));
+            m_reading.warnings.push_back(said("%1: %2", placeInFile(m_place, placeInText(m_text, node.begin)), message()));
         }
     }
 

@@ -1,4 +1,5 @@
 // Frames that were rendered to EXR become what rendering at once gives.
+#include "tests/export/small_smoke.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
@@ -12,14 +13,11 @@ using namespace fumage::tests;
 
 namespace {
 
-Effect smallSmoke()
+/// Enough of it to be seen, in a picture that is no square.
+Effect seenSmoke()
 {
-    Effect effect;
-    effect.air.enabled = false;
+    Effect effect = smallSmoke();
     effect.emitter.count = 2000;
-    effect.noise.slices = 4;
-    effect.noise.resolution = 16;
-    effect.output.width = 24;
     effect.output.height = 20;
     effect.output.background = Background::Transparent;
     return effect;
@@ -37,12 +35,12 @@ class JoinTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QVERIFY(renderSequence(smallSmoke(), {frames(), {20, 31, 1}, ImageFormat::ExrFloat}, {}).ok()); }
+    void initTestCase() { QVERIFY(renderSequence(seenSmoke(), {frames(), {20, 31, 1}, ImageFormat::ExrFloat}, {}).ok()); }
 
     void aJoinedSheetIsTheRenderedOne()
     {
         FlipbookOptions options{folder() / "rendered.png", 3, 2, {20, 31, 1}};
-        const Effect effect = smallSmoke();
+        const Effect effect = seenSmoke();
         const Result<Flipbook> rendered = renderFlipbook(effect, options, {});
         QVERIFY(rendered.ok());
         options.output = folder() / "joined.png";
@@ -57,7 +55,7 @@ private slots:
     {
         FlipbookOptions options{folder() / "passes.png", 3, 2, {20, 31, 1}};
         options.passes.add(Pass::Motion);
-        const Result<Flipbook> joined = joinFlipbook(smallSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
+        const Result<Flipbook> joined = joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
         QVERIFY(!joined.ok());
         QCOMPARE(joined.error().code, ErrorCode::OutOfRange);
         QVERIFY(!std::filesystem::exists(folder() / "passes.png"));
@@ -66,7 +64,7 @@ private slots:
     void framesThatAreNotThereAreNamed()
     {
         const FlipbookOptions options{folder() / "more.png", 3, 2, {26, 33, 1}};
-        const Result<Flipbook> joined = joinFlipbook(smallSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
+        const Result<Flipbook> joined = joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
         QVERIFY(!joined.ok());
         QCOMPARE(joined.error().code, ErrorCode::FileNotFound);
         QVERIFY2(joined.error().text().find("f_32.exr") != std::string::npos, joined.error().text().c_str());

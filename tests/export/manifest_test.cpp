@@ -1,4 +1,5 @@
 // Manifests say what files are, and hold files against it. Whatever somebody has written into one leads nowhere else.
+#include "tests/export/small_smoke.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
@@ -14,18 +15,6 @@ using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-Effect smallSmoke()
-{
-    Effect effect;
-    effect.air.enabled = false;
-    effect.emitter.count = 300;
-    effect.noise.slices = 4;
-    effect.noise.resolution = 16;
-    effect.output.width = 24;
-    effect.output.height = 24;
-    return effect;
-}
 
 /// A folder for pictures, and what is done in it.
 class Folder {

@@ -172,9 +172,8 @@ data factsOf(const EngineSheet& sheet)
 
 std::string filled(std::string_view name, TextKind kind, const data& facts)
 {
-    const std::span<const EmbeddedFile> all(kEngineTemplates, kEngineTemplatesCount);
-    const auto found = std::find_if(all.begin(), all.end(), [&](const EmbeddedFile& file) { return file.name == name; });
-    assert(found != all.end());
+    const EmbeddedFile* const found = findEmbedded({kEngineTemplates, kEngineTemplatesCount}, name);
+    assert(found != nullptr);
     mustache text{std::string(found->contents)};
     if (kind == TextKind::Code) {
         text.set_custom_escape(escapedForCode);

@@ -71,9 +71,12 @@ Words renderWordsOf(const FarmJob& job, const std::string& frames, const std::st
     return words;
 }
 
-std::string rangeText(const FrameRange& frames)
+/// The words that join the frames, with files in the folder by their whole path.
+Words joinWordsIn(const std::string& folder, const FarmJob& job)
 {
-    return std::to_string(frames.first) + "-" + std::to_string(frames.last) + (frames.step > 1 ? ":" + std::to_string(frames.step) : "");
+    Words words = job.joinWords;
+    std::for_each(words.begin(), words.end(), [&](std::string& word) { word = word.starts_with("./") ? folder + word.substr(2) : word; });
+    return words;
 }
 
 /// Which characters of names a farm has no way to write.
@@ -102,7 +105,7 @@ data commonFacts(const FarmJob& job)
     facts.set("last", std::to_string(job.frames.last));
     facts.set("step", std::to_string(job.frames.step));
     facts.set("stepped", job.frames.step > 1);
-    facts.set("frames", rangeText(job.frames));
+    facts.set("frames", textOf(job.frames));
     facts.set("count", std::to_string(job.frames.count()));
     facts.set("last_place", std::to_string(job.frames.count() - 1));
     facts.set("per_task", std::to_string(job.perTask));
@@ -113,9 +116,8 @@ data commonFacts(const FarmJob& job)
 
 std::string filled(std::string_view name, const data& facts)
 {
-    const std::span<const EmbeddedFile> all(kFarmTemplates, kFarmTemplatesCount);
-    const auto found = std::find_if(all.begin(), all.end(), [&](const EmbeddedFile& file) { return file.name == name; });
-    assert(found != all.end());
+    const EmbeddedFile* const found = findEmbedded({kFarmTemplates, kFarmTemplatesCount}, name);
+    assert(found != nullptr);
     mustache text{std::string(found->contents)};
     text.set_custom_escape([](const std::string& value) { return value; }); // what is put in is quoted already
     assert(text.is_valid());
@@ -151,9 +153,7 @@ FarmFiles openJdFiles(const FarmJob& job)
     Words words = renderWordsOf(job, "{{Task.Param.Frame}}", folder);
     words.insert(words.end(), {"--progress", "openjd"});
     facts.set("render", joined(words, quoteJson, ", "));
-    words = job.joinWords;
-    std::for_each(words.begin(), words.end(), [&](std::string& word) { word = word.starts_with("./") ? folder + word.substr(2) : word; });
-    facts.set("join", joined(words, quoteJson, ", "));
+    facts.set("join", joined(joinWordsIn(folder, job), quoteJson, ", "));
     const std::filesystem::path path = job.folder / (job.name + ".openjd.json");
     return {{{path, filled("openjd", facts)}}, "openjd run " + shellQuoted(path.string()) + " -p Folder=" + shellQuoted(job.folder.string())};
 }
@@ -180,9 +180,7 @@ FarmFiles deadlineFiles(const FarmJob& job)
     facts.set("folder", shellQuoted(job.folder.string()));
     facts.set("start", job.folder.string());
     facts.set("render", joined(renderWordsOf(job, "<STARTFRAME>-<ENDFRAME>" + (job.frames.step > 1 ? ":" + std::to_string(job.frames.step) : std::string()), folder), quoted, " "));
-    Words words = job.joinWords;
-    std::for_each(words.begin(), words.end(), [&](std::string& word) { word = word.starts_with("./") ? folder + word.substr(2) : word; });
-    facts.set("join", joined(words, quoted, " "));
+    facts.set("join", joined(joinWordsIn(folder, job), quoted, " "));
     const auto file = [&](const std::string& ending) { return job.name + ending; };
     facts.set("job_file", shellQuoted(fromHere(file(".deadline.job"))));
     facts.set("plugin_file", shellQuoted(fromHere(file(".deadline.plugin"))));

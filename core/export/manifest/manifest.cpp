@@ -5,8 +5,7 @@
 #include "core/export/sequence.h"
 #include "core/picture_files/picture_notes.h"
 #include "core/picture_files/picture_pixels.h"
-#include "core/preset/json_tree.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_node.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -44,11 +43,9 @@ public:
 
     Result<Manifest> read()
     {
-        const Result<JsonNode> root = parseJson(m_text);
+        const Result<JsonNode> root = parseJsonOf(m_place, m_text);
         if (!root) {
-            Error error = root.error();
-            error.place = said("%1, %2", m_place, error.place);
-            return error;
+            return root.error();
         }
         Status status = readHead(root.value());
         status = status ? readJob(root.value()) : status;
@@ -59,7 +56,7 @@ public:
 private:
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy = {}) const
     {
-        return {code, std::move(message), said("%1, %2", m_place, placeInText(m_text, node.begin)), std::move(remedy)};
+        return {code, std::move(message), placeInFile(m_place, placeInText(m_text, node.begin)), std::move(remedy)};
     }
 
     /// The member of an object.
@@ -119,8 +116,7 @@ private:
         if (!preset) {
             return preset.error();
         }
-        const JsonNode& node = *preset.value();
-        const Result<PresetReading> reading = parsePreset(m_text.substr(node.begin, node.end - node.begin), m_place);
+        const Result<PresetReading> reading = readPreset(m_text, *preset.value(), m_place);
         if (!reading) {
             return reading.error();
         }

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/export/output_name.h"
 
 #include <algorithm>
 #include <set>
@@ -57,10 +58,7 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
 
 std::filesystem::path manifestBeside(const std::filesystem::path& output)
 {
-    std::string name = output.stem().string();
-    name.erase(std::remove(name.begin(), name.end(), '#'), name.end());
-    name.erase(name.find_last_not_of("_-. ") + 1);
-    return output.parent_path() / ((name.empty() ? "frames" : name) + std::string(kEnding));
+    return output.parent_path() / (nameWithoutNumber(output) + std::string(kEnding));
 }
 
 std::filesystem::path partOf(const std::filesystem::path& manifest, const std::optional<FrameRange>& frames)

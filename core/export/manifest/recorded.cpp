@@ -12,28 +12,6 @@ namespace fumage {
 
 namespace {
 
-std::string namesOf(PassSet passes)
-{
-    std::string names;
-    for (const Pass pass : kAllPasses) {
-        if (passes.has(pass)) {
-            names += (names.empty() ? "" : ",") + std::string(passName(pass));
-        }
-    }
-    return names;
-}
-
-PassSet passesNamed(const std::string& names)
-{
-    PassSet passes;
-    for (const Pass pass : kAllPasses) {
-        if (("," + names + ",").find("," + std::string(passName(pass)) + ",") != std::string::npos) {
-            passes.add(pass);
-        }
-    }
-    return passes;
-}
-
 /// The content of a file, where it is the whole picture of a frame.
 std::optional<Content> contentOfFrame(const std::filesystem::path& file, const Effect& effect, const SequenceOptions& options, int frame)
 {
@@ -58,7 +36,7 @@ std::optional<Content> contentOfFrame(const std::filesystem::path& file, const E
 ManifestJob jobOf(const Effect& effect, const SequenceOptions& options)
 {
     return {std::string(kFramesKind),
-        {{"format", std::string(nameOf(options.format))}, {"passes", namesOf(options.passes)}, {"alpha", options.premultiplied ? "premultiplied" : "straight"}, {"step", std::to_string(options.frames.step)}},
+        {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)}, {"alpha", options.premultiplied ? "premultiplied" : "straight"}, {"step", std::to_string(options.frames.step)}},
         effect};
 }
 
@@ -70,13 +48,13 @@ Result<SequenceOptions> sequenceOf(const ManifestJob& job)
     };
     const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(setting("format"));
     const Result<FrameRange> step = parseFrameRange("0:" + setting("step"));
-    const PassSet passes = passesNamed(setting("passes"));
-    if (job.kind != kFramesKind || !format || !step || passes == PassSet()) {
+    const Result<PassSet> passes = parsePasses(setting("passes"));
+    if (job.kind != kFramesKind || !format || !step || !passes || passes.value() == PassSet()) {
         return Error{ErrorCode::WrongType, said("what this manifest is of cannot be rendered again"), {}, said("Only frames can; of others the files are checked")};
     }
     SequenceOptions options;
     options.format = *format;
-    options.passes = passes;
+    options.passes = passes.value();
     options.premultiplied = setting("alpha") == "premultiplied";
     options.frames.step = step.value().step;
     return options;
@@ -135,7 +113,7 @@ Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manif
 Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest)
 {
     const std::string grid = std::to_string(options.columns) + "x" + std::to_string(options.rows);
-    ManifestJob job{"flipbook", {{"format", std::string(nameOf(options.format))}, {"passes", namesOf(options.passes)}, {"grid", grid}, {"for", std::string(nameOf(options.engine))}}, effect};
+    ManifestJob job{"flipbook", {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)}, {"grid", grid}, {"for", std::string(nameOf(options.engine))}}, effect};
     ManifestRecorder recorder(std::move(job), manifest, std::nullopt);
     for (const std::filesystem::path& file : filesOf(options)) {
         const Result<std::string> bytes = readFile(file, kMaxCheckedBytes);
