@@ -237,12 +237,13 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
     }
 }
 
-/// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that the rim is thin as that of its heat, and
-/// above the plane by a depth that ends as a dome. A slab of even density would be seen as one: its rim stands still beside the stream.
+/// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that none stands at the rim, where the air does
+/// and would keep a skirt of smoke, and above the plane by a depth that ends as a dome. A slab of even density would be seen as one.
 HWY_INLINE Vec3<V> insideSource(D d, const StepConstants& constants, VU key, const Vec3<V>& onEmitter)
 {
-    constexpr float kRim = 0.5F; // of the reach
-    const Vec3<V> away = (onEmitter - constants.pivot) * (1.0F - kRim * unitStream(d, key, kBirthRim));
+    constexpr float kReach = 0.8F; // of the source's own
+    constexpr float kInwards = 0.85F; // of that, at most
+    const Vec3<V> away = (onEmitter - constants.pivot) * (kReach - kReach * kInwards * unitStream(d, key, kBirthRim));
     const V across = dot(away, constants.air.sourceSides[0]);
     const V along = dot(away, constants.air.sourceSides[1]);
     const V dome = hn::Max(1.0F - across * across - along * along, hn::Zero(d));

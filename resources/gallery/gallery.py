@@ -4,8 +4,8 @@
 Without a folder the references are those of resources/references, beside our presets of the same kind. The sheets show each reference picture beside ours with the same framing, light and background, the sketches of smoke in air beside ours, every preset at
 three moments, beside itself as it was before where older presets are given, and sixty frames of each. The figures
 compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, whether it rises again at the size of
-the sprites, steep gradients, how far apart structure is (see structure.py; beside it that of two pictures which are known to be worse), and the change
-from frame to frame.
+the sprites, steep gradients, how far apart structure is (see structure.py; beside it that of two pictures which are known to be worse), and dots at the fringe. Of each preset:
+the change from frame to frame, shimmer, dots and repetition (see faults.py).
 """
 
 import pathlib
@@ -15,6 +15,7 @@ import sys
 import numpy as np
 from PIL import Image, ImageDraw
 
+from faults import dots, repetition, shimmer
 from structure import structure_between
 
 EDGE = 512
@@ -101,11 +102,15 @@ def gradients(alpha: np.ndarray) -> np.ndarray:
     return np.hypot(dx, dy)
 
 
-def spike_of(cli: str, preset: str, folder: pathlib.Path) -> float:
-    """Largest change of density from one frame to the next over a second, beside the mean of the changes before and after it."""
-    command = [cli, "render", preset, "--frames", "60-89", "--size", "128", "--supersample", "2", "--output", str(folder / "step_##.png")]
+def second_of(cli: str, preset: str, folder: pathlib.Path) -> list[np.ndarray]:
+    """The densities of a second of it, at the size of a flipbook's cell."""
+    command = [cli, "render", preset, "--frames", "60-89", "--size", "256", "--output", str(folder / "step_##.png")]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    frames = [density(Image.open(folder / f"step_{frame}.png").convert("RGBA")) for frame in range(60, 90)]
+    return [density(Image.open(folder / f"step_{frame}.png").convert("RGBA")) for frame in range(60, 90)]
+
+
+def spike_of(frames: list[np.ndarray]) -> float:
+    """Largest change of density from one frame to the next, beside the mean of the changes before and after it."""
     steps = np.array([np.abs(b - a).mean() for a, b in zip(frames, frames[1:])])
     return float((steps[1:-1] / np.maximum(0.5 * (steps[:-2] + steps[2:]), 1e-9)).max())
 
@@ -155,7 +160,7 @@ def main() -> None:
     older = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
     out.mkdir(parents=True, exist_ok=True)
     rows: list[list[Image.Image]] = []
-    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s} {'structure':>10s} {'no air':>7s} {'sprites':>8s}")
+    print(f"{'reference':34s} {'slope':>7s} {'ours':>7s} {'apart':>6s} {'rise':>6s} {'ours':>6s} {'steep %':>8s} {'ours %':>7s} {'structure':>10s} {'no air':>7s} {'sprites':>8s} {'dots':>6s} {'ours':>6s}")
     for name, preset, frame, settings in PAIRS + SCENES:
         if not (references / name).exists():
             continue
@@ -171,13 +176,14 @@ def main() -> None:
         for worse in WORSE:
             apart.append(structure_between(a, density(render(cli, preset, frame, out / "worse.png", size, settings + worse))))
         print(f"{name:34s} {slopes[0]:7.2f} {slopes[1]:7.2f} {abs(slopes[0] - slopes[1]):6.2f} {rise_of(power_a):6.2f} {rise_of(power_b):6.2f} {steep[0]:8.3f} {steep[1]:7.3f} "
-              f"{apart[0]:10.3f} {apart[1]:7.3f} {apart[2]:8.3f}")
+              f"{apart[0]:10.3f} {apart[1]:7.3f} {apart[2]:8.3f} {dots(a):6.2f} {dots(b):6.2f}")
         rows.append([flat(image).resize((EDGE, EDGE)) for image in (theirs, ours)])
     presets = sorted(path.stem for path in (pathlib.Path(__file__).parents[1] / "presets").glob("*.json"))
-    print(f"\n{'preset':18s} largest change of density from one frame to the next, beside those before and after")
+    print(f"\n{'preset':18s} {'spike':>6s} {'shimmer':>8s} {'dots':>6s} {'repetition':>11s}")
     moments = []
     for preset in presets:
-        print(f"{preset:18s} {spike_of(cli, preset, out):5.2f}")
+        second = second_of(cli, preset, out)
+        print(f"{preset:18s} {spike_of(second):6.2f} {shimmer(second):8.2f} {dots(second[0]):6.2f} {repetition(second[0]):11.2f}")
         moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
     embergen = (references / EMBERGEN).exists()
     sheet = Image.new("RGB", (2 * EDGE, EDGE * (len(rows) + embergen)))

@@ -278,14 +278,17 @@ private slots:
         forLiving(*frameOf(effect, 30), [&](const glm::vec3& place, std::size_t) {
             const glm::vec3 away = (place - effect.emitter.position) / effect.emitter.radius;
             const float out2 = away.x * away.x + away.z * away.z;
-            QVERIFY(out2 <= 1.0F + 1e-5F);
+            QVERIFY(out2 <= 0.64F + 1e-5F);
             QVERIFY(place.y >= effect.emitter.position.y - 1e-5F && place.y - effect.emitter.position.y <= depth * (1.0F - out2) + 1e-5F);
             within += out2 < 0.25F ? 1.0 : 0.0;
             count += 1.0;
         });
-        // r = R sqrt(a) (1 - u / 2), a and u even: P(r < R / 2) is the integral of 1 / (2 - u)^2 over u, which is 1/2; even over the disc it would be 1/4.
+        // r = .8 R sqrt(a) (1 - .85 u), a and u even: r < R / 2 where u > s = (1 - .625) / .85 always, and else with (.625 / (1 - .85 u))^2,
+        // whose integral over u up to s is .625 (1 - .625) / .85; together 1 - s + .625 s. Even over the disc it would be 1/4.
+        constexpr double kSurely = (1.0 - 0.625) / 0.85;
+        constexpr double kWithin = 1.0 - kSurely + 0.625 * kSurely;
         QVERIFY(count > 500.0);
-        QVERIFY(near(within / count, 0.5, 3.5 * 0.5 / std::sqrt(count)));
+        QVERIFY(near(within / count, kWithin, 3.5 * std::sqrt(kWithin * (1.0 - kWithin) / count)));
     }
 
     void windOfTheMotionBlowsTheAir()
