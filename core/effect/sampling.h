@@ -14,6 +14,13 @@ public:
     [[nodiscard]] const Effect* operator->() const { return &m_effect; }
     [[nodiscard]] operator const Effect&() const { return m_effect; } // NOLINT(google-explicit-constructor): whatever reads an effect reads this one
 
+    /// Puts the emitter elsewhere, and turns it: that is the same for every quality.
+    void placeEmitter(const glm::vec3& position, const glm::vec3& normal)
+    {
+        m_effect.emitter.position = position;
+        m_effect.emitter.normal = normal;
+    }
+
     friend bool operator==(const SampledEffect&, const SampledEffect&) = default;
 
 private:

@@ -155,7 +155,7 @@ LiveSimulation::LiveSimulation(const Effect& effect, const LiveOptions& options)
     if (effect.air.enabled) {
         m_air = std::make_unique<LiveAir>(Model(sampled(endless(effect))));
     }
-    m_model = std::make_shared<Model>(modelAt(m_pose));
+    m_model = std::make_shared<Model>(makeModel());
     if (options.budgetMs > 0.0) {
         constexpr double kSecondsPerMs = 1e-3;
         m_budget.emplace(options.budgetMs * kSecondsPerMs);
@@ -166,12 +166,12 @@ LiveSimulation::LiveSimulation(const Effect& effect, const LiveOptions& options)
     m_frame.particles.reset(static_cast<std::size_t>(most), columnsOf(*m_model));
 }
 
-Model LiveSimulation::modelAt(const EmitterPose& pose) const
+Model LiveSimulation::makeModel() const
 {
-    Effect effect = endless(m_effect);
-    effect.emitter.position = pose.position;
-    effect.emitter.normal = pose.normal;
-    return m_air ? Model(sampled(effect), m_air->grid()) : Model(sampled(effect));
+    const SampledEffect effect = sampled(endless(m_effect));
+    Model model = m_air ? Model(effect, m_air->grid()) : Model(effect);
+    model.placeEmitter(m_pose.position, m_pose.normal);
+    return model;
 }
 
 Result<int> LiveSimulation::step(double seconds)
@@ -200,7 +200,7 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
 {
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t step = m_frame.step + 1;
-    *m_model = modelAt(pose);
+    m_model->placeEmitter(pose.position, pose.normal);
     StepConstants constants = m_model->constants(step);
     anchorSwirls(constants, m_anchor);
     if (m_air) {
@@ -283,7 +283,7 @@ Status LiveSimulation::setEffect(const Effect& wanted)
         m_target.normal = glm::normalize(effect.emitter.normal);
     }
     m_effect = effect;
-    *m_model = modelAt(m_pose);
+    *m_model = makeModel();
     m_frame.particles.setColumns(columnsOf(*m_model));
     m_appearanceIsNew = false;
     m_coloursAreNew = false;

@@ -105,7 +105,8 @@ public:
 private:
     LiveSimulation(const Effect& effect, const LiveOptions& options);
 
-    [[nodiscard]] Model modelAt(const EmitterPose& pose) const;
+    /// Of the effect as it is set, with the emitter where it is.
+    [[nodiscard]] Model makeModel() const;
     void stepOnce(const EmitterPose& pose);
     void bury(std::int64_t step);
     [[nodiscard]] std::int64_t countBirths();
@@ -120,7 +121,7 @@ private:
     EmitterPose m_target;
     glm::vec3 m_anchor; ///< where the emitter was at the start: turbulence stays where it is there
     std::unique_ptr<LiveAir> m_air; ///< null: none carries the smoke
-    std::shared_ptr<Model> m_model;
+    std::shared_ptr<Model> m_model; ///< made anew by setEffect() alone; its emitter moves in each step
     Frame m_frame;
     BirthClock m_clock;
     bool m_emitted = false; ///< in the last step

@@ -102,6 +102,10 @@ public:
     Model(const SampledEffect& effect, const AirGrid& grid);
 
     [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
+    /// Puts the emitter elsewhere, and turns it. Where air is baked it is that of the place before: for models whose air is computed step by step, or none.
+    /// Costs nothing: when particles are born and how noise moves does not depend on it.
+    void placeEmitter(const glm::vec3& position, const glm::vec3& normal) { m_effect.placeEmitter(position, normal); }
+
     /// Whether air carries the particles, baked or not.
     [[nodiscard]] bool inAir() const { return m_grid.has_value(); }
 

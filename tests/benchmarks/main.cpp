@@ -9,5 +9,6 @@ int main(int argc, char** argv)
     addNoiseBenchmarks(claims);
     addCompositorBenchmarks(claims);
     addFrameBenchmarks(claims);
+    addLiveBenchmarks(claims);
     return runAndReport(argc, argv, claims);
 }

@@ -26,5 +26,6 @@ void addStepBenchmarks(std::vector<Claim>& claims);
 void addNoiseBenchmarks(std::vector<Claim>& claims);
 void addCompositorBenchmarks(std::vector<Claim>& claims);
 void addFrameBenchmarks(std::vector<Claim>& claims);
+void addLiveBenchmarks(std::vector<Claim>& claims);
 
 } // namespace fumage::benchmarks
