@@ -80,6 +80,13 @@ bool placeSolids(AirCells& cells, std::span<const Solid> solids)
         anyAir = anyAir || !inside;
         anySolid = anySolid || inside;
     });
+    if (!anyAir) {
+        return false;
+    }
+    cells.skin.clear();
+    cells.fluid.clear();
+    cells.open = {};
+    cells.touching.clear();
     if (anySolid) {
         cells.fluid = std::move(fluid);
         for (int k = 0; k < cells.grid.cells.z; ++k) {
@@ -88,7 +95,7 @@ bool placeSolids(AirCells& cells, std::span<const Solid> solids)
         openFaces(cells);
         findSkin(cells);
     }
-    return anyAir;
+    return true;
 }
 
 void fillSkin(const AirCells& cells, AirColumn& quads)

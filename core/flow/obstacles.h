@@ -23,7 +23,8 @@ struct Solid {
 };
 
 /// Makes cells whose centres lie in a solid walls: no face of theirs lets air through.
-/// @return whether any cell of air is left
+/// Cells that were walls of solids before are air again.
+/// @return whether any cell of air is left; otherwise nothing has changed
 [[nodiscard]] bool placeSolids(AirCells& cells, std::span<const Solid> solids);
 
 /// Gives the cells of obstacles that have air beside them the mirrored velocity and the heat of that air, so that what is interpolated between them

@@ -5,6 +5,7 @@
 #include "core/flow/force_kernel.h"
 #include "core/flow/planes.h"
 #include "core/flow/project_kernel.h"
+#include "core/flow/shift.h"
 
 #include <algorithm>
 #include <cassert>
@@ -38,6 +39,19 @@ void clearPlane(AirColumn& column, const ColumnLayout& layout, int k)
     const int first = k == 0 ? -1 : k;
     const int end = k + 1 == layout.cells.z ? k + 2 : k + 1;
     std::fill(column.begin() + layout.planeStart(first), column.begin() + layout.planeStart(end), 0.0F);
+}
+
+/// Fills the ghosts of the state beside plane k.
+void fillGhosts(AirCells& cells, const glm::vec3& wind, int k)
+{
+    fillQuadGhosts(cells, cells.air, wind, k);
+    fillQuadGhosts(cells, cells.carrier, wind, k);
+}
+
+void fillSkins(AirCells& cells)
+{
+    fillSkin(cells, cells.air);
+    fillSkin(cells, cells.carrier);
 }
 
 } // namespace
@@ -123,11 +137,32 @@ void AirSolver::project(const glm::vec3& wind)
     });
     forPlanes(cells.column, 0, planes, 1, [&](int k) {
         subtractGradient(cells, k);
-        fillQuadGhosts(cells, cells.air, wind, k);
-        fillQuadGhosts(cells, cells.carrier, wind, k);
+        fillGhosts(cells, wind, k);
     });
-    fillSkin(cells, cells.air);
-    fillSkin(cells, cells.carrier);
+    fillSkins(cells);
+}
+
+bool AirSolver::move(const glm::ivec3& by, const glm::vec3& corner, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind)
+{
+    AirCells& cells = m_cells;
+    const glm::vec3 before = cells.grid.corner;
+    const bool hadObstacles = cells.hasObstacles();
+    cells.grid.corner = corner;
+    if (!solids.empty() && !placeSolids(cells, solids)) {
+        cells.grid.corner = before;
+        return false;
+    }
+    if (hadObstacles || cells.hasObstacles() || borders != cells.borders) {
+        m_multigrid = Multigrid(cells.grid.cells, borders, cells.open);
+    }
+    cells.borders = borders;
+    for (AirColumn* quads : {&cells.air, &cells.carrier}) {
+        std::swap(*quads, cells.guess);
+        forPlanes(cells.column, 0, cells.grid.cells.z, 1, [&](int k) { shiftPlane(cells, cells.guess, by, wind, *quads, k); });
+    }
+    forPlanes(cells.column, 0, cells.grid.cells.z, 1, [&](int k) { fillGhosts(cells, wind, k); });
+    fillSkins(cells);
+    return true;
 }
 
 void AirSolver::balance()

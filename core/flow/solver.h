@@ -43,6 +43,15 @@ public:
     /// Moves the air on by a step.
     void step(const AirStep& step);
 
+    /// Moves the box on by whole cells. Air that stays in it stays where it is in the world, what comes in is cold and moves with the wind.
+    /// Allocates only where borders change, or obstacles lie in the box before or after.
+    /// @param by      cells
+    /// @param corner  where the box begins afterwards, m: as far away as the cells say
+    /// @param borders of the box where it is then, as closed as they were
+    /// @param solids  all obstacles, in the world
+    /// @return false: an obstacle would fill the box, and nothing has changed
+    [[nodiscard]] bool move(const glm::ivec3& by, const glm::vec3& corner, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind);
+
     /// Puts velocity (x, y, z) and heat (w) at the centre of every cell, made free of divergence.
     /// @param wind of the air outside, m/s
     void set(const std::function<glm::vec4(const glm::vec3& place)>& airAt, const glm::vec3& wind = glm::vec3(0.0F));

@@ -3,18 +3,72 @@
 #include "core/simulation/air_plan.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
 
 namespace fumage {
 
+namespace {
+
+/// How far the emitter may be from its place in the box before that follows, in cells: beyond half a cell, so that one that trembles does not move it to and fro.
+constexpr float kSlack = 0.75F;
+
+/// Farther than anything goes, in cells, and still an int.
+constexpr float kFarthest = 1e9F;
+
+/// The lowest that a box may go so that no more than a cell of it lies below the ground, in cells from where it is.
+int cellsToGround(const AirGrid& grid, float height)
+{
+    constexpr float kRounding = 0.01F;
+    return static_cast<int>(std::ceil(std::clamp((height - grid.corner.y) / grid.cell - kRounding, -kFarthest, kFarthest)));
+}
+
+} // namespace
+
 LiveAir::LiveAir(const Model& model)
-    : LiveAir(airPlan(model))
+    : LiveAir(model, airPlan(model))
 {
 }
 
-LiveAir::LiveAir(const AirPlan& plan)
+LiveAir::LiveAir(const Model& model, const AirPlan& plan)
     : m_solver(plan.grid, plan.borders, plan.solids, plan.wind)
     , m_field(plan.grid)
+    , m_solids(plan.solids)
+    , m_borders(plan.borders)
+    , m_home(plan.grid.corner)
+    , m_emitter(model.effect()->emitter.position)
 {
+    m_field.wind = plan.wind;
+    const Air& air = model.effect()->air;
+    if (air.ground) {
+        m_floor = cellsToGround(plan.grid, air.groundHeight);
+    }
+}
+
+void LiveAir::follow(const glm::vec3& emitter)
+{
+    const float cell = grid().cell;
+    const glm::vec3 away = glm::clamp((emitter - m_emitter) / cell, -kFarthest, kFarthest);
+    glm::ivec3 gone = m_gone;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(away[axis] - static_cast<float>(gone[axis])) > kSlack) {
+            gone[axis] = static_cast<int>(std::lround(away[axis]));
+        }
+    }
+    AirBorders borders = m_borders;
+    if (m_floor) {
+        gone.y = std::max(gone.y, *m_floor);
+        borders.low[1] = gone.y == *m_floor ? Border::Solid : Border::Open;
+    }
+    if (gone == m_gone) {
+        return;
+    }
+    if (m_solver.move(gone - m_gone, m_home + cell * glm::vec3(gone), borders, m_solids, m_field.wind)) {
+        m_gone = gone;
+        m_borders = borders;
+        m_field.grid = grid();
+    }
 }
 
 void LiveAir::step(const Model& model, std::int64_t number, bool acts)
@@ -24,7 +78,9 @@ void LiveAir::step(const Model& model, std::int64_t number, bool acts)
         return;
     }
     m_at = number;
-    const AirStep step = airStep(model, grid(), number, acts);
+    follow(model.effect()->emitter.position);
+    AirStep step = airStep(model, grid(), number, acts);
+    step.windChange = step.wind - m_field.wind; // since the effect before, too
     m_solver.step(step);
     m_solver.read(m_field);
     m_field.wind = step.wind;

@@ -4,32 +4,47 @@
 #include "core/flow/solver.h"
 #include "core/simulation/model.h"
 
+#include <optional>
+
 namespace fumage {
 
 struct AirPlan;
 
 /// The air of a simulation that steps with a game: computed one step after another, nothing of it kept.
-/// Its box stays where it is at the start; the source goes with the emitter, and beyond the box is only the wind.
+///
+/// Its box goes with the emitter, by whole cells: air that stays in it stays where it is in the world, what comes in is the wind, and what is left behind is
+/// forgotten. So an emitter that moves less than a cell has the air of one that stands still, to the bit. Ground and obstacle stay in the world; the box
+/// never goes under the ground, stands on it where it comes down to it, and leaves it with an emitter that rises. A wind that is set moves all of the air at once, as gusts do.
 class LiveAir {
 public:
     /// @param model of an effect with air, for which checkAir() has nothing to say
     explicit LiveAir(const Model& model);
 
-    /// Moves it on to step number, one after the one before, of a model whose grid is grid().
+    /// Moves it on to step number, one after the one before, of a model whose air has the cells of grid().
     /// @param acts whether the source gives anything off
     /// Step 0 is as step 1: what carries newborns is the first air that has moved, as in AirRun.
-    /// Allocates nothing after the first few steps.
+    /// Allocates nothing after the first few steps but where the box moves beside an obstacle, or on or off the ground.
     void step(const Model& model, std::int64_t number, bool acts);
 
+    /// The box as it stands now.
     [[nodiscard]] const AirGrid& grid() const { return m_solver.grid(); }
     /// The air after the last step; stays where it is.
     [[nodiscard]] const AirField& field() const { return m_field; }
 
 private:
-    explicit LiveAir(const AirPlan& plan);
+    LiveAir(const Model& model, const AirPlan& plan);
+
+    /// Takes the box along where the emitter is no longer where it was in it.
+    void follow(const glm::vec3& emitter);
 
     AirSolver m_solver;
     AirField m_field;
+    std::vector<Solid> m_solids;
+    AirBorders m_borders; ///< of the box as it stands now
+    glm::vec3 m_home; ///< corner of the box at the start, m
+    glm::vec3 m_emitter; ///< its place then, m
+    glm::ivec3 m_gone{0}; ///< cells that the box has gone since
+    std::optional<int> m_floor; ///< as m_gone.y, where the box stands on the ground; none: there is no ground
     std::int64_t m_at = 0; ///< step that the air is at
 };
 

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace fumage {
@@ -52,49 +51,6 @@ Air fixedPart(const Air& air)
         part.friction = Air().friction;
     }
     return part;
-}
-
-EmitterPose poseOf(const Emitter& emitter)
-{
-    return {emitter.position, glm::normalize(emitter.normal), glm::vec3(0.0F)};
-}
-
-bool isFinite(const glm::vec3& v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-/// The pose with its normal made a unit.
-Result<EmitterPose> checked(const EmitterPose& pose)
-{
-    if (!isFinite(pose.position) || !isFinite(pose.normal) || !isFinite(pose.velocity)) {
-        return Error{ErrorCode::OutOfRange, said("the emitter's place or velocity is no number"), {}, said("Pass finite numbers")};
-    }
-    const float longest = std::max({std::abs(pose.normal.x), std::abs(pose.normal.y), std::abs(pose.normal.z)});
-    if (longest == 0.0F) {
-        return Error{ErrorCode::OutOfRange, said("the emitter's normal has no direction"), {}, said("Pass a normal that is not zero")};
-    }
-    return EmitterPose{pose.position, glm::normalize(pose.normal / longest), pose.velocity};
-}
-
-/// Whether a turn from one unit vector to another has no way of its own: they are almost opposite.
-bool isFlip(const glm::vec3& a, const glm::vec3& b)
-{
-    constexpr float kAlmostOpposite = -0.99F;
-    return glm::dot(a, b) < kAlmostOpposite;
-}
-
-EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share)
-{
-    if (share >= 1.0) {
-        return to;
-    }
-    const auto t = static_cast<float>(share);
-    EmitterPose out{glm::mix(from.position, to.position, t), to.normal, glm::mix(from.velocity, to.velocity, t)};
-    if (from.normal != to.normal && !isFlip(from.normal, to.normal)) {
-        out.normal = glm::normalize(glm::mix(from.normal, to.normal, t));
-    }
-    return out;
 }
 
 /// Keeps the swirls where they are in the world when the place that they are counted from is moved: the part of the lattice is added that it has moved by.
@@ -292,7 +248,7 @@ Status LiveSimulation::setEffect(const Effect& wanted)
 
 Status LiveSimulation::setEmitter(const EmitterPose& pose)
 {
-    const Result<EmitterPose> target = checked(pose);
+    const Result<EmitterPose> target = checkedPose(pose);
     if (!target) {
         return target.error();
     }

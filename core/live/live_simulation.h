@@ -4,6 +4,7 @@
 #include "core/lighting/appearance.h"
 #include "core/live/birth_budget.h"
 #include "core/live/birth_clock.h"
+#include "core/live/emitter_pose.h"
 #include "core/live/live_air.h"
 
 #include <memory>
@@ -23,13 +24,6 @@ struct LiveOptions {
     int mostStepsAtOnce = 8; ///< in one call of step(), 1 or more: time beyond it is let go, so that a game that has stood still does not race
 };
 
-/// Where the emitter is and how it moves.
-struct EmitterPose {
-    glm::vec3 position{0.0F}; ///< m
-    glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< of any length but 0
-    glm::vec3 velocity{0.0F}; ///< that particles take along at birth, m/s; (0, 0, 0) where smoke shall not be thrown by a moving emitter
-};
-
 /// Smoke that steps with a game.
 ///
 /// Steps are those of the effect, as long as timeline says; a game's time is saved up until there is one. The timeline's length, loop and prewarm have no
@@ -39,8 +33,8 @@ struct EmitterPose {
 /// Positions never jump: whatever changes, living particles go on from where they are. Velocities of turbulence, rings and vortex belong to the parameters and
 /// change with them. Turbulence stays in the world while the emitter moves; vortex, rings and pull go with the emitter.
 ///
-/// Air is computed in each step on a grid of the effect's air.resolution (16 to 32 is for games). Its box stays where it was at the start: what leaves it is
-/// carried by the wind alone, and an emitter outside of it gives off smoke that no heat lifts.
+/// Air is computed in each step on a grid of the effect's air.resolution (16 to 32 is for games), whose box goes with the emitter: smoke that is left behind is
+/// carried by the wind alone. See LiveAir.
 ///
 /// Not thread-safe, uses all threads inside. After the first few steps, step() allocates nothing.
 class LiveSimulation {

@@ -1,7 +1,6 @@
-#include "tests/helpers.h"
 #include "tests/live/counted_heap.h"
+#include "tests/live/live_helpers.h"
 
-#include "core/live/live_simulation.h"
 #include "core/simulation/advance.h"
 
 #include <random>
@@ -10,42 +9,6 @@ using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-constexpr double kDt = 1.0 / 60.0;
-
-LiveSimulation started(const Effect& effect, const LiveOptions& options = {})
-{
-    Result<LiveSimulation> made = LiveSimulation::start(effect, options);
-    if (!made) {
-        qFatal("%s", made.error().text().c_str());
-    }
-    return std::move(made).value();
-}
-
-void go(LiveSimulation& live, int steps)
-{
-    for (int i = 0; i < steps; ++i) {
-        QCOMPARE(live.step(live.stepSeconds()).value(), 1);
-    }
-}
-
-/// Smoke in a wind, at 60 steps a second.
-Effect windy(int count)
-{
-    Effect effect = thesisEffect(count);
-    effect.emitter.subframe = true;
-    effect.emitter.velocityRandomness = 0.4F;
-    effect.emitter.shape = EmitterShape::Disc;
-    effect.motion.wind = 2.0F;
-    effect.motion.gust = 0.8F;
-    effect.motion.drag = 1.0F;
-    effect.motion.buoyancy = 1.0F;
-    effect.turbulence.strength = 0.7F;
-    effect.life.initialAlpha = 0.1F;
-    effect.life.fadeRate = 0.05F;
-    effect.timeline.frameRate = 60;
-    return effect;
-}
 
 /// A point that leaves particles standing where they are born.
 Effect standing(int count)
@@ -57,70 +20,6 @@ Effect standing(int count)
     effect.emitter.speed = 0.0F;
     effect.timeline.frameRate = 60;
     return effect;
-}
-
-/// A game that does with a smoke what comes into its mind.
-class Restless {
-public:
-    explicit Restless(const Effect& effect)
-        : m_effect(effect)
-    {
-    }
-
-    void act(LiveSimulation& live, int step)
-    {
-        EmitterPose pose = live.emitter();
-        pose.position += 0.3F * draw();
-        pose.normal = glm::normalize(pose.normal + 0.5F * draw());
-        pose.velocity = 2.0F * draw();
-        QVERIFY(live.setEmitter(pose).ok());
-        if (step % 7 == 0) {
-            m_effect.emitter.count = 200 + static_cast<int>(m_random() % 6000);
-            m_effect.motion.wind = 4.0F * draw().x;
-            m_effect.life.fadeRate = 0.04F + 0.02F * draw().x;
-            QVERIFY(live.setEffect(m_effect).ok());
-        }
-        live.setShare(step % 200 < 10 ? 0.0F : 1.0F);
-        QCOMPARE(live.step(kDt).value(), 1);
-    }
-
-private:
-    glm::vec3 draw()
-    {
-        const auto one = [&] { return static_cast<float>(m_random()) / static_cast<float>(std::mt19937::max()) * 2.0F - 1.0F; };
-        const float x = one();
-        const float y = one();
-        return {x, y, one()};
-    }
-
-    Effect m_effect;
-    std::mt19937 m_random{2012};
-};
-
-/// Whether every number of every particle is one.
-bool isFinite(const Particles& particles)
-{
-    bool finite = true;
-    forEachColumn([&](const auto& column) {
-        const auto& values = column.of(particles);
-        finite = finite && std::all_of(values.begin(), values.end(), [](auto value) { return std::isfinite(static_cast<double>(value)); });
-    });
-    return finite;
-}
-
-/// The farthest that a particle has gone in a step beyond what it may: its speed, and that of the swirls.
-float longestJump(const Particles& before, const Particles& after, float swirls)
-{
-    float jump = 0.0F;
-    for (std::size_t i = 0; i < after.capacity; ++i) {
-        if (before.key[i] != after.key[i] || before.birthStep[i] != after.birthStep[i] || after.birthStep[i] == Particles::kUnborn) {
-            continue; // not the same particle
-        }
-        const glm::vec3 way{after.x[i] - before.x[i], after.y[i] - before.y[i], after.z[i] - before.z[i]};
-        const float speed = glm::length(glm::vec3(after.vx[i], after.vy[i], after.vz[i]));
-        jump = std::max(jump, glm::length(way) - (speed + swirls) * static_cast<float>(kDt));
-    }
-    return jump;
 }
 
 } // namespace
@@ -167,14 +66,15 @@ private slots:
     {
         const Effect effect = windy(3000);
         LiveSimulation live = started(effect);
-        Restless game(effect);
+        RestlessGame game(effect);
         Particles before;
         before.reset(live.particles().capacity);
         std::size_t most = 0;
         for (int step = 0; step < 3600; ++step) {
             const std::size_t allocated = allocations();
             before.copySlots(live.particles(), 0, before.x.size());
-            game.act(live, step);
+            QVERIFY(game.act(live, step).ok());
+            go(live, 1);
             constexpr int kSettled = 10;
             if (step >= kSettled) {
                 QCOMPARE(allocations(), allocated);
@@ -192,9 +92,10 @@ private slots:
         const Effect effect = windy(1500);
         const auto run = [&] {
             LiveSimulation live = started(effect);
-            Restless game(effect);
+            RestlessGame game(effect);
             for (int step = 0; step < 900; ++step) {
-                game.act(live, step);
+                [&] { QVERIFY(game.act(live, step).ok()); }();
+                go(live, 1);
             }
             return live.particles();
         };

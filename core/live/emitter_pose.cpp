@@ -1,0 +1,56 @@
+#include "core/live/emitter_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+bool isFinite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+} // namespace
+
+EmitterPose poseOf(const Emitter& emitter)
+{
+    return {emitter.position, glm::normalize(emitter.normal), glm::vec3(0.0F)};
+}
+
+Result<EmitterPose> checkedPose(const EmitterPose& pose)
+{
+    if (!isFinite(pose.position) || !isFinite(pose.normal) || !isFinite(pose.velocity)) {
+        return Error{ErrorCode::OutOfRange, said("the emitter's place or velocity is no number"), {}, said("Pass finite numbers")};
+    }
+    const float longest = std::max({std::abs(pose.normal.x), std::abs(pose.normal.y), std::abs(pose.normal.z)});
+    if (longest == 0.0F) {
+        return Error{ErrorCode::OutOfRange, said("the emitter's normal has no direction"), {}, said("Pass a normal that is not zero")};
+    }
+    return EmitterPose{pose.position, glm::normalize(pose.normal / longest), pose.velocity};
+}
+
+bool isFlip(const glm::vec3& a, const glm::vec3& b)
+{
+    constexpr float kAlmostOpposite = -0.99F;
+    return glm::dot(a, b) < kAlmostOpposite;
+}
+
+EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share)
+{
+    if (share >= 1.0) {
+        return to;
+    }
+    const auto t = static_cast<float>(share);
+    EmitterPose out{glm::mix(from.position, to.position, t), to.normal, glm::mix(from.velocity, to.velocity, t)};
+    if (from.normal != to.normal && !isFlip(from.normal, to.normal)) {
+        out.normal = glm::normalize(glm::mix(from.normal, to.normal, t));
+    }
+    return out;
+}
+
+} // namespace fumage

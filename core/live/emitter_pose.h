@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/effect/effect.h"
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// Where the emitter is and how it moves.
+struct EmitterPose {
+    glm::vec3 position{0.0F}; ///< m
+    glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< of any length but 0
+    glm::vec3 velocity{0.0F}; ///< that particles take along at birth, m/s; (0, 0, 0) where smoke shall not be thrown by a moving emitter
+};
+
+/// Where an effect has its emitter, at rest.
+[[nodiscard]] EmitterPose poseOf(const Emitter& emitter);
+
+/// The pose with its normal made a unit.
+/// @error OutOfRange where it has no direction or is no number
+[[nodiscard]] Result<EmitterPose> checkedPose(const EmitterPose& pose);
+
+/// Whether a turn from one unit vector to another has no way of its own: they are almost opposite.
+[[nodiscard]] bool isFlip(const glm::vec3& a, const glm::vec3& b);
+
+/// A pose on the way from one to another, straight, the normal turning with it; a flip has happened at once.
+/// @param share 0 to 1; 1 is the other, to the bit
+[[nodiscard]] EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share);
+
+} // namespace fumage
