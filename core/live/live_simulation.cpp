@@ -66,9 +66,9 @@ void anchorSwirls(StepConstants& constants, const glm::vec3& anchor)
 /// As many frames a second as an effect has at most.
 constexpr int kMostStepsPerSecond = 240;
 
-double secondsSince(std::chrono::steady_clock::time_point start)
+double secondsOfMachine()
 {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 Status checkOptions(const LiveOptions& options)
@@ -115,6 +115,9 @@ LiveSimulation::LiveSimulation(const Effect& effect, const LiveOptions& options)
     if (options.budgetMs > 0.0) {
         constexpr double kSecondsPerMs = 1e-3;
         m_budget.emplace(options.budgetMs * kSecondsPerMs);
+        if (!m_options.clock) {
+            m_options.clock = secondsOfMachine;
+        }
     }
     const std::int64_t most = options.mostParticles > 0 ? options.mostParticles : m_model->schedule().capacity();
     m_frame.model = m_model;
@@ -154,7 +157,8 @@ Result<int> LiveSimulation::step(double seconds)
 
 void LiveSimulation::stepOnce(const EmitterPose& pose)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const auto now = [&] { return m_budget ? m_options.clock() : 0.0; };
+    const double start = now();
     const std::int64_t step = m_frame.step + 1;
     m_model->placeEmitter(pose.position, pose.normal);
     StepConstants constants = m_model->constants(step);
@@ -165,7 +169,7 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
         m_emitted = emits;
         constants.air.field = &m_air->field();
     }
-    const double airSeconds = m_budget ? secondsSince(start) : 0.0;
+    const double afterAir = now();
     bury(step);
     moveParticles(constants, pose, countBirths());
     m_pose = pose;
@@ -174,7 +178,7 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
     m_appearanceIsNew = false;
     m_coloursAreNew = false;
     if (m_budget) {
-        (void)m_budget->observe({airSeconds, secondsSince(start) - airSeconds}, living(), static_cast<std::size_t>(m_model->effect()->emitter.count));
+        (void)m_budget->observe({afterAir - start, now() - afterAir}, living(), static_cast<std::size_t>(m_model->effect()->emitter.count));
     }
 }
 

@@ -7,6 +7,7 @@
 #include "core/live/emitter_pose.h"
 #include "core/live/live_air.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@ struct LiveOptions {
     int mostParticles = 0; ///< alive at once, up to kMaxParticles; memory is taken for all of them. 0: as many as the effect has at the start
     double budgetMs = 0.0; ///< that a step of the simulation may take, kept by thinning births; 0: none. With one, two runs differ
     int mostStepsAtOnce = 8; ///< in one call of step(), 1 or more: time beyond it is let go, so that a game that has stood still does not race
+    std::function<double()> clock{}; ///< that the budget is measured with, s from any start on, asked three times a step; empty: the machine's. Throws nothing
 };
 
 /// Smoke that steps with a game.

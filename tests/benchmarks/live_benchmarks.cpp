@@ -1,11 +1,15 @@
 #include "tests/benchmarks/measure.h"
-#include "tests/effects.h"
+#include "tests/live/restless_game.h"
 
 #include "core/base/parallel.h"
-#include "core/live/live_simulation.h"
 #include "core/simulation/advance.h"
 
-#include <cmath>
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+
+#include <unistd.h>
 
 namespace fumage::benchmarks {
 
@@ -74,12 +78,117 @@ void advanceAlone(benchmark::State& state, int particles)
     }
 }
 
+/// Memory that the program holds, MiB.
+double memoryNow()
+{
+    std::ifstream pages("/proc/self/statm");
+    double whole = 0.0;
+    double resident = 0.0;
+    pages >> whole >> resident;
+    constexpr double kMiB = 1048576.0;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / kMiB;
+}
+
+/// Takes a sorted number that as large a share of them is below.
+double quantile(const std::vector<double>& sorted, double share)
+{
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+/// What the thread has computed, s: on a machine that others use as well a clock on the wall tells how long they have taken.
+double secondsOfThread()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double secondsOnWall()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What the steps of a minute have taken.
+struct Minute {
+    static constexpr int kSteps = 3600;
+
+    std::vector<double> own; ///< ms of the thread
+    std::vector<double> wall; ///< ms
+    double share = 0.0; ///< of births, mean
+    double grown = 0.0; ///< memory since the tenth second, MiB
+    bool isSound = true; ///< nothing was refused, has jumped, or is no number
+};
+
+/// A game that changes wind, rate, lifetime and its emitter's place at random.
+Minute minuteOf(LiveSimulation& live)
+{
+    Minute out;
+    tests::RestlessGame game(live.effect(), live.effect().emitter.count);
+    Particles before = live.particles();
+    const float swirls = 6.0F * live.effect().turbulence.strength; // their peak over their root mean square
+    double settled = 0.0;
+    for (int step = 0; step < Minute::kSteps; ++step) {
+        before.copySlots(live.particles(), 0, before.x.size());
+        const bool isTaken = game.act(live, step).ok();
+        const double own = secondsOfThread();
+        const double wall = secondsOnWall();
+        const bool isDone = live.step(tests::kDt).ok();
+        out.own.push_back(1e3 * (secondsOfThread() - own));
+        out.wall.push_back(1e3 * (secondsOnWall() - wall));
+        out.share += static_cast<double>(live.share()) / Minute::kSteps;
+        settled = step == 600 ? memoryNow() : settled;
+        out.isSound = out.isSound && isTaken && isDone && tests::isFinite(live.particles()) && tests::longestJump(before, live.particles(), swirls) < 1e-4F;
+    }
+    out.grown = memoryNow() - settled;
+    std::sort(out.own.begin(), out.own.end());
+    std::sort(out.wall.begin(), out.wall.end());
+    return out;
+}
+
+/// @param budgetMs of the thread's own time
+void minute(benchmark::State& state, const Effect& effect, double budgetMs)
+{
+    const ThreadLimit one(1);
+    for (auto _ : state) {
+        Result<LiveSimulation> live = LiveSimulation::start(effect, {.budgetMs = budgetMs, .clock = secondsOfThread});
+        const Minute taken = live ? minuteOf(live.value()) : Minute{.isSound = false};
+        if (!taken.isSound) {
+            state.SkipWithError("a step was refused, has jumped or has no numbers");
+            return;
+        }
+        state.counters["p50ms"] = quantile(taken.own, 0.5);
+        state.counters["p99ms"] = quantile(taken.own, 0.99);
+        state.counters["most_ms"] = taken.own.back();
+        state.counters["wall_p99ms"] = quantile(taken.wall, 0.99);
+        state.counters["share"] = taken.share;
+        state.counters["MiB_more"] = taken.grown;
+    }
+}
+
+/// Smoke that is several times too large for its budget.
+void addMinutes(std::vector<Claim>& claims)
+{
+    const auto add = [&](const std::string& name, const std::string& what, const Effect& effect, double budgetMs) {
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { minute(state, effect, budgetMs); })->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+        claims.push_back({what + ", 99 of 100 steps", name, "", "p99ms", budgetMs, true});
+        claims.push_back({"  half of them", name, "", "p50ms"});
+        claims.push_back({"  all", name, "", "most_ms"});
+        claims.push_back({"  on the wall, with what others took of the machine", name, "", "wall_p99ms"});
+        claims.push_back({"  mean share of births", name, "", "share"});
+        claims.push_back({"  memory that the last 50 s took more", name, "", "MiB_more", 1.0, true});
+    };
+    Effect inAir = tests::inAir(400000);
+    inAir.air.resolution = 24;
+    add("live/minute", "a restless minute", tests::windy(200000), 2.0);
+    add("live/minute_air", "a restless minute in air", inAir, 4.0);
+}
+
 } // namespace
 
 void addLiveBenchmarks(std::vector<Claim>& claims)
 {
     const auto add = [](const std::string& name, const auto& run) { benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMicrosecond); };
-    for (const int count : {256, 10000}) {
+    for (const int count : {16, 10000}) {
         const std::string name = "live/" + std::to_string(count);
         add(name + "_still", [=](benchmark::State& state) { step(state, count, Way::Still); });
         add(name + "_circle", [=](benchmark::State& state) { step(state, count, Way::Circle); });
@@ -90,6 +199,7 @@ void addLiveBenchmarks(std::vector<Claim>& claims)
         claims.push_back({"  over one whose model is made anew", name + "_still", name + "_set", ""});
         claims.push_back({"  over a step of the simulator", name + "_still", name + "_advance", ""});
     }
+    addMinutes(claims);
 }
 
 } // namespace fumage::benchmarks

@@ -270,33 +270,6 @@ private slots:
         QVERIFY(live.particles().rollX[0] != 0.0F);
     }
 
-    void theBudgetFindsItsShareAtOnceAndStaysThere()
-    {
-        BirthBudget budget(1e-3);
-        constexpr double kEach = 1e-6; // s a particle
-        QCOMPARE(budget.observe({0.0, kEach * 100}, 100, 10000), 1.0F); // too few to tell
-        double living = 10000;
-        for (int step = 0; step < 300; ++step) {
-            const float share = budget.observe({0.0, kEach * living}, static_cast<std::size_t>(living), 10000);
-            QVERIFY(near(share, 0.08, 1e-4)); // 0.8 ms at 1 us each
-            living += 0.02 * (10000.0 * static_cast<double>(share) - living);
-        }
-        float share = 0.0F;
-        for (int step = 0; step < 300; ++step) {
-            share = budget.observe({0.0, 0.01 * kEach * 1000.0}, 1000, 10000);
-        }
-        QVERIFY(share > 0.99F); // the machine has become faster
-        for (int step = 0; step < 300; ++step) {
-            const double interrupted = step % 10 == 0 ? 50.0 : 1.0;
-            share = budget.observe({0.0, interrupted * kEach * 1000.0}, 1000, 10000);
-        }
-        QVERIFY(share > 0.065F && share <= 0.08F);
-        for (int step = 0; step < 100; ++step) {
-            share = budget.observe({5e-3, kEach * 1000.0}, 1000, 10000);
-        }
-        QCOMPARE(share, BirthBudget::kLeastShare); // air alone takes longer
-    }
-
     void whatCannotBeIsRefusedAndChangesNothing()
     {
         Effect effect = windy(100);
