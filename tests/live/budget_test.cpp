@@ -138,6 +138,17 @@ private slots:
         QVERIFY(smoke.longestOf(300) <= kBudget);
     }
 
+    void aShareComesBackWhereFewAreLeftToLearnFrom()
+    {
+        BirthBudget budget(kBudget);
+        float share = budget.observe({0.0, 20.0 * kBudget}, 1000, 1000);
+        QCOMPARE(share, BirthBudget::kLeastShare);
+        for (int step = 0; step < 200; ++step) {
+            share = budget.observe({0.0, kEach}, 1, 1000);
+        }
+        QVERIFY(share > 0.99F);
+    }
+
     void theSameTimesHaveTheSameBits()
     {
         Thinned first;

@@ -62,6 +62,19 @@ private slots:
         }
     }
 
+    void anEffectThatIsSetAsItIsChangesNothing()
+    {
+        const Effect effect = windy(1500);
+        LiveSimulation left = started(effect);
+        LiveSimulation set = started(effect);
+        for (int step = 0; step < 200; ++step) {
+            QVERIFY(set.setEffect(effect).ok());
+            go(left, 1);
+            go(set, 1);
+        }
+        QVERIFY(sameBits(left.particles(), set.particles()));
+    }
+
     void aMinuteOfChangesIsSmoothAndFlat()
     {
         const Effect effect = windy(3000);
