@@ -92,7 +92,7 @@ Status answerInText(const Finding& finding)
         }
     }
     const int same = finding.count(FileState::Same);
-    out << same << " of " << finding.files.size() << (finding.rendered ? " frames come out the same on this machine\n" : " files are as the manifest says\n");
+    out << same << " of " << finding.files.size() << (finding.rendered ? " files come out the same on this machine\n" : " files are as the manifest says\n");
     return print(out.str());
 }
 
@@ -141,7 +141,9 @@ void addVerify(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("verify", "Hold pictures against the manifest that was written with them");
     command->add_option("target", options->target, "A folder with manifests, or one manifest")->required()->type_name("FOLDER");
     CLI::Option* frames = command->add_option("-f,--frames", options->frames, "Frames that must be there: 0-119. Default: those that the manifests name")->type_name("RANGE");
-    command->add_option("--render", options->rendered, "Render these frames again, and say whether this machine makes the same bits; files are not looked at")->type_name("RANGE")->excludes(frames);
+    command->add_option("--render", options->rendered, "Render these frames again, and flipbooks that show one of them, and say whether this machine makes the same bits; files are not looked at")
+        ->type_name("RANGE")
+        ->excludes(frames);
     addJson(*command, options->asJson);
     command->footer("Files that are missing, different, broken, or in no manifest (of a folder) are named. A picture that was compressed anew is the same as long as it shows the same.\n"
                     "Exit codes: 0 all is as it should be, 4 it is not, others as everywhere.\n"

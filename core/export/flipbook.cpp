@@ -30,7 +30,8 @@ Status check(const Effect& effect, const FlipbookOptions& options)
 {
     const auto inRange = [](int count) { return count >= 1 && count <= kMaxSheetCells; };
     if (!inRange(options.columns) || !inRange(options.rows)) {
-        return Error{ErrorCode::OutOfRange, said("a flipbook of %1 x %2 cells", options.columns, options.rows), {}, said("Use 1 to %1 columns and rows", kMaxSheetCells)};
+        return Error{ErrorCode::OutOfRange, said("a flipbook of %1 x %2 cells", options.columns, options.rows), {},
+            said("Use 1 to %1 columns and rows", kMaxSheetCells)};
     }
     if (Status status = checkEngine(options.engine, options.passes, options.format); !status) {
         return status;
@@ -43,12 +44,17 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     }
     const int cells = options.columns * options.rows;
     if (options.frames.count() < cells) {
-        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", options.frames.count(), cells), {}, said("Choose more frames or fewer columns and rows")};
+        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", options.frames.count(), cells), {},
+            said("Choose more frames or fewer columns and rows")};
     }
     const std::int64_t width = static_cast<std::int64_t>(effect.output.width) * options.columns;
     const std::int64_t height = static_cast<std::int64_t>(effect.output.height) * options.rows;
-    if (width > kMaxSheetEdge || height > kMaxSheetEdge || width * height > static_cast<std::int64_t>(kMaxSheetPixels) || width * height * layersOf(renderedPasses(options)) > static_cast<std::int64_t>(kMaxLayerPixels)) {
-        return Error{ErrorCode::TooLarge, said("a flipbook of %1 x %2 pixels", width, height), {}, said("Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all", kMaxSheetEdge, kMaxSheetPixels >> 20U)};
+    const std::int64_t pixels = width * height;
+    const bool isTooLong = width > kMaxSheetEdge || height > kMaxSheetEdge;
+    const std::int64_t layerPixels = pixels * layersOf(renderedPasses(options));
+    if (isTooLong || pixels > static_cast<std::int64_t>(kMaxSheetPixels) || layerPixels > static_cast<std::int64_t>(kMaxLayerPixels)) {
+        return Error{ErrorCode::TooLarge, said("a flipbook of %1 x %2 pixels", width, height), {},
+            said("Choose smaller or fewer cells: edges up to %1 pixels, at most %2 million in all", kMaxSheetEdge, kMaxSheetPixels >> 20U)};
     }
     return Done{};
 }
@@ -116,13 +122,16 @@ private:
 };
 
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
-Status renderCells(const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Progress& progress, const std::stop_token& stop)
+Status renderCells(const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Progress& progress,
+    const std::stop_token& stop)
 {
     const SampledEffect smoke = sampled(effect);
     BorderWatch borders(smoke);
     PassSet rendered = renderedPasses(options);
     rendered.add(Pass::Alpha); // it tells what is cut off
-    const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) { borders.look(cell.of(PassLayer::Colour), frame, appearance); };
+    const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) {
+        borders.look(cell.of(PassLayer::Colour), frame, appearance);
+    };
     if (Status status = renderSheet(effect, framesOfCells(options), options.columns, rendered, sheet, look, progress, stop); !status) {
         return status;
     }
@@ -149,7 +158,8 @@ std::vector<Pass> listOf(PassSet passes)
 }
 
 /// The bytes of all pictures, each on a thread of its own.
-Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& sheet, const PassPictures& pictures, const Effect& effect, const FlipbookOptions& options, const std::stop_token& stop)
+Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& sheet, const PassPictures& pictures, const Effect& effect,
+    const FlipbookOptions& options, const std::stop_token& stop)
 {
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
@@ -177,7 +187,8 @@ Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& shee
     return out;
 }
 
-EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales, const std::vector<std::vector<std::byte>>& bytes)
+EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales,
+    const std::vector<std::vector<std::byte>>& bytes)
 {
     EngineSheet sheet{effect, options.columns, options.rows, flipbook.cellsPerSecond, options.style, scales, {}};
     const std::vector<Pass> passes = listOf(options.passes);
@@ -216,7 +227,8 @@ Result<Curve> parseRetime(std::string_view text)
         return read.error();
     }
     if (clampValue(shares, read.value().value).changed) {
-        return Error{ErrorCode::OutOfRange, said("the points %1 do not lie between 0 and 1, from left to right", inQuotes(text)), {}, said("Write [[0, 0], [0.3, 0.6], [1, 1]]")};
+        return Error{ErrorCode::OutOfRange, said("the points %1 do not lie between 0 and 1, from left to right", inQuotes(text)), {},
+            said("Write [[0, 0], [0.3, 0.6], [1, 1]]")};
     }
     return std::get<Curve>(read.value().value);
 }
@@ -297,43 +309,67 @@ namespace {
 /// Fills the cells of a sheet, and says of the flipbook what was seen.
 using CellFill = std::function<Status(PassSheet& sheet, Flipbook& flipbook)>;
 
-Result<Flipbook> writeFlipbook(const Effect& effect, const FlipbookOptions& options, const CellFill& fill, const std::stop_token& stop)
-{
-    if (Status status = check(effect, options); !status) {
-        return status.error();
-    }
+/// A flipbook before it is written.
+struct MadeFlipbook {
     Flipbook flipbook;
-    const std::vector<std::filesystem::path> all = filesOf(options);
+    std::vector<FlipbookFile> files;
+};
+
+std::vector<std::byte> bytesOf(const std::string& text)
+{
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+/// @param all filesOf() the options
+Result<MadeFlipbook> makeFlipbook(const Effect& effect, const FlipbookOptions& options, const std::vector<std::filesystem::path>& all, const CellFill& fill,
+    const std::stop_token& stop)
+{
+    MadeFlipbook made;
+    Flipbook& flipbook = made.flipbook;
     flipbook.picture = all.front();
     flipbook.files = static_cast<int>(all.size());
     flipbook.description = all.back();
     flipbook.cellsPerSecond = cellsPerSecond(effect, options);
-    for (const std::filesystem::path& file : all) {
-        if (Status status = makeFolderOf(file); !status) {
-            return status.error();
-        }
-    }
-
     PassSheet sheet;
     if (Status status = fill(sheet, flipbook); !status) {
         return status.error();
     }
     const PassPictures pictures(sheet, renderedPasses(options), options.style);
-    const Result<std::vector<std::vector<std::byte>>> bytes = encodePictures(sheet, pictures, effect, options, stop);
+    Result<std::vector<std::vector<std::byte>>> bytes = encodePictures(sheet, pictures, effect, options, stop);
     if (!bytes) {
         return bytes.error();
     }
     std::vector<std::string> texts = makeEngineFiles(options.engine, engineSheet(effect, options, flipbook, pictures.scales(), bytes.value()));
     texts.push_back(describeFlipbook(effect, options, flipbook, pictures.scales()));
-    std::vector<FileContents> files;
+    const std::size_t count = bytes.value().size(); // of pictures
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::size_t text = i - bytes.value().size(); // of what is no picture
-        files.push_back({all[i], i < bytes.value().size() ? std::span<const std::byte>(bytes.value()[i]) : std::as_bytes(std::span(texts[text]))});
+        made.files.push_back({all[i], i < count ? std::move(bytes.value()[i]) : bytesOf(texts[i - count])});
     }
-    if (Status status = writeTogetherAtomically(files); !status) {
+    return made;
+}
+
+Result<Flipbook> writeFlipbook(const Effect& effect, const FlipbookOptions& options, const CellFill& fill, const std::stop_token& stop)
+{
+    if (Status status = check(effect, options); !status) {
         return status.error();
     }
-    return flipbook;
+    const std::vector<std::filesystem::path> all = filesOf(options);
+    for (const std::filesystem::path& file : all) {
+        if (Status status = makeFolderOf(file); !status) {
+            return status.error();
+        }
+    }
+    const Result<MadeFlipbook> made = makeFlipbook(effect, options, all, fill, stop);
+    if (!made) {
+        return made.error();
+    }
+    std::vector<FileContents> files;
+    for (const FlipbookFile& file : made.value().files) {
+        files.push_back({file.path, file.bytes});
+    }
+    const Status written = writeTogetherAtomically(files);
+    return written ? Result<Flipbook>(made.value().flipbook) : written.error();
 }
 
 } // namespace
@@ -344,12 +380,25 @@ Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& opt
     return writeFlipbook(effect, options, fill, stop);
 }
 
-Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<FlipbookFile>> encodeFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    if (Status status = check(effect, options); !status) {
+        return status.error();
+    }
+    const auto fill = [&](PassSheet& sheet, Flipbook& flipbook) { return renderCells(effect, options, sheet, flipbook, progress, stop); };
+    Result<MadeFlipbook> made = makeFlipbook(effect, options, filesOf(options), fill, stop);
+    return made ? Result<std::vector<FlipbookFile>>(std::move(made.value().files)) : made.error();
+}
+
+Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Progress& progress,
+    const std::stop_token& stop)
 {
     if (renderedPasses(options) != PassSet{Pass::Colour}) {
         return Error{ErrorCode::OutOfRange, said("only the colour can be joined of frames"), {}, said("Render a flipbook for its other passes")};
     }
-    const auto fill = [&](PassSheet& sheet, Flipbook&) { return joinSheet(framesOfCells(options), options.columns, frames, {effect.output.width, effect.output.height}, sheet, progress, stop); };
+    const auto fill = [&](PassSheet& sheet, Flipbook&) {
+        return joinSheet(framesOfCells(options), options.columns, frames, {effect.output.width, effect.output.height}, sheet, progress, stop);
+    };
     return writeFlipbook(effect, options, fill, stop);
 }
 

@@ -90,7 +90,17 @@ struct Flipbook {
 /// @error TooLarge before allocating, OutOfRange, those of checkEngine(), checkPacks() and renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
-/// The same of frames that are there already. Nothing is known of smoke that is cut off.
+/// A file of a flipbook, not written.
+struct FlipbookFile {
+    std::filesystem::path path;
+    std::vector<std::byte> bytes;
+};
+
+/// The files that renderFlipbook() writes, in the order of filesOf(); nothing is written.
+/// @error those of renderFlipbook()
+[[nodiscard]] Result<std::vector<FlipbookFile>> encodeFlipbook(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop = {});
+
+/// renderFlipbook() of frames that are there already. Nothing is known of smoke that is cut off.
 /// @param options whose only pass is the colour
 /// @error OutOfRange where other passes are asked for; those of renderFlipbook() and of the frames
 [[nodiscard]] Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Progress& progress, const std::stop_token& stop = {});

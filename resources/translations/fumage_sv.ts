@@ -1825,10 +1825,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>det som manifestet beskriver kan inte renderas på nytt</translation>
     </message>
     <message>
-        <source>Only frames can; of others the files are checked</source>
-        <translation>Det kan bara bildrutor; av annat kontrolleras filerna</translation>
-    </message>
-    <message>
         <source>interrupted</source>
         <translation>avbrutet</translation>
     </message>
@@ -1843,10 +1839,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>the manifests name none of the frames %1 to %2</source>
         <translation>manifesten nämner ingen av bildrutorna %1 till %2</translation>
-    </message>
-    <message>
-        <source>Choose some that have been rendered as pictures of their own</source>
-        <translation>Välj några som har renderats som egna bilder</translation>
     </message>
     <message>
         <source>a channel of the picture has fewer numbers than there are pixels</source>
@@ -2051,6 +2043,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Keep them, or start a new simulation</source>
         <translation>Behåll dem, eller starta en ny simulering</translation>
+    </message>
+    <message>
+        <source>Only frames and flipbooks can; of others the files are checked</source>
+        <translation>Det kan bara bildrutor och flipbookar; av annat kontrolleras filerna</translation>
+    </message>
+    <message>
+        <source>Choose some that have been rendered, as pictures or in a flipbook</source>
+        <translation>Välj några som har renderats, som bilder eller i en flipbook</translation>
     </message>
 </context>
 <context>

@@ -1825,10 +1825,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>此清单所记录的内容无法重新渲染</translation>
     </message>
     <message>
-        <source>Only frames can; of others the files are checked</source>
-        <translation>只有帧可以；其他内容只检查文件</translation>
-    </message>
-    <message>
         <source>interrupted</source>
         <translation>已中断</translation>
     </message>
@@ -1843,10 +1839,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>the manifests name none of the frames %1 to %2</source>
         <translation>清单中没有第 %1 到 %2 帧</translation>
-    </message>
-    <message>
-        <source>Choose some that have been rendered as pictures of their own</source>
-        <translation>请选择作为单独图片渲染过的帧</translation>
     </message>
     <message>
         <source>a channel of the picture has fewer numbers than there are pixels</source>
@@ -2051,6 +2043,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Keep them, or start a new simulation</source>
         <translation>请保持不变，或开始新的模拟</translation>
+    </message>
+    <message>
+        <source>Only frames and flipbooks can; of others the files are checked</source>
+        <translation>只有帧和序列帧图集可以；其他内容只检查文件</translation>
+    </message>
+    <message>
+        <source>Choose some that have been rendered, as pictures or in a flipbook</source>
+        <translation>请选择渲染过的帧：单独的图片，或序列帧图集中的帧</translation>
     </message>
 </context>
 <context>

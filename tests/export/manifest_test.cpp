@@ -134,7 +134,7 @@ private slots:
         QFETCH(std::string, what);
         QFETCH(std::string, instead);
         QFETCH(std::string, says);
-        std::string text = formatManifest({jobOf(smallSmoke(), {}), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
+        std::string text = formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
         QVERIFY(parseManifest(text, "m.json").ok());
         const std::size_t at = text.find(what);
         QVERIFY(at != std::string::npos);
@@ -146,14 +146,14 @@ private slots:
 
     void hashesThatAreNoneAreRefused()
     {
-        const std::string text = formatManifest({jobOf(smallSmoke(), {}), "x", {{"s_01.png", 1, {true, "12"}}}});
+        const std::string text = formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, "12"}}}});
         QVERIFY(!parseManifest(text, "m.json").ok());
     }
 
     void deepAndTruncatedManifestsAreRefused()
     {
         QVERIFY(!parseManifest(std::string(1'000'000, '['), "m.json").ok());
-        const std::string text = formatManifest({jobOf(smallSmoke(), {}), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
+        const std::string text = formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
         for (std::size_t size = 0; size + 1 < text.size(); size += 97) {
             QVERIFY(!parseManifest(std::string_view(text).substr(0, size), "m.json").ok());
         }

@@ -7,6 +7,7 @@
 #include "core/picture_files/picture_pixels.h"
 
 #include <optional>
+#include <sstream>
 
 namespace fumage {
 
@@ -31,32 +32,122 @@ std::optional<Content> contentOfFrame(const std::filesystem::path& file, const E
     return Content{true, picture.value().hash};
 }
 
+constexpr const char* kPremultiplied = "premultiplied";
+constexpr char kBetweenPacks = ';'; // no name of one has it
+
+std::string alphaOf(bool premultiplied)
+{
+    return premultiplied ? kPremultiplied : "straight";
+}
+
+/// Empty where the job does not say.
+std::string settingOf(const ManifestJob& job, const char* key)
+{
+    const auto found = job.settings.find(key);
+    return found == job.settings.end() ? std::string() : found->second;
+}
+
+Error cannotBeRendered()
+{
+    return {ErrorCode::WrongType, said("what this manifest is of cannot be rendered again"), {}, said("Only frames and flipbooks can; of others the files are checked")};
+}
+
+/// What a flipbook is packed and played as; each is as on the command line.
+/// @error that of the first that is not understood
+Status readExtras(const ManifestJob& job, FlipbookOptions& options)
+{
+    std::istringstream packs(settingOf(job, "packs"));
+    for (std::string text; std::getline(packs, text, kBetweenPacks);) {
+        Result<PackedPicture> pack = parsePack(text);
+        if (!pack) {
+            return pack.error();
+        }
+        options.packs.push_back(std::move(pack).value());
+    }
+    if (const std::string text = settingOf(job, "retime"); !text.empty()) {
+        Result<Curve> retime = parseRetime(text);
+        if (!retime) {
+            return retime.error();
+        }
+        options.retime = std::move(retime).value();
+    }
+    if (const std::string text = settingOf(job, "untrimmed"); !text.empty()) {
+        const Result<FrameRange> untrimmed = parseFrameRange(text);
+        if (!untrimmed) {
+            return untrimmed.error();
+        }
+        options.untrimmed = untrimmed.value();
+    }
+    return Done{};
+}
+
 } // namespace
 
 ManifestJob jobOf(const Effect& effect, const SequenceOptions& options)
 {
     return {std::string(kFramesKind),
-        {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)}, {"alpha", options.premultiplied ? "premultiplied" : "straight"}, {"step", std::to_string(options.frames.step)}},
+        {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)}, {"alpha", alphaOf(options.premultiplied)}, {"step", std::to_string(options.frames.step)}},
         effect};
 }
 
 Result<SequenceOptions> sequenceOf(const ManifestJob& job)
 {
-    const auto setting = [&](const char* key) {
-        const auto found = job.settings.find(key);
-        return found == job.settings.end() ? std::string() : found->second;
-    };
-    const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(setting("format"));
-    const Result<FrameRange> step = parseFrameRange("0:" + setting("step"));
-    const Result<PassSet> passes = parsePasses(setting("passes"));
+    const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
+    const Result<FrameRange> step = parseFrameRange("0:" + settingOf(job, "step"));
+    const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
     if (job.kind != kFramesKind || !format || !step || !passes || passes.value() == PassSet()) {
-        return Error{ErrorCode::WrongType, said("what this manifest is of cannot be rendered again"), {}, said("Only frames can; of others the files are checked")};
+        return cannotBeRendered();
     }
     SequenceOptions options;
     options.format = *format;
     options.passes = passes.value();
-    options.premultiplied = setting("alpha") == "premultiplied";
+    options.premultiplied = settingOf(job, "alpha") == kPremultiplied;
     options.frames.step = step.value().step;
+    return options;
+}
+
+ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options)
+{
+    ManifestJob job{std::string(kFlipbookKind),
+        {{"name", options.output.filename().string()}, {"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)},
+            {"columns", std::to_string(options.columns)}, {"rows", std::to_string(options.rows)}, {"frames", textOf(options.frames)}, {"for", std::string(nameOf(options.engine))},
+            {"layout", std::string(nameOf(options.style.layout))}, {"vectors", std::string(nameOf(options.style.vectors))}, {"alpha", alphaOf(options.style.premultiplied)}},
+        effect};
+    std::string packs;
+    for (const PackedPicture& pack : options.packs) {
+        packs += (packs.empty() ? "" : std::string(1, kBetweenPacks)) + textOf(pack);
+    }
+    if (!packs.empty()) {
+        job.settings["packs"] = packs;
+    }
+    if (options.retime) {
+        job.settings["retime"] = textOfRetime(*options.retime);
+    }
+    if (options.untrimmed) {
+        job.settings["untrimmed"] = textOf(*options.untrimmed);
+    }
+    return job;
+}
+
+Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
+{
+    const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
+    const std::optional<Engine> engine = enumeratorNamed<Engine, kEngines>(settingOf(job, "for"));
+    const std::optional<SixWayLayout> layout = enumeratorNamed<SixWayLayout, 4>(settingOf(job, "layout"));
+    const std::optional<VectorSigns> vectors = enumeratorNamed<VectorSigns, 2>(settingOf(job, "vectors"));
+    const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
+    const Result<FrameRange> frames = parseFrameRange(settingOf(job, "frames"));
+    const std::optional<std::int64_t> columns = parseInteger(settingOf(job, "columns"));
+    const std::optional<std::int64_t> rows = parseInteger(settingOf(job, "rows"));
+    const auto areCells = [](const std::optional<std::int64_t>& count) { return count && *count >= 1 && *count <= kMaxSheetCells; };
+    const std::filesystem::path name = std::filesystem::path(settingOf(job, "name")).filename();
+    if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !passes || !frames || !areCells(columns) || !areCells(rows) || name.empty()) {
+        return cannotBeRendered();
+    }
+    FlipbookOptions options{name, static_cast<int>(*columns), static_cast<int>(*rows), frames.value(), *format, passes.value(), {*layout, *vectors, settingOf(job, "alpha") == kPremultiplied}, *engine};
+    if (!readExtras(job, options)) {
+        return cannotBeRendered();
+    }
     return options;
 }
 
@@ -112,9 +203,7 @@ Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manif
 
 Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest)
 {
-    const std::string grid = std::to_string(options.columns) + "x" + std::to_string(options.rows);
-    ManifestJob job{"flipbook", {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)}, {"grid", grid}, {"for", std::string(nameOf(options.engine))}}, effect};
-    ManifestRecorder recorder(std::move(job), manifest, std::nullopt);
+    ManifestRecorder recorder(jobOf(effect, options), manifest, std::nullopt);
     for (const std::filesystem::path& file : filesOf(options)) {
         const Result<std::string> bytes = readFile(file, kMaxCheckedBytes);
         if (!bytes) {

@@ -24,6 +24,16 @@ inline constexpr std::string_view kFramesKind = "frames";
 /// @error WrongType: it is not of frames, or has settings that are not known
 [[nodiscard]] Result<SequenceOptions> sequenceOf(const ManifestJob& job);
 
+/// The kind of jobs that are flipbooks.
+inline constexpr std::string_view kFlipbookKind = "flipbook";
+
+/// The job that a flipbook is made by. Its name belongs to it: the file beside the picture names it.
+[[nodiscard]] ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options);
+
+/// How the flipbook of a job is rendered; its output has no folder.
+/// @error WrongType: it is no flipbook, or does not say all of it, as those of Fumage before this was known
+[[nodiscard]] Result<FlipbookOptions> flipbookOf(const ManifestJob& job);
+
 /// The frames of which the file is there as a whole: it reads to its end and has the right size, and where it carries a preset and a frame these are
 /// the right ones. O(pixels of those files).
 /// @param kept hears of each

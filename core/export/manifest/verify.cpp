@@ -98,8 +98,43 @@ std::map<std::string, Manifest> jobsOf(const ManifestSet& set)
     return jobs;
 }
 
+bool isIn(const FrameRange& range, int frame)
+{
+    return frame >= range.first && frame <= range.last && (frame - range.first) % range.step == 0;
+}
+
+/// Renders the flipbook of a job, where it shows a frame that is wanted.
+Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
+{
+    const Result<FlipbookOptions> options = flipbookOf(job.job);
+    if (!options) {
+        return options.error();
+    }
+    const std::vector<int> shown = framesOfCells(options.value());
+    if (std::ranges::none_of(shown, [&](int frame) { return isIn(wanted, frame); })) {
+        return Done{};
+    }
+    const Result<std::vector<FlipbookFile>> made = encodeFlipbook(job.job.effect, options.value(), progress, stop);
+    if (!made) {
+        return made.error();
+    }
+    std::map<std::string, Content> contents;
+    for (const FlipbookFile& file : made.value()) {
+        Result<Content> content = contentOf(file.bytes);
+        if (!content) {
+            return content.error();
+        }
+        contents[file.path.filename().string()] = std::move(content).value();
+    }
+    for (const ManifestEntry& entry : job.files) {
+        const auto found = contents.find(std::filesystem::path(entry.file).filename().string());
+        checked.push_back({entry.file, {}, found != contents.end() && found->second == entry.content ? FileState::Same : FileState::Different});
+    }
+    return Done{};
+}
+
 /// Renders the frames of a job that are wanted.
-Status renderJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
+Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
 {
     Result<SequenceOptions> options = sequenceOf(job.job);
     if (!options) {
@@ -108,7 +143,7 @@ Status renderJob(const Manifest& job, const FrameRange& wanted, std::vector<Chec
     std::map<int, const ManifestEntry*> entries;
     for (const ManifestEntry& entry : job.files) {
         const int frame = entry.frame.value_or(-1);
-        if (frame >= wanted.first && frame <= wanted.last && (frame - wanted.first) % wanted.step == 0) {
+        if (isIn(wanted, frame)) {
             entries.emplace(frame, &entry);
         }
     }
@@ -206,13 +241,18 @@ Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const Frame
 {
     std::vector<CheckedFile> checked;
     for (const auto& [hash, job] : jobsOf(set)) {
-        const Status status = job.job.kind == kFramesKind ? renderJob(job, frames, checked, progress, stop) : Status(Done{});
+        Status status = Done{};
+        if (job.job.kind == kFramesKind) {
+            status = renderFrames(job, frames, checked, progress, stop);
+        } else if (job.job.kind == kFlipbookKind) {
+            status = renderFlipbookJob(job, frames, checked, progress, stop);
+        }
         if (!status) {
             return status.error();
         }
     }
     if (checked.empty()) {
-        return Error{ErrorCode::OutOfRange, said("the manifests name none of the frames %1 to %2", frames.first, frames.last), set.folder.string(), said("Choose some that have been rendered as pictures of their own")};
+        return Error{ErrorCode::OutOfRange, said("the manifests name none of the frames %1 to %2", frames.first, frames.last), set.folder.string(), said("Choose some that have been rendered, as pictures or in a flipbook")};
     }
     return checked;
 }

@@ -49,9 +49,9 @@ struct ManifestSet {
 /// @error        Cancelled, and those of readFile() but for files that are missing
 [[nodiscard]] Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop = {});
 
-/// Renders frames again, and holds what this machine makes of them against the manifests. Files are not looked at.
-/// @return the frames of the manifests that lie in the range
-/// @error  OutOfRange where none does, as of flipbooks; WrongType where a manifest does not say how; those of encodeFrames()
+/// Renders frames again, and holds what this machine makes of them against the manifests; flipbooks that show one of them as a whole. Files are not looked at.
+/// @return the frames of the manifests that lie in the range, and the files of flipbooks
+/// @error  OutOfRange where none does; WrongType where a manifest does not say how; those of encodeFrames() and encodeFlipbook()
 [[nodiscard]] Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage
