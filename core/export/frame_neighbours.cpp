@@ -4,8 +4,8 @@
 
 namespace fumage {
 
-FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted, int step)
-    : m_simulator(effect)
+FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted, int step, const std::shared_ptr<AirShelf>& shelf)
+    : m_simulator(effect, Simulator::kDefaultCheckpointBytes, shelf)
     , m_frames(frames)
     , m_wanted(wanted)
     , m_step(step)

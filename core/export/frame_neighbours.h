@@ -14,8 +14,9 @@ class FrameNeighbours {
 public:
     /// @param frames in any order, but one that rises is quick; must stay
     /// @param wanted whether those beside are; else there is none
+    /// @param shelf  with air that others bake or have baked; null: none
     /// @param step   0: those beside are the ones in the list; else those that are so many frames away, whatever is in the list, so that frames are the same however they are divided into lists
-    FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted, int step = 0);
+    FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted, int step = 0, const std::shared_ptr<AirShelf>& shelf = nullptr);
 
     /// @param place of a frame in the list: 0, then one more each time
     /// @return the frame until the next call; after the last comes one that is as far behind it as that is behind the one before, or the first of all

@@ -15,7 +15,7 @@ void place(const Image& cell, Image& sheet, const SheetCell& at)
 
 } // namespace
 
-Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop)
+Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop, const std::shared_ptr<AirShelf>& shelf)
 {
     const SampledEffect smoke = sampled(effect);
     const int cells = static_cast<int>(frames.size());
@@ -26,7 +26,7 @@ Status renderSheet(const Effect& effect, const std::vector<int>& frames, int col
             sheet.layers.layers[i].resize(sheet.grid.cellWidth * columns, sheet.grid.cellHeight * rows);
         }
     }
-    FrameNeighbours neighbours(smoke, frames, passes.has(Pass::Motion));
+    FrameNeighbours neighbours(smoke, frames, passes.has(Pass::Motion), 0, shelf);
     PassRenderer renderer;
     PassImages cell;
     for (int number = 0; number < cells; ++number) {

@@ -4,6 +4,7 @@
 #include "core/export/frame_source.h"
 #include "core/export/pass_picture.h"
 #include "core/rendering/pass_renderer.h"
+#include "core/simulation/air_shelf.h"
 
 #include <functional>
 #include <stop_token>
@@ -20,8 +21,9 @@ using CellWatch = std::function<void(const PassImages& cell, const Frame& frame,
 /// @param frames  of the cells, in any order, but one that rises is quick; for motion one more frame is simulated, as far behind the last as that is behind the one before
 /// @param columns the cells fill rows of as many
 /// @param passes  what the layers must do for
+/// @param shelf   with air that several sheets of one effect share; null: the sheet bakes its own
 /// @error those of Simulator and PassRenderer
-[[nodiscard]] Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {}, const std::shared_ptr<AirShelf>& shelf = nullptr);
 
 /// Fills the colour of a sheet with frames that are there already.
 /// @param size of a cell, pixels

@@ -52,13 +52,13 @@ struct Moment {
     Image truth;
 };
 
-Result<std::vector<Moment>> momentsOf(const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<Moment>> momentsOf(const Effect& effect, const FlipbookOptions& options, const std::shared_ptr<AirShelf>& shelf, const Progress& progress, const std::stop_token& stop)
 {
     FlipbookOptions halves = options;
     halves.columns = 2 * kMoments;
     halves.rows = 1;
     const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke);
+    Simulator simulator(smoke, Simulator::kDefaultCheckpointBytes, shelf);
     Renderer renderer;
     std::vector<Moment> moments(kMoments);
     for (int i = 0; i < kMoments; ++i) {
@@ -100,7 +100,7 @@ Difference differenceOf(const Image& small, const Image& truth)
     return all;
 }
 
-Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCandidate& candidate, const std::vector<Moment>& moments, const Progress& progress, const std::stop_token& stop)
+Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCandidate& candidate, const std::vector<Moment>& moments, const std::shared_ptr<AirShelf>& shelf, const Progress& progress, const std::stop_token& stop)
 {
     Effect small = seen;
     small.output.width = candidate.width;
@@ -109,7 +109,7 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
     options.rows = candidate.rows;
     const bool hasMotion = options.passes.has(Pass::Motion);
     PassSheet sheet;
-    if (Status status = renderSheet(small, framesOfCells(options), options.columns, hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, progress, stop); !status) {
+    if (Status status = renderSheet(small, framesOfCells(options), options.columns, hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, progress, stop, shelf); !status) {
         return status.error();
     }
     std::optional<SheetPlayback> playback;
@@ -130,7 +130,8 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
 
 Result<std::vector<SheetCandidate>> rateAll(const Effect& seen, const FlipbookOptions& options, std::vector<SheetCandidate> candidates, const Progress& progress, const std::stop_token& stop)
 {
-    const Result<std::vector<Moment>> moments = momentsOf(seen, options, progress, stop);
+    const auto shelf = std::make_shared<AirShelf>(); // the air knows nothing of the size of cells: one bake serves all
+    const Result<std::vector<Moment>> moments = momentsOf(seen, options, shelf, progress, stop);
     if (!moments) {
         return moments.error();
     }
@@ -138,7 +139,7 @@ Result<std::vector<SheetCandidate>> rateAll(const Effect& seen, const FlipbookOp
     int before = 0;
     for (SheetCandidate& candidate : candidates) {
         const auto told = [&](Work work, int done, int of) { work == Work::Frames ? progress(work, before + done, total) : progress(work, done, of); };
-        const Result<double> decibels = rate(seen, options, candidate, moments.value(), told, stop);
+        const Result<double> decibels = rate(seen, options, candidate, moments.value(), shelf, told, stop);
         if (!decibels) {
             return decibels.error();
         }

@@ -32,7 +32,8 @@ std::array<glm::vec3, kDirections> lightDirections()
     return out;
 }
 
-/// White smoke under one white light from a direction of the camera's frame.
+/// White smoke under one white light from a direction of the camera's frame, and no other. Flames are as clear as they are, but give next to nothing:
+/// without any glow they would be opaque smoke, which no map shows.
 Effect litFrom(const Effect& effect, const View& view, const glm::vec3& towards)
 {
     Effect lit = effect;
@@ -41,7 +42,9 @@ Effect litFrom(const Effect& effect, const View& view, const glm::vec3& towards)
     lit.light.colour = glm::vec3(1.0F);
     lit.light.intensity = 1.0F;
     lit.light.ambient = 0.0F;
-    lit.light.emission = 0.0F;
+    constexpr float kFaintest = 1e-6F;
+    lit.light.emission = std::min(effect.light.emission, kFaintest);
+    lit.light.fireLight = 0.0F;
     lit.light.direction = -(view.right * towards.x + view.up * towards.y + view.forward * towards.z);
     lit.output.background = Background::Transparent;
     return lit;
@@ -58,7 +61,7 @@ float relit(const DataImage& a, const DataImage& b, std::size_t pixel, const glm
     return sum * scale * a.values[pixel * 4 + 3];
 }
 
-Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, int lit, SheetScore& score, const std::stop_token& stop)
+Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, int lit, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
 {
     const PassPictures pictures(sheet, {Pass::SixWayA, Pass::SixWayB}, {});
     const PassScales& scales = pictures.scales();
@@ -66,7 +69,6 @@ Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const P
     const DataImage b = stored(pictures.picture(Pass::SixWayB), options.format);
     const std::array<glm::vec3, kDirections> directions = lightDirections();
     std::array<Difference, kDirections> differences;
-    Simulator simulator(sampled(effect));
     Renderer renderer;
     Image truth;
     for (int i = 0; i < lit; ++i) {
@@ -122,13 +124,12 @@ struct Between {
     }
 };
 
-Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, SheetScore& score, const std::stop_token& stop)
+Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
 {
     const PassPictures pictures(sheet, {Pass::Motion}, {});
     const SheetPlayback playback(sheet, stored(pictures.picture(Pass::Motion), options.format), pictures.scales().motion);
     Between between;
     const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke);
     Renderer renderer;
     Image truth;
     for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
@@ -181,15 +182,17 @@ Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& optio
     Effect seen = effect;
     seen.output.background = Background::Transparent;
     PassSheet sheet;
-    if (Status status = renderSheet(seen, frames, options.columns, {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, progress, stop); !status) {
+    const auto shelf = std::make_shared<AirShelf>(); // one bake of the air for the sheet and for the truth
+    if (Status status = renderSheet(seen, frames, options.columns, {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, progress, stop, shelf); !status) {
         return status.error();
     }
+    Simulator simulator(sampled(seen), Simulator::kDefaultCheckpointBytes, shelf);
     SheetScore score;
     scorePixels(sheet, score);
-    if (Status status = scoreSixWay(seen, options, sheet, frames, lit, score, stop); !status) {
+    if (Status status = scoreSixWay(seen, options, sheet, frames, lit, simulator, score, stop); !status) {
         return status.error();
     }
-    if (Status status = scoreMotion(seen, options, sheet, frames, score, stop); !status) {
+    if (Status status = scoreMotion(seen, options, sheet, frames, simulator, score, stop); !status) {
         return status.error();
     }
     return score;

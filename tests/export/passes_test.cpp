@@ -217,6 +217,25 @@ private slots:
         }
     }
 
+    void clearFlamesAreMeasuredUnderLightAsTheyAreShown()
+    {
+        // Without shadows and with light that goes all ways alike six maps hold all there is, flames or not.
+        Effect effect = drifting({1.5F, 0.7F, 0.0F});
+        effect.light.shadow = 0.0F;
+        effect.light.anisotropy = 0.0F;
+        effect.light.emission = 4.0F;
+        effect.light.flameOpacity = 0.05F;
+        effect.light.emissionCooling = 0.5F;
+        FlipbookOptions options;
+        options.columns = 2;
+        options.rows = 1;
+        options.frames = {10, 13, 2};
+        options.format = ImageFormat::ExrFloat;
+        const Result<SheetScore> score = scoreSheet(effect, options, 1, {});
+        QVERIFY(score.ok());
+        QVERIFY2(score.value().sixWay.worst > 55.0, qPrintable(QString::number(score.value().sixWay.worst)));
+    }
+
     void relitMapsAreTheSmokeUnderThatLight_data()
     {
         QTest::addColumn<QString>("name");
