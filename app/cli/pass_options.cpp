@@ -20,8 +20,8 @@ void PassOptions::addTo(CLI::App& command)
         ->check(CLI::IsMember(engines))
         ->capture_default_str();
     command.add_option("--passes", passes,
-               "Pictures to write, with commas between: colour, alpha, six-way (light maps), motion (vectors), normal, depth, emission, albedo, "
-               "temperature, shadow, all; none beside --pack. Default: colour, or what --for makes use of")
+               "Pictures to write, with commas between: colour, alpha, density, six-way (light maps), motion (vectors), normal, depth, emission, "
+               "albedo, temperature, shadow, all; none beside --pack. Default: colour, or what --for makes use of")
         ->type_name("LIST");
     command.add_option("--layout", layout,
                "Channels of the light maps: unity (right top back alpha, left bottom front emissive; the default), embergen (top left right, "
@@ -39,7 +39,7 @@ void PassOptions::addPackTo(CLI::App& command)
 {
     command.add_option("--pack", packs,
                "A picture with channels of your choice: masks=shadow,temperature,alpha makes smoke_masks.png. One to four, each a pass of one number "
-               "(alpha, depth, temperature, shadow), a channel of another (colour.r, six-way-a.g, motion.r, normal.b), 0 or 1; at the end @1/2 to @1/16 "
+               "(alpha, density, depth, temperature, shadow), a channel of another (colour.r, six-way-a.g, motion.r, normal.b), 0 or 1; at the end @1/2 to @1/16 "
                "for fewer pixels. Up to five times")
         ->type_name("NAME=CHANNELS[@SCALE]")
         ->take_all()
@@ -50,8 +50,8 @@ void PassOptions::addPackTo(CLI::App& command)
 void PassOptions::addLayersTo(CLI::App& command)
 {
     command.add_option("--passes", passes,
-               "Layers of an EXR, with commas between: colour, alpha, six-way (light from six sides), motion (vectors), normal, depth, emission, "
-               "albedo, temperature, shadow, all. Default: colour")
+               "Layers of an EXR, with commas between: colour, alpha, density, six-way (light from six sides), motion (vectors), normal, depth, "
+               "emission, albedo, temperature, shadow, all. Default: colour")
         ->type_name("LIST");
     command.add_option("--alpha", alpha, "Light, emission and albedo: premultiplied (the default), or straight")->check(CLI::IsMember({"straight", "premultiplied"}));
 }

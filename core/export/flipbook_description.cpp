@@ -29,6 +29,7 @@ Json channelsOfPass(Pass pass, const PassStyle& style)
     case Pass::Motion: return {style.vectors == VectorSigns::Unity ? "right" : "left", "up", "nothing"};
     case Pass::Normal: return {"right", "up", "to the viewer"};
     case Pass::Alpha:
+    case Pass::Density:
     case Pass::Depth:
     case Pass::Temperature:
     case Pass::Shadow: return {std::string(passName(pass))};
@@ -69,6 +70,10 @@ void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, 
         json["unit"] = "share of a cell, from one cell to the next";
         break;
     case Pass::Emission: json["scale"] = scales.emission; break;
+    case Pass::Density:
+        json["scale"] = scales.density;
+        json["unit"] = "optical depth: alpha = 1 - exp(-depth)";
+        break;
     case Pass::Depth:
         json["scale"] = scales.farthest - scales.nearest;
         json["offset"] = scales.nearest;

@@ -17,6 +17,7 @@ std::string lettersOf(Pass pass)
     case Pass::Normal: return "XYZ";
     case Pass::Depth: return "Z";
     case Pass::Alpha:
+    case Pass::Density:
     case Pass::Temperature:
     case Pass::Shadow: return "Y";
     default: return "RGBA";
@@ -35,6 +36,11 @@ void unscale(Pass pass, const PassScales& scales, DataImage& image)
     case Pass::SixWayA:
     case Pass::SixWayB: everyColour(scales.light); break;
     case Pass::Emission: everyColour(scales.emission); break;
+    case Pass::Density:
+        for (float& value : image.values) {
+            value *= scales.density;
+        }
+        break;
     case Pass::Depth:
         for (float& value : image.values) {
             value = value * (scales.farthest - scales.nearest) + scales.nearest;

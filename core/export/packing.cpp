@@ -19,6 +19,7 @@ int numbersOf(Pass pass)
 {
     switch (pass) {
     case Pass::Alpha:
+    case Pass::Density:
     case Pass::Depth:
     case Pass::Temperature:
     case Pass::Shadow: return 1;
@@ -101,7 +102,8 @@ bool isStraight(Pass pass, int channel, const PassStyle& style)
     const bool isAlpha = channel == 3;
     switch (pass) {
     case Pass::Colour:
-    case Pass::Alpha: return false;
+    case Pass::Alpha:
+    case Pass::Density: return false;
     case Pass::SixWayA:
     case Pass::SixWayB: {
         const SixWayChannel what = channelsOf(style.layout)[pass == Pass::SixWayA ? 0 : 1][static_cast<std::size_t>(channel)];

@@ -1,5 +1,6 @@
 #include "core/export/pass_picture.h"
 
+#include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/export/spread.h"
 
@@ -27,6 +28,13 @@ void forPixels(const Image& image, const Visit& visit)
     for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
         visit(image.pixels.data() + i);
     }
+}
+
+/// What lets a share 1 - alpha of the light through: each particle multiplies that share, and adds to this.
+float opticalDepth(float alpha)
+{
+    constexpr float kLeastThrough = 0x1p-23F; // the next alpha below 1
+    return alpha > 0.0F ? -portableLog(std::max(kLeastThrough, 1.0F - alpha)) : 0.0F;
 }
 
 /// Makes a picture of values(index of the pixel, where they go).
@@ -113,6 +121,11 @@ void PassPictures::findScales(PassSet passes)
     largest(PassLayer::RightTopBack, m_scales.light);
     largest(PassLayer::LeftBottomFront, m_scales.light);
     largest(PassLayer::Emission, m_scales.emission);
+    if (passes.has(Pass::Density)) {
+        float most = 0.0F;
+        forPixels(m_sheet.layers.of(PassLayer::Colour), [&](const float* p) { most = std::max(most, p[3]); });
+        m_scales.density = std::max(opticalDepth(kSeen), opticalDepth(most));
+    }
     if (passes.has(Pass::Motion)) {
         constexpr float kStill = 1e-6F;
         m_scales.motion = kStill;
@@ -183,6 +196,13 @@ DataImage PassPictures::normal() const
     });
 }
 
+DataImage PassPictures::density() const
+{
+    const Image& smoke = m_sheet.layers.of(PassLayer::Colour);
+    const float share = 1.0F / m_scales.density;
+    return filled(smoke, 1, false, [&](std::size_t i, float* to) { *to = opticalDepth(smoke.pixels[i * 4 + 3]) * share; });
+}
+
 /// One channel, shifted and scaled.
 DataImage PassPictures::measured(const Image& image, std::size_t channel, float zero, float one) const
 {
@@ -206,6 +226,7 @@ DataImage PassPictures::picture(Pass pass) const
     switch (pass) {
     case Pass::Colour: break;
     case Pass::Alpha: return measured(m_sheet.layers.of(PassLayer::Colour), 3, 0.0F, 1.0F);
+    case Pass::Density: return density();
     case Pass::SixWayA: return sixWay(0);
     case Pass::SixWayB: return sixWay(1);
     case Pass::Motion: return motion();

@@ -59,6 +59,7 @@ struct PassStyle {
 /// What the numbers of passes are divided by, so that they lie between 0 and 1, or -1 and 1; one for all pictures that belong together.
 struct PassScales {
     float light = 1.0F; ///< of the maps of six-way light: 1, or more where there is more light
+    float density = 1.0F; ///< the largest optical depth
     float motion = 1.0F; ///< the largest component, as a share of a cell
     float emission = 1.0F; ///< 1, or more where there is more
     float nearest = 0.0F; ///< depth that is 0, m
@@ -92,6 +93,7 @@ private:
     void findScales(PassSet passes);
     [[nodiscard]] DataImage sixWay(std::size_t map) const;
     [[nodiscard]] DataImage motion() const;
+    [[nodiscard]] DataImage density() const;
     [[nodiscard]] DataImage normal() const;
     [[nodiscard]] DataImage measured(const Image& image, std::size_t channel, float zero, float one) const;
     [[nodiscard]] DataImage colours(PassLayer layer, float scale) const;

@@ -6,7 +6,7 @@ namespace fumage {
 
 namespace {
 
-constexpr std::array<std::string_view, kPasses> kNames{"colour", "alpha", "six-way-a", "six-way-b", "motion", "normal", "depth", "emission", "albedo", "temperature", "shadow"};
+constexpr std::array<std::string_view, kPasses> kNames{"colour", "alpha", "density", "six-way-a", "six-way-b", "motion", "normal", "depth", "emission", "albedo", "temperature", "shadow"};
 constexpr std::string_view kNone = "none";
 
 /// The passes that a word of a list stands for; none: it is not known.
@@ -42,7 +42,7 @@ Result<PassSet> parsePasses(std::string_view text)
         const std::string_view word = trimmed(splitPart(text, ',', i));
         const PassSet called = passesCalled(word);
         if (called == PassSet()) {
-            return Error{ErrorCode::UnknownName, said("there is no pass %1", inQuotes(word)), {}, said("Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all")};
+            return Error{ErrorCode::UnknownName, said("there is no pass %1", inQuotes(word)), {}, said("Choose among colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all")};
         }
         passes.add(called);
     }
@@ -63,7 +63,7 @@ std::string textOf(PassSet passes)
 bool needsLayer(PassSet passes, PassLayer layer)
 {
     switch (layer) {
-    case PassLayer::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha});
+    case PassLayer::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha, Pass::Density});
     case PassLayer::RightTopBack: // both maps have one scale
     case PassLayer::LeftBottomFront: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal});
     case PassLayer::Motion: return passes.hasAny({Pass::Motion, Pass::Depth});

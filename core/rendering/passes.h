@@ -16,6 +16,7 @@ namespace fumage {
 enum class Pass {
     Colour, ///< as the effect lights it
     Alpha,
+    Density, ///< optical depth: smoke in front of smoke adds up
     SixWayA, ///< white smoke under white light from the right, from the top and from behind
     SixWayB, ///< from the left, from the bottom and from the front; its fourth channel is the temperature of what glows
     Motion, ///< way to the next picture, as a share of its width and height
@@ -26,10 +27,11 @@ enum class Pass {
     Temperature, ///< share of the heat at birth
     Shadow, ///< share of the sun that comes through
 };
-inline constexpr std::size_t kPasses = 11;
+inline constexpr std::size_t kPasses = 12;
 
 /// All of them, in the order in which they are told.
-inline constexpr std::array<Pass, kPasses> kAllPasses{Pass::Colour, Pass::Alpha, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Normal, Pass::Depth, Pass::Emission, Pass::Albedo, Pass::Temperature, Pass::Shadow};
+inline constexpr std::array<Pass, kPasses> kAllPasses{Pass::Colour, Pass::Alpha, Pass::Density, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Normal,
+    Pass::Depth, Pass::Emission, Pass::Albedo, Pass::Temperature, Pass::Shadow};
 
 /// "colour", "six-way-a": what command lines and side-cars call it.
 [[nodiscard]] std::string_view passName(Pass pass);

@@ -1969,8 +1969,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>det finns inget pass %1</translation>
     </message>
     <message>
-        <source>Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
-        <translation>Välj bland colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow och all</translation>
+        <source>Choose among colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
+        <translation>Välj bland colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow och all</translation>
     </message>
     <message>
         <source>%1 exports are waiting already</source>

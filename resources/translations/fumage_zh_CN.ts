@@ -1969,8 +1969,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>没有通道图 %1</translation>
     </message>
     <message>
-        <source>Choose among colour, alpha, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
-        <translation>请从 colour、alpha、six-way、motion、normal、depth、emission、albedo、temperature、shadow 和 all 中选择</translation>
+        <source>Choose among colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
+        <translation>请从 colour、alpha、density、six-way、motion、normal、depth、emission、albedo、temperature、shadow 和 all 中选择</translation>
     </message>
     <message>
         <source>%1 exports are waiting already</source>

@@ -38,7 +38,7 @@ def main():
             for name in ["frame.png", "frame.tga"]:
                 subprocess.run([program, "--quiet", "render", "campfire", "--frames", "20", "--size", "100", *more, "--output", pathlib.Path(folder) / (name[:5] + str(len(more)) + name[5:])], check=True)
         files = sorted(pathlib.Path(folder).glob("*.tga"))
-        assert len(files) == 13, files
+        assert len(files) == 14, files
         for tga in files:
             expected = pixels(tga.with_suffix(".png"))
             seen = pixels(tga)

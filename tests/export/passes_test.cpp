@@ -217,6 +217,41 @@ private slots:
         }
     }
 
+    void densityIsTheOpticalDepthOfAlpha()
+    {
+        const Made made(drifting({1.5F, 0.7F, 0.0F}), {10}, {Pass::Density});
+        const PassPictures pictures(made.sheet, {Pass::Density}, {});
+        const DataImage density = pictures.picture(Pass::Density);
+        QCOMPARE(density.channels, 1);
+        float most = 0.0F;
+        for (int y = 0; y < density.height; ++y) {
+            for (int x = 0; x < density.width; ++x) {
+                const float share = density.values[static_cast<std::size_t>(y * density.width + x)];
+                most = std::max(most, share);
+                QVERIFY(std::abs(1.0F - std::exp(-share * pictures.scales().density) - made.alphaAt(x, y)) < 1e-5F);
+            }
+        }
+        QCOMPARE(most, 1.0F);
+        QVERIFY(pictures.scales().density > 0.5F);
+    }
+
+    void whatNothingComesThroughHasADepthOfItsOwn()
+    {
+        PassSheet sheet;
+        sheet.grid = {1, 1, 3, 1};
+        Image& colour = sheet.layers.of(PassLayer::Colour);
+        colour.resize(3, 1);
+        colour.pixels[3] = 0.0F;
+        colour.pixels[7] = 0.5F;
+        colour.pixels[11] = 1.0F;
+        const PassPictures pictures(sheet, {Pass::Density}, {});
+        const DataImage density = pictures.picture(Pass::Density);
+        const float scale = pictures.scales().density;
+        QCOMPARE(density.values[0], 0.0F);
+        QVERIFY(std::abs(density.values[1] * scale - std::log(2.0F)) < 1e-6F);
+        QVERIFY(std::abs(density.values[2] * scale - 23.0F * std::log(2.0F)) < 1e-4F);
+    }
+
     void clearFlamesAreMeasuredUnderLightAsTheyAreShown()
     {
         // Without shadows and with light that goes all ways alike six maps hold all there is, flames or not.
