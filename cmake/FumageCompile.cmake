@@ -34,17 +34,28 @@ endfunction()
 # fumage_compile_options(<target>): code of this project, tests and benchmarks too. Warnings are errors where
 # CMAKE_COMPILE_WARNING_AS_ERROR says so, which the presets do: never for somebody who only builds it.
 function(fumage_compile_options target)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
     # No fused multiply-add and no fast-math: the same bits on every machine are a promise of the library.
     target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wconversion -Wshadow -Wpedantic)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         # GCC 12 reports members of std::variant and std::optional, and copies in std::string, that it cannot follow.
         target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-restrict -Wno-missing-field-initializers)
     endif()
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+endfunction()
+
+# fumage_without_other_systems(<list>): what systems do in different ways stands in files called so, one for each.
+function(fumage_without_other_systems list)
+    if(WIN32)
+        list(FILTER ${list} EXCLUDE REGEX "_posix\\.cpp$")
+    else()
+        list(FILTER ${list} EXCLUDE REGEX "_windows\\.cpp$")
+    endif()
+    set(${list} ${${list}} PARENT_SCOPE)
 endfunction()
 
 # fumage_sources(<target>): every source and header below the current folder; a new file needs no line here.
 function(fumage_sources target)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+    fumage_without_other_systems(sources)
     target_sources(${target} PRIVATE ${sources})
 endfunction()

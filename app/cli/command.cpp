@@ -95,7 +95,7 @@ void EffectOptions::addTo(CLI::App& command)
 Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const
 {
     std::error_code missing;
-    const bool isFolder = output.empty() || output.ends_with('/') || std::filesystem::is_directory(output, missing);
+    const bool isFolder = !std::filesystem::path(output).has_filename() || std::filesystem::is_directory(output, missing);
     if (presets.size() > 1 && !isFolder) {
         return Error{ErrorCode::OutOfRange, said("several presets cannot be written to one file"), output, said("Name a folder, as in --output out/")};
     }

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/number_options.h"
+#include "app/cli/system.h"
 
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
@@ -7,7 +8,6 @@
 #include "core/version.h"
 
 #include <algorithm>
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -115,7 +115,7 @@ void addCommands(CLI::App& program, Action& action)
 /// The words of the command line; "help render" is "render --help", as in git.
 std::vector<std::string> wordsOf(int argc, char** argv)
 {
-    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    std::vector<std::string> words = argumentsOf(argc, argv);
     if (!words.empty() && words.front() == "help") {
         words.erase(words.begin());
         words.emplace_back("--help");
@@ -126,7 +126,7 @@ std::vector<std::string> wordsOf(int argc, char** argv)
 int run(int argc, char** argv)
 {
     (void)interruption(); // before any thread starts, so that all of them have the signals blocked
-    std::signal(SIGXFSZ, SIG_IGN); // writing says it too, and then what was begun can be cleared away
+    const StandardStreams streams;
     CLI::App program("Fumage makes smoke: it renders presets to pictures and bakes noise, without a display.", "fumage-cli");
     program.set_version_flag("-V,--version", std::string("fumage-cli ") + FUMAGE_VERSION);
     program.footer("Start with:\n"

@@ -32,7 +32,7 @@ Status presets()
     list(builtinPresets(), out);
     const std::vector<LibraryEntry> user = presetsIn(userPresetFolder());
     if (userPresetFolder().empty()) {
-        out << "Yours: there is no place for them, since neither XDG_DATA_HOME nor HOME names one.\n";
+        out << "Yours: there is no place for them, since the environment names none (XDG_DATA_HOME or HOME; on Windows APPDATA).\n";
         return print(out.str());
     }
     out << "Yours, in " << printable(userPresetFolder().string()) << ":\n";

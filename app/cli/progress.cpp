@@ -1,12 +1,11 @@
 #include "app/cli/progress.h"
 #include "app/cli/streams.h"
+#include "app/cli/system.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
-
-#include <unistd.h>
 
 namespace fumage::cli {
 
@@ -27,7 +26,7 @@ std::string nameOf(Work work, const std::string& frames)
 
 ProgressBar::ProgressBar(std::string what)
     : m_what(std::move(what))
-    , m_terminal(::isatty(STDERR_FILENO) != 0 && std::clog.rdbuf() != nullptr)
+    , m_terminal(isErrorOnTerminal() && std::clog.rdbuf() != nullptr)
 {
 }
 

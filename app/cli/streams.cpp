@@ -1,49 +1,23 @@
 #include "app/cli/streams.h"
 
-#include "app/cli/interruption.h"
+#include "app/cli/system.h"
 
 #include "core/base/file.h"
 #include "core/base/text.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
-#include <climits>
-#include <cstring>
 #include <iostream>
-
-#include <poll.h>
-#include <unistd.h>
 
 namespace fumage::cli {
 
 namespace {
-
-/// Waits until a descriptor can be used. @return false where the user has interrupted
-bool waitFor(int descriptor, short event)
-{
-    constexpr int kLookMs = 100; // how long an interruption may go unseen
-    const std::stop_token stop = interruption();
-    pollfd waited{descriptor, event, 0};
-    while (!stop.stop_requested()) {
-        if (::poll(&waited, 1, kLookMs) != 0) {
-            return true; // or an error, which reading and writing will say
-        }
-    }
-    return false;
-}
 
 std::atomic<bool> hearsOpenJd = false; // set before any work begins
 
 Error interrupted()
 {
     return {ErrorCode::Cancelled, said("interrupted"), {}, {}};
-}
-
-bool passes(int number)
-{
-    return number == EINTR || number == EAGAIN;
 }
 
 } // namespace
@@ -96,17 +70,17 @@ Result<std::string> readStandardInput(std::size_t mostBytes)
     std::string text;
     std::array<char, 1U << 16U> buffer{};
     while (text.size() <= mostBytes) {
-        if (!waitFor(STDIN_FILENO, POLLIN)) {
+        const Transferred part = readSome(buffer);
+        if (part.isInterrupted) {
             return interrupted();
         }
-        const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
-        if (count == 0) {
+        if (!part.failure.empty()) {
+            return Error{ErrorCode::ReadFailed, said("standard input cannot be read: %1", part.failure), {}, {}};
+        }
+        if (part.count == 0) {
             return text;
         }
-        if (count < 0 && !passes(errno)) {
-            return Error{ErrorCode::ReadFailed, said("standard input cannot be read: %1", std::strerror(errno)), {}, {}};
-        }
-        text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        text.append(buffer.data(), part.count);
     }
     return Error{ErrorCode::TooLarge, said("standard input has more than the %1 bytes that are read", mostBytes), {}, {}};
 }
@@ -114,15 +88,14 @@ Result<std::string> readStandardInput(std::size_t mostBytes)
 Status print(std::string_view text)
 {
     while (!text.empty()) {
-        if (!waitFor(STDOUT_FILENO, POLLOUT)) {
+        const Transferred part = writeSome(text);
+        if (part.isInterrupted) {
             return interrupted();
         }
-        // A pipe that can be written takes this much without making us wait for its reader.
-        const ssize_t count = ::write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
-        if (count < 0 && !passes(errno)) {
-            return Error{ErrorCode::WriteFailed, said("standard output cannot be written: %1", std::strerror(errno)), {}, {}};
+        if (!part.failure.empty()) {
+            return Error{ErrorCode::WriteFailed, said("standard output cannot be written: %1", part.failure), {}, {}};
         }
-        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        text.remove_prefix(part.count);
     }
     return Done{};
 }

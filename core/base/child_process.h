@@ -1,15 +1,13 @@
 #pragma once
 
-#include "core/base/descriptor.h"
 #include "core/base/result.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
-
-#include <sys/types.h>
 
 namespace fumage {
 
@@ -36,18 +34,12 @@ public:
     [[nodiscard]] Status finish(const std::stop_token& stop = {});
 
 private:
-    ChildProcess(std::string program, pid_t id, Descriptor input, Descriptor messages);
-    /// Reads what the program has said. @return whether it may say more
-    bool listen();
-    /// Waits until it ends. @return what waitpid() says
-    int reap();
-    [[nodiscard]] Error failure() const;
+    /// The program as the system knows it; ended with its object.
+    class Running;
 
-    std::string m_program;
-    pid_t m_id = -1; ///< -1: it has ended
-    Descriptor m_input;
-    Descriptor m_messages;
-    std::string m_said;
+    explicit ChildProcess(std::unique_ptr<Running> running);
+
+    std::unique_ptr<Running> m_running;
 };
 
 } // namespace fumage

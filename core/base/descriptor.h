@@ -2,40 +2,43 @@
 
 #include <utility>
 
-#include <unistd.h>
-
 namespace fumage {
 
-/// Closes a file descriptor.
+#ifdef _WIN32
+using SystemFile = void*; ///< a HANDLE
+#else
+using SystemFile = int; ///< a file descriptor
+#endif
+
+/// What an open file is for the system; closed with the object.
 class Descriptor {
 public:
     Descriptor() = default;
-    explicit Descriptor(int fd)
-        : m_fd(fd)
+    explicit Descriptor(SystemFile file)
+        : m_file(file)
     {
     }
-    ~Descriptor()
-    {
-        if (m_fd >= 0) {
-            ::close(m_fd);
-        }
-    }
+    ~Descriptor();
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     Descriptor(Descriptor&& other) noexcept
-        : m_fd(std::exchange(other.m_fd, -1))
+        : m_file(std::exchange(other.m_file, none()))
     {
     }
     Descriptor& operator=(Descriptor&& other) noexcept
     {
-        std::swap(m_fd, other.m_fd);
+        std::swap(m_file, other.m_file);
         return *this;
     }
-    [[nodiscard]] int get() const { return m_fd; }
-    explicit operator bool() const { return m_fd >= 0; }
+    [[nodiscard]] SystemFile get() const { return m_file; }
+    /// Whether a file is open.
+    explicit operator bool() const { return m_file != none(); }
 
 private:
-    int m_fd = -1;
+    /// -1: what the system gives where it cannot open a file.
+    [[nodiscard]] static SystemFile none();
+
+    SystemFile m_file = none();
 };
 
 } // namespace fumage

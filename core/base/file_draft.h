@@ -2,16 +2,19 @@
 
 #include "core/base/descriptor.h"
 #include "core/base/file.h"
+#include "core/base/file_error.h"
 
 #include <string>
-
-#include <sys/types.h>
+#include <string_view>
 
 namespace fumage {
 
+/// Of a temporary file, whatever program it belongs to.
+inline constexpr std::string_view kDraftPrefix = ".fumage-";
+
 /// The contents of a file, complete and on the disk, which has yet to take its place. Given up if it does not.
 ///
-/// While it has a name of its own it is locked: a temporary file that can be locked has no living writer.
+/// While it has a name of its own nobody else can lock it, or on Windows delete it: a temporary file that can be has no living writer.
 class FileDraft {
 public:
     enum class Naming {
@@ -38,19 +41,24 @@ public:
 
 private:
     explicit FileDraft(const std::filesystem::path& path);
-    // These return 0, or the errno of what failed.
-    [[nodiscard]] int open(FileAccess access, Naming naming);
-    [[nodiscard]] int openNamed(mode_t mode);
-    [[nodiscard]] int takeName();
+    // These return 0, or what fileError() takes for what failed.
+    [[nodiscard]] int openFolder(const std::filesystem::path& folder);
+    [[nodiscard]] int open(FileAccess access);
+    [[nodiscard]] int openNamed(FileAccess access);
     [[nodiscard]] int takePlace();
     [[nodiscard]] Error error(int number) const;
+    [[nodiscard]] Error error(FileFailure failure) const;
 
     std::filesystem::path m_folderPath;
     std::filesystem::path m_blame; ///< what failures are said of
-    std::string m_target; ///< name in the folder
-    std::string m_temporary; ///< name in the folder; empty while there is none
-    Descriptor m_folder;
+    std::filesystem::path m_target; ///< name in the folder
+    std::filesystem::path m_temporary; ///< name in the folder; empty while there is none
+    Naming m_naming = Naming::None;
+    Descriptor m_folder; ///< what its files are named and locked by
     Descriptor m_file;
 };
+
+/// Removes a temporary file that has no living writer.
+void removeUnlessWritten(const std::filesystem::path& draft);
 
 } // namespace fumage

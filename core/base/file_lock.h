@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace fumage {
 
@@ -21,7 +22,11 @@ public:
     FileLock& operator=(FileLock&&) = delete;
 
 private:
-    FileLock(std::filesystem::path file, Descriptor descriptor);
+    FileLock(std::filesystem::path file, Descriptor descriptor)
+        : m_file(std::move(file))
+        , m_descriptor(std::move(descriptor))
+    {
+    }
 
     std::filesystem::path m_file;
     Descriptor m_descriptor;

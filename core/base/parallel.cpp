@@ -1,13 +1,9 @@
 #include "core/base/parallel.h"
 
 #include "core/base/parallel_backend.h"
+#include "core/base/thread_priority.h"
 
 #include <atomic>
-
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
 
 namespace fumage {
 
@@ -18,11 +14,8 @@ std::atomic<bool> s_background{false};
 /// Once for each thread.
 void giveWay()
 {
-#ifdef __linux__
-    constexpr int kNice = 10;
-    thread_local const bool s_gaveWay = gettid() == getpid() || setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice) == 0;
+    thread_local const bool s_gaveWay = isFirstThread() || lowerPriority(ThreadPriority::BehindWindow);
     (void)s_gaveWay;
-#endif
 }
 
 } // namespace
@@ -41,10 +34,7 @@ void enterParallelLoop()
 
 void runBehindOthers(const std::function<void()>& work)
 {
-#ifdef __linux__
-    constexpr int kLeast = 19;
-    (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLeast);
-#endif
+    (void)lowerPriority(ThreadPriority::Least);
     runInLowArena(work);
 }
 

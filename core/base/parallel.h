@@ -51,11 +51,11 @@ private:
 };
 
 /// From now on every thread that takes part in parallelFor() gives way to the other threads of the process and to other programs, but for the
-/// process's first thread, which answers the user. For good: a thread may lower its priority and not raise it again. Linux only.
+/// process's first thread, which answers the user. For good: on Linux a thread may lower its priority and not raise it again. Linux and Windows only.
 void computeInBackground();
 
 /// Runs work behind all else that the process computes: threads of its loops go to other loops first, as soon as there are any, and the calling thread
-/// has the least priority from now on, for good (Linux only). Results are the same.
+/// has the least priority from now on, for good (Linux and Windows only). Results are the same.
 void runBehindOthers(const std::function<void()>& work);
 
 /// While alive, the process uses at most this many threads for parallelFor.

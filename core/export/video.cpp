@@ -1,6 +1,7 @@
 #include "core/export/video.h"
 
 #include "core/base/child_process.h"
+#include "core/base/environment.h"
 #include "core/base/file_draft.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/renderer.h"
@@ -8,7 +9,6 @@
 #include "core/simulation/simulator.h"
 
 #include <bit>
-#include <cstdlib>
 #include <map>
 
 namespace fumage {
@@ -50,8 +50,8 @@ const Recipe& recipeOf(VideoFormat format)
 
 std::string programForVideos()
 {
-    const char* named = std::getenv("FUMAGE_FFMPEG");
-    return named == nullptr || *named == '\0' ? "ffmpeg" : named;
+    const std::string named = environmentVariable("FUMAGE_FFMPEG");
+    return named.empty() ? "ffmpeg" : named;
 }
 
 std::vector<std::string> argumentsFor(const Effect& effect, const VideoOptions& options, const Recipe& recipe, const std::filesystem::path& file)

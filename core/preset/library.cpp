@@ -1,11 +1,11 @@
 #include "core/preset/library.h"
 
-#include "core/base/text.h"
 #include "core/base/embedded_file.h"
+#include "core/base/environment.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cstdlib>
 
 namespace fumage {
 
@@ -22,14 +22,6 @@ std::span<const EmbeddedFile> embedded()
 void sortById(std::vector<LibraryEntry>& entries)
 {
     std::sort(entries.begin(), entries.end(), [](const LibraryEntry& a, const LibraryEntry& b) { return a.id < b.id; });
-}
-
-/// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the working folder
-std::filesystem::path absoluteFolder(const char* variable)
-{
-    const char* value = std::getenv(variable);
-    const std::filesystem::path folder = value == nullptr ? "" : value;
-    return folder.is_absolute() ? folder : std::filesystem::path();
 }
 
 } // namespace
@@ -59,11 +51,7 @@ std::vector<LibraryEntry> presetsIn(const std::filesystem::path& folder)
 
 std::filesystem::path userPresetFolder()
 {
-    std::filesystem::path base = absoluteFolder("XDG_DATA_HOME");
-    if (base.empty()) {
-        const std::filesystem::path home = absoluteFolder("HOME");
-        base = home.empty() ? home : home / ".local" / "share";
-    }
+    const std::filesystem::path base = userDataFolder();
     return base.empty() ? base : base / "fumage" / "presets";
 }
 
@@ -102,7 +90,7 @@ Result<LibraryEntry> findPreset(const std::string& nameOrPath)
         names.push_back(entry.id);
     }
     std::error_code ignored;
-    const bool looksLikeName = nameOrPath.find('/') == std::string::npos && nameOrPath.find('.') == std::string::npos;
+    const bool looksLikeName = !std::filesystem::path(nameOrPath).has_parent_path() && nameOrPath.find('.') == std::string::npos;
     if (looksLikeName && !std::filesystem::exists(std::filesystem::symlink_status(nameOrPath, ignored))) {
         const std::string_view near = nearestName(nameOrPath, names);
         return Error{ErrorCode::UnknownName, said("there is no preset or file %1", inQuotes(nameOrPath)), {}, near.empty() ? said("List the presets with: fumage-cli presets") : said("Did you mean %1?", inQuotes(near))};

@@ -16,8 +16,7 @@ struct LibraryEntry {
 /// The presets in a folder; a folder that is not there has none.
 [[nodiscard]] std::vector<LibraryEntry> presetsIn(const std::filesystem::path& folder);
 
-/// $XDG_DATA_HOME/fumage/presets, or ~/.local/share/fumage/presets. Only absolute folders count, as the XDG Base Directory Specification says; empty if
-/// there is none.
+/// fumage/presets in userDataFolder(). Only absolute folders count, as the XDG Base Directory Specification says; empty if there is none.
 [[nodiscard]] std::filesystem::path userPresetFolder();
 
 /// @error those of readPresetFile()

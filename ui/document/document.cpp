@@ -96,7 +96,7 @@ void Document::load(const Preset& preset, const QString& path, bool modified)
 
 void Document::loadUnsaved(const Preset& work, const QString& path)
 {
-    const Result<PresetReading> original = readPresetFile(path.toStdString());
+    const Result<PresetReading> original = readPresetFile(toPath(path));
     if (path.isEmpty() || !original) {
         load(work, path, true);
         return;
@@ -111,8 +111,8 @@ Status Document::save(const QString& path)
     if (preset.name.empty() || path != m_path) {
         preset.name = QFileInfo(path).completeBaseName().toStdString();
     }
-    clearLeftovers(QFileInfo(path).path().toStdString()); // of programs that were killed while they saved here
-    if (Status status = writePresetFile(path.toStdString(), preset); !status) {
+    clearLeftovers(toPath(QFileInfo(path).path())); // of programs that were killed while they saved here
+    if (Status status = writePresetFile(toPath(path), preset); !status) {
         return status;
     }
     m_preset = preset;

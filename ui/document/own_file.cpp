@@ -1,5 +1,7 @@
 #include "ui/document/own_file.h"
 
+#include "ui/document/text.h"
+
 #include "core/base/file.h"
 
 #include <QFile>
@@ -16,7 +18,7 @@ const QString kLock = QStringLiteral(".lock");
 /// @param name without ending
 std::unique_ptr<FileLock> lockOf(const QString& name)
 {
-    return FileLock::tryTake((name + kLock).toStdString());
+    return FileLock::tryTake(toPath(name + kLock));
 }
 
 /// Programs that were killed with nothing to keep leave their lock alone.
@@ -39,7 +41,7 @@ OwnFile makeOwnFile(const QDir& folder)
 
 std::vector<OwnFile> takeOrphans(const QDir& folder)
 {
-    clearLeftovers(folder.path().toStdString());
+    clearLeftovers(toPath(folder.path()));
     clearLocks(folder);
     std::vector<OwnFile> orphans;
     for (const QString& name : folder.entryList({QLatin1Char('*') + kFile}, QDir::Files, QDir::Time)) {

@@ -21,7 +21,7 @@ constexpr qint64 kMostTrials = 2; ///< the first may have been ended by chance
 QString readOrigin(const QString& copy)
 {
     constexpr std::size_t kLongestPath = 4096;
-    const Result<std::string> origin = readFile((copy + kOrigin).toStdString(), kLongestPath);
+    const Result<std::string> origin = readFile(toPath(copy + kOrigin), kLongestPath);
     return origin ? toQString(origin.value()) : QString();
 }
 
@@ -67,8 +67,8 @@ void Recovery::saveNow()
     if (!m_document.isModified()) {
         return;
     }
-    const Status origin = writeFileAtomically((m_copy.path + kOrigin).toStdString(), m_document.filePath().toStdString(), FileAccess::Private);
-    const Status copy = origin ? writeFileAtomically(m_copy.path.toStdString(), formatPreset(m_document.preset()), FileAccess::Private) : origin;
+    const Status origin = writeFileAtomically(toPath(m_copy.path + kOrigin), m_document.filePath().toStdString(), FileAccess::Private);
+    const Status copy = origin ? writeFileAtomically(toPath(m_copy.path), formatPreset(m_document.preset()), FileAccess::Private) : origin;
     if (!copy && !m_hasFailed) {
         emit failed(told(copy.error()));
     }
@@ -85,7 +85,7 @@ Recovery::Leftovers Recovery::find(const QDir& folder)
 {
     Leftovers found;
     for (OwnFile& copy : takeOrphans(folder)) {
-        Result<PresetReading> reading = readPresetFile(copy.path.toStdString());
+        Result<PresetReading> reading = readPresetFile(toPath(copy.path));
         if (!reading) {
             found.unreadable += copy.path;
         } else if (QFileInfo(copy.path + kTrial).size() >= kMostTrials) {
@@ -104,7 +104,7 @@ void Recovery::adopt(Work work)
     m_onTrial = true;
     // If it is this work that ends the program, others are not to run into it again and again.
     const std::string trials(static_cast<std::size_t>(QFileInfo(m_copy.path + kTrial).size()) + 1, '+');
-    if (const Status trial = writeFileAtomically((m_copy.path + kTrial).toStdString(), trials, FileAccess::Private); !trial) {
+    if (const Status trial = writeFileAtomically(toPath(m_copy.path + kTrial), trials, FileAccess::Private); !trial) {
         emit failed(told(trial.error()));
     }
     m_document.loadUnsaved(work.preset, work.originalPath);

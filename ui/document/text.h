@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 
+#include <filesystem>
 #include <string_view>
 
 #include <QString>
@@ -12,6 +13,18 @@ namespace fumage::ui {
 [[nodiscard]] inline QString toQString(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// Names of files as the core takes them, and back: UTF-8 whatever the system, where a path that is made of a std::string would be in the system's own letters.
+[[nodiscard]] inline std::filesystem::path toPath(const QString& path)
+{
+    const QByteArray text = path.toUtf8();
+    return std::u8string(text.begin(), text.end());
+}
+[[nodiscard]] inline QString fromPath(const std::filesystem::path& path)
+{
+    const std::u8string text = path.u8string();
+    return QString::fromUtf8(reinterpret_cast<const char*>(text.data()), static_cast<qsizetype>(text.size()));
 }
 
 /// What the core says, in the language of the user. Any thread.

@@ -39,7 +39,7 @@ QStringList filesThere(const ExportPlan& plan)
     QStringList there;
     for (const std::filesystem::path& file : filesOf(plan)) {
         if (std::error_code unknown; std::filesystem::exists(file, unknown)) {
-            there += toQString(file.string());
+            there += fromPath(file);
         }
     }
     return there;

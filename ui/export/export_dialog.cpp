@@ -227,7 +227,7 @@ ExportPlan ExportDialog::plan() const
     if (m_carries->isChecked()) {
         plan.project = m_document.preset();
     }
-    plan.source = m_document.filePath().toStdString();
+    plan.source = toPath(m_document.filePath());
     plan.noiseSize = m_noiseSize->value();
     const int format = std::max(0, m_format->currentIndex());
     switch (kind()) {
@@ -239,7 +239,7 @@ ExportPlan ExportDialog::plan() const
         m_flipbook->applyTo(plan);
     }
     if (!m_path->text().trimmed().isEmpty()) {
-        plan.output = withEnding(m_path->text().toStdString(), fileEnding(plan));
+        plan.output = withEnding(toPath(m_path->text()), fileEnding(plan));
     }
     return plan;
 }
@@ -332,7 +332,7 @@ void ExportDialog::begin()
     }
     if (answered == OnClash::NumberOn) {
         m_pathIsSuggested = false;
-        m_path->setText(toQString(wanted->output.string()));
+        m_path->setText(fromPath(wanted->output));
     }
     const Result<quint64> id = m_queue.add({m_document.displayName().toStdString(), m_document.preset(), *wanted});
     if (!id) {
@@ -355,7 +355,7 @@ void ExportDialog::browse()
 
 void ExportDialog::showInFolder()
 {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(toQString(m_progress->followed()->job->plan.output.string())).path()));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(fromPath(m_progress->followed()->job->plan.output)).path()));
 }
 
 void ExportDialog::showEvent(QShowEvent* event)

@@ -48,7 +48,7 @@ QStringList formatsOf(ExportKind kind)
 
 std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 {
-    const std::string ending = endingOf(path.toStdString());
+    const std::string ending = endingOf(toPath(path));
     switch (kind) {
     case ExportKind::Particles: return withEnding(ending, kAllParticleFormats);
     case ExportKind::Video: return withEnding(ending, kAllVideoFormats);

@@ -47,7 +47,7 @@ void ExportProgress::follow(quint64 id)
 void ExportProgress::show(const QueuedExport& one)
 {
     if (one.state == ExportState::Done) {
-        const QString file = tr("Done: %1").arg(QDir::toNativeSeparators(toQString(firstFile(one.job->plan).string())));
+        const QString file = tr("Done: %1").arg(QDir::toNativeSeparators(fromPath(firstFile(one.job->plan))));
         say(one.remark.isEmpty() ? file : file + QLatin1Char('\n') + one.remark);
     } else {
         say(one.told);

@@ -28,7 +28,7 @@ QString folderName(const QString& folder)
 /// What comes first is seen where there is little room.
 QString placeOf(const ExportPlan& plan)
 {
-    const QFileInfo file(toQString(plan.output.string()));
+    const QFileInfo file(fromPath(plan.output));
     return QStringLiteral("%1 · %2 · %3").arg(kindName(plan.kind), file.fileName(), folderName(file.path()));
 }
 
@@ -86,7 +86,7 @@ QVariant ExportQueue::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole: return toQString(one.job->name);
-    case Qt::ToolTipRole: return QStringLiteral("%1\n%2").arg(QDir::toNativeSeparators(toQString(one.job->plan.output.string())), one.told);
+    case Qt::ToolTipRole: return QStringLiteral("%1\n%2").arg(QDir::toNativeSeparators(fromPath(one.job->plan.output)), one.told);
     case Qt::AccessibleTextRole: return QStringLiteral("%1, %2").arg(toQString(one.job->name), one.told);
     case StateRole: return static_cast<int>(one.state);
     case ShareRole: return shareOf(one);

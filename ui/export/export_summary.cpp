@@ -25,7 +25,7 @@ Status checkFlipbook(const ExportPlan& plan, const Effect& effect)
 
 QString flipbookSummary(const ExportPlan& plan, const Output& cell)
 {
-    const QString first = toQString(firstFile(plan).filename().string());
+    const QString first = fromPath(firstFile(plan).filename());
     const int width = cell.width * plan.columns;
     const int height = cell.height * plan.rows;
     const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
@@ -57,9 +57,9 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
     if (!isPossible(plan, effect)) {
         return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
-    QString first = toQString(firstFile(plan).filename().string());
+    QString first = fromPath(firstFile(plan).filename());
     if (plan.kind == ExportKind::Sequence) {
-        return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, toQString(lastFile(plan).filename().string()));
+        return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, fromPath(lastFile(plan).filename()));
     }
     const Output& output = effect.output;
     if (plan.kind == ExportKind::Video) {

@@ -25,7 +25,7 @@ Status writeList(const QString& path, const ExportJobs& jobs, FileAccess access)
     for (const std::shared_ptr<const ExportJob>& job : jobs) {
         list.push_back(*job);
     }
-    return writeJobsFile(path.toStdString(), list, access);
+    return writeJobsFile(toPath(path), list, access);
 }
 
 QueueFile::QueueFile(const QDir& folder, QObject* parent)
@@ -68,7 +68,7 @@ QueueFile::Leftovers QueueFile::find(const QDir& folder)
 {
     Leftovers found;
     for (OwnFile& file : takeOrphans(folder)) {
-        Result<JobsReading> reading = readJobsFile(file.path.toStdString());
+        Result<JobsReading> reading = readJobsFile(toPath(file.path));
         if (!reading) {
             found.unreadable += file.path;
             continue;

@@ -138,7 +138,7 @@ void QueuePanel::cancelOrRemove(int row)
 
 void QueuePanel::showInFolder(int row) const
 {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(toQString(m_queue.at(row).job->plan.output.string())).path()));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(fromPath(m_queue.at(row).job->plan.output)).path()));
 }
 
 void QueuePanel::saveList()

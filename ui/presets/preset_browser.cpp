@@ -89,7 +89,7 @@ void PresetBrowser::showMenu(const QPoint& at)
     }
     if (!entry->path.empty()) {
         menu.addSeparator();
-        menu.addAction(tr("Delete…"), this, [this, path = toQString(entry->path.string())] { remove(path); });
+        menu.addAction(tr("Delete…"), this, [this, path = fromPath(entry->path)] { remove(path); });
     }
     menu.exec(m_list->viewport()->mapToGlobal(at));
 }

@@ -18,7 +18,7 @@ constexpr int kShelfRole = Qt::UserRole;
 
 QString idOfEntry(const LibraryEntry& entry)
 {
-    return entry.path.empty() ? toQString(entry.id) : toQString(entry.path.string());
+    return entry.path.empty() ? toQString(entry.id) : fromPath(entry.path);
 }
 
 /// A text of a preset; those of built-in ones in the language of the user.

@@ -38,7 +38,9 @@ int runEditor(int argc, char** argv)
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setSwapInterval(0); // the player keeps the time
     QSurfaceFormat::setDefaultFormat(format);
+#ifdef SIGXFSZ // Windows has no such limit
     std::signal(SIGXFSZ, SIG_IGN); // writing says it too, and then the user hears of it
+#endif
     GuardedApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("Fumage"));
     QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));

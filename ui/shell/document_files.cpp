@@ -39,7 +39,7 @@ void finishTyping()
 
 QString libraryFolder()
 {
-    return toQString(userPresetFolder().string());
+    return fromPath(userPresetFolder());
 }
 
 /// The file of a preset of a name.
@@ -129,7 +129,7 @@ bool DocumentFiles::openFile(const QString& name)
 {
     const QString path = QFileInfo(name).absoluteFilePath();
     // Read first: a broken file must not cost the document that is open.
-    const Result<PresetReading> reading = readPresetFile(path.toStdString());
+    const Result<PresetReading> reading = readPresetFile(toPath(path));
     if (!reading) {
         if (reading.error().code == ErrorCode::FileNotFound) {
             m_settings.removeRecentFile(path);

@@ -75,7 +75,7 @@ void ExportDesk::exportAgain(const ExportPlan& plan)
     if (!wanted) {
         return;
     }
-    wanted->source = m_document.filePath().toStdString();
+    wanted->source = toPath(m_document.filePath());
     const Result<quint64> id = m_queue.add({m_document.displayName().toStdString(), m_document.preset(), *wanted});
     if (!id) {
         emit news(told(id.error()), 0);
@@ -92,7 +92,7 @@ void ExportDesk::tell(quint64 id)
     const QString name = toQString(one.job->name);
     switch (one.state) {
     case ExportState::Running: emit news(tr("Exporting “%1”: %2").arg(name, one.told), 0); break;
-    case ExportState::Done: emit news(tr("Exported %1").arg(toQString(firstFile(one.job->plan).string())), kShownMs); break;
+    case ExportState::Done: emit news(tr("Exported %1").arg(fromPath(firstFile(one.job->plan))), kShownMs); break;
     case ExportState::Cancelled: emit news(tr("Export cancelled"), kShownMs); break;
     case ExportState::Failed: emit news(tr("Export failed: %1").arg(one.told), 0); break;
     case ExportState::Held:

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace fumage {
 
@@ -38,12 +39,6 @@ std::unique_ptr<FileLock> FileLock::tryTake(const std::filesystem::path& file)
             return std::unique_ptr<FileLock>(new FileLock(file, std::move(descriptor))); // NOLINT(cppcoreguidelines-owning-memory): its constructor is private
         }
     }
-}
-
-FileLock::FileLock(std::filesystem::path file, Descriptor descriptor)
-    : m_file(std::move(file))
-    , m_descriptor(std::move(descriptor))
-{
 }
 
 FileLock::~FileLock()

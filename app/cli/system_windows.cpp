@@ -1,0 +1,106 @@
+#include "app/cli/system.h"
+
+#include "app/cli/interruption.h"
+
+#include "core/base/system_text.h"
+#include "core/base/windows_api.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <future>
+#include <memory>
+#include <thread>
+
+#include <fcntl.h>
+#include <io.h>
+#include <shellapi.h>
+
+namespace fumage::cli {
+
+namespace {
+
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 16U;
+
+/// Does what may wait for ever on a thread of its own, which ends with the program where the user interrupts first.
+template <class Act>
+Transferred unlessInterrupted(Act act)
+{
+    constexpr std::chrono::milliseconds kLook{100}; // how long an interruption may go unseen
+    std::packaged_task<Transferred()> task(std::move(act));
+    std::future<Transferred> result = task.get_future();
+    std::thread(std::move(task)).detach();
+    const std::stop_token stop = interruption();
+    while (result.wait_for(kLook) != std::future_status::ready) {
+        if (stop.stop_requested()) {
+            return {0, true, {}};
+        }
+    }
+    return result.get();
+}
+
+} // namespace
+
+StandardStreams::StandardStreams()
+    : m_before(::GetConsoleOutputCP())
+{
+    for (std::FILE* stream : {stdin, stdout, stderr}) {
+        _setmode(_fileno(stream), _O_BINARY);
+    }
+    ::SetConsoleOutputCP(CP_UTF8);
+    // So that the line of a progress bar can be cleared.
+    const HANDLE terminal = ::GetStdHandle(STD_ERROR_HANDLE);
+    DWORD mode = 0;
+    if (::GetConsoleMode(terminal, &mode) != 0) {
+        ::SetConsoleMode(terminal, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+    }
+}
+
+StandardStreams::~StandardStreams()
+{
+    ::SetConsoleOutputCP(m_before);
+}
+
+std::vector<std::string> argumentsOf(int /*argc*/, char** /*argv*/)
+{
+    // What main() is given has lost all letters that the system's old code page lacks.
+    int count = 0;
+    wchar_t** const words = ::CommandLineToArgvW(::GetCommandLineW(), &count);
+    std::vector<std::string> arguments;
+    for (int i = 1; i < count; ++i) {
+        arguments.push_back(utf8From(words[i]));
+    }
+    ::LocalFree(words);
+    return arguments;
+}
+
+bool isErrorOnTerminal()
+{
+    return _isatty(_fileno(stderr)) != 0;
+}
+
+Transferred readSome(std::span<char> room)
+{
+    const auto buffer = std::make_shared<std::vector<char>>(std::min(room.size(), kMostAtOnce));
+    const Transferred result = unlessInterrupted([buffer]() -> Transferred {
+        DWORD count = 0;
+        const bool isRead = ::ReadFile(::GetStdHandle(STD_INPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
+        const DWORD failure = isRead ? ERROR_SUCCESS : ::GetLastError();
+        const bool isEnd = failure == ERROR_BROKEN_PIPE || failure == ERROR_HANDLE_EOF; // whoever wrote has ended
+        return {count, failure == ERROR_OPERATION_ABORTED, isRead || isEnd ? std::string() : systemText(failure)};
+    });
+    std::copy_n(buffer->data(), result.count, room.data());
+    return result;
+}
+
+Transferred writeSome(std::span<const char> bytes)
+{
+    const auto buffer = std::make_shared<std::vector<char>>(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMostAtOnce)));
+    return unlessInterrupted([buffer]() -> Transferred {
+        DWORD count = 0;
+        const bool isWritten = ::WriteFile(::GetStdHandle(STD_OUTPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
+        return {count, false, isWritten ? std::string() : systemText(::GetLastError())};
+    });
+}
+
+} // namespace fumage::cli

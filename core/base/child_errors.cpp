@@ -1,0 +1,31 @@
+#include "core/base/child_errors.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+void keepEnd(std::string& said, std::string_view more)
+{
+    said.append(more);
+    said.erase(0, said.size() - std::min(said.size(), kMostChildSays));
+}
+
+Error childNotStarted(ErrorCode code, const std::string& program, const std::string& reason)
+{
+    return {code, said("the program cannot be started: %1", reason), program, {}};
+}
+
+Error childFailed(const std::string& program, std::string_view words)
+{
+    const std::string_view reason = trimmed(words);
+    return {ErrorCode::WriteFailed, reason.empty() ? said("the program ended by itself") : said("the program failed: %1", std::string(reason)), program, {}};
+}
+
+Error childCancelled()
+{
+    return {ErrorCode::Cancelled, said("the video was cancelled"), {}, {}};
+}
+
+} // namespace fumage

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace fumage {
+
+/// @return a variable of the environment, as UTF-8; empty where there is none
+[[nodiscard]] std::string environmentVariable(const char* name);
+
+/// Where programs keep what belongs to the user: $XDG_DATA_HOME or ~/.local/share; on Windows %APPDATA%.
+/// @return an absolute folder, which need not be there; empty where the environment names none
+[[nodiscard]] std::filesystem::path userDataFolder();
+
+} // namespace fumage

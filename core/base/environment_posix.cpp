@@ -1,0 +1,31 @@
+#include "core/base/environment.h"
+
+#include <cstdlib>
+
+namespace fumage {
+
+namespace {
+
+/// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the working folder
+std::filesystem::path absoluteFolder(const char* variable)
+{
+    const std::filesystem::path folder = environmentVariable(variable);
+    return folder.is_absolute() ? folder : std::filesystem::path();
+}
+
+} // namespace
+
+std::string environmentVariable(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value == nullptr ? std::string() : value;
+}
+
+std::filesystem::path userDataFolder()
+{
+    const std::filesystem::path base = absoluteFolder("XDG_DATA_HOME");
+    const std::filesystem::path home = absoluteFolder("HOME");
+    return !base.empty() || home.empty() ? base : home / ".local" / "share";
+}
+
+} // namespace fumage

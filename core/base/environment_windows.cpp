@@ -1,0 +1,22 @@
+#include "core/base/environment.h"
+
+#include "core/base/system_text.h"
+#include "core/base/windows_api.h"
+
+namespace fumage {
+
+std::string environmentVariable(const char* name)
+{
+    const std::wstring wide = wideFrom(name);
+    std::wstring value(::GetEnvironmentVariableW(wide.c_str(), nullptr, 0), L'\0');
+    value.resize(::GetEnvironmentVariableW(wide.c_str(), value.data(), static_cast<DWORD>(value.size())));
+    return utf8From(value);
+}
+
+std::filesystem::path userDataFolder()
+{
+    const std::filesystem::path folder = wideFrom(environmentVariable("APPDATA"));
+    return folder.is_absolute() ? folder : std::filesystem::path();
+}
+
+} // namespace fumage
