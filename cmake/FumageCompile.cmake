@@ -15,6 +15,27 @@ if(PROJECT_IS_TOP_LEVEL)
     endif()
 endif()
 
+# Apple's libc++ has no stop tokens, or has them in its experimental part; ours serve the core and the command line there.
+include(CheckCXXSourceCompiles)
+set(FUMAGE_STOP_TOKEN_SOURCE "#include <stop_token>\n#include <thread>\nint main() { std::jthread thread([](std::stop_token) {}); return 0; }")
+block()
+    set(CMAKE_REQUIRED_FLAGS "-std=c++20 -pthread")
+    if(MSVC)
+        set(CMAKE_REQUIRED_FLAGS "/std:c++20")
+    endif()
+    check_cxx_source_compiles("${FUMAGE_STOP_TOKEN_SOURCE}" FUMAGE_HAS_STOP_TOKEN)
+    if(NOT FUMAGE_HAS_STOP_TOKEN)
+        string(APPEND CMAKE_REQUIRED_FLAGS " -fexperimental-library")
+        check_cxx_source_compiles("${FUMAGE_STOP_TOKEN_SOURCE}" FUMAGE_HAS_EXPERIMENTAL_STOP_TOKEN)
+    endif()
+endblock()
+if(FUMAGE_HAS_EXPERIMENTAL_STOP_TOKEN)
+    add_compile_options(-fexperimental-library)
+    add_link_options(-fexperimental-library)
+elseif(NOT FUMAGE_HAS_STOP_TOKEN)
+    include_directories(SYSTEM ${CMAKE_CURRENT_LIST_DIR}/fallbacks)
+endif()
+
 # fumage_precompile(<target> <headers>...): headers from outside the project, which most of a target's files read. Files include what they use all the
 # same: lint reads each of them alone.
 function(fumage_precompile target)

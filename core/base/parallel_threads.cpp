@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <stop_token>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace fumage {

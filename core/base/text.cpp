@@ -3,12 +3,43 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <vector>
+
+#ifndef __cpp_lib_to_chars
+#include <cerrno>
+#include <clocale>
+#include <cstdlib>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+#endif
 
 namespace fumage {
 
 namespace {
+
+using std::from_chars;
+
+#ifndef __cpp_lib_to_chars
+
+/// As the library's, for those that have none of floats (libc++ before 20).
+std::from_chars_result from_chars(const char* first, const char* last, float& value)
+{
+    static const locale_t s_plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
+    const std::string text(first, last);
+    const bool isOther = text.empty() || std::string_view("+ \t\n\v\f\r").find(text.front()) != std::string_view::npos || text.find_first_of("xX") != std::string::npos;
+    if (isOther) {
+        return {first, std::errc::invalid_argument};
+    }
+    char* end = nullptr;
+    errno = 0;
+    value = ::strtof_l(text.c_str(), &end, s_plain);
+    const bool fits = errno != ERANGE || (value != 0.0F && std::isfinite(value)); // those below the normal ones are said to be out of range, too
+    return {first + (end - text.c_str()), fits ? std::errc{} : std::errc::result_out_of_range};
+}
+#endif
 
 template <class T>
 std::optional<T> parseWhole(std::string_view text)
@@ -21,7 +52,7 @@ std::optional<T> parseWhole(std::string_view text)
     }
     T value{};
     const char* end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, value);
+    const auto [stop, failure] = from_chars(text.data(), end, value);
     if (failure != std::errc{} || stop != end) {
         return std::nullopt;
     }
