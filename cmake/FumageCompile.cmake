@@ -80,3 +80,13 @@ function(fumage_sources target)
     fumage_without_other_systems(sources)
     target_sources(${target} PRIVATE ${sources})
 endfunction()
+
+# fumage_windows_program(<target>): says to Windows that the program's texts are UTF-8 and its paths may be long.
+function(fumage_windows_program target)
+    if(MINGW)
+        enable_language(RC)
+        target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/windows/utf8.rc)
+    elseif(WIN32)
+        target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/windows/utf8.manifest)
+    endif()
+endfunction()

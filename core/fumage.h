@@ -7,8 +7,10 @@
 
 #include <stddef.h>
 
-#if defined(_WIN32)
-#define FUMAGE_API
+#if defined(_WIN32) && defined(FUMAGE_BUILDS_LIBRARY)
+#define FUMAGE_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define FUMAGE_API __declspec(dllimport)
 #else
 #define FUMAGE_API __attribute__((visibility("default")))
 #endif

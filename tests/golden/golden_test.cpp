@@ -2,12 +2,12 @@
 // They change only on purpose: FUMAGE_WRITE_GOLDEN=1 writes checksums and reference pictures anew. The references (8 bits) decide nothing:
 // a test that fails shows its picture and the difference from them.
 
+#include "tests/golden/checksum.h"
 #include "tests/golden/golden_pictures.h"
 #include "tests/helpers.h"
 
 #include "core/preset/library.h"
 
-#include <QCryptographicHash>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -15,29 +15,6 @@ using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-constexpr int kEdge = 96;
-constexpr int kFrame = 45;
-
-QByteArray checksum(const Image& image)
-{
-    const QByteArray bytes = QByteArray::fromRawData(reinterpret_cast<const char*>(image.pixels.data()), static_cast<qsizetype>(image.pixels.size() * sizeof(float)));
-    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().left(24);
-}
-
-Effect smallEffect(const LibraryEntry& entry)
-{
-    Effect effect = loadPreset(entry).value().preset.effect;
-    effect.emitter.count = std::min(effect.emitter.count, 20000);
-    effect.output.width = kEdge;
-    effect.output.height = kEdge;
-    return effect;
-}
-
-QByteArray lineOf(const LibraryEntry& entry, const Image& image)
-{
-    return QByteArray::fromStdString(entry.id) + " " + checksum(image);
-}
 
 QString referenceOf(const LibraryEntry& entry)
 {
@@ -48,9 +25,9 @@ void writeAnew(QFile& file)
 {
     QVERIFY(file.open(QIODevice::WriteOnly));
     for (const LibraryEntry& entry : builtinPresets()) {
-        const Effect effect = smallEffect(entry);
-        const Image image = render(effect, kFrame);
-        file.write(lineOf(entry, image) + "\n");
+        const Effect effect = goldenEffect(entry.id);
+        const Image image = render(effect, kGoldenFrame);
+        file.write(QByteArray::fromStdString(goldenLine(entry.id, image)) + "\n");
         QVERIFY(writeReference(image, effect.output, referenceOf(entry)));
     }
     file.close();
@@ -85,9 +62,9 @@ private slots:
             if (entry.id != QTest::currentDataTag()) {
                 continue;
             }
-            const Effect effect = smallEffect(entry);
-            const Image image = render(effect, kFrame);
-            const QByteArray line = lineOf(entry, image);
+            const Effect effect = goldenEffect(entry.id);
+            const Image image = render(effect, kGoldenFrame);
+            const QByteArray line = QByteArray::fromStdString(goldenLine(entry.id, image));
             if (line != expected) {
                 const QString shown = showDifference(image, effect.output, referenceOf(entry), QStringLiteral(FUMAGE_GOLDEN_SEEN), QString::fromStdString(entry.id));
                 QFAIL(qPrintable(QString("%1 was expected, %2 seen: %3").arg(QString(expected), QString(line), shown)));

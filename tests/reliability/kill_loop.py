@@ -111,4 +111,5 @@ def main():
         sys.exit(1 if faults or after or len(locks) > 1 else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()
