@@ -57,6 +57,11 @@ endfunction()
 function(fumage_compile_options target)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
     # No fused multiply-add and no fast-math: the same bits on every machine are a promise of the library.
+    if(MSVC)
+        # clang-cl; Microsoft's own compiler has no vectors as types.
+        target_compile_options(${target} PRIVATE /fp:precise /clang:-ffp-contract=off /EHsc /bigobj /W3)
+        return()
+    endif()
     target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wconversion -Wshadow -Wpedantic)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         # GCC 12 reports members of std::variant and std::optional, and copies in std::string, that it cannot follow.
