@@ -2052,6 +2052,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Choose some that have been rendered, as pictures or in a flipbook</source>
         <translation>Välj några som har renderats, som bilder eller i en flipbook</translation>
     </message>
+    <message>
+        <source>another program is using it</source>
+        <translation>ett annat program använder den</translation>
+    </message>
+    <message>
+        <source>Close it there, or choose another name</source>
+        <translation>Stäng den där, eller välj ett annat namn</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

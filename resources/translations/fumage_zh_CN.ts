@@ -2052,6 +2052,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Choose some that have been rendered, as pictures or in a flipbook</source>
         <translation>请选择渲染过的帧：单独的图片，或序列帧图集中的帧</translation>
     </message>
+    <message>
+        <source>another program is using it</source>
+        <translation>另一个程序正在使用它</translation>
+    </message>
+    <message>
+        <source>Close it there, or choose another name</source>
+        <translation>请在那里将其关闭，或选择其他名称</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
