@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the library into a temporary folder, builds a small program against the installed package and runs it, and one in C against the shared
-# library where there is one; then builds the first program with the library as a part of its tree.
+# Installs the library into a temporary folder, builds a small program against the installed package and runs it, a game where SDL is there, and one in C
+# against the shared library where there is one; then builds the first program with the library as a part of its tree.
 #   build_consumer.sh <build tree> <consumer> <compiler> <its flags> <source tree> [whole]
 # A part of a tree is compiled as far as the program's own code; "whole" links and runs that too, which compiles the library once more.
 set -euo pipefail
@@ -35,6 +35,22 @@ if grep -rn '#include "core/' "$work/installed/include"; then
     exit 1
 fi
 
+for shader in sprite.vert sprite.frag; do
+    cmp "$source/resources/shaders/$shader" "$work/installed/share/fumage/glsl/$shader"
+done
+
+if [ -x "$work/find/game" ]; then
+    echo "-- a game with SDL"
+    for frames in 1 90; do
+        SDL_VIDEODRIVER=dummy "$work/find/game" chimney $frames "$work/$frames.bmp"
+        [ "$(head -c 2 "$work/$frames.bmp")" = BM ] || { echo "the game has kept no picture"; exit 1; }
+    done
+    if cmp -s "$work/1.bmp" "$work/90.bmp"; then
+        echo "the game shows no smoke"
+        exit 1
+    fi
+fi
+
 pc=$(find "$work/installed" -name fumage.pc)
 if [ -n "$pc" ]; then
     echo "-- in C"
@@ -43,6 +59,7 @@ if [ -n "$pc" ]; then
     # shellcheck disable=SC2046 # options are words
     quietly "${CC:-cc}" -std=c11 -Wall -Wextra -pedantic -Werror "$consumer/smoke.c" -o "$work/smoke" $(pkg-config --cflags --libs fumage)
     LD_LIBRARY_PATH=$library "$work/smoke"
+    [ -f "$(pkg-config --variable=glsldir fumage)/sprite.frag" ] || { echo "pkg-config does not know where the shaders are"; exit 1; }
     if LD_LIBRARY_PATH=$library "$work/smoke" chimny 2> "$work/log" || ! grep -q chimney "$work/log"; then
         echo "a wrong name is not told with the right one:"
         cat "$work/log"
