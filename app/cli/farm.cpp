@@ -71,7 +71,8 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
         return status.error();
     }
     if (plan.output == kStandardStream) {
-        return Error{ErrorCode::OutOfRange, said("a farm writes no frames to standard output"), std::string("--output"), said("Name a file in a folder that all machines see")};
+        return Error{ErrorCode::OutOfRange, said("a farm writes no frames to standard output"), std::string("--output"),
+            said("Name a file in a folder that all machines see")};
     }
     if (!options.then.empty() && plan.format != ImageFormat::ExrHalf && plan.format != ImageFormat::ExrFloat) {
         return Error{ErrorCode::OutOfRange, said("frames that are to be joined are EXR"), "--then " + options.then, said("Write --format exr")};
@@ -82,7 +83,8 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
         return status.error();
     }
     if (options.then == "flipbook" && plan.frames.count() < columns * rows) {
-        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", plan.frames.count(), columns * rows), {}, said("Choose more frames or fewer columns and rows")};
+        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", plan.frames.count(), columns * rows), {},
+            said("Choose more frames or fewer columns and rows")};
     }
     return job;
 }
@@ -153,22 +155,30 @@ void addFarm(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<FarmOptions>();
     CLI::App* command = program.add_subcommand("farm", "Write what a render farm takes to render frames of a preset");
-    options->picture.addTo(*command, "Frames to write, in a folder that all machines see; #### stands for the frame number. In a folder, and by default, the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
+    options->picture.addTo(*command,
+        "Frames to write, in a folder that all machines see; #### stands for the frame number. In a folder, and by default, the preset's name",
+        "Picture size: 512 or 640x360. Default: the preset's");
     options->picture.addFormat(*command);
     options->passes.addLayersTo(*command);
     std::vector<std::string> farms;
     std::ranges::transform(kAllFarms, std::back_inserter(farms), [](Farm each) { return std::string(nameOf(each)); });
-    command->add_option("--for", options->farm, "What hands out the work: slurm, openjd (Open Job Description), flamenco (3), deadline")->required()->check(CLI::IsMember(farms));
-    addWhole(*command, "--chunk", options->chunk, 1, kMaxFrame, "Frames a task. Default: so many that machines spend no more on the way to their frames (air, particles) than on the frames");
-    command->add_option("--then", options->then, "When all frames are there, join them: flipbook or video. The frames are EXR then")->check(CLI::IsMember({"flipbook", "video"}));
+    command->add_option("--for", options->farm, "What hands out the work: slurm, openjd (Open Job Description), flamenco (3), deadline")
+        ->required()
+        ->check(CLI::IsMember(farms));
+    addWhole(*command, "--chunk", options->chunk, 1, kMaxFrame,
+        "Frames a task. Default: so many that machines spend no more on the way to their frames (air, particles) than on the frames");
+    command->add_option("--then", options->then, "When all frames are there, join them: flipbook or video. The frames are EXR then")
+        ->check(CLI::IsMember({"flipbook", "video"}));
     command->add_option("--grid", options->grid, "Columns and rows of the flipbook")->type_name("GRID")->capture_default_str();
-    command->footer("Beside the frames go the preset as it is to be rendered and the farm's files; how to submit them is printed. Tasks leave alone what is there already\n"
-                    "and write a manifest: fumage-cli verify FOLDER --frames RANGE says afterwards whether all is there.\n"
+    command->footer("Beside the frames go the preset as it is to be rendered and the farm's files; how to submit them is printed. Tasks leave alone\n"
+                    "what is there already and write a manifest: fumage-cli verify FOLDER --frames RANGE says afterwards whether all is there.\n"
                     "Examples:\n"
                     "  fumage-cli farm mushroom-cloud --frames 0-119 --for slurm --output /mnt/show/smoke/cloud_####.exr --then video\n"
                     "  fumage-cli farm my.json --for openjd --chunk 8 --output frames/");
     command->callback([options, &action] {
-        action = [options] { return options->picture.effect.forEach(options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named); }); };
+        action = [options] {
+            return options->picture.effect.forEach(options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named); });
+        };
     });
 }
 

@@ -1,48 +1,18 @@
-// The command line as its users meet it: exit codes, messages, files.
+// The command line as its users meet it: usage, bad values and files, answers.
 
-#include "tests/cli/run.h"
+#include "tests/cli/refusals.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/preset/preset.h"
 
-#include <QDirIterator>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTemporaryDir>
-
-#include <csignal>
-#include <map>
-
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace fumage;
 using namespace fumage::tests;
-
-namespace {
-
-/// A file with jobs: $small and $large stand for presets of little smoke, and the size of its picture.
-QString writeList(const QTemporaryDir& folder, QString jobs)
-{
-    Preset preset;
-    preset.effect.emitter.count = 300;
-    preset.effect.noise.slices = 4;
-    preset.effect.noise.resolution = 16;
-    for (const auto& [word, edge] : {std::pair{"$small", 32}, std::pair{"$large", 400}}) {
-        preset.effect.output.width = preset.effect.output.height = edge;
-        jobs.replace(word, "\"preset\": " + QString::fromStdString(formatPreset(preset)));
-    }
-    const QString file = folder.filePath("list.json");
-    const std::string text = R"({"format": "fumage-jobs", "version": 1, "jobs": [)" + jobs.toStdString() + "]}";
-    return writeFileAtomically(file.toStdString(), text).ok() ? file : QString();
-}
-
-} // namespace
 
 class CliTest : public QObject {
     Q_OBJECT
@@ -70,9 +40,7 @@ private slots:
 
     void badValuesAreThree_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("says");
-        const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << QByteArray(says); };
+        const RefusalRows row;
         row("unknown preset", {"render", "campfir"}, "campfire");
         row("unknown key", {"render", "default", "--set", "motion.wnd=1"}, "motion.wind");
         row("no equals sign", {"render", "default", "--set", "motion.wind"}, "key=value");
@@ -107,17 +75,7 @@ private slots:
         row("depth that is no number", {"bake-noise", "default", "--depth", "nan", "-o", "a.png"}, "nan");
         row("depth beyond the end", {"bake-noise", "default", "--depth", "1.5", "-o", "a.png"}, "1.5");
     }
-    void badValuesAreThree()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QByteArray, says);
-        const QTemporaryDir folder;
-        const Outcome outcome = runIn(folder, arguments);
-        QCOMPARE(outcome.code, 3);
-        QVERIFY2(outcome.error.contains(says), outcome.error.constData());
-        QCOMPARE(outcome.error.count('\n'), 1);
-        QVERIFY(QDir(folder.path()).isEmpty());
-    }
+    void badValuesAreThree() { isRefusedAsTheRowSays(); }
 
     void badFilesAreRefusedWithOneMessage_data()
     {
@@ -165,24 +123,6 @@ private slots:
         QVERIFY(run({"dump", "default", "--set", "emitter.count=5", "--set", "emitter.seed=1e11"}).error.contains("emitter.seed=1e11: out of range"));
     }
 
-    void fullStandardOutputIsAnError_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"presets", "--show", "default"}, QStringList{"validate", "default"}, QStringList{"parameters"},
-                 QStringList{"parameters", "--markdown"}, QStringList{"info"}, QStringList{"info", "default"}, QStringList{"schema"}, QStringList{"--help"}, QStringList{"render", "--help"},
-                 QStringList{"--version"}, QStringList{"dump", "default", "--set", "emitter.count=5"}}) {
-            QTest::newRow(qPrintable(arguments.join(' '))) << arguments;
-        }
-    }
-    void fullStandardOutputIsAnError()
-    {
-        QFETCH(QStringList, arguments);
-        const Outcome outcome = run(arguments, "\"$0\" \"$@\" > /dev/full");
-        QCOMPARE(outcome.code, 75); // it may have room another time
-        QVERIFY2(outcome.error.contains("standard output cannot be written: No space left"), outcome.error.constData());
-        QCOMPARE(outcome.error.count('\n'), 1);
-    }
-
     void namesOfPresetsSteerNoTerminal()
     {
         const QTemporaryDir folder;
@@ -203,68 +143,6 @@ private slots:
         }
     }
 
-    void filesThatCannotBeReadOrWrittenAreOne()
-    {
-        const QTemporaryDir folder;
-        QCOMPARE(run({"render", folder.path() + "/none.json"}).code, 1);
-        QCOMPARE(run({"render", folder.path() + "/"}).code, 1);
-        QCOMPARE(run({"render", "thesis-2012", "-f", "0", "-o", "/proc/nowhere/a.png"}).code, 1);
-        QCOMPARE(run({"bake-noise", "thesis-2012", "--size", "16", "-o", "/proc/nowhere/a.png"}).code, 1);
-    }
-
-    void noPermissionIsSaidPlainly()
-    {
-        if (geteuid() == 0) {
-            // Root may write anywhere: run as nobody.
-            const QTemporaryDir folder;
-            const QString command = "cd / && setpriv --reuid=65534 --clear-groups \"$0\" \"$@\"";
-            const Outcome outcome = run({"bake-noise", "thesis-2012", "--size", "16", "-o", folder.path() + "/a.png"}, command);
-            QCOMPARE(outcome.code, 1);
-            QVERIFY2(outcome.error.contains("permission denied"), outcome.error.constData());
-        } else {
-            const Outcome outcome = run({"bake-noise", "thesis-2012", "--size", "16", "-o", "/a.png"});
-            QCOMPARE(outcome.code, 1);
-            QVERIFY2(outcome.error.contains("permission denied"), outcome.error.constData());
-        }
-    }
-
-    void aFullDiskIsSaidPlainlyAndLeavesNothing()
-    {
-        const QTemporaryDir folder;
-        const QString command = "trap '' XFSZ; ulimit -f 1; \"$0\" \"$@\"";
-        const Outcome outcome = run(QStringList{"render", "default", "-f", "0", "-o", folder.path() + "/a.exr", "--size", "200", "--set", "emitter.count=500"}, command);
-        QCOMPARE(outcome.code, 75);
-        QVERIFY2(outcome.error.contains("larger than may be written") || outcome.error.contains("disk is full"), outcome.error.constData());
-        QVERIFY(QDir(folder.path()).isEmpty());
-    }
-
-    void framesAloneEqualFramesOutOfARange()
-    {
-        const QTemporaryDir all;
-        const QTemporaryDir some;
-        QCOMPARE(run(QStringList{"render", "default", "-f", "0-29", "-o", all.path() + "/f_##.png"} + kSmall).code, 0);
-        QCOMPARE(run(QStringList{"--threads", "1", "render", "default", "-f", "20-29", "-o", some.path() + "/f_##.png"} + kSmall).code, 0);
-        for (int i = 0; i < 20; ++i) {
-            QVERIFY(QFile::remove(all.path() + QString("/f_%1.png").arg(i, 2, 10, QChar('0'))));
-        }
-        QVERIFY(!contents(some.path()).isEmpty());
-        QCOMPARE(contents(some.path()), contents(all.path()));
-    }
-
-    void threadsAndInstructionSetsGiveTheSameFiles()
-    {
-        QByteArray first;
-        for (const QStringList& how : {QStringList{"--threads", "1"}, QStringList{"--threads", "2"}, QStringList{"--threads", "7"}, QStringList{"--simd", "baseline"}}) {
-            const QTemporaryDir folder;
-            QCOMPARE(run(how + QStringList{"render", "thesis-2012", "-f", "3-4", "-o", folder.path() + "/f.png"} + kSmall).code, 0);
-            const Outcome csv = run(how + QStringList{"dump", "thesis-2012", "-f", "40", "--set", "emitter.count=300"});
-            QCOMPARE(csv.code, 0);
-            const QByteArray here = contents(folder.path()) + csv.out;
-            QVERIFY(first.isEmpty() || first == here);
-            first = here;
-        }
-    }
-
     void presetsShowIsCanonical()
     {
         const QTemporaryDir folder;
@@ -274,29 +152,6 @@ private slots:
         QVERIFY(writeFileAtomically(copy.toStdString(), shown.out.toStdString()).ok());
         QCOMPARE(run({"presets", "--show", copy}).out, shown.out);
         QCOMPARE(run({"validate", "--strict", copy}).code, 0);
-    }
-
-    void aPictureIsThePresetThatItWasMadeOf()
-    {
-        const QTemporaryDir folder;
-        const QStringList changed = kSmall + QStringList{"--set", "motion.gravity=2", "--frames", "5", "-o"};
-        QCOMPARE(runIn(folder, QStringList{"render", "default"} + changed + QStringList{"a.png"}).code, 0);
-        QCOMPARE(runIn(folder, {"render", "a.png", "--frames", "5", "--size", "48", "-o", "b.png"}).code, 0);
-        QCOMPARE(runIn(folder, {"render", "a.png", "--frames", "5", "--size", "48", "-o", "c/"}).code, 0);
-        const auto bytes = [&](const char* name) { return readFile((folder.path() + "/" + name).toStdString(), std::size_t{1} << 24U).value(); };
-        QVERIFY(bytes("a.png") == bytes("b.png") && bytes("a.png") == bytes("c/a.png"));
-        QVERIFY(runIn(folder, {"presets", "--show", "a.png"}).out.contains("\"gravity\": 2"));
-        const Outcome over = runIn(folder, {"render", "a.png", "--frames", "5"});
-        QVERIFY2(over.code == 3 && over.error.contains("a.png"), over.error);
-        QCOMPARE(runIn(folder, QStringList{"render", "default", "--no-preset"} + changed + QStringList{"bare.png"}).code, 0);
-        const Outcome bare = runIn(folder, {"render", "bare.png", "-o", "d.png"});
-        QVERIFY2(bare.code == 3 && bare.error.contains("carries no preset"), bare.error);
-    }
-
-    void fitWritesNothingAndTakesPresetsOfOneName()
-    {
-        const Outcome twice = run({"fit", "thesis-2012", "thesis-2012", "--frames", "5"});
-        QVERIFY2(twice.code == 0 && twice.out.count('\n') == 2, twice.error);
     }
 
     void builtinPresetFilesAreCanonical()
@@ -318,191 +173,6 @@ private slots:
         QCOMPARE(outcome.out, reference.readAll());
     }
 
-    void whatWasWrittenIsSaidInTheLastLine()
-    {
-        const QTemporaryDir folder;
-        const QStringList arguments = QStringList{"render", "thesis-2012", "-f", "0-2", "-o", folder.path() + "/f.png"} + kSmall;
-        const Outcome outcome = run(arguments);
-        QCOMPARE(outcome.code, 0);
-        QVERIFY(outcome.out.isEmpty());
-        QCOMPARE(outcome.error, QString("fumage-cli: wrote 3 files, %1/f_0000.png to %1/f_0002.png\n").arg(folder.path()).toUtf8());
-        QCOMPARE(run(arguments + QStringList{"-f", "1"}).code, 2); // named twice
-        const Outcome quiet = run(QStringList{"--quiet"} + arguments);
-        QVERIFY(quiet.code == 0 && quiet.out.isEmpty() && quiet.error.isEmpty());
-    }
-
-    void aFitIsPrintedAsOptionsThatKeepAllSmokeInThePicture()
-    {
-        const QTemporaryDir folder;
-        const QStringList smoke{"default", "--set", "emitter.count=500", "--set", "camera.distance=2", "--frames", "20-29", "--size", "48"};
-        const auto bookWith = [&](const QStringList& more) { return run(QStringList{"flipbook"} + smoke + QStringList{"--grid", "2", "-o", folder.filePath("a.png")} + more); };
-        QVERIFY(bookWith({}).error.contains("cut off"));
-        QVERIFY(bookWith({}).error.contains("frames 20 to 27"));
-        const Outcome fit = run(QStringList{"fit"} + smoke);
-        QCOMPARE(fit.code, 0);
-        const QStringList options = QString::fromUtf8(fit.out.trimmed()).split(' ');
-        QCOMPARE(options.size(), 4); // target and distance
-        QVERIFY(!bookWith(options).error.contains("cut off"));
-        QVERIFY(!bookWith({"--fit"}).error.contains("cut off"));
-        QCOMPARE(run({"fit", "default", "--frames", "0", "--set", "look.opacity=0"}).code, 3);
-    }
-
-    void outputsAreNamedAsTheUserMeans_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QStringList>("files");
-        const auto row = [](const char* name, const QStringList& arguments, const QStringList& files) { QTest::newRow(name) << arguments << files; };
-        const QStringList two{"render", "thesis-2012", "-f", "7-8", "-o"};
-        const QStringList one{"render", "thesis-2012", "-f", "7", "-o"};
-        row("capitals", one + QStringList{"x.PNG"}, {"x.PNG"});
-        row("exr", one + QStringList{"x.Exr"}, {"x.Exr"});
-        row("tga", one + QStringList{"x.TGA"}, {"x.TGA"});
-        row("a flipbook in tga", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "x", "--format", "tga"}, {"x.flipbook.json", "x.tga"});
-        row("noise in tga", {"bake-noise", "thesis-2012", "-o", "n.tga"}, {"n.tga"});
-        row("format without an ending", one + QStringList{"x", "--format", "exr"}, {"x.exr"});
-        row("printf", two + QStringList{"x_%03d.png"}, {"x_007.png", "x_008.png"});
-        row("printf without width", two + QStringList{"x%d"}, {"x7.png", "x8.png"});
-        row("hashes and no ending", two + QStringList{"x.##"}, {"x.07.png", "x.08.png"});
-        row("a folder that is there", two + QStringList{"d"}, {"d/thesis-2012_0007.png", "d/thesis-2012_0008.png"});
-        row("a folder to be made", one + QStringList{"e/"}, {"e/thesis-2012.png"});
-        row("no name", {"render", "thesis-2012", "-f", "7"}, {"thesis-2012.png"});
-        row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"}, {"d/default.png", "d/thesis-2012.png"});
-        row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
-        row("the best that fits", {"flipbook", "thesis-2012", "--for", "pixi", "-f", "0-9", "--optimise", "4KB", "-o", "d"},
-            {"d/thesis-2012_4x2.atlas.json", "d/thesis-2012_4x2.flipbook.json", "d/thesis-2012_4x2.png"});
-        row("trimmed and retimed", {"flipbook", "thesis-2012", "--grid", "2", "-f", "0-9", "--trim", "--retime", "[[0,1],[1,0]]", "-o", "x"}, {"x.flipbook.json", "x.png"});
-        row("packed pictures", {"flipbook", "--pack", "a=alpha", "thesis-2012", "--pack", "b=depth,1@1/2", "--passes", "none", "--grid", "1", "-f", "7", "-o", "x"}, {"x.flipbook.json", "x_a.png", "x_b.png"});
-        row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});
-        row("particles by the ending", {"dump", "thesis-2012", "-o", "p.ply"}, {"p.ply"});
-        row("point cache", {"dump", "thesis-2012", "-o", "p.pcache"}, {"p.pcache"});
-        row("volumes", {"volume", "thesis-2012", "--cells", "16", "-f", "0-2:2", "-o", "v_##"}, {"v_00.vdb", "v_02.vdb"});
-        row("air", {"air", "plume", "--set", "air.resolution=16", "-o", "plume.vf"}, {"plume.vf"});
-        row("air in its default format", {"air", "plume", "--set", "air.resolution=16", "-o", "."}, {"plume.fga"});
-        row("particles of several frames", {"dump", "thesis-2012", "-f", "0-4:2", "-o", "p_##.csv"}, {"p_00.csv", "p_02.csv", "p_04.csv"});
-    }
-    void outputsAreNamedAsTheUserMeans()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QStringList, files);
-        const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkdir("d"));
-        const bool isPicture = !QStringList{"dump", "volume", "air"}.contains(arguments[0]);
-        const QString small = !isPicture ? " --set emitter.count=20" : " --size 16 --set emitter.count=20 --set noise.slices=1 --set noise.resolution=8";
-        const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"" + small);
-        QVERIFY2(outcome.code == 0, outcome.error.constData());
-        QStringList found;
-        QDirIterator at(folder.path(), QDir::Files, QDirIterator::Subdirectories);
-        while (at.hasNext()) {
-            found += QDir(folder.path()).relativeFilePath(at.next());
-        }
-        found.sort();
-        QCOMPARE(found, files);
-        const QByteArray begin = contents(QFileInfo(folder.filePath(files.first())).path());
-        QVERIFY(files.first().endsWith("exr", Qt::CaseInsensitive) == begin.contains("\x76\x2f\x31\x01"));
-        QVERIFY((files.first().endsWith("ply") || files.first().endsWith("pcache")) == begin.contains("end_header"));
-    }
-
-    void badNamesOfOutputsAreRefused_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("says");
-        const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << QByteArray(says); };
-        row("jpg", {"render", "default", "-o", "x.jpg"}, "Use .png, .exr or .tga");
-        row("noise as jpg", {"bake-noise", "default", "-o", "a.jpg"}, "Use .png, .exr or .tga");
-        row("particles as png", {"dump", "default", "-o", "q.png"}, "Use .csv, .ply or .pcache");
-        row("ending against format", {"render", "default", "-o", "x.png", "--format", "exr"}, "Use .exr");
-        row("particles against format", {"dump", "default", "-o", "x.csv", "--format", "ply"}, "Use .ply");
-        row("several pictures to standard output", {"render", "default", "-f", "0-1", "-o", "-"}, "several files");
-        row("flipbook to standard output", {"flipbook", "default", "-o", "-"}, "several files");
-        row("several dumps to standard output", {"dump", "default", "-f", "0-1"}, "several files");
-        row("two presets into one file", {"render", "default", "thesis-2012", "-o", "x.png"}, "folder");
-    }
-    void badNamesOfOutputsAreRefused()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QByteArray, says);
-        const QTemporaryDir folder;
-        const Outcome outcome = runIn(folder, arguments);
-        QCOMPARE(outcome.code, 3);
-        QVERIFY2(outcome.error.contains(says), outcome.error.constData());
-        QVERIFY(QDir(folder.path()).isEmpty());
-    }
-
-    void devicesAreNotGivenAnEnding()
-    {
-        const Outcome outcome = run({"render", "default", "-f", "0", "-o", "/dev/stdout"});
-        QCOMPARE(outcome.code, 1);
-        QVERIFY2(outcome.error.contains("- for standard output"), outcome.error.constData());
-    }
-
-    void aListOfJobsGoesOnAfterOneThatFails()
-    {
-        const QTemporaryDir folder;
-        QVERIFY(writePresetFile(folder.filePath("mine.json").toStdString(), Preset()).ok());
-        const QString list = writeList(folder,
-            R"({"name": "good", "output": "a/x_#.png", "frames": "0-1", $small},)"
-            R"({"name": "nowhere", "output": "/proc/nowhere/b.png", "kind": "picture", $small},)"
-            R"({"name": "large", "output": "large.exr", "kind": "picture", $large},)"
-            R"({"name": "itself", "output": "c.png", "kind": "picture", "source": "c.png", $small},)"
-            R"({"name": "book", "output": "d.png", "kind": "flipbook", "columns": 2, "rows": 1, "frames": "0-3", $small})");
-        QVERIFY(QFile::copy(folder.filePath("mine.json"), folder.filePath("c.png")));
-        // A limit on the size of files fails as a full disk does.
-        const Outcome outcome = run({"render", "--jobs", list, "--json"}, "cd '" + folder.path() + "' && trap '' XFSZ; ulimit -f 60; \"$0\" \"$@\"");
-        QCOMPARE(outcome.code, 1);
-        QVERIFY2(outcome.error.contains("job 3 of 5: large\n"), outcome.error.constData());
-        QVERIFY2(outcome.error.contains("fumage-cli: nowhere: ") && outcome.error.contains("fumage-cli: large: ") && outcome.error.contains("fumage-cli: itself: c.png: this would overwrite"), outcome.error.constData());
-        QVERIFY2(outcome.error.trimmed().endsWith(": 3 of 5 jobs failed. Mend what is said above, and do them again"), outcome.error.constData());
-        QCOMPARE(QDir(folder.filePath("a")).entryList(QDir::Files), (QStringList{"x_0.png", "x_1.png"}));
-        QVERIFY(QFile::exists(folder.filePath("d.flipbook.json")) && !QFile::exists(folder.filePath("large.exr")));
-        const QJsonObject answer = QJsonDocument::fromJson(outcome.out).object();
-        QCOMPARE(answer["done"].toInt(), 2);
-        QCOMPARE(answer["failed"].toInt(), 3);
-        const QJsonArray jobs = answer["jobs"].toArray();
-        QCOMPARE(jobs.size(), 5);
-        QCOMPARE(jobs[0].toObject()["outcome"].toString(), QString("done"));
-        QCOMPARE(jobs[0].toObject()["files"].toInt(), 2);
-        QCOMPARE(jobs[0].toObject()["last"].toString(), QString("a/x_1.png"));
-        QCOMPARE(jobs[1].toObject()["outcome"].toString(), QString("failed"));
-        QVERIFY(jobs[2].toObject()["error"].toString().contains("large.exr"));
-        QCOMPARE(jobs[4].toObject()["last"].toString(), QString("d.flipbook.json"));
-        // All of them done is a success, and standard input will do.
-        const Outcome fine = run({"render", "--jobs", "-"}, "cd '" + folder.path() + "' && \"$0\" \"$@\" < " + writeList(folder, R"({"output": "e.png", "kind": "picture", $small})"));
-        QVERIFY2(fine.code == 0 && fine.error.trimmed().endsWith("wrote e.png"), fine.error.constData());
-    }
-
-    void jobsOfOneFileAreRefusedBeforeAnythingIsRendered()
-    {
-        const QTemporaryDir folder;
-        const QString list = writeList(folder, R"({"name": "one", "output": "a.png", "kind": "picture", $small}, {"name": "two", "output": "./a.png", "kind": "flipbook", "columns": 1, "rows": 1, $small})");
-        const Outcome outcome = runIn(folder, {"render", "--jobs", list});
-        QCOMPARE(outcome.code, 3);
-        QVERIFY2(outcome.error.contains("\"two\" would write over a file of \"one\""), outcome.error.constData());
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"list.json"});
-    }
-
-    void aListSaysAllThatOptionsSay()
-    {
-        const QTemporaryDir folder;
-        const QString list = writeList(folder, R"({"output": "a.png", "kind": "picture", $small})");
-        QCOMPARE(run({"render", "--jobs", list, "default"}).code, 2);
-        QCOMPARE(run({"render", "--jobs", list, "--size", "64"}).code, 2);
-        QCOMPARE(run({"render", "default", "--json"}).code, 2);
-        QCOMPARE(run({"render", "--jobs", folder.filePath("none.json")}).code, 1);
-    }
-
-    void presetsOfOneNameAreNotWrittenOverEachOther()
-    {
-        const QTemporaryDir folder;
-        for (const QString& place : {QStringLiteral("a"), QStringLiteral("b")}) {
-            QVERIFY(QDir(folder.path()).mkdir(place));
-            QVERIFY(writePresetFile((folder.path() + "/" + place + "/mine.json").toStdString(), Preset()).ok());
-        }
-        const Outcome outcome = runIn(folder, {"bake-noise", "a/mine.json", "b/mine.json", "-o", "out/"});
-        QCOMPARE(outcome.code, 3);
-        QVERIFY2(outcome.error.contains("two presets are called \"mine\""), outcome.error.constData());
-        QVERIFY(!QDir(folder.filePath("out")).exists());
-    }
-
     void answersCanBeReadByPrograms()
     {
         const auto answer = [](const QStringList& arguments) { return QJsonDocument::fromJson(run(arguments).out); };
@@ -520,46 +190,6 @@ private slots:
         QVERIFY(hasOne(parameters, [](const QJsonValue& one) { return one["key"].toString() == "motion.wind" && one["maximum"].toDouble() > 0.0; }));
     }
 
-    void standardStreamsAreADash()
-    {
-        const QTemporaryDir folder;
-        const QStringList small = QStringList{"-f", "7"} + kSmall;
-        const Outcome picture = run(QStringList{"render", "default", "-o", "-"} + small);
-        QCOMPARE(picture.code, 0);
-        QVERIFY(picture.error.isEmpty());
-        QCOMPARE(run(QStringList{"render", "default", "-o", folder.path() + "/a.png"} + small).code, 0);
-        QVERIFY(contents(folder.path()) == "a.png" + picture.out);
-        const QString piped = "\"$0\" presets --show campfire | \"$0\" \"$@\"";
-        QCOMPARE(run({"validate", "--strict", "-"}, piped).code, 0);
-        QCOMPARE(run(QStringList{"dump", "-", "--set", "emitter.count=50"}, piped).out, run({"dump", "campfire", "--set", "emitter.count=50"}).out);
-        QCOMPARE(run({"validate", "-"}, "echo rubbish | \"$0\" \"$@\"").code, 3);
-    }
-
-    void aCommandNeverOverwritesItsPreset_data()
-    {
-        QTest::addColumn<QStringList>("arguments");
-        const auto row = [](const char* name, const QStringList& arguments) { QTest::newRow(name) << arguments; };
-        row("dump", {"dump", "my.csv", "-o", "my.csv"});
-        row("dump through a link", {"dump", "my.csv", "-o", "link.csv"});
-        row("dump of frames", {"dump", "p_02.csv", "-f", "0-3", "-o", "p_##.csv"});
-        row("noise", {"bake-noise", "my.png", "-o", "my.png"});
-        row("render", {"render", "f_0003.png", "-f", "0-5", "-o", "f.png"});
-        row("flipbook's description", {"flipbook", "my.flipbook.json", "--grid", "1", "-f", "0", "-o", "my"});
-    }
-    void aCommandNeverOverwritesItsPreset()
-    {
-        QFETCH(QStringList, arguments);
-        const QTemporaryDir folder;
-        const QString preset = folder.filePath(arguments[1]);
-        QVERIFY(writePresetFile(preset.toStdString(), Preset()).ok());
-        QVERIFY(QFile::link(preset, folder.filePath("link.csv")));
-        const QByteArray before = contents(folder.path());
-        const Outcome outcome = runIn(folder, arguments);
-        QCOMPARE(outcome.code, 3);
-        QVERIFY2(outcome.error.contains("overwrite the preset"), outcome.error.constData());
-        QVERIFY(contents(folder.path()) == before);
-    }
-
     void slipsInTheNameOfACommandAreAnswered()
     {
         const Outcome slip = run({"rendr", "default"});
@@ -569,159 +199,6 @@ private slots:
         QCOMPARE(run({"help", "render"}).out, run({"render", "--help"}).out);
         QCOMPARE(run({"-V"}).out, run({"--version"}).out);
         QVERIFY(!run({"render", "--help"}).out.contains("KEY=VALUE ..."));
-    }
-
-    void anInterruptionOfALargePictureIsQuick()
-    {
-        const QTemporaryDir folder;
-        const pid_t program = start({"--threads", "1", "render", "thesis-2012", "-f", "40-45", "--size", "2048", "--supersample", "2", "-o", folder.path() + "/f.png"}, STDERR_FILENO);
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).entryList({"*.png"}).isEmpty(), 120000); // so the second is being made
-        const rusage before = usageOf(program);
-        ::kill(program, SIGINT);
-        int status = 0;
-        rusage after{};
-        QCOMPARE(::wait4(program, &status, 0, &after), program);
-        QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 130);
-        // Time of the processor: one such picture takes several times as much.
-        QVERIFY2(secondsOf(after) - secondsOf(before) < 0.5, QByteArray::number(secondsOf(after) - secondsOf(before)).constData());
-    }
-
-    void interruptingADumpThatNobodyReadsEndsIt_data() { signalNumbers(); }
-    void interruptingADumpThatNobodyReadsEndsIt()
-    {
-        QFETCH(int, number);
-        int ends[2];
-        QCOMPARE(::pipe(ends), 0);
-        const pid_t program = start({"dump", "default", "-f", "60"}, ends[1]);
-        ::close(ends[1]);
-        char byte = 0;
-        QCOMPARE(::read(ends[0], &byte, 1), ssize_t(1)); // it writes, and the pipe is soon full
-        ::kill(program, number);
-        QCOMPARE(exitCodeOf(program), 130);
-        ::close(ends[0]);
-    }
-
-    void theSecondInterruptionEndsAtOnce()
-    {
-        // A blocked dump takes a moment to see the first; where the machine is slow the second may come too late.
-        bool endedAtOnce = false;
-        constexpr int kTries = 50;
-        for (int i = 0; i < kTries && !endedAtOnce; ++i) {
-            int ends[2];
-            QCOMPARE(::pipe(ends), 0);
-            const pid_t program = start({"dump", "default", "-f", "60"}, ends[1]);
-            ::close(ends[1]);
-            char byte = 0;
-            QCOMPARE(::read(ends[0], &byte, 1), ssize_t(1));
-            ::kill(program, SIGINT);
-            while (isPending(program)) {
-            }
-            ::kill(program, SIGINT);
-            int status = 0;
-            QCOMPARE(::waitpid(program, &status, 0), program);
-            endedAtOnce = WIFSIGNALED(status) && WTERMSIG(status) == SIGINT;
-            ::close(ends[0]);
-        }
-        QVERIFY(endedAtOnce);
-    }
-
-    void whatTheParentIgnoresIsIgnored()
-    {
-        const QTemporaryDir folder;
-        const auto pictures = [&] { return QDir(folder.path()).entryList({"*.png"}).size(); };
-        const pid_t program = start({"render", "default", "-f", "0-19", "--size", "64", "-o", folder.path() + "/f.png"}, STDERR_FILENO, {SIGINT, SIGHUP});
-        QTRY_VERIFY_WITH_TIMEOUT(pictures() > 0, 120000); // it is at work
-        ::kill(program, SIGINT);
-        ::kill(program, SIGHUP);
-        QCOMPARE(exitCodeOf(program), 0);
-        QCOMPARE(pictures(), 20);
-    }
-
-    void interruptingStopsCleanly()
-    {
-        const QTemporaryDir folder;
-        QProcess process;
-        process.start(FUMAGE_CLI, {"render", "default", "-f", "0-100000", "--size", "64", "-o", folder.path() + "/f.png"});
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).entryList({"*.png"}).isEmpty(), 60000);
-        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-        QVERIFY(process.waitForFinished(30000));
-        QCOMPARE(process.exitCode(), 130);
-        for (const QString& name : QDir(folder.path()).entryList(QDir::Files)) {
-            QVERIFY2(name.endsWith(".png"), qPrintable(name));
-        }
-    }
-
-private:
-    static void signalNumbers()
-    {
-        QTest::addColumn<int>("number");
-        QTest::newRow("INT") << SIGINT;
-        QTest::newRow("TERM") << SIGTERM;
-        QTest::newRow("HUP") << SIGHUP;
-    }
-
-    /// @param ignored signals that the program is started with
-    static pid_t start(const QStringList& arguments, int output, const std::vector<int>& ignored = {})
-    {
-        std::vector<QByteArray> texts{FUMAGE_CLI};
-        for (const QString& argument : arguments) {
-            texts.push_back(argument.toLocal8Bit());
-        }
-        std::vector<char*> pointers;
-        for (QByteArray& text : texts) {
-            pointers.push_back(text.data());
-        }
-        pointers.push_back(nullptr);
-        std::map<int, sighandler_t> before;
-        for (const int number : ignored) {
-            before[number] = std::signal(number, SIG_IGN);
-        }
-        posix_spawn_file_actions_t files;
-        posix_spawn_file_actions_init(&files);
-        posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-        // Comes back when the program runs: between fork() and exec() a signal would meet the handlers of the test.
-        pid_t program = -1;
-        if (posix_spawn(&program, FUMAGE_CLI, &files, nullptr, pointers.data(), environ) != 0) {
-            qFatal("%s cannot be started", FUMAGE_CLI);
-        }
-        posix_spawn_file_actions_destroy(&files);
-        for (const auto& [number, handler] : before) {
-            std::signal(number, handler);
-        }
-        return program;
-    }
-
-    static double secondsOf(const rusage& usage)
-    {
-        const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-        return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    }
-
-    /// What a program that runs has used.
-    static rusage usageOf(pid_t program)
-    {
-        rusage usage{};
-        QFile stat(QString("/proc/%1/stat").arg(program));
-        if (stat.open(QIODevice::ReadOnly)) {
-            constexpr int kUserTime = 13;
-            const QList<QByteArray> fields = stat.readAll().split(' ');
-            const double ticks = fields[kUserTime].toDouble() + fields[kUserTime + 1].toDouble();
-            usage.ru_utime.tv_usec = static_cast<suseconds_t>(1e6 * ticks / static_cast<double>(sysconf(_SC_CLK_TCK)));
-        }
-        return usage;
-    }
-
-    /// Whether a signal has been sent and not yet taken.
-    static bool isPending(pid_t program)
-    {
-        QFile status(QString("/proc/%1/status").arg(program));
-        return status.open(QIODevice::ReadOnly) && !status.readAll().contains("ShdPnd:\t0000000000000000");
-    }
-
-    static int exitCodeOf(pid_t program)
-    {
-        int status = 0;
-        return ::waitpid(program, &status, 0) == program && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 };
 

@@ -1,6 +1,6 @@
 // Frames that many machines share: manifests, what is there already, what schedulers are told, and what farms are given.
 
-#include "tests/cli/run.h"
+#include "tests/cli/refusals.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
@@ -71,6 +71,8 @@ private slots:
         const QTemporaryDir folder;
         QCOMPARE(runIn(folder, QStringList{"flipbook", "thesis-2012", "--grid", "2x2", "-f", "0-7", "--for", "unity", "--manifest", "-o", "sheet.png"} + kSmall).code, 0);
         QCOMPARE(runIn(folder, {"verify", "."}).code, 0);
+        const Outcome again = runIn(folder, {"verify", ".", "--render", "0"});
+        QVERIFY2(again.code == 0 && again.out.contains("files come out the same"), again.error);
         QFile side(folder.filePath("sheet.flipbook.json"));
         QVERIFY(side.open(QIODevice::Append) && side.write(" ") == 1);
         side.close();
@@ -173,9 +175,7 @@ private slots:
 
     void farmsRefuseWhatCannotWork_data()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("says");
-        const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << QStringList{"farm", "thesis-2012", "--for", "slurm"} + arguments << QByteArray(says); };
+        const RefusalRows row({"farm", "thesis-2012", "--for", "slurm"});
         row("standard output", {"-o", "-"}, "standard output");
         row("joined PNG", {"--then", "video", "-o", "a_##.png"}, "--format exr");
         row("too few frames", {"--then", "flipbook", "-f", "0-9"}, "64 cells");
@@ -183,16 +183,7 @@ private slots:
         row("chunk", {"--chunk", "0"}, "chunk");
         row("pass", {"--passes", "sixway"}, "six-way");
     }
-    void farmsRefuseWhatCannotWork()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QByteArray, says);
-        const QTemporaryDir folder;
-        const Outcome outcome = runIn(folder, arguments);
-        QCOMPARE(outcome.code, 3);
-        QVERIFY2(outcome.error.contains(says), outcome.error);
-        QVERIFY(QDir(folder.path()).isEmpty());
-    }
+    void farmsRefuseWhatCannotWork() { isRefusedAsTheRowSays(); }
 
     void aFarmNeverOverwritesThePresetThatItIsMadeOf()
     {
