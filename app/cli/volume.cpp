@@ -26,7 +26,7 @@ struct VolumeArguments {
 
 Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
 {
-    static constexpr std::array<std::string_view, 1> kEndings{".vdb"};
+    static constexpr std::array kEndings{kVdbEnding};
     VolumeSequenceOptions options;
     const Result<FrameRange> frames = parseFrameRange(arguments.frames);
     if (!frames) {

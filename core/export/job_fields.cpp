@@ -106,8 +106,18 @@ Result<Format> formatNamed(const std::array<Format, kCount>& formats, std::strin
 
 std::string_view formatOf(const ExportPlan& plan)
 {
-    const bool isImage = plan.kind != ExportKind::Video && plan.kind != ExportKind::Particles;
-    return isImage ? nameOf(plan.format) : fileEnding(plan).substr(1);
+    return isImage(plan.kind) ? nameOf(plan.format) : fileEnding(plan).substr(1);
+}
+
+/// There is one.
+Status readVolumeFormat(const JsonNode& value)
+{
+    constexpr std::string_view kOnly = kVdbEnding.substr(1);
+    std::string name;
+    if (Status status = readText(value, kMaxJobName, name); !status) {
+        return status;
+    }
+    return name == kOnly ? Status(Done{}) : Error{ErrorCode::UnknownName, said("%1 is not known here", inQuotes(name)), {}, said("Choose among %1", std::string(kOnly))};
 }
 
 Status readFormat(const JsonNode& value, ExportPlan& plan)
@@ -117,6 +127,9 @@ Status readFormat(const JsonNode& value, ExportPlan& plan)
         value, [](std::string_view name) { return formatNamed(kAllVideoFormats, name); }, plan.video);
     case ExportKind::Particles: return readAs(
         value, [](std::string_view name) { return formatNamed(kAllParticleFormats, name); }, plan.particles);
+    case ExportKind::Air: return readAs(
+        value, [](std::string_view name) { return formatNamed(kAllAirFormats, name); }, plan.air);
+    case ExportKind::Volumes: return readVolumeFormat(value);
     default: return readAs(value, named<ImageFormat, kAllImageFormats.size()>, plan.format);
     }
 }
@@ -141,6 +154,11 @@ bool isFlipbook(const ExportJob& job)
 bool isNoise(const ExportJob& job)
 {
     return job.plan.kind == ExportKind::NoiseTexture;
+}
+
+bool isVolume(const ExportJob& job)
+{
+    return job.plan.kind == ExportKind::Volumes;
 }
 
 /// Whether there may be others than the colour.
@@ -200,6 +218,14 @@ Status readCarries(const JsonNode& value, ExportPlan& plan)
     }
     plan.project = carries ? std::optional(Preset()) : std::nullopt;
     return Done{};
+}
+
+Status readUp(const JsonNode& value, ExportPlan& plan)
+{
+    UpAxis up = UpAxis::Y;
+    Status status = readAs(value, named<UpAxis, kAllUpAxes.size()>, up);
+    plan.up = status ? std::optional(up) : plan.up;
+    return status;
 }
 
 Status readDepth(const JsonNode& value, ExportPlan& plan)
@@ -287,6 +313,12 @@ constexpr JobField kFields[] = {
     {"carries_preset",
         [](From job) { return flagIf(isPicture(job.plan.kind), job.plan.project.has_value()); },
         [](Json value, Text, To job) { return readCarries(value, job.plan); }},
+    {"cells",
+        [](From job) { return isVolume(job) ? Written(std::to_string(job.plan.cells)) : Written(); },
+        [](Json value, Text, To job) { return readWhole(value, kMinVolumeCells, kMaxVolumeCells, job.plan.cells); }},
+    {"up",
+        [](From job) { return job.plan.up && !isPicture(job.plan.kind) ? jsonText(nameOf(*job.plan.up)) : Written(); },
+        [](Json value, Text, To job) { return readUp(value, job.plan); }},
     {"noise_size",
         [](From job) { return isNoise(job) ? Written(std::to_string(job.plan.noiseSize)) : Written(); },
         [](Json value, Text, To job) { return readWhole(value, 0, kMaxTextureSize, job.plan.noiseSize); }},

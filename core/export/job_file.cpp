@@ -154,6 +154,7 @@ private:
     {
         takeEnding(plan.output, kAllVideoFormats, plan.video);
         takeEnding(plan.output, kAllParticleFormats, plan.particles);
+        takeEnding(plan.output, kAllAirFormats, plan.air);
         plan.format = formatOf(plan.output);
     }
 

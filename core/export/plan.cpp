@@ -22,6 +22,13 @@ SequenceOptions sequenceOf(const ExportPlan& plan, std::string preset = {})
     return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format, plan.passes, plan.style.premultiplied, std::move(preset)};
 }
 
+/// The file of a frame.
+std::filesystem::path fileOf(const ExportPlan& plan, int frame)
+{
+    const bool single = plan.kind == ExportKind::Picture;
+    return framePath(plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, fileEnding(plan), frame);
+}
+
 /// The preset that pictures of an effect carry, as JSON.
 std::string projectOf(const Effect& effect, const ExportPlan& plan)
 {
@@ -40,16 +47,6 @@ Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
-Result<std::vector<std::byte>> particleBytes(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
-{
-    const Result<std::string> text = dumpParticles(effect, plan.frames.first, plan.particles, stop, UpAxis::Y, progress);
-    if (!text) {
-        return text.error();
-    }
-    const auto bytes = std::as_bytes(std::span(text.value()));
-    return std::vector<std::byte>(bytes.begin(), bytes.end());
-}
-
 Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     switch (plan.kind) {
@@ -60,11 +57,13 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
         }
         [[fallthrough]];
     case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), stop, progress);
-    case ExportKind::Video: return Error{ErrorCode::OutOfRange, said("a video is not written as a stream"), {}, said("Name a file")};
     case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
-    case ExportKind::Particles: return particleBytes(effect, plan, progress, stop);
+    case ExportKind::Video:
+    case ExportKind::Particles:
+    case ExportKind::Volumes:
+    case ExportKind::Air: break;
     }
-    return std::vector<std::byte>();
+    return Error{ErrorCode::OutOfRange, said("this is not written as a stream"), {}, said("Name a file")};
 }
 
 Status writeOne(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
@@ -113,7 +112,7 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
 
 std::string_view nameOf(ExportKind kind)
 {
-    constexpr std::array<std::string_view, kExportKinds> kNames{"sequence", "flipbook", "video", "picture", "noise", "particles"};
+    constexpr std::array<std::string_view, kExportKinds> kNames{"sequence", "flipbook", "video", "picture", "noise", "particles", "volumes", "air"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -122,39 +121,47 @@ bool isPicture(ExportKind kind)
     return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Video || kind == ExportKind::Picture;
 }
 
+bool isImage(ExportKind kind)
+{
+    return kind == ExportKind::NoiseTexture || (isPicture(kind) && kind != ExportKind::Video);
+}
+
+bool isNumbered(ExportKind kind)
+{
+    return kind == ExportKind::Sequence || kind == ExportKind::Particles || kind == ExportKind::Volumes || kind == ExportKind::Air;
+}
+
 std::string_view fileEnding(const ExportPlan& plan)
 {
     switch (plan.kind) {
     case ExportKind::Video: return fileEnding(plan.video);
     case ExportKind::Particles: return fileEnding(plan.particles);
+    case ExportKind::Volumes: return kVdbEnding;
+    case ExportKind::Air: return fileEnding(plan.air);
     default: return fileEnding(plan.format);
     }
 }
 
 std::vector<std::filesystem::path> filesOf(const ExportPlan& plan)
 {
-    switch (plan.kind) {
-    case ExportKind::Sequence:
-    case ExportKind::Picture: {
-        const SequenceOptions sequence = sequenceOf(plan);
-        std::vector<std::filesystem::path> files;
-        for (int i = 0; i < sequence.frames.count(); ++i) {
-            files.push_back(framePath(sequence, sequence.frames.at(i)));
-        }
-        return files;
+    if (plan.kind == ExportKind::Flipbook) {
+        return filesOf(flipbookOf(plan));
     }
-    case ExportKind::Flipbook: return filesOf(flipbookOf(plan));
-    case ExportKind::Video:
-    case ExportKind::NoiseTexture:
-    case ExportKind::Particles: break;
+    std::vector<std::filesystem::path> files{firstFile(plan)};
+    for (int i = 1; isNumbered(plan.kind) && i < plan.frames.count(); ++i) {
+        files.push_back(fileOf(plan, plan.frames.at(i)));
     }
-    return {plan.output};
+    return files;
 }
 
 std::filesystem::path firstFile(const ExportPlan& plan)
 {
-    const bool isNumbered = plan.kind == ExportKind::Sequence || plan.kind == ExportKind::Picture;
-    return isNumbered ? framePath(sequenceOf(plan), plan.frames.first) : filesOf(plan).front();
+    switch (plan.kind) {
+    case ExportKind::Flipbook: return filesOf(plan).front();
+    case ExportKind::Video:
+    case ExportKind::NoiseTexture: return plan.output;
+    default: return fileOf(plan, plan.frames.first);
+    }
 }
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
@@ -181,7 +188,7 @@ Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& pla
 
 std::filesystem::path lastFile(const ExportPlan& plan)
 {
-    return plan.kind == ExportKind::Sequence ? framePath(sequenceOf(plan), plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
+    return isNumbered(plan.kind) ? fileOf(plan, plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
 }
 
 Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
@@ -227,8 +234,13 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     case ExportKind::Picture: return plainly(renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
     case ExportKind::Video: return plainly(renderVideo(effect, {plan.output, plan.frames, plan.video}, progress, stop));
-    case ExportKind::NoiseTexture:
-    case ExportKind::Particles: return plainly(writeOne(effect, plan, progress, stop));
+    case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, progress, stop));
+    case ExportKind::Particles: return plainly(dumpSequence(effect, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
+    case ExportKind::Volumes: return plainly(writeVolumes(effect, {plan.output, plan.frames, plan.cells, plan.up.value_or(UpAxis::Z), plan.source}, progress, stop));
+    case ExportKind::Air: {
+        const Result<AirGrid> air = writeAir(effect, {plan.output, plan.frames, plan.air, plan.source}, progress, stop);
+        return plainly(air ? Status(Done{}) : Status(air.error()));
+    }
     }
     return std::optional<Flipbook>();
 }

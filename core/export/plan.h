@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/export/air_file.h"
 #include "core/export/flipbook.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/particle_dump.h"
+#include "core/export/vdb_file.h"
 #include "core/export/video.h"
 #include "core/preset/preset.h"
 
@@ -17,25 +19,36 @@ enum class ExportKind {
     Video, ///< frames of a range as a film
     Picture, ///< one frame
     NoiseTexture, ///< one tile, as particles read it
-    Particles, ///< where they are at one frame
+    Particles, ///< where they are, a file for every frame of a range
+    Volumes, ///< the smoke in cells, a file for every frame of a range
+    Air, ///< the velocities of the air, a file for every frame of a range
 };
 
-inline constexpr std::size_t kExportKinds = 6;
+inline constexpr std::size_t kExportKinds = 8;
 
-/// "sequence", "flipbook", "video", "picture", "noise" or "particles": what lists of jobs call it.
+/// "sequence", "flipbook", "video", "picture", "noise", "particles", "volumes" or "air": what lists of jobs call it.
 [[nodiscard]] std::string_view nameOf(ExportKind kind);
 
 /// Whether it shows the smoke.
 [[nodiscard]] bool isPicture(ExportKind kind);
 
+/// Whether its files have an ImageFormat.
+[[nodiscard]] bool isImage(ExportKind kind);
+
+/// Whether it has a file for every frame of a range.
+[[nodiscard]] bool isNumbered(ExportKind kind);
+
 /// All that decides what an export writes, but for the effect.
 struct ExportPlan {
     ExportKind kind = ExportKind::Sequence;
-    std::filesystem::path output; ///< of pictures: # stands for the frame number, a missing ending is added; else the file as it is named
-    FrameRange frames; ///< of one picture and of particles: the first
+    std::filesystem::path output; ///< of numbered files: # stands for the frame number, a missing ending is added; else the file as it is named
+    FrameRange frames; ///< of one picture: the first
     ImageFormat format = ImageFormat::Png8;
     VideoFormat video = VideoFormat::Mp4;
     ParticleFormat particles = ParticleFormat::Csv;
+    AirFormat air = AirFormat::Fga;
+    int cells = VolumeSequenceOptions().longest; ///< of volumes, along their longest edge, kMinVolumeCells to kMaxVolumeCells
+    std::optional<UpAxis> up; ///< of volumes, and of particles in a format that has no axes of its own; none: z for volumes, as Blender has it, else y
     int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
     int rows = 8;
     PassSet passes{Pass::Colour}; ///< of a flipbook, and of frames in EXR
@@ -80,7 +93,7 @@ struct ExportPlan {
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
 /// @param progress hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit of the camera looked at
 /// @return         the flipbook, where that is what was made
-/// @error          WouldOverwrite where a file that the plan names is the source; those of fitCamera(), renderSequence(), renderFlipbook(), bakeNoise() writeFileAtomically(), and OutOfMemory
+/// @error          WouldOverwrite where a file that the plan names is the source; those of fitCamera(), renderSequence(), renderFlipbook(), bakeNoise(), dumpSequence(), writeVolumes(), writeAir(), writeFileAtomically(), and OutOfMemory
 [[nodiscard]] Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
 
 /// The bytes of the one file of a plan, without writing it.

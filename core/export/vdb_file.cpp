@@ -357,7 +357,7 @@ Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, 
     }
     const SampledEffect smoke = sampled(effect);
     Simulator simulator(smoke);
-    return writeNumbered({options.output, options.frames, ".vdb", options.source, options.written}, progress, [&](int number) -> Result<std::string> {
+    return writeNumbered({options.output, options.frames, kVdbEnding, options.source, options.written}, progress, [&](int number) -> Result<std::string> {
         const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
         return frame ? Result<std::string>(encodeVdb(volumeOf(*frame.value(), smoke, options.longest), options.up)) : frame.error();
     });

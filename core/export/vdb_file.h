@@ -16,6 +16,9 @@ namespace fumage {
 /// @param up axis that points up: y, or z as Blender has it
 [[nodiscard]] std::string encodeVdb(const Volume& volume, UpAxis up);
 
+/// That of the files.
+inline constexpr std::string_view kVdbEnding = ".vdb";
+
 struct VolumeSequenceOptions {
     std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
     FrameRange frames;

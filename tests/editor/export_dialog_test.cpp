@@ -12,6 +12,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -19,9 +20,16 @@
 #include <QScrollBar>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QUndoStack>
 
 using namespace fumage;
 using namespace fumage::tests;
+
+namespace {
+
+constexpr int kEndMs = 60000; ///< what is done by then on a busy machine
+
+}
 
 class ExportDialogTest : public QObject {
     Q_OBJECT
@@ -232,7 +240,7 @@ private slots:
         child<QSpinBox>(u"export.columns"_q)->setValue(2);
         QCOMPARE(path->text(), u"mine"_q);
         m_dialog->setKind(ExportKind::Particles);
-        QVERIFY(path->text().endsWith(u"-particles.csv"_q));
+        QVERIFY(path->text().endsWith(u"_####.csv"_q));
     }
 
     void thePlanIsWhatTheFieldsSay()
@@ -246,7 +254,84 @@ private slots:
         QCOMPARE(plan.particles, ParticleFormat::Ply);
         QCOMPARE(plan.frames.first, 12);
         QCOMPARE(plan.output.string(), std::string("/tmp/a.b.ply"));
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"a.b_0099.ply"_q));
+        child<QSpinBox>(u"export.last"_q)->setValue(12);
         QCOMPARE(child<QLabel>(u"export.files"_q)->text(), u"a.b.ply"_q);
+    }
+
+    void volumesHaveCellsAndAnAxisThatPointsUp()
+    {
+        m_dialog->setKind(ExportKind::Volumes);
+        auto* cells = child<QSpinBox>(u"export.cells"_q);
+        auto* up = child<QComboBox>(u"export.up"_q);
+        QVERIFY(cells->isVisible() && up->isVisible() && !child<QSpinBox>(u"export.noiseSize"_q)->isVisible());
+        QVERIFY(m_dialog->plan().cells == VolumeSequenceOptions().longest && !m_dialog->plan().up);
+        cells->setValue(64);
+        up->setCurrentIndex(2);
+        typePath(u"v_##"_q);
+        const ExportPlan plan = m_dialog->plan();
+        QVERIFY(plan.kind == ExportKind::Volumes && plan.cells == 64 && plan.up == UpAxis::Z);
+        QCOMPARE(plan.output.string(), std::string("v_##.vdb"));
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"v_99.vdb"_q));
+        m_dialog->setKind(ExportKind::Particles);
+        QVERIFY(up->isVisible() && !cells->isVisible());
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(2); // Unity's has axes of its own
+        QVERIFY(!up->isVisible());
+    }
+
+    void airIsExportedOnlyWhereItCarriesTheSmoke()
+    {
+        m_document->edit(knownParameter("air.enabled"), false);
+        m_dialog->setKind(ExportKind::Air);
+        const auto* begin = child<QPushButton>(u"export.begin"_q);
+        QVERIFY(!begin->isEnabled());
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"No air"_q));
+        m_document->edit(knownParameter("air.enabled"), true);
+        QVERIFY(begin->isEnabled());
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
+        QCOMPARE(m_dialog->plan().air, AirFormat::Vf);
+        typePath(u"a.fga"_q);
+        QCOMPARE(m_dialog->plan().air, AirFormat::Fga);
+    }
+
+    void aSheetIsFoundForABudgetOfMemory()
+    {
+        auto* find = findableSheet();
+        const Effect before = m_document->effect();
+        const ExportPlan plain = m_dialog->plan();
+        find->click();
+        QCOMPARE(find->text(), u"Cancel"_q);
+        QTRY_VERIFY_WITH_TIMEOUT(find->text() == u"Find"_q, kEndMs);
+        const QString said = child<QLabel>(u"export.findSheet.state"_q)->text();
+        QVERIFY2(said.contains(u"dB"_q), qPrintable(said));
+        const ExportPlan plan = m_dialog->plan();
+        const Output cell = m_document->effect().output;
+        QVERIFY2(said.startsWith(u"%1 × %2 cells of %3 × %4 pixels"_q.arg(plan.columns).arg(plan.rows).arg(cell.width).arg(cell.height)), qPrintable(said));
+        QVERIFY(memoryOf(flipbookOf(plan), cell.width, cell.height).compressed <= 104'858 && cell.width < before.output.width);
+        // A larger budget is not bound by what the smaller one has left of the cells.
+        child<QDoubleSpinBox>(u"export.budget"_q)->setValue(100.0);
+        find->click();
+        QTRY_VERIFY_WITH_TIMEOUT(find->text() == u"Find"_q, kEndMs);
+        QCOMPARE(m_document->effect().output.width, before.output.width);
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->effect() == before);
+    }
+
+    void aSearchForASheetEndsWhereItsFlipbookBecomesAnother()
+    {
+        auto* find = findableSheet();
+        const auto* state = child<QLabel>(u"export.findSheet.state"_q);
+        for (const auto& change : {std::function<void()>([&] { find->click(); }), std::function<void()>([&] { m_document->edit(knownParameter("motion.gravity"), 1.0F); }),
+                 std::function<void()>([&] { child<QSpinBox>(u"export.last"_q)->setValue(60); }), std::function<void()>([&] { child<QToolButton>(u"export.more"_q)->click(); })}) {
+            find->click();
+            QCOMPARE(find->text(), u"Cancel"_q);
+            const Output before = m_document->effect().output;
+            change();
+            QCOMPARE(find->text(), u"Find"_q);
+            QVERIFY2(state->text().startsWith(u"Cancelled"_q), qPrintable(state->text()));
+            QVERIFY(m_document->effect().output == before);
+        }
     }
 
     void aVideoIsWhatItsNameSays()
@@ -277,8 +362,10 @@ private slots:
         QVERIFY(m_document->save(file).ok());
         m_dialog->setKind(ExportKind::Particles);
         typePath(file);
+        child<QSpinBox>(u"export.last"_q)->setValue(0);
         QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
-        QTRY_COMPARE(m_queue->at(0).state, ExportState::Failed);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->rowCount(), 1, kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->at(0).state, ExportState::Failed, kEndMs);
         QVERIFY(readPresetFile(file.toStdString()).ok());
     }
 
@@ -343,7 +430,8 @@ private slots:
     {
         typePath(u"/proc/nowhere/smoke.png"_q);
         QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
-        QTRY_COMPARE(m_queue->at(0).state, ExportState::Failed);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->rowCount(), 1, kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->at(0).state, ExportState::Failed, kEndMs);
         QVERIFY(child<QLabel>(u"export.state"_q)->isVisible());
         m_dialog->hide();
         m_dialog->show();
@@ -382,6 +470,24 @@ private slots:
     }
 
 private:
+    /// A flipbook of smoke that is simulated at once, with the button that looks for its sheet, for 0.1 MB.
+    QPushButton* findableSheet()
+    {
+        Effect effect;
+        effect.air.enabled = false;
+        effect.emitter.count = 300;
+        effect.noise.slices = 4;
+        effect.noise.resolution = 16;
+        effect.output.width = 192;
+        effect.output.height = 128;
+        m_document->replaceEffect(effect, u"small"_q);
+        m_dialog->setKind(ExportKind::Flipbook);
+        child<QToolButton>(u"export.more"_q)->click();
+        child<QSpinBox>(u"export.last"_q)->setValue(63);
+        child<QDoubleSpinBox>(u"export.budget"_q)->setValue(0.1);
+        return child<QPushButton>(u"export.findSheet"_q);
+    }
+
     void setWidth(int pixels) { m_document->edit(knownParameter("output.width"), pixels); }
 
     void typePath(const QString& text)

@@ -64,7 +64,11 @@ private slots:
         jobs[4].plan.noiseSize = 48;
         jobs[4].plan.noiseDepth = 0.3F;
         jobs[4].plan.format = ImageFormat::Tga;
-        jobs[5].plan.particles = ParticleFormat::Pcache;
+        jobs[5].plan.particles = ParticleFormat::Ply;
+        jobs[5].plan.up = UpAxis::Z;
+        jobs[6].plan.cells = 200;
+        jobs[6].plan.up = UpAxis::Y;
+        jobs[7].plan.air = AirFormat::Vf;
 
         for (ExportJob& job : jobs) {
             job.plan.output = withEnding(job.plan.output, fileEnding(job.plan));
@@ -92,7 +96,9 @@ private slots:
         QVERIFY(read[0].plan.format == ImageFormat::ExrFloat && read[0].plan.passes.has(Pass::Depth) && !read[0].plan.project);
         QVERIFY(read[2].plan.video == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
         QVERIFY(read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
-        QCOMPARE(read[5].plan.particles, ParticleFormat::Pcache);
+        QVERIFY(read[5].plan.particles == ParticleFormat::Ply && read[5].plan.up == UpAxis::Z);
+        QVERIFY(read[6].plan.cells == 200 && read[6].plan.up == UpAxis::Y && !read[6].plan.project);
+        QVERIFY(read[7].plan.air == AirFormat::Vf && !read[7].plan.up);
     }
 
     void aJobThatWasReadWritesTheSameFiles()
@@ -166,6 +172,9 @@ private slots:
         row("a path without end", listOf(R"("output": ")" + std::string(5000, 'a') + R"(")"), ErrorCode::TooLarge, "4096");
         row("kind", listOf(R"("output": "a.png", "kind": "flipbok")"), ErrorCode::UnknownName, "kind: \"flipbok\" is not known here. Choose among sequence, flipbook");
         row("format of another kind", listOf(R"("output": "a", "kind": "video", "format": "png")"), ErrorCode::UnknownName, "webm");
+        row("format of volumes", listOf(R"("output": "a", "kind": "volumes", "format": "png")"), ErrorCode::UnknownName, "Choose among vdb");
+        row("cells of volumes", listOf(R"("output": "a", "kind": "volumes", "cells": 4)"), ErrorCode::OutOfRange, "cells: expected a whole number from 8 to 256");
+        row("no axis", listOf(R"("output": "a", "kind": "volumes", "up": "x")"), ErrorCode::UnknownName, "Choose among y, z");
         row("frames", listOf(R"("output": "a", "frames": "0-2000000")"), ErrorCode::OutOfRange, "frames: ");
         row("columns", listOf(R"("output": "a", "columns": 65)"), ErrorCode::OutOfRange, "columns: expected a whole number from 1 to 64");
         row("half a row", listOf(R"("output": "a", "rows": 1.5)"), ErrorCode::OutOfRange, "rows: ");

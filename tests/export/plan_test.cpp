@@ -76,7 +76,9 @@ private slots:
         add("numbered picture", ExportKind::Picture, "a_###", {"a_003.png", "a_003.png"});
         add("noise", ExportKind::NoiseTexture, "n.png", {"n.png", "n.png"});
         add("noise as it is named", ExportKind::NoiseTexture, "n", {"n", "n"});
-        add("particles", ExportKind::Particles, "p.csv", {"p.csv", "p.csv"});
+        add("particles", ExportKind::Particles, "p_#.csv", {"p_3.csv", "p_7.csv", "p_5.csv"});
+        add("volumes without numbers and ending", ExportKind::Volumes, "v", {"v_0003.vdb", "v_0007.vdb", "v_0005.vdb"});
+        add("air", ExportKind::Air, "air_##.fga", {"air_03.fga", "air_07.fga", "air_05.fga"});
     }
     void aPlanNamesTheFilesThatItWrites()
     {
@@ -89,8 +91,13 @@ private slots:
         plan.rows = 1;
         QCOMPARE(firstFile(plan).string(), pathOf(files[0]));
         QCOMPARE(lastFile(plan).string(), pathOf(files[1]));
-        const Result<std::optional<Flipbook>> done = runExport(smallEffect(), plan, [](int, int) {});
-        QVERIFY(done.ok());
+        Effect effect = smallEffect();
+        if (plan.kind == ExportKind::Air) {
+            effect.air.enabled = true;
+            effect.air.resolution = 16;
+        }
+        const Result<std::optional<Flipbook>> done = runExport(effect, plan, [](int, int) {});
+        QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
         QCOMPARE(done.value().has_value(), plan.kind == ExportKind::Flipbook);
         files.removeDuplicates();
         files.sort();
@@ -210,18 +217,47 @@ private slots:
         const Effect effect = smallEffect();
         const auto frame = frameOf(effect, 6);
         ExportPlan plan = planFor(ExportKind::Particles, u"p.csv"_qs);
-        plan.frames = {6, 90, 1};
+        plan.frames = {6, 6, 1};
         QVERIFY(runExport(effect, plan, {}).ok());
         constexpr std::size_t kMost = 1U << 20U;
         QVERIFY(readFile(plan.output, kMost).value() == dumpCsv(*frame, sampled(effect)));
         plan.particles = ParticleFormat::Ply;
+        plan.output = pathOf(u"p.ply"_qs);
         QVERIFY(runExport(effect, plan, {}).ok());
         QVERIFY(readFile(plan.output, kMost).value() == dumpPly(*frame, sampled(effect)));
+        plan.up = UpAxis::Z;
+        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(readFile(plan.output, kMost).value() == dumpPly(*frame, sampled(effect), UpAxis::Z));
+    }
+
+    void exportedVolumesAreThoseOfTheFrame()
+    {
+        const Effect effect = smallEffect();
+        ExportPlan plan = planFor(ExportKind::Volumes, u"v.vdb"_qs);
+        plan.frames = {6, 6, 1};
+        plan.cells = 16;
+        const auto bytes = [&](UpAxis up) { return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 16), up); };
+        constexpr std::size_t kMost = 1U << 24U;
+        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(readFile(plan.output, kMost).value() == bytes(UpAxis::Z));
+        plan.up = UpAxis::Y;
+        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(readFile(plan.output, kMost).value() == bytes(UpAxis::Y));
+        plan.cells = kMaxVolumeCells + 1;
+        QCOMPARE(runExport(effect, plan, {}).error().code, ErrorCode::OutOfRange);
+    }
+
+    void airIsExportedOnlyOfSmokeThatItCarries()
+    {
+        const auto done = runExport(smallEffect(), planFor(ExportKind::Air, u"a.fga"_qs), {});
+        QVERIFY(!done.ok());
+        QCOMPARE(done.error().code, ErrorCode::OutOfRange);
+        QVERIFY(QDir(m_folder->path()).isEmpty());
     }
 
     void thePresetIsNeverOverwritten()
     {
-        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles}) {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
             ExportPlan plan = planFor(kind, u"a.png"_qs);
             plan.frames = {3, 5, 1};
             plan.columns = 3;
@@ -240,7 +276,7 @@ private slots:
 
     void bytesAreThoseOfTheFile()
     {
-        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles}) {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Picture, ExportKind::NoiseTexture}) {
             ExportPlan plan = planFor(kind, u"a.png"_qs);
             plan.frames = {3, 3, 1};
             QVERIFY(runExport(smallEffect(), plan, [](int, int) {}).ok());
@@ -252,6 +288,9 @@ private slots:
         ExportPlan several = planFor(ExportKind::Sequence, u"a.png"_qs);
         several.frames = {3, 4, 1};
         QCOMPARE(exportBytes(smallEffect(), several).error().code, ErrorCode::OutOfRange);
+        for (const ExportKind kind : {ExportKind::Particles, ExportKind::Volumes, ExportKind::Air}) {
+            QCOMPARE(exportBytes(smallEffect(), planFor(kind, u"a"_qs)).error().code, ErrorCode::OutOfRange);
+        }
     }
 
     void namesOfOutputsMayBeGivenInManyWays()
@@ -278,7 +317,7 @@ private slots:
     {
         std::stop_source stop;
         stop.request_stop();
-        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles}) {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
             ExportPlan plan = planFor(kind, u"a"_qs);
             plan.frames = {5, 100, 1};
             const auto done = runExport(

@@ -32,34 +32,55 @@ std::filesystem::path withNextNumber(const std::filesystem::path& path)
     return path.parent_path() / (withNextNumber(name.substr(0, end)) + name.substr(end));
 }
 
-} // namespace
-
-QStringList filesThere(const ExportPlan& plan)
+/// The files of a plan that are there already: how many, and the first.
+std::pair<int, std::filesystem::path> filesThere(const ExportPlan& plan)
 {
-    QStringList there;
+    std::pair<int, std::filesystem::path> there;
     for (const std::filesystem::path& file : filesOf(plan)) {
-        if (std::error_code unknown; std::filesystem::exists(file, unknown)) {
-            there += fromPath(file);
+        if (std::error_code unknown; std::filesystem::exists(file, unknown) && there.first++ == 0) {
+            there.second = file;
         }
     }
     return there;
+}
+
+} // namespace
+
+JobFiles filesOf(const ExportJobs& jobs)
+{
+    JobFiles files;
+    for (const std::shared_ptr<const ExportJob>& job : jobs) {
+        static_cast<void>(files.add(*job));
+    }
+    return files;
 }
 
 ExportPlan numberedOn(ExportPlan plan, const JobFiles& others)
 {
     do {
         plan.output = withNextNumber(plan.output);
-    } while (!filesThere(plan).isEmpty() || !others.check({{}, {}, plan}));
+    } while (filesThere(plan).first > 0 || !others.check({{}, {}, plan}));
     return plan;
+}
+
+ExportClash findClash(const ExportPlan& plan, const ExportJobs& others)
+{
+    const JobFiles written = filesOf(others);
+    const auto [there, first] = filesThere(plan);
+    ExportClash clash{written.check({plan.output.filename().string(), {}, plan}), there, toQString(first.string()), plan};
+    if (!clash.isNone()) {
+        clash.free = numberedOn(plan, written);
+    }
+    return clash;
 }
 
 namespace {
 
-OnClash askAboutFiles(QWidget* parent, const AskForChoice& ask, const QStringList& there)
+OnClash askAboutFiles(QWidget* parent, const AskForChoice& ask, const ExportClash& clash)
 {
-    const QString first = QDir::toNativeSeparators(there.constFirst());
-    const QString text = there.size() == 1 ? ExportDialog::tr("There is a file %1 already.").arg(first)
-                                           : ExportDialog::tr("%1 of the files are there already; the first is %2.").arg(there.size()).arg(first);
+    const QString first = QDir::toNativeSeparators(clash.first);
+    const QString text = clash.there == 1 ? ExportDialog::tr("There is a file %1 already.").arg(first)
+                                          : ExportDialog::tr("%1 of the files are there already; the first is %2.").arg(clash.there).arg(first);
     const int answer = ask(parent,
         {.name = QStringLiteral("exportClashBox"),
             .title = ExportDialog::tr("Export"),
@@ -82,22 +103,19 @@ OnClash askAboutQueue(QWidget* parent, const AskForChoice& ask, const Error& cla
 
 } // namespace
 
-std::optional<ExportPlan> settled(QWidget* parent, const AskForChoice& ask, const ExportQueue& queue, const ExportPlan& plan, std::optional<OnClash>& answered)
+std::optional<ExportPlan> settled(QWidget* parent, const AskForChoice& ask, const ExportClash& clash, const ExportPlan& plan, std::optional<OnClash>& answered)
 {
-    const JobFiles queued = queue.files();
-    const Status apart = queued.check({plan.output.filename().string(), {}, plan});
-    const QStringList there = filesThere(plan);
-    if (apart && there.isEmpty()) {
+    if (clash.isNone()) {
         return plan;
     }
-    if (!apart && answered != OnClash::NumberOn) {
-        answered = askAboutQueue(parent, ask, apart.error());
+    if (!clash.apart && answered != OnClash::NumberOn) {
+        answered = askAboutQueue(parent, ask, clash.apart.error());
     } else if (!answered) {
-        answered = askAboutFiles(parent, ask, there);
+        answered = askAboutFiles(parent, ask, clash);
     }
     switch (*answered) {
     case OnClash::Overwrite: return plan;
-    case OnClash::NumberOn: return numberedOn(plan, queued);
+    case OnClash::NumberOn: return clash.free;
     case OnClash::Cancel: answered.reset(); break;
     }
     return std::nullopt;

@@ -1,7 +1,7 @@
 #include "ui/export/export_dialog.h"
 
 #include "ui/document/text.h"
-#include "ui/export/export_clash.h"
+#include "ui/export/data_choices.h"
 #include "ui/export/export_formats.h"
 #include "ui/export/export_progress.h"
 #include "ui/export/export_summary.h"
@@ -13,7 +13,6 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
-#include "core/noise/texture.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +56,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_locks(locks)
     , m_queue(queue)
     , m_askForFile(std::move(askForFile))
-    , m_askForChoice(std::move(askForChoice))
+    , m_entry(queue, std::move(askForChoice), this)
     , m_kind(new QComboBox(this))
     , m_format(new QComboBox(this))
     , m_scroll(new QScrollArea(this))
@@ -65,7 +64,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_first(makeNumberBox(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame, this))
     , m_last(makeNumberBox(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame, this))
     , m_step(makeNumberBox(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame, this))
-    , m_noiseSize(makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
+    , m_data(new DataChoices(this))
     , m_flipbook(new FlipbookChoices(this))
     , m_preview(new PreviewPane(this))
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
@@ -105,10 +104,14 @@ void ExportDialog::connectPlan()
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followFormat);
     connect(m_path, &QLineEdit::textEdited, this, &ExportDialog::takePath);
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::followPlan);
-    for (QSpinBox* field : {m_first, m_last, m_step, m_noiseSize}) {
+    for (QSpinBox* field : {m_first, m_last, m_step}) {
         connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
     }
+    connect(m_data, &DataChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
+    connect(m_flipbook, &FlipbookChoices::cellsChosen, this, [this](int width, int height) {
+        m_document.edit({{&knownParameter("output.width"), width}, {&knownParameter("output.height"), height}}, tr("Size of cells"));
+    });
     connect(m_flipbook, &FlipbookChoices::resized, this, &ExportDialog::fitScreen);
     connect(m_preview, &PreviewPane::resized, this, &ExportDialog::fitScreen);
     connect(&m_document, &Document::effectChanged, this, &ExportDialog::followPlan);
@@ -149,9 +152,7 @@ void ExportDialog::buildForm()
     m_carries->setToolTip(tr("Fumage then opens a picture as the preset that it was made of, at its frame"));
     m_carries->setChecked(true);
     form->addRow(QString(), m_carries);
-    m_noiseSize->setSpecialValueText(tr("as in the effect"));
-    m_noiseSize->setSuffix(tr(" pixels"));
-    m_noiseSizeLabel = form->add(tr("Size"), m_noiseSize);
+    form->addRow(m_data);
     auto* content = new QWidget;
     auto* box = new QVBoxLayout(content);
     box->setContentsMargins({});
@@ -203,6 +204,9 @@ void ExportDialog::buildProgress()
 void ExportDialog::connectButtons()
 {
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::begin);
+    connect(&m_entry, &ExportEntry::entered, this, &ExportDialog::followEntered);
+    connect(&m_entry, &ExportEntry::refused, m_progress, &ExportProgress::say);
+    connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::followPlan);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
     connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
@@ -228,11 +232,13 @@ ExportPlan ExportDialog::plan() const
         plan.project = m_document.preset();
     }
     plan.source = toPath(m_document.filePath());
-    plan.noiseSize = m_noiseSize->value();
+    m_data->applyTo(plan);
     const int format = std::max(0, m_format->currentIndex());
     switch (kind()) {
     case ExportKind::Particles: plan.particles = static_cast<ParticleFormat>(format); break;
     case ExportKind::Video: plan.video = static_cast<VideoFormat>(format); break;
+    case ExportKind::Air: plan.air = static_cast<AirFormat>(format); break;
+    case ExportKind::Volumes: break; // there is one
     default: plan.format = static_cast<ImageFormat>(format); break;
     }
     if (kind() == ExportKind::Flipbook) {
@@ -249,7 +255,7 @@ void ExportDialog::followKind()
     const QSignalBlocker blocker(m_format);
     m_format->clear();
     m_format->addItems(formatsOf(kind()));
-    if (kind() != ExportKind::Particles && kind() != ExportKind::Video) {
+    if (isImage(kind())) {
         m_format->setCurrentIndex(m_imageFormat);
     }
     m_pathIsSuggested = true;
@@ -261,7 +267,7 @@ void ExportDialog::followKind()
 
 void ExportDialog::followFormat()
 {
-    if (kind() != ExportKind::Particles && kind() != ExportKind::Video) {
+    if (isImage(kind())) {
         m_imageFormat = m_format->currentIndex();
     }
     const QString path = withEndingOf(plan(), m_path->text());
@@ -296,13 +302,12 @@ void ExportDialog::followPlan()
         row->setVisible(picture && (isBehind || fumage::isVisible(row->parameter(), m_document.effect())));
     }
     m_first->setEnabled(kind() != ExportKind::NoiseTexture);
-    const bool many = picture && kind() != ExportKind::Picture;
+    const bool many = isNumbered(kind()) || kind() == ExportKind::Flipbook || kind() == ExportKind::Video;
     m_last->setEnabled(many);
     m_step->setEnabled(many);
     m_flipbook->setVisible(kind() == ExportKind::Flipbook);
     m_flipbook->follow(m_document.effect());
-    m_noiseSize->setVisible(kind() == ExportKind::NoiseTexture);
-    m_noiseSizeLabel->setVisible(kind() == ExportKind::NoiseTexture);
+    m_data->follow(plan());
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
         m_path->setText(suggestedPath(plan(), m_document));
@@ -311,9 +316,10 @@ void ExportDialog::followPlan()
     m_files->setText(summaryOf(now, m_document.effect()));
     m_preview->setVisible(kind() == ExportKind::Flipbook);
     if (kind() == ExportKind::Flipbook) {
+        m_flipbook->followPlan(m_document.effect(), now);
         m_preview->follow(m_document.effect(), now);
     }
-    m_export->setEnabled(isPossible(now, m_document.effect()));
+    m_export->setEnabled(!m_entry.isBusy() && isPossible(now, m_document.effect()));
 }
 
 void ExportDialog::followProgress()
@@ -325,22 +331,18 @@ void ExportDialog::followProgress()
 
 void ExportDialog::begin()
 {
-    std::optional<OnClash> answered;
-    const std::optional<ExportPlan> wanted = settled(this, m_askForChoice, m_queue, plan(), answered);
-    if (!wanted) {
-        return;
-    }
+    m_entry.enter({m_document.displayName().toStdString(), m_document.preset(), plan()});
+    followPlan();
+}
+
+void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::optional<OnClash> answered)
+{
     if (answered == OnClash::NumberOn) {
         m_pathIsSuggested = false;
-        m_path->setText(fromPath(wanted->output));
+        m_path->setText(fromPath(plan.output));
     }
-    const Result<quint64> id = m_queue.add({m_document.displayName().toStdString(), m_document.preset(), *wanted});
-    if (!id) {
-        m_progress->say(told(id.error()));
-        return;
-    }
-    m_progress->follow(id.value());
-    emit added(*wanted);
+    m_progress->follow(id);
+    emit added(plan);
 }
 
 void ExportDialog::browse()

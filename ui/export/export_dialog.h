@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
-#include "ui/export/export_queue.h"
+#include "ui/export/export_entry.h"
 #include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
@@ -22,6 +22,7 @@ class QSpinBox;
 
 namespace fumage::ui {
 
+class DataChoices;
 class ExportProgress;
 class FlipbookChoices;
 class PreviewPane;
@@ -64,6 +65,8 @@ private:
     void followPlan();
     void followProgress();
     void begin();
+    /// It is in the queue.
+    void followEntered(quint64 id, const ExportPlan& plan, std::optional<OnClash> answered);
     void browse();
     void showInFolder();
     [[nodiscard]] ExportKind kind() const;
@@ -73,7 +76,7 @@ private:
     Locks& m_locks;
     ExportQueue& m_queue;
     const AskForFile m_askForFile;
-    const AskForChoice m_askForChoice;
+    ExportEntry m_entry;
     QComboBox* m_kind;
     QComboBox* m_format;
     QScrollArea* m_scroll; ///< a small screen may not hold it all
@@ -81,12 +84,11 @@ private:
     QSpinBox* m_first;
     QSpinBox* m_last;
     QSpinBox* m_step;
-    QSpinBox* m_noiseSize; ///< 0: the effect's own
+    DataChoices* m_data;
     FlipbookChoices* m_flipbook;
     PreviewPane* m_preview;
     QCheckBox* m_fit;
     QCheckBox* m_carries; ///< whether pictures carry the preset
-    QLabel* m_noiseSizeLabel = nullptr;
     QLabel* m_files;
     ExportProgress* m_progress;
     QPushButton* m_export;

@@ -30,6 +30,8 @@ QString kindName(ExportKind kind)
     case ExportKind::Picture: return ExportDialog::tr("Single picture");
     case ExportKind::NoiseTexture: return ExportDialog::tr("Noise texture");
     case ExportKind::Particles: return ExportDialog::tr("Particles");
+    case ExportKind::Volumes: return ExportDialog::tr("Volumes");
+    case ExportKind::Air: return ExportDialog::tr("Air as a vector field");
     }
     return {};
 }
@@ -38,6 +40,8 @@ QStringList formatsOf(ExportKind kind)
 {
     switch (kind) {
     case ExportKind::Particles: return {ExportDialog::tr("CSV, one particle a line"), ExportDialog::tr("PLY, binary points"), ExportDialog::tr("Point cache for Unity, binary")};
+    case ExportKind::Volumes: return {ExportDialog::tr("OpenVDB, half floats")};
+    case ExportKind::Air: return {ExportDialog::tr("FGA for Unreal"), ExportDialog::tr("Volume File for Unity")};
     case ExportKind::Video:
         return {ExportDialog::tr("MP4 (H.264), on the background colour"), ExportDialog::tr("WebM (VP9), transparent"), ExportDialog::tr("QuickTime (ProRes 4444), transparent"),
             ExportDialog::tr("GIF, on the background colour"), ExportDialog::tr("APNG, transparent")};
@@ -51,6 +55,8 @@ std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
     const std::string ending = endingOf(toPath(path));
     switch (kind) {
     case ExportKind::Particles: return withEnding(ending, kAllParticleFormats);
+    case ExportKind::Volumes: return ending == kVdbEnding ? std::optional(0) : std::nullopt;
+    case ExportKind::Air: return withEnding(ending, kAllAirFormats);
     case ExportKind::Video: return withEnding(ending, kAllVideoFormats);
     default: return withEnding(ending, std::array{ImageFormat::Png8, ImageFormat::ExrHalf, ImageFormat::Tga});
     }
@@ -58,7 +64,8 @@ std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 
 QString withEndingOf(const ExportPlan& plan, const QString& path)
 {
-    if (!formatNamedBy(path, ExportKind::Picture) && !formatNamedBy(path, ExportKind::Particles) && !formatNamedBy(path, ExportKind::Video)) {
+    constexpr std::array kWithFormats{ExportKind::Picture, ExportKind::Particles, ExportKind::Volumes, ExportKind::Air, ExportKind::Video};
+    if (std::ranges::none_of(kWithFormats, [&](ExportKind kind) { return formatNamedBy(path, kind).has_value(); })) {
         return path;
     }
     return path.left(path.lastIndexOf(QLatin1Char('.'))) + toQString(fileEnding(plan));

@@ -1,6 +1,7 @@
 #include "ui/export/export_queue.h"
 
 #include "ui/document/text.h"
+#include "ui/export/export_clash.h"
 #include "ui/export/export_formats.h"
 
 #include <algorithm>
@@ -163,26 +164,26 @@ int ExportQueue::held() const
     return static_cast<int>(std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Held; }));
 }
 
-JobFiles ExportQueue::files() const
-{
-    JobFiles files;
-    for (const QueuedExport& one : m_exports) {
-        if (one.isActive()) {
-            static_cast<void>(files.add(*one.job)); // they leave one another alone: that was seen to when they were added
-        }
-    }
-    return files;
-}
-
-ExportJobs ExportQueue::unfinishedJobs() const
+template <class IsMeant>
+ExportJobs ExportQueue::jobsThat(const IsMeant& areMeant) const
 {
     ExportJobs jobs;
     for (const QueuedExport& one : m_exports) {
-        if (one.isUnfinished()) {
+        if (areMeant(one)) {
             jobs.push_back(one.job);
         }
     }
     return jobs;
+}
+
+ExportJobs ExportQueue::activeJobs() const
+{
+    return jobsThat([](const QueuedExport& one) { return one.isActive(); });
+}
+
+ExportJobs ExportQueue::unfinishedJobs() const
+{
+    return jobsThat([](const QueuedExport& one) { return one.isUnfinished(); });
 }
 
 // --- what people do with it ----------------------------------------------------------------------------------------------
@@ -220,7 +221,7 @@ void ExportQueue::start(int row)
     if (state != ExportState::Held && state != ExportState::Failed && state != ExportState::Cancelled) {
         return;
     }
-    if (const Status apart = files().add(*at(row).job); apart) {
+    if (const Status apart = filesOf(activeJobs()).check(*at(row).job); apart) {
         setState(row, ExportState::Waiting);
     } else {
         setState(row, ExportState::Failed, fumage::ui::told(apart.error()));

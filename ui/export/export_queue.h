@@ -70,8 +70,8 @@ public:
     [[nodiscard]] int held() const;
     /// Those that are waiting, running or held.
     [[nodiscard]] ExportJobs unfinishedJobs() const;
-    /// The files that are written by those that are waiting or running.
-    [[nodiscard]] JobFiles files() const;
+    /// Those that are waiting or running.
+    [[nodiscard]] ExportJobs activeJobs() const;
 
     /// Puts an export at the end, and starts it where none runs.
     /// @return its id
@@ -106,6 +106,8 @@ signals:
 private:
     /// That of the one that runs; less than 0: none.
     [[nodiscard]] int running() const;
+    template <class IsMeant>
+    [[nodiscard]] ExportJobs jobsThat(const IsMeant& areMeant) const;
     template <class IsMeant>
     void removeAll(const IsMeant& isMeant);
     void forgetOldest();

@@ -9,6 +9,9 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QStandardPaths>
+
+#include <tuple>
+
 namespace fumage::ui {
 
 namespace {
@@ -41,7 +44,8 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
 bool isPossible(const ExportPlan& plan, const Effect& effect)
 {
     const bool flipbook = plan.kind != ExportKind::Flipbook || (plan.frames.count() >= plan.columns * plan.rows && checkFlipbook(plan, effect).ok());
-    return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook;
+    const bool carried = plan.kind != ExportKind::Air || effect.air.enabled;
+    return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook && carried;
 }
 
 QString summaryOf(const ExportPlan& plan, const Effect& effect)
@@ -54,11 +58,14 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
             return told(status.error());
         }
     }
+    if (plan.kind == ExportKind::Air && !effect.air.enabled) {
+        return ExportDialog::tr("No air carries this smoke: switch it on in the group Air.");
+    }
     if (!isPossible(plan, effect)) {
         return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
     QString first = fromPath(firstFile(plan).filename());
-    if (plan.kind == ExportKind::Sequence) {
+    if (isNumbered(plan.kind) && plan.frames.count() > 1) {
         return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, fromPath(lastFile(plan).filename()));
     }
     const Output& output = effect.output;
@@ -72,6 +79,14 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
     return first;
 }
 
+bool haveSameCells(const ExportPlan& a, const ExportPlan& b)
+{
+    const auto told = [](const ExportPlan& plan) {
+        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format, plan.fitCamera, plan.powerOfTwo, plan.trim, plan.retime, plan.passes.has(Pass::Motion));
+    };
+    return told(a) == told(b);
+}
+
 QString suggestedPath(const ExportPlan& plan, const Document& document)
 {
     const QString folder = document.filePath().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) : QFileInfo(document.filePath()).path();
@@ -82,7 +97,9 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
     case ExportKind::Video:
     case ExportKind::Picture: break;
     case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;
-    case ExportKind::Particles: name += QStringLiteral("-particles"); break;
+    case ExportKind::Particles: name += QStringLiteral("-particles/") + name + QStringLiteral("_####"); break;
+    case ExportKind::Volumes: name += QStringLiteral("-volumes/") + name + QStringLiteral("_####"); break;
+    case ExportKind::Air: name += QStringLiteral("-air/") + name + QStringLiteral("_####"); break;
     }
     return QDir(folder).filePath(name) + toQString(fileEnding(plan));
 }

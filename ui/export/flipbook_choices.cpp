@@ -63,6 +63,7 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     connect(m_motion, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_columns, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
     connect(m_rows, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
+    connect(m_extras, &FlipbookExtras::sheetChosen, this, &FlipbookChoices::take);
     connect(m_extras, &FlipbookExtras::changed, this, &FlipbookChoices::changed);
     connect(m_extras, &FlipbookExtras::resized, this, &FlipbookChoices::resized);
 }
@@ -101,9 +102,26 @@ void FlipbookChoices::applyTo(ExportPlan& plan) const
     m_extras->applyTo(plan);
 }
 
+void FlipbookChoices::take(const SheetCandidate& sheet)
+{
+    {
+        const QSignalBlocker columns(m_columns);
+        const QSignalBlocker rows(m_rows);
+        m_columns->setValue(sheet.columns);
+        m_rows->setValue(sheet.rows);
+    }
+    emit cellsChosen(sheet.width, sheet.height);
+    emit changed();
+}
+
 void FlipbookChoices::follow(const Effect& effect)
 {
     m_extras->follow(effect);
+}
+
+void FlipbookChoices::followPlan(const Effect& effect, const ExportPlan& plan)
+{
+    m_extras->followPlan(effect, plan);
 }
 
 } // namespace fumage::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/plan.h"
+#include "core/export/sheet_choice.h"
 
 #include <QWidget>
 
@@ -21,16 +21,21 @@ public:
 
     /// What cannot be chosen for this effect is out of reach.
     void follow(const Effect& effect);
+    /// What is to be written, applyTo() included: a search for a sheet begins with it.
+    void followPlan(const Effect& effect, const ExportPlan& plan);
     /// Writes them into a plan, whose format says how light is stored.
     void applyTo(ExportPlan& plan) const;
 
 signals:
     void changed();
+    /// The cells are to have another size, pixels.
+    void cellsChosen(int width, int height);
     /// It takes more room, or less.
     void resized();
 
 private:
     void followEngine();
+    void take(const SheetCandidate& sheet);
     [[nodiscard]] Engine engine() const;
 
     QComboBox* m_engine;

@@ -1,6 +1,7 @@
 #include "ui/export/flipbook_extras.h"
 
 #include "ui/export/pack_row.h"
+#include "ui/export/sheet_finder.h"
 #include "ui/panels/curve_editor.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ FlipbookExtras::FlipbookExtras(QWidget* parent)
     , m_powerOfTwo(new QCheckBox(tr("Sides that are powers of two"), this))
     , m_retimes(new QCheckBox(tr("Choose the frames by a curve"), this))
     , m_curve(new CurveArea(this))
+    , m_finder(new SheetFinder(this))
     , m_add(new QPushButton(tr("Add a packed picture"), this))
 {
     m_more->setObjectName(QStringLiteral("export.more"));
@@ -46,6 +48,8 @@ FlipbookExtras::FlipbookExtras(QWidget* parent)
     connect(m_powerOfTwo, &QCheckBox::toggled, this, &FlipbookExtras::changed);
     connect(m_curve, &CurveArea::changed, this, &FlipbookExtras::changed);
     connect(m_add, &QPushButton::clicked, this, &FlipbookExtras::addPack);
+    connect(m_finder, &SheetFinder::chosen, this, &FlipbookExtras::sheetChosen);
+    connect(m_finder, &SheetFinder::resized, this, &FlipbookExtras::resized);
     connect(m_retimes, &QCheckBox::toggled, this, [this](bool on) {
         m_curve->setVisible(on);
         emit changed();
@@ -61,6 +65,7 @@ void FlipbookExtras::build()
     content->addWidget(m_powerOfTwo);
     content->addWidget(m_retimes);
     content->addWidget(m_curve);
+    content->addWidget(m_finder);
     m_list = new QVBoxLayout;
     m_list->setSpacing(8);
     content->addLayout(m_list);
@@ -99,6 +104,11 @@ void FlipbookExtras::removePack(PackRow* row)
     m_add->setEnabled(true);
     emit changed();
     emit resized();
+}
+
+void FlipbookExtras::followPlan(const Effect& effect, const ExportPlan& plan)
+{
+    m_finder->follow(effect, plan);
 }
 
 void FlipbookExtras::follow(const Effect& effect)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/plan.h"
+#include "core/export/sheet_choice.h"
 
 #include <QWidget>
 
@@ -15,8 +15,9 @@ namespace fumage::ui {
 
 class CurveArea;
 class PackRow;
+class SheetFinder;
 
-/// What few flipbooks are asked, folded away: which frames they show, sides of powers of two, and packed pictures.
+/// What few flipbooks are asked, folded away: which frames they show, sides of powers of two, a budget of memory, and packed pictures.
 class FlipbookExtras : public QWidget {
     Q_OBJECT
 
@@ -25,11 +26,15 @@ public:
 
     /// A loop has no frames to leave out.
     void follow(const Effect& effect);
+    /// What is to be written, applyTo() included: a search for a sheet begins with it.
+    void followPlan(const Effect& effect, const ExportPlan& plan);
     /// Writes them into a plan, whether they are folded away or not.
     void applyTo(ExportPlan& plan) const;
 
 signals:
     void changed();
+    /// Found for a budget of memory.
+    void sheetChosen(const fumage::SheetCandidate& sheet);
     /// It takes more room, or less.
     void resized();
 
@@ -46,6 +51,7 @@ private:
     QCheckBox* m_powerOfTwo;
     QCheckBox* m_retimes;
     CurveArea* m_curve;
+    SheetFinder* m_finder;
     QVBoxLayout* m_list = nullptr; ///< of packed pictures
     QPushButton* m_add;
     std::vector<PackRow*> m_packs;

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/export/sheet_preview.h"
-#include "ui/work/latest_job.h"
+#include "ui/work/answer_job.h"
 
-#include <QObject>
 #include <QString>
 
 #include <memory>
@@ -19,7 +18,7 @@ public:
 
     void start(const Effect& effect, const ExportPlan& plan);
     /// Nothing more comes of what was asked for.
-    void stop();
+    void stop() { m_job.forget(); }
 
 signals:
     void progressed(int percent);
@@ -27,14 +26,7 @@ signals:
     void failed(const QString& message);
 
 private:
-    struct Request {
-        quint64 number = 0;
-        std::optional<std::pair<Effect, ExportPlan>> flipbook; ///< nothing: rest
-    };
-    void make(const Request& request, const std::stop_token& stop);
-
-    quint64 m_number = 0; ///< of what was asked for last
-    LatestJob<Request> m_job;
+    AnswerJob m_job;
 };
 
 } // namespace fumage::ui

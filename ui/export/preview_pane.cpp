@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 
 #include <cmath>
-#include <tuple>
 
 namespace fumage::ui {
 
@@ -20,15 +19,6 @@ namespace {
 
 constexpr int kTick = 33; ///< ms between two pictures
 constexpr int kSettle = 400; ///< ms
-
-/// Whether two plans make the same cells.
-bool haveSameCells(const ExportPlan& a, const ExportPlan& b)
-{
-    const auto told = [](const ExportPlan& plan) {
-        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format, plan.fitCamera, plan.powerOfTwo, plan.trim, plan.retime, plan.passes.has(Pass::Motion));
-    };
-    return told(a) == told(b);
-}
 
 } // namespace
 

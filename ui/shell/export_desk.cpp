@@ -31,10 +31,17 @@ ExportDesk::ExportDesk(ExportQueue& queue, Document& document, Player& player, L
     , m_askForFile(askForFile)
     , m_askForChoice(askForChoice)
     , m_window(window)
+    , m_again(queue, askForChoice, window)
 {
     actions.on("file.export", this, [this] { openDialog(); });
     actions.on("file.exportAgain", this, &ExportDesk::exportLastAgain);
     connect(&queue, &ExportQueue::changed, this, &ExportDesk::tell);
+    connect(&m_again, &ExportEntry::refused, this, [this](const QString& message) { emit news(message, 0); });
+    connect(&m_again, &ExportEntry::entered, this, [this](quint64, const ExportPlan& plan, std::optional<OnClash> answered) {
+        m_againOnClash = answered;
+        m_last = plan;
+        emit added();
+    });
     connect(&queue, &ExportQueue::notKept, this, [this](const QString& message) { emit news(tr("The queue of exports cannot be kept safe: %1").arg(message), 0); });
 }
 
@@ -71,18 +78,9 @@ void ExportDesk::exportLastAgain()
 
 void ExportDesk::exportAgain(const ExportPlan& plan)
 {
-    std::optional<ExportPlan> wanted = settled(m_window, m_askForChoice, m_queue, plan, m_againOnClash);
-    if (!wanted) {
-        return;
-    }
-    wanted->source = toPath(m_document.filePath());
-    const Result<quint64> id = m_queue.add({m_document.displayName().toStdString(), m_document.preset(), *wanted});
-    if (!id) {
-        emit news(told(id.error()), 0);
-        return;
-    }
-    m_last = std::move(wanted);
-    emit added();
+    ExportJob job{m_document.displayName().toStdString(), m_document.preset(), plan};
+    job.plan.source = toPath(m_document.filePath());
+    m_again.enter(std::move(job), m_againOnClash);
 }
 
 void ExportDesk::tell(quint64 id)

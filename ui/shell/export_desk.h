@@ -2,8 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
-#include "ui/export/export_clash.h"
-#include "ui/export/export_queue.h"
+#include "ui/export/export_entry.h"
 #include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/timeline/player.h"
@@ -53,6 +52,7 @@ private:
     QWidget* m_window;
     std::optional<ExportPlan> m_last; ///< that was added to the queue
     std::optional<OnClash> m_againOnClash; ///< what was answered last time, until the dialog is seen
+    ExportEntry m_again;
     std::unique_ptr<ExportDialog> m_dialog; ///< null until it is asked for
 };
 

@@ -1,0 +1,32 @@
+#include "ui/export/sheet_search.h"
+
+#include "ui/document/text.h"
+
+#include "core/base/parallel.h"
+
+namespace fumage::ui {
+
+SheetSearch::SheetSearch(QObject* parent)
+    : QObject(parent)
+{
+}
+
+void SheetSearch::start(const Effect& effect, const ExportPlan& plan, std::int64_t budget)
+{
+    m_job.ask([this, effect, plan, budget](const AnswerJob::Tell& tell, const std::stop_token& stop) {
+        const auto report = [&](Work part, int done, int total) {
+            if (part == Work::Frames) {
+                tell([this, share = static_cast<double>(done) / total] { emit progressed(share); });
+            }
+        };
+        Result<std::vector<SheetCandidate>> rated = std::vector<SheetCandidate>();
+        runBehindOthers([&] { rated = rateSheets(effect, plan, budget, report, stop); });
+        if (rated) {
+            tell([this, best = bestOf(rated.value())] { emit found(best); });
+        } else if (rated.error().code != ErrorCode::Cancelled) {
+            tell([this, message = told(rated.error())] { emit failed(message); });
+        }
+    });
+}
+
+} // namespace fumage::ui
