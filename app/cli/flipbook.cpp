@@ -4,6 +4,7 @@
 #include "app/cli/picture_options.h"
 
 #include "core/base/text.h"
+#include "core/export/cell_frames.h"
 
 #include <iomanip>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "core/export/flipbook_description.h"
 
 #include "core/base/text.h"
+#include "core/export/cell_frames.h"
 
 #include <nlohmann/json.hpp>
 

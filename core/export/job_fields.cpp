@@ -1,6 +1,7 @@
 #include "core/export/job_fields.h"
 
 #include "core/base/text.h"
+#include "core/export/cell_frames.h"
 #include "core/export/job_file.h"
 #include "core/noise/texture.h"
 

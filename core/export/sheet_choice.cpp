@@ -2,6 +2,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
+#include "core/export/cell_frames.h"
 #include "core/export/difference.h"
 #include "core/export/sheet.h"
 #include "core/export/sheet_playback.h"

@@ -1,6 +1,7 @@
 #include "core/export/sheet_preview.h"
 
 #include "core/base/memory.h"
+#include "core/export/cell_frames.h"
 #include "core/export/sheet.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/view_transform.h"

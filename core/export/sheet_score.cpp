@@ -1,6 +1,7 @@
 #include "core/export/sheet_score.h"
 
 #include "core/base/math.h"
+#include "core/export/cell_frames.h"
 #include "core/export/difference.h"
 #include "core/export/sheet.h"
 #include "core/export/sheet_playback.h"

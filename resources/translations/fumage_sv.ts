@@ -328,6 +328,53 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::DataChoices</name>
+    <message>
+        <source>Size of the noise texture</source>
+        <translation>Brustexturens storlek</translation>
+    </message>
+    <message>
+        <source>Cells along the longest edge</source>
+        <translation>Celler längs den längsta sidan</translation>
+    </message>
+    <message>
+        <source>as in the effect</source>
+        <translation>som i effekten</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> bildpunkter</translation>
+    </message>
+    <message>
+        <source>Axis that points up</source>
+        <translation>Axel som pekar uppåt</translation>
+    </message>
+    <message>
+        <source>As usual for the format</source>
+        <translation>Som formatet brukar ha det</translation>
+    </message>
+    <message>
+        <source>y, as in Houdini and Maya</source>
+        <translation>y, som i Houdini och Maya</translation>
+    </message>
+    <message>
+        <source>z, as in Blender</source>
+        <translation>z, som i Blender</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Storlek</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celler</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Uppåt</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::DirectionEditor</name>
     <message>
         <source>Yaw</source>
@@ -691,22 +738,6 @@
         <translation>Numrera vidare</translation>
     </message>
     <message>
-        <source>Size of the noise texture</source>
-        <translation>Brustexturens storlek</translation>
-    </message>
-    <message>
-        <source>as in the effect</source>
-        <translation>som i effekten</translation>
-    </message>
-    <message>
-        <source> pixels</source>
-        <translation> bildpunkter</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Storlek</translation>
-    </message>
-    <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
         <translation>%1, %2 × %3 bildpunkter, och %4 filer till</translation>
     </message>
@@ -757,6 +788,34 @@
     <message>
         <source>TGA, 8 bits</source>
         <translation>TGA, 8 bitar</translation>
+    </message>
+    <message>
+        <source>Size of cells</source>
+        <translation>Cellernas storlek</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volymer</translation>
+    </message>
+    <message>
+        <source>Air as a vector field</source>
+        <translation>Luften som vektorfält</translation>
+    </message>
+    <message>
+        <source>OpenVDB, half floats</source>
+        <translation>OpenVDB, halva flyttal</translation>
+    </message>
+    <message>
+        <source>FGA for Unreal</source>
+        <translation>FGA för Unreal</translation>
+    </message>
+    <message>
+        <source>Volume File for Unity</source>
+        <translation>Volume File för Unity</translation>
+    </message>
+    <message>
+        <source>No air carries this smoke: switch it on in the group Air.</source>
+        <translation>Ingen luft bär denna rök: slå på den i gruppen Luft.</translation>
     </message>
 </context>
 <context>
@@ -1625,10 +1684,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>filmen avbröts</translation>
     </message>
     <message>
-        <source>a video is not written as a stream</source>
-        <translation>en film skrivs inte som en ström</translation>
-    </message>
-    <message>
         <source>Videos are made by ffmpeg: install it, or render pictures</source>
         <translation>Filmer görs av ffmpeg: installera det, eller rendera bilder</translation>
     </message>
@@ -2059,6 +2114,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Close it there, or choose another name</source>
         <translation>Stäng den där, eller välj ett annat namn</translation>
+    </message>
+    <message>
+        <source>this is not written as a stream</source>
+        <translation>detta skrivs inte som en ström</translation>
     </message>
 </context>
 <context>
@@ -4208,6 +4267,57 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.</source>
         <translation>Exporter som inte var färdiga när programmet avslutades: %1. Panelen Exporter startar eller tar bort dem.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::SheetFinder</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Avbrutet.</translation>
+    </message>
+    <message>
+        <source>Trying sheets: %1 %</source>
+        <translation>Provar ark: %1 %</translation>
+    </message>
+    <message>
+        <source>Memory on the graphics card</source>
+        <translation>Minne på grafikkortet</translation>
+    </message>
+    <message>
+        <source>What all pictures of the flipbook may take there, as BC7</source>
+        <translation>Vad flipbokens alla bilder får ta där, som BC7</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Best sheet within</source>
+        <translation>Bästa ark inom</translation>
+    </message>
+    <message>
+        <source>Cancelled: the flipbook has changed.</source>
+        <translation>Avbrutet: flipboken har ändrats.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Trying sheets…</source>
+        <translation>Provar ark…</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Sök</translation>
+    </message>
+    <message>
+        <source>Tries columns, rows and sizes of cells, and takes those that play nearest to the animation</source>
+        <translation>Provar kolumner, rader och cellstorlekar och tar dem som spelas närmast animationen</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells of %3 × %4 pixels, %5: %6 dB</source>
+        <translation>%1 × %2 celler om %3 × %4 bildpunkter, %5: %6 dB</translation>
     </message>
 </context>
 <context>

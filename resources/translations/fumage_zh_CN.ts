@@ -328,6 +328,53 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::DataChoices</name>
+    <message>
+        <source>Size of the noise texture</source>
+        <translation>噪声纹理的大小</translation>
+    </message>
+    <message>
+        <source>Cells along the longest edge</source>
+        <translation>沿最长边的单元数</translation>
+    </message>
+    <message>
+        <source>as in the effect</source>
+        <translation>与效果相同</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> 像素</translation>
+    </message>
+    <message>
+        <source>Axis that points up</source>
+        <translation>朝上的轴</translation>
+    </message>
+    <message>
+        <source>As usual for the format</source>
+        <translation>按格式惯例</translation>
+    </message>
+    <message>
+        <source>y, as in Houdini and Maya</source>
+        <translation>y 轴，如 Houdini 和 Maya</translation>
+    </message>
+    <message>
+        <source>z, as in Blender</source>
+        <translation>z 轴，如 Blender</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>单元数</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>朝上</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::DirectionEditor</name>
     <message>
         <source>Yaw</source>
@@ -691,22 +738,6 @@
         <translation>换用下一个编号</translation>
     </message>
     <message>
-        <source>Size of the noise texture</source>
-        <translation>噪声纹理的大小</translation>
-    </message>
-    <message>
-        <source>as in the effect</source>
-        <translation>与效果相同</translation>
-    </message>
-    <message>
-        <source> pixels</source>
-        <translation> 像素</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
         <translation>%1，%2 × %3 像素，以及另外 %4 个文件</translation>
     </message>
@@ -757,6 +788,34 @@
     <message>
         <source>TGA, 8 bits</source>
         <translation>TGA，8 位</translation>
+    </message>
+    <message>
+        <source>Size of cells</source>
+        <translation>单元格大小</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Air as a vector field</source>
+        <translation>空气矢量场</translation>
+    </message>
+    <message>
+        <source>OpenVDB, half floats</source>
+        <translation>OpenVDB，半精度浮点</translation>
+    </message>
+    <message>
+        <source>FGA for Unreal</source>
+        <translation>Unreal 用 FGA</translation>
+    </message>
+    <message>
+        <source>Volume File for Unity</source>
+        <translation>Unity 用 Volume File</translation>
+    </message>
+    <message>
+        <source>No air carries this smoke: switch it on in the group Air.</source>
+        <translation>此烟雾没有空气承载：请在“空气”组中启用。</translation>
     </message>
 </context>
 <context>
@@ -1625,10 +1684,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>视频已取消</translation>
     </message>
     <message>
-        <source>a video is not written as a stream</source>
-        <translation>视频不能以流的形式写出</translation>
-    </message>
-    <message>
         <source>Videos are made by ffmpeg: install it, or render pictures</source>
         <translation>视频由 ffmpeg 生成：请安装它，或改为渲染图片</translation>
     </message>
@@ -2059,6 +2114,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Close it there, or choose another name</source>
         <translation>请在那里将其关闭，或选择其他名称</translation>
+    </message>
+    <message>
+        <source>this is not written as a stream</source>
+        <translation>此内容不能以流的形式写出</translation>
     </message>
 </context>
 <context>
@@ -4208,6 +4267,57 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.</source>
         <translation>程序结束时尚未完成的导出：%1。可在“导出”面板中开始或移除它们。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::SheetFinder</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>Trying sheets: %1 %</source>
+        <translation>正在尝试图集：%1 %</translation>
+    </message>
+    <message>
+        <source>Memory on the graphics card</source>
+        <translation>显卡内存</translation>
+    </message>
+    <message>
+        <source>What all pictures of the flipbook may take there, as BC7</source>
+        <translation>序列帧图集的所有图片以 BC7 格式最多占用的显存</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Best sheet within</source>
+        <translation>最佳图集，不超过</translation>
+    </message>
+    <message>
+        <source>Cancelled: the flipbook has changed.</source>
+        <translation>已取消：序列帧图集已更改。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Trying sheets…</source>
+        <translation>正在尝试图集…</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Tries columns, rows and sizes of cells, and takes those that play nearest to the animation</source>
+        <translation>尝试不同的列数、行数和单元格大小，并选用播放效果最接近动画的一组</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells of %3 × %4 pixels, %5: %6 dB</source>
+        <translation>%1 × %2 个单元格，每格 %3 × %4 像素，%5：%6 dB</translation>
     </message>
 </context>
 <context>

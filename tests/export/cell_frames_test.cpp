@@ -1,5 +1,6 @@
 // Which frames the cells of a flipbook show: empty ones left out, and retimed by a curve.
 
+#include "core/export/cell_frames.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"

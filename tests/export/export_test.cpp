@@ -1,3 +1,4 @@
+#include "core/export/cell_frames.h"
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 

@@ -1,4 +1,5 @@
 // The manifest of a flipbook says all that it is made of, so that any machine can make it again.
+#include "core/export/cell_frames.h"
 #include "tests/export/small_smoke.h"
 #include "tests/helpers.h"
 

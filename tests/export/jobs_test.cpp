@@ -1,4 +1,5 @@
 // Exports that wait: lists of them on the disk, and that no two write the same file.
+#include "core/export/cell_frames.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"

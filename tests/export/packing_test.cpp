@@ -1,5 +1,6 @@
 // Packed pictures: each channel is the one that was asked for, smaller ones are averages of it, and the side-car says so.
 
+#include "core/export/cell_frames.h"
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 

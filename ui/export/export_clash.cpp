@@ -67,7 +67,7 @@ ExportClash findClash(const ExportPlan& plan, const ExportJobs& others)
 {
     const JobFiles written = filesOf(others);
     const auto [there, first] = filesThere(plan);
-    ExportClash clash{written.check({plan.output.filename().string(), {}, plan}), there, toQString(first.string()), plan};
+    ExportClash clash{written.check({plan.output.filename().string(), {}, plan}), there, fromPath(first), plan};
     if (!clash.isNone()) {
         clash.free = numberedOn(plan, written);
     }

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/export/cell_frames.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/picture_files/picture_notes.h"
 #include "core/picture_files/picture_pixels.h"

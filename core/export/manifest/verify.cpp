@@ -1,6 +1,7 @@
 #include "core/export/manifest/verify.h"
 
 #include "core/base/file.h"
+#include "core/export/cell_frames.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/output_name.h"
 
