@@ -141,6 +141,17 @@ private slots:
         }
     }
 
+    void aSceneSaysHowManyResourcesItHas()
+    {
+        for (const Engine engine : {Engine::Godot, Engine::Godot3}) {
+            Sheet sheet(engine);
+            sheet.write();
+            const QString scene = QString::fromStdString(sheet.text("smoke_4x2.tscn"));
+            const auto resources = scene.count(QStringLiteral("[ext_resource ")) + scene.count(QStringLiteral("[sub_resource "));
+            QVERIFY2(scene.startsWith(QStringLiteral("[gd_scene load_steps=%1 ").arg(resources + 1)), qPrintable(scene.left(80))); // and the scene itself
+        }
+    }
+
     void unrealsScriptIsPython()
     {
         for (const std::string& name : {std::string("smoke_4x2"), std::string(kHostileName)}) {

@@ -164,7 +164,7 @@ data factsOf(const EngineSheet& sheet)
     const bool lit = facts.get("has_sixway_a") != nullptr && facts.get("has_sixway_b") != nullptr;
     facts.set("six_way", lit);
     facts.set("unlit", !lit);
-    facts.set("resources", std::to_string(sheet.pictures.size() + 4));
+    facts.set("resources", std::to_string(sheet.pictures.size() + 5)); // shader, material, quad and process, and the scene itself
     addChannels(sheet.style, facts);
     addPlace(sheet.effect, facts);
     return facts;
