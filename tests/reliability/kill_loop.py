@@ -2,7 +2,8 @@
 """Kills programs that write, over and over, and looks at what they leave: kill_loop.py BUILD_FOLDER [ROUNDS]
 
 Each round starts one of them, ends it with SIGKILL after a time of chance, and checks that every file is whole. A round of each kind later the same
-program has started anew in the same folder: then nothing of the killed one may be left but whole files.
+program has started anew in the same folder: then nothing of the killed one may be left but whole files. An export that was once on a queue's list stays
+on a list until its picture is there.
 """
 
 import json
@@ -45,12 +46,12 @@ CHECKS = {".png": whole_png, ".json": whole_json}
 
 
 class Victims:
-    """The four kinds of writers, each with a folder of its own."""
+    """The kinds of writers, each with a folder of its own."""
 
     def __init__(self, build, folder):
         cli = str(build / "bin/fumage-cli")
         victim = str(build / "tests/kill_victim")
-        self.folders = {kind: folder / kind for kind in ("render", "flipbook", "save", "recover")}
+        self.folders = {kind: folder / kind for kind in ("render", "flipbook", "save", "recover", "queue")}
         for path in self.folders.values():
             path.mkdir()
         pictures = [cli, "render", "thesis-2012", "-f", "0-99", "-o", str(self.folders["render"] / "f_##.png")] + SMALL
@@ -60,15 +61,24 @@ class Victims:
             "flipbook": flipbook,
             "save": [victim, "save", str(self.folders["save"] / "mine.json")],
             "recover": [victim, "recover", str(self.folders["recover"])],
+            "queue": [victim, "queue", str(self.folders["queue"])],
         }
+        self.listed = set()
 
     def leftovers(self, kind):
         """Names that are neither whole files nor those of a recovery."""
         known = (".png", ".json", ".origin")
-        return [p.name for p in self.folders[kind].iterdir() if not p.name.endswith(known)]
+        return [p.name for p in self.folders[kind].iterdir() if p.is_file() and not p.name.endswith(known)]
 
     def broken(self, kind):
         return [p.name for p in self.folders[kind].iterdir() if p.suffix in CHECKS and not p.name.startswith(".") and not CHECKS[p.suffix](p.read_bytes())]
+
+    def lost(self):
+        """Exports that were on a list, and are neither on one nor done."""
+        lists = [p.read_bytes() for p in (self.folders["queue"] / "lists").glob("*.json")]
+        waiting = {job["name"] for text in lists for job in json.loads(text)["jobs"]}
+        self.listed |= waiting
+        return sorted(name for name in self.listed - waiting if not (self.folders["queue"] / (name + ".png")).exists())
 
 
 def main():
@@ -78,11 +88,11 @@ def main():
     chance = random.Random(seed)
     print(f"seed {seed}")
     killed = left = faults = 0
-    longest = {"render": 0.6, "flipbook": 0.3, "save": 0.1, "recover": 0.1}
+    longest = {"render": 0.6, "flipbook": 0.3, "save": 0.1, "recover": 0.1, "queue": 4.0}
     with tempfile.TemporaryDirectory() as place:
         victims = Victims(build, pathlib.Path(place))
         for number in range(rounds):
-            kind = list(victims.commands)[number % 4]
+            kind = list(victims.commands)[number % len(victims.commands)]
             program = subprocess.Popen(victims.commands[kind], stdout=subprocess.DEVNULL)
             try:
                 code = program.wait(timeout=chance.uniform(0.005, longest[kind]))
@@ -91,17 +101,20 @@ def main():
                 code = program.wait()
             killed += code == -9
             left += len(victims.leftovers(kind))
-            broken = victims.broken(kind)
+            broken = victims.broken(kind) + (victims.lost() if kind == "queue" else [])
             if broken or code not in (0, -9):
                 faults += 1
                 print(f"round {number}: {kind} ended with {code}, broken: {broken}")
         for kind in ("render", "flipbook"):
             subprocess.run(victims.commands[kind], check=True)
-        for kind in ("save", "recover"):
+        for kind in ("save", "recover", "queue"):
             program = subprocess.Popen(victims.commands[kind])
             time.sleep(1)
             program.terminate()
             program.wait()
+        lost = victims.lost()
+        faults += len(lost)
+        print(f"{len(victims.listed)} exports were on a list, {len(lost)} are lost")
         # The recovery's own lock is that of the program that was just ended.
         after = [name for kind in victims.commands for name in victims.leftovers(kind) if not name.endswith(".lock")]
         locks = [name for name in victims.leftovers("recover") if name.endswith(".lock")]

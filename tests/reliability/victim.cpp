@@ -1,8 +1,9 @@
-// Saves or keeps safe the work of a document until it is killed; see kill_loop.py. Ends with 3 where it finds a broken file.
+// Saves or keeps safe the work of a document, or does exports of a queue, until it is killed; see kill_loop.py. Ends with 3 where it finds a broken file.
 
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/document/text.h"
+#include "ui/export/export_queue.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/preset.h"
@@ -64,6 +65,45 @@ int recover(const std::string& path)
     }
 }
 
+/// A picture that is done in some milliseconds.
+ExportJob smallJob(const std::string& folder, int number)
+{
+    ExportJob job;
+    job.name = std::to_string(QCoreApplication::applicationPid()) + "-" + std::to_string(number);
+    job.preset.effect.air.enabled = false;
+    job.preset.effect.emitter.count = 200;
+    job.preset.effect.noise.slices = 2;
+    job.preset.effect.noise.resolution = 16;
+    job.preset.effect.output.width = job.preset.effect.output.height = 16;
+    job.plan.kind = ExportKind::Picture;
+    job.plan.output = std::filesystem::path(folder) / (job.name + ".png");
+    return job;
+}
+
+/// Does what others have left first, and always has some more to do.
+int doQueue(const std::string& path)
+{
+    constexpr int kWaiting = 5;
+    ExportQueue queue(QDir(toQString(path + "/lists")));
+    if (!queue.takeLeftovers().isEmpty()) {
+        return kBroken;
+    }
+    queue.startHeld();
+    int added = 0;
+    const auto fill = [&] {
+        while (queue.active() < kWaiting && queue.add(smallJob(path, added))) {
+            ++added;
+        }
+    };
+    QObject::connect(&queue, &ExportQueue::ended, &queue, fill);
+    QObject::connect(&queue, &ExportQueue::notKept, &queue, [](const QString& message) {
+        std::fprintf(stderr, "%s\n", qPrintable(message));
+        QCoreApplication::exit(1);
+    });
+    fill();
+    return QCoreApplication::exec();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -71,5 +111,6 @@ int main(int argc, char** argv)
     const QCoreApplication application(argc, argv);
     const std::string what = argc == 3 ? argv[1] : "";
     return what == "save" ? save(argv[2]) : what == "recover" ? recover(argv[2])
+        : what == "queue"                                     ? doQueue(argv[2])
                                                               : 2;
 }
