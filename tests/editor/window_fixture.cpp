@@ -28,7 +28,7 @@ Preset smallPreset()
 
 void pressButton(QMessageBox& box, QMessageBox::StandardButton button)
 {
-    QTest::mouseClick(box.button(button), Qt::LeftButton);
+    box.button(button)->click(); // with the mouse it would be lost on a box that is not on the screen yet
 }
 
 void WindowFixture::init()
