@@ -71,10 +71,10 @@ Status PassOptions::applyTo(ExportPlan& plan) const
         plan.passes = parsed.value();
     }
     if (!layout.empty()) {
-        plan.style.layout = enumeratorNamed<SixWayLayout, 4>(layout).value_or(SixWayLayout{});
+        plan.style.layout = enumeratorNamed<SixWayLayout, kSixWayLayouts>(layout).value_or(SixWayLayout{});
     }
     if (!vectors.empty()) {
-        plan.style.vectors = enumeratorNamed<VectorSigns, 2>(vectors).value_or(VectorSigns{});
+        plan.style.vectors = enumeratorNamed<VectorSigns, kVectorSigns>(vectors).value_or(VectorSigns{});
     }
     if (!alpha.empty()) {
         plan.style.premultiplied = alpha == "premultiplied";

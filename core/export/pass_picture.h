@@ -17,6 +17,7 @@ enum class SixWayLayout {
     RltBbf, ///< right, left, top, alpha; bottom, back, front, alpha: O3DE's RtLftTp_BtBckFr
     TlrbFb, ///< top, left, right, bottom; front, back, nothing, alpha: O3DE's TpLftRtBt_FrBck
 };
+inline constexpr std::size_t kSixWayLayouts = 4;
 
 /// What stands in one channel of a map.
 enum class SixWayChannel {
@@ -46,6 +47,7 @@ enum class VectorSigns {
     Unity, ///< red is more than a half where the smoke goes right, green where it goes up
     Unreal, ///< red is more than a half where it goes left, green where it goes up
 };
+inline constexpr std::size_t kVectorSigns = 2;
 /// "unity", "unreal".
 [[nodiscard]] std::string_view nameOf(VectorSigns signs);
 

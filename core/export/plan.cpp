@@ -16,17 +16,21 @@ namespace fumage {
 
 namespace {
 
+/// A picture is of the first frame alone.
+FrameRange framesOf(const ExportPlan& plan)
+{
+    return plan.kind == ExportKind::Picture ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames;
+}
+
 SequenceOptions sequenceOf(const ExportPlan& plan, std::string preset = {})
 {
-    const bool single = plan.kind == ExportKind::Picture;
-    return {plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, plan.format, plan.passes, plan.style.premultiplied, std::move(preset)};
+    return {plan.output, framesOf(plan), plan.format, plan.passes, plan.style.premultiplied, std::move(preset)};
 }
 
 /// The file of a frame.
 std::filesystem::path fileOf(const ExportPlan& plan, int frame)
 {
-    const bool single = plan.kind == ExportKind::Picture;
-    return framePath(plan.output, single ? FrameRange{plan.frames.first, plan.frames.first, 1} : plan.frames, fileEnding(plan), frame);
+    return framePath(plan.output, framesOf(plan), fileEnding(plan), frame);
 }
 
 /// The preset that pictures of an effect carry, as JSON.

@@ -26,6 +26,7 @@ struct FrameRange {
     [[nodiscard]] int count() const { return (last - first) / step + 1; }
     /// The frame that stands at a place, 0 to count() - 1.
     [[nodiscard]] int at(int index) const { return first + index * step; }
+    [[nodiscard]] bool has(int frame) const { return frame >= first && frame <= last && (frame - first) % step == 0; }
 };
 
 /// Largest frame number that may be asked for.

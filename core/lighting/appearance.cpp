@@ -47,6 +47,15 @@ AppearanceJob makeJob(const Frame& frame, const Effect& effect, const Axes& axes
 
 } // namespace
 
+std::array<glm::vec3, kColourTableSize> coloursOverLife(const Look& look)
+{
+    std::array<glm::vec3, kColourTableSize> colours{};
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        colours[i] = look.colour * look.colourGradient.at(static_cast<float>(i) / static_cast<float>(kColourTableSize - 1));
+    }
+    return colours;
+}
+
 void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out)
 {
     const Particles& particles = frame.particles;

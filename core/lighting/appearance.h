@@ -3,6 +3,9 @@
 #include "core/base/aligned_array.h"
 #include "core/simulation/frame.h"
 
+#include <array>
+#include <cstddef>
+
 #include <glm/vec3.hpp>
 
 namespace fumage {
@@ -18,6 +21,10 @@ struct Appearance {
     float largestRadius = 0.0F; ///< m
     std::size_t count = 0; ///< of living particles that are not yet transparent
 };
+
+inline constexpr std::size_t kColourTableSize = 256;
+/// The colour of smoke itself, linear, by the share of a particle's life that has passed: entry i is at i / 255.
+[[nodiscard]] std::array<glm::vec3, kColourTableSize> coloursOverLife(const Look& look);
 
 /// Axes of a rotated frame of reference; unit vectors at right angles.
 struct Axes {

@@ -295,14 +295,10 @@ std::span<const glm::vec4> LiveSimulation::colours()
     if (m_coloursAreNew) {
         return m_colours;
     }
-    constexpr std::size_t kEntries = 256;
-    std::array<glm::vec3, kEntries> table;
-    for (std::size_t i = 0; i < kEntries; ++i) {
-        table[i] = m_effect.look.colour * m_effect.look.colourGradient.at(static_cast<float>(i) / static_cast<float>(kEntries - 1));
-    }
+    const std::array<glm::vec3, kColourTableSize> table = coloursOverLife(m_effect.look);
     m_colours.resize(looks.life.size());
     for (std::size_t i = 0; i < m_colours.size(); ++i) {
-        m_colours[i] = glm::vec4(table[static_cast<std::size_t>(looks.life[i] * static_cast<float>(kEntries - 1))], looks.alpha[i]);
+        m_colours[i] = glm::vec4(table[static_cast<std::size_t>(looks.life[i] * static_cast<float>(kColourTableSize - 1))], looks.alpha[i]);
     }
     m_coloursAreNew = true;
     return m_colours;

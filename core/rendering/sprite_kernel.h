@@ -8,8 +8,6 @@
 
 namespace fumage {
 
-inline constexpr int kColourTableSize = 256;
-
 /// Four floats in one register, on every instruction set: light channels or a colour.
 using Float4 = float __attribute__((vector_size(16)));
 

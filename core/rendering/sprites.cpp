@@ -37,10 +37,8 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
 
 void fillTables(const Effect& effect, SpriteJob& job)
 {
-    for (std::size_t i = 0; i < kColourTableSize; ++i) {
-        const float share = static_cast<float>(i) / static_cast<float>(kColourTableSize - 1);
-        job.albedo[i] = colour4(effect.look.colour * effect.look.colourGradient.at(share));
-    }
+    const std::array<glm::vec3, kColourTableSize> albedo = coloursOverLife(effect.look);
+    std::transform(albedo.begin(), albedo.end(), job.albedo.begin(), colour4);
     job.glows = effect.light.emission > 0.0F;
     if (job.glows) {
         const GlowColours colours = glowColours(effect.light);

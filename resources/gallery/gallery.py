@@ -102,11 +102,13 @@ def gradients(alpha: np.ndarray) -> np.ndarray:
     return np.hypot(dx, dy)
 
 
-def second_of(cli: str, preset: str, folder: pathlib.Path) -> list[np.ndarray]:
-    """The densities of a second of it, at the size of a flipbook's cell."""
-    command = [cli, "render", preset, "--frames", "60-89", "--size", "256", "--output", str(folder / "step_##.png")]
+def densities_of(cli: str, preset: str, first: int, count: int, folder: pathlib.Path, settings: list[str]) -> list[np.ndarray]:
+    """The densities of some of its frames, at the size of a flipbook's cell."""
+    command = [cli, "render", preset, "--frames", f"{first}-{first + count - 1}", "--size", "256", "--output", str(folder / "step_####.png")]
+    for setting in settings:
+        command += ["--set", setting]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return [density(Image.open(folder / f"step_{frame}.png").convert("RGBA")) for frame in range(60, 90)]
+    return [density(Image.open(folder / f"step_{frame:04}.png").convert("RGBA")) for frame in range(first, first + count)]
 
 
 def spike_of(frames: list[np.ndarray]) -> float:
@@ -182,7 +184,7 @@ def main() -> None:
     print(f"\n{'preset':18s} {'spike':>6s} {'shimmer':>8s} {'dots':>6s} {'repetition':>11s}")
     moments = []
     for preset in presets:
-        second = second_of(cli, preset, out)
+        second = densities_of(cli, preset, 60, 30, out, [])
         print(f"{preset:18s} {spike_of(second):6.2f} {shimmer(second):8.2f} {dots(second[0]):6.2f} {repetition(second[0]):11.2f}")
         moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
     embergen = (references / EMBERGEN).exists()

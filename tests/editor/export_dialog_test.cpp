@@ -1,4 +1,5 @@
 #include "editor_helpers.h"
+#include "tests/export/small_smoke.h"
 
 #include "ui/export/export_dialog.h"
 #include "ui/export/preview_canvas.h"
@@ -473,11 +474,7 @@ private:
     /// A flipbook of smoke that is simulated at once, with the button that looks for its sheet, for 0.1 MB.
     QPushButton* findableSheet()
     {
-        Effect effect;
-        effect.air.enabled = false;
-        effect.emitter.count = 300;
-        effect.noise.slices = 4;
-        effect.noise.resolution = 16;
+        Effect effect = smallSmoke();
         effect.output.width = 192;
         effect.output.height = 128;
         m_document->replaceEffect(effect, u"small"_q);

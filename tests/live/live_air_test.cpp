@@ -1,5 +1,4 @@
-#include "tests/live/counted_heap.h"
-#include "tests/live/live_helpers.h"
+#include "tests/live/restless_minute.h"
 
 #include "core/simulation/air_plan.h"
 
@@ -112,21 +111,9 @@ private slots:
         Effect effect = inAir(1500);
         effect.air.resolution = 16;
         LiveSimulation live = started(effect);
-        RestlessGame game(effect);
-        Particles before = live.particles();
-        for (int step = 0; step < 3600; ++step) {
-            const std::size_t allocated = allocations();
-            before.copySlots(live.particles(), 0, before.x.size());
-            QVERIFY(game.act(live, step).ok());
-            go(live, 1);
-            constexpr int kSettled = 10;
-            if (step >= kSettled) {
-                QCOMPARE(allocations(), allocated);
-            }
-            QVERIFY2(isFinite(live.particles()), qPrintable(QString::number(step)));
-            QVERIFY(longestJump(before, live.particles(), 0.0F) < 1e-4F);
-        }
-        QVERIFY(live.living() > 500);
+        std::size_t most = 0;
+        endureAMinute(live, effect, 0.0F, 1e-4F, most);
+        QVERIFY(live.living() > 500 && most <= live.particles().capacity);
     }
 
     void theBoxLeavesTheGroundAndComesBackToIt()

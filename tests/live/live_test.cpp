@@ -1,5 +1,4 @@
-#include "tests/live/counted_heap.h"
-#include "tests/live/live_helpers.h"
+#include "tests/live/restless_minute.h"
 
 #include "core/simulation/advance.h"
 
@@ -79,24 +78,9 @@ private slots:
     {
         const Effect effect = windy(3000);
         LiveSimulation live = started(effect);
-        RestlessGame game(effect);
-        Particles before;
-        before.reset(live.particles().capacity);
+        constexpr float kPeakOfSwirls = 6.0F; // times their root mean square
         std::size_t most = 0;
-        for (int step = 0; step < 3600; ++step) {
-            const std::size_t allocated = allocations();
-            before.copySlots(live.particles(), 0, before.x.size());
-            QVERIFY(game.act(live, step).ok());
-            go(live, 1);
-            constexpr int kSettled = 10;
-            if (step >= kSettled) {
-                QCOMPARE(allocations(), allocated);
-            }
-            QVERIFY2(isFinite(live.particles()), qPrintable(QString::number(step)));
-            constexpr float kPeakOfSwirls = 6.0F; // times their root mean square
-            QVERIFY(longestJump(before, live.particles(), kPeakOfSwirls * effect.turbulence.strength) < 1e-5F);
-            most = std::max(most, live.living());
-        }
+        endureAMinute(live, effect, kPeakOfSwirls * effect.turbulence.strength, 1e-5F, most);
         QVERIFY(most > 2000 && most <= live.particles().capacity);
     }
 

@@ -4,22 +4,21 @@
 usage: faults_test.py <fumage-cli>
 """
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
 
 import numpy as np
-from PIL import Image
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "resources" / "gallery"))
 from faults import dots, repetition, shimmer, smoothed  # noqa: E402
+from gallery import densities_of  # noqa: E402
 
 CLI = sys.argv[1]
 # The most that the pictures of solvers in resources/references and others that we measured have: path-traced fire with the grain of few samples.
 DOTS_OF_SOLVERS = 1.75
 SHIMMER = 1.2  # between ours in air, at most 1.1, and particles that are seen, at least 1.3
-SEEN = {"emitter.count": 4000, "look.size": 0.06, "look.dilution": 0, "look.overlap": 0}
+SEEN = ["emitter.count=4000", "look.size=0.06", "look.dilution=0", "look.overlap=0"]
 
 
 def haze(edge=256):
@@ -27,14 +26,9 @@ def haze(edge=256):
     return 0.25 * np.exp(-8 * (x**2 + y**2))
 
 
-def pictures(preset, settings, frames):
+def pictures(preset, settings):
     with tempfile.TemporaryDirectory() as folder:
-        command = [CLI, "render", preset, "--frames", frames, "--size", "256", "--output", f"{folder}/####.png"]
-        for key, value in settings.items():
-            command += ["--set", f"{key}={value}"]
-        run = subprocess.run(command, capture_output=True, check=False)
-        assert run.returncode == 0, run.stderr.decode()
-        return [np.asarray(Image.open(file).convert("RGBA").getchannel("A"), dtype=float) / 255 for file in sorted(pathlib.Path(folder).iterdir())]
+        return densities_of(CLI, preset, 60, 4, pathlib.Path(folder), settings)
 
 
 class Measures(unittest.TestCase):
@@ -74,14 +68,14 @@ class Measures(unittest.TestCase):
 class Ours(unittest.TestCase):
     def test_particles_are_not_seen(self):
         for preset in ("default", "campfire", "explosion"):
-            frames = pictures(preset, {}, "60-63")
+            frames = pictures(preset, [])
             found = dots(frames[0]), shimmer(frames)
             print(f"{preset}: dots {found[0]:.2f}, shimmer {found[1]:.2f}")
             self.assertLessEqual(found[0], DOTS_OF_SOLVERS, preset)
             self.assertLess(found[1], SHIMMER, preset)
 
     def test_where_particles_are_few_and_small_they_are_seen(self):
-        frames = pictures("default", SEEN, "60-63")
+        frames = pictures("default", SEEN)
         self.assertGreater(dots(frames[0]), 3 * DOTS_OF_SOLVERS)
         self.assertGreater(shimmer(frames), SHIMMER)
 

@@ -134,8 +134,8 @@ Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
 {
     const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
     const std::optional<Engine> engine = enumeratorNamed<Engine, kEngines>(settingOf(job, "for"));
-    const std::optional<SixWayLayout> layout = enumeratorNamed<SixWayLayout, 4>(settingOf(job, "layout"));
-    const std::optional<VectorSigns> vectors = enumeratorNamed<VectorSigns, 2>(settingOf(job, "vectors"));
+    const std::optional<SixWayLayout> layout = enumeratorNamed<SixWayLayout, kSixWayLayouts>(settingOf(job, "layout"));
+    const std::optional<VectorSigns> vectors = enumeratorNamed<VectorSigns, kVectorSigns>(settingOf(job, "vectors"));
     const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
     const Result<FrameRange> frames = parseFrameRange(settingOf(job, "frames"));
     const std::optional<std::int64_t> columns = parseInteger(settingOf(job, "columns"));

@@ -99,11 +99,6 @@ std::map<std::string, Manifest> jobsOf(const ManifestSet& set)
     return jobs;
 }
 
-bool isIn(const FrameRange& range, int frame)
-{
-    return frame >= range.first && frame <= range.last && (frame - range.first) % range.step == 0;
-}
-
 /// Renders the flipbook of a job, where it shows a frame that is wanted.
 Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
 {
@@ -112,7 +107,7 @@ Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vec
         return options.error();
     }
     const std::vector<int> shown = framesOfCells(options.value());
-    if (std::ranges::none_of(shown, [&](int frame) { return isIn(wanted, frame); })) {
+    if (std::ranges::none_of(shown, [&](int frame) { return wanted.has(frame); })) {
         return Done{};
     }
     const Result<std::vector<FlipbookFile>> made = encodeFlipbook(job.job.effect, options.value(), progress, stop);
@@ -144,7 +139,7 @@ Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<C
     std::map<int, const ManifestEntry*> entries;
     for (const ManifestEntry& entry : job.files) {
         const int frame = entry.frame.value_or(-1);
-        if (isIn(wanted, frame)) {
+        if (wanted.has(frame)) {
             entries.emplace(frame, &entry);
         }
     }
