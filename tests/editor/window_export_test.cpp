@@ -124,6 +124,19 @@ private slots:
         QTRY_COMPARE(stateOf(0), ExportState::Done);
     }
 
+    void anExportThatIsAskedForAsTheWindowClosesIsNotLost()
+    {
+        const QDialog* dialog = fillSequence(u"last/smoke_##.png"_q, 3, 4);
+        saveDocument();
+        m_chosenAnswer = 0; // finish
+        const QPointer<MainWindow> window(m_window);
+        childOf<QPushButton>(*dialog, u"export.begin"_q)->click();
+        QVERIFY(!m_window->close()); // its files are still looked for
+        QTRY_VERIFY(window == nullptr); // and then it closes by itself
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(m_folder.filePath(u"last/smoke_04.png"_q)), 60000);
+        QTRY_COMPARE(stateOf(0), ExportState::Done);
+    }
+
     void closingTheWindowStopsAnExport()
     {
         beginSequence(u"part/smoke_####.png"_q, 5000);
@@ -263,8 +276,11 @@ private:
         const QDialog* dialog = fillSequence(name, 0, last);
         QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
         QTRY_VERIFY(!QDir(QFileInfo(m_folder.filePath(name)).path()).isEmpty());
-        QVERIFY(m_window->document().save(m_folder.filePath(u"saved.json"_q)).ok()); // nothing is asked about it
+        saveDocument();
     }
+
+    /// Nothing is asked about it.
+    void saveDocument() { QVERIFY(m_window->document().save(m_folder.filePath(u"saved.json"_q)).ok()); }
 
     QDialog* fillSequence(const QString& name, int first, int last)
     {

@@ -207,6 +207,7 @@ void ExportDialog::connectButtons()
     connect(&m_entry, &ExportEntry::entered, this, &ExportDialog::followEntered);
     connect(&m_entry, &ExportEntry::refused, m_progress, &ExportProgress::say);
     connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::followPlan);
+    connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::entryEnded);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
     connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);

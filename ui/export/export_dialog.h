@@ -39,12 +39,16 @@ public:
 
     [[nodiscard]] ExportPlan plan() const;
     void setKind(ExportKind kind);
+    /// Whether an export is on its way into the queue: its files are looked for.
+    [[nodiscard]] bool isEntering() const { return m_entry.isBusy(); }
 
 signals:
     /// While it is open, the exported frame should be seen in the picture.
     void shownChanged(bool shown);
     /// To the queue.
     void added(const fumage::ExportPlan& plan);
+    /// None is on its way into the queue any more.
+    void entryEnded();
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -42,6 +42,7 @@ ExportDesk::ExportDesk(ExportQueue& queue, Document& document, Player& player, L
         m_last = plan;
         emit added();
     });
+    connect(&m_again, &ExportEntry::ended, this, &ExportDesk::rest);
     connect(&queue, &ExportQueue::notKept, this, [this](const QString& message) { emit news(tr("The queue of exports cannot be kept safe: %1").arg(message), 0); });
 }
 
@@ -53,6 +54,7 @@ ExportDialog& ExportDesk::openDialog()
         m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_queue, m_askForFile, m_askForChoice, m_window);
         connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnClash.reset(); });
         connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
+        connect(m_dialog.get(), &ExportDialog::entryEnded, this, &ExportDesk::rest);
         connect(m_dialog.get(), &ExportDialog::added, this, [this](const ExportPlan& plan) {
             m_last = plan;
             emit added();
@@ -81,6 +83,18 @@ void ExportDesk::exportAgain(const ExportPlan& plan)
     ExportJob job{m_document.displayName().toStdString(), m_document.preset(), plan};
     job.plan.source = toPath(m_document.filePath());
     m_again.enter(std::move(job), m_againOnClash);
+}
+
+bool ExportDesk::isBusy() const
+{
+    return m_again.isBusy() || (m_dialog != nullptr && m_dialog->isEntering());
+}
+
+void ExportDesk::rest()
+{
+    if (!isBusy()) {
+        emit rested();
+    }
 }
 
 void ExportDesk::tell(quint64 id)

@@ -32,14 +32,19 @@ public:
     void exportLastAgain();
     /// The same of any plan; asks once what becomes of files that are there.
     void exportAgain(const ExportPlan& plan);
+    /// Whether an export is on its way into the queue: its files are looked for, which may take its time on a disk that is far away.
+    [[nodiscard]] bool isBusy() const;
 
 signals:
     /// @param forMs how long it is of interest; 0: until the next news
     void news(const QString& message, int forMs);
     /// To the queue.
     void added();
+    /// None is on its way into the queue any more.
+    void rested();
 
 private:
+    void rest();
     void tell(quint64 id);
 
     ExportQueue& m_queue;

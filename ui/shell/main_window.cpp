@@ -228,6 +228,11 @@ void MainWindow::showTitle()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (m_exports.isBusy()) { // an export that was asked for is about to be in the queue: only then can it be asked what becomes of it
+        connect(&m_exports, &ExportDesk::rested, this, &QWidget::close, Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection | Qt::UniqueConnection));
+        event->ignore();
+        return;
+    }
     if (!m_files.mayLeave() || !m_session.mayClose(*this)) {
         event->ignore();
         return;
