@@ -39,8 +39,8 @@ inline Image render(const Effect& effect, int number)
     return image;
 }
 
-template <class T>
-bool sameBits(const AlignedArray<T>& a, const AlignedArray<T>& b)
+template <class T, class Memory>
+bool sameBits(const std::vector<T, Memory>& a, const std::vector<T, Memory>& b)
 {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0); // memcmp must not be given null
 }

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fumage {
@@ -39,6 +41,31 @@ struct AlignedAllocator {
 
 template <class T>
 using AlignedArray = std::vector<T, AlignedAllocator<T>>;
+
+/// The same, but that elements are undefined until they are written: resize() leaves the memory alone, and the threads that write it first share the time
+/// that the system takes to hand it out.
+template <class T>
+struct RawAllocator : AlignedAllocator<T> {
+    static_assert(std::is_trivially_default_constructible_v<T>);
+    RawAllocator() = default;
+    template <class U>
+    RawAllocator(const RawAllocator<U>& /*other*/) // NOLINT(google-explicit-constructor): allocators convert
+    {
+    }
+    template <class U>
+    void construct(U* place)
+    {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <class U, class First, class... Rest>
+    void construct(U* place, First&& first, Rest&&... rest)
+    {
+        ::new (static_cast<void*>(place)) U(std::forward<First>(first), std::forward<Rest>(rest)...);
+    }
+};
+
+template <class T>
+using RawArray = std::vector<T, RawAllocator<T>>;
 
 /// @return count rounded up to a whole number of multiples
 [[nodiscard]] constexpr std::size_t roundUp(std::size_t count, std::size_t multiple)

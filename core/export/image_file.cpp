@@ -142,7 +142,7 @@ Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& eff
 DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
 {
     if (holdsFloats(format)) {
-        return {image.width, image.height, 4, false, {image.pixels.begin(), image.pixels.end()}};
+        return {image.width, image.height, 4, false, image.pixels};
     }
     return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight) : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
 }

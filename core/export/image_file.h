@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/aligned_array.h"
 #include "core/base/result.h"
 #include "core/effect/effect.h"
 #include "core/noise/texture.h"
@@ -60,7 +61,7 @@ struct DataImage {
     int height = 0;
     int channels = 4; ///< 1, 3 or 4
     bool isSigned = false; ///< in [-1, 1], which PNG and TGA hold as (1 + value) / 2; else in [0, 1]
-    std::vector<float> values;
+    RawArray<float> values;
     bool isSrgb = false; ///< its colours are light after all, as displays take it; said in PNG
 };
 

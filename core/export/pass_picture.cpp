@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -21,13 +22,20 @@ constexpr float kEnoughToFlow = 1.0F / 16.0F;
 /// Less than half a step of 8 bits is not seen, and decides nothing.
 constexpr float kSeen = 0.5F / 255.0F;
 
-/// Calls visit(pixel) for all pixels, one after another.
-template <class Visit>
-void forPixels(const Image& image, const Visit& visit)
+/// The largest value(pixel) of a picture, but not less than something.
+template <class Value>
+float largestOf(const Image& image, float least, const Value& value)
 {
-    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-        visit(image.pixels.data() + i);
-    }
+    std::vector<float> rows(static_cast<std::size_t>(image.height), least);
+    parallelFor(rows.size(), [&](std::size_t y) {
+        const float* pixel = image.row(static_cast<int>(y));
+        float most = least;
+        for (int x = 0; x < image.width; ++x, pixel += 4) {
+            most = std::max(most, value(pixel));
+        }
+        rows[y] = most;
+    });
+    return std::accumulate(rows.begin(), rows.end(), least, [](float a, float b) { return std::max(a, b); });
 }
 
 /// What lets a share 1 - alpha of the light through: each particle multiplies that share, and adds to this.
@@ -115,29 +123,24 @@ PassPictures::PassPictures(const PassSheet& sheet, PassSet passes, const PassSty
 
 void PassPictures::findScales(PassSet passes)
 {
-    const auto largest = [&](PassLayer layer, float& most) {
-        forPixels(straight(layer), [&](const float* p) { most = p[3] < kSeen ? most : std::max({most, p[0], p[1], p[2]}); });
+    const auto largest = [&](PassLayer layer, float least) {
+        return largestOf(straight(layer), least, [](const float* p) { return p[3] < kSeen ? 0.0F : std::max({p[0], p[1], p[2]}); });
     };
-    largest(PassLayer::RightTopBack, m_scales.light);
-    largest(PassLayer::LeftBottomFront, m_scales.light);
-    largest(PassLayer::Emission, m_scales.emission);
+    m_scales.light = largest(PassLayer::LeftBottomFront, largest(PassLayer::RightTopBack, m_scales.light));
+    m_scales.emission = largest(PassLayer::Emission, m_scales.emission);
     if (passes.has(Pass::Density)) {
-        float most = 0.0F;
-        forPixels(m_sheet.layers.of(PassLayer::Colour), [&](const float* p) { most = std::max(most, p[3]); });
+        const float most = largestOf(m_sheet.layers.of(PassLayer::Colour), 0.0F, [](const float* p) { return p[3]; });
         m_scales.density = std::max(opticalDepth(kSeen), opticalDepth(most));
     }
     if (passes.has(Pass::Motion)) {
         constexpr float kStill = 1e-6F;
-        m_scales.motion = kStill;
-        forPixels(m_motion, [&](const float* p) { m_scales.motion = std::max({m_scales.motion, std::abs(p[0]), std::abs(p[1])}); });
+        m_scales.motion = largestOf(m_motion, kStill, [](const float* p) { return std::max(std::abs(p[0]), std::abs(p[1])); });
     }
     if (passes.has(Pass::Depth)) {
-        float low = std::numeric_limits<float>::max();
-        float high = 0.0F;
-        forPixels(straight(PassLayer::Motion), [&](const float* p) {
-            low = p[3] < kSeen ? low : std::min(low, p[2]);
-            high = p[3] < kSeen ? high : std::max(high, p[2]);
-        });
+        constexpr float kFar = std::numeric_limits<float>::max();
+        const Image& places = straight(PassLayer::Motion);
+        const float low = -largestOf(places, -kFar, [](const float* p) { return p[3] < kSeen ? -kFar : -p[2]; });
+        const float high = largestOf(places, 0.0F, [](const float* p) { return p[3] < kSeen ? 0.0F : p[2]; });
         m_scales.nearest = low < high ? low : 0.0F;
         m_scales.farthest = low < high ? high : 1.0F;
     }

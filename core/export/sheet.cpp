@@ -8,8 +8,22 @@ namespace {
 
 void place(const Image& cell, Image& sheet, const SheetCell& at)
 {
-    for (int y = 0; y < cell.height; ++y) {
+    parallelFor(static_cast<std::size_t>(cell.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
         std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4, sheet.row(at.top + y) + static_cast<std::size_t>(at.left) * 4);
+    });
+}
+
+/// Makes room for the cells; what the last row has more is empty.
+void makeRoom(const SheetGrid& grid, Image& sheet)
+{
+    const int rows = (grid.cells + grid.columns - 1) / grid.columns;
+    sheet.resize(grid.columns * grid.cellWidth, rows * grid.cellHeight);
+    for (int number = grid.cells; number < rows * grid.columns; ++number) {
+        const SheetCell cell = grid.cell(number);
+        for (int y = 0; y < cell.height; ++y) {
+            std::fill_n(sheet.row(cell.top + y) + static_cast<std::size_t>(cell.left) * 4, static_cast<std::size_t>(cell.width) * 4, 0.0F);
+        }
     }
 }
 
@@ -19,11 +33,10 @@ Status renderSheet(const Effect& effect, const std::vector<int>& frames, int col
 {
     const SampledEffect smoke = sampled(effect);
     const int cells = static_cast<int>(frames.size());
-    const int rows = (cells + columns - 1) / columns;
     sheet.grid = {columns, cells, effect.output.width, effect.output.height};
     for (std::size_t i = 0; i < kPassLayers; ++i) {
         if (needsLayer(passes, static_cast<PassLayer>(i))) {
-            sheet.layers.layers[i].resize(sheet.grid.cellWidth * columns, sheet.grid.cellHeight * rows);
+            makeRoom(sheet.grid, sheet.layers.layers[i]);
         }
     }
     FrameNeighbours neighbours(smoke, frames, passes.has(Pass::Motion), 0, shelf);
@@ -53,7 +66,7 @@ Status joinSheet(const std::vector<int>& frames, int columns, const FrameSource&
     const int cells = static_cast<int>(frames.size());
     sheet.grid = {columns, cells, size.x, size.y};
     Image& whole = sheet.layers.of(PassLayer::Colour);
-    whole.resize(size.x * columns, size.y * ((cells + columns - 1) / columns));
+    makeRoom(sheet.grid, whole);
     Image cell;
     for (int number = 0; number < cells; ++number) {
         if (stop.stop_requested()) {

@@ -56,7 +56,7 @@ float relit(const DataImage& a, const DataImage& b, std::size_t pixel, const glm
 {
     float sum = 0.0F;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<float>& map = towards[axis] >= 0.0F ? a.values : b.values;
+        const RawArray<float>& map = towards[axis] >= 0.0F ? a.values : b.values;
         sum += towards[axis] * towards[axis] * map[pixel * 4 + static_cast<std::size_t>(axis)];
     }
     return sum * scale * a.values[pixel * 4 + 3];

@@ -132,9 +132,7 @@ Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& tex
             workspace.tile.bottom = std::min(height, workspace.tile.top + kTileHeight);
             const std::span<DepthEntry> list(m_entries.data() + m_tileStarts[index], m_tileTotals[first + index]);
             sortByDepth(list, workspace.scratch);
-            for (const Layer& layer : layers) {
-                paintTile(batch, texture, layer.colours, list, workspace.tile, *layer.image);
-            }
+            paintTile(batch, texture, layers, list, workspace.tile);
         });
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, said("painting was cancelled"), {}, {}};

@@ -42,7 +42,8 @@ public:
         Image* image = nullptr; ///< resized; every pixel is written
     };
 
-    /// Several pictures of the same sprites in other colours: they are binned and sorted once. As compose() else.
+    /// Several pictures of the same sprites in other colours: they are binned and sorted once, and their opacities found once. As compose() else.
+    /// @param layers at most kPassLayers
     [[nodiscard]] Status composeAll(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Layer> layers, const std::stop_token& stop = {});
 
 private:

@@ -12,7 +12,7 @@ namespace fumage {
 struct Image {
     int width = 0;
     int height = 0;
-    AlignedArray<float> pixels; ///< width * height * 4
+    RawArray<float> pixels; ///< width * height * 4
 
     /// Makes room; what the pixels hold then is undefined.
     void resize(int newWidth, int newHeight)

@@ -28,9 +28,9 @@ struct PlainProfile {
 };
 
 /// A sprite too small for its texture: a soft disc of one colour.
-/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre
-template <bool kLean, bool kFlat>
-void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
+/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre @param kLayered there are other layers
+template <bool kLean, bool kFlat, bool kLayered>
+void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInLayers& others, Tile& tile)
 {
     const Patches box = patchesOf(sprite, tile);
     if (box.none()) {
@@ -65,7 +65,8 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
             const V rest = hn::Mul(hn::Set(d, profile.scale), hn::Sub(one, hn::Mul(hn::Set(d, profile.yy), hn::Mul(dy, dy))));
             const V slope = hn::Mul(hn::Set(d, profile.lean), dy);
             float* pixels = tile.patches.data() + patchOffset(first, row) + part;
-            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats) {
+            float* more = kLayered ? tile.others.data() + others.layers.offset(first, row) + part : nullptr;
+            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats, more += others.layers.stride()) {
                 const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
                 V root = hn::Sub(rest, hn::Load(d, curve + at));
                 if constexpr (kLean) {
@@ -75,18 +76,22 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
                 if constexpr (kFlat) {
                     root = hn::Min(root, most);
                 }
-                under(d, pixels, hn::Mul(root, root), red, green, blue);
+                const V weight = under(d, pixels, hn::Mul(root, root), red, green, blue);
+                if constexpr (kLayered) {
+                    others.under<false>(d, more, weight, nullptr);
+                }
             }
         }
     });
 }
 
-void paintPlainSprite(const SpriteStyle& style, const Sprite& sprite, Tile& tile)
+template <bool kLayered>
+void paintPlainSprite(const SpriteStyle& style, const Sprite& sprite, const SpriteInLayers& others, Tile& tile)
 {
     const bool lean = sprite.m00 * sprite.m01 + sprite.m10 * sprite.m11 != 0.0F;
     const bool flat = style.hardness > 1.0F;
-    const auto paint = lean ? (flat ? paintPlain<true, true> : paintPlain<true, false>) : (flat ? paintPlain<false, true> : paintPlain<false, false>);
-    paint(style, sprite, tile);
+    const auto paint = lean ? (flat ? paintPlain<true, true, kLayered> : paintPlain<true, false, kLayered>) : (flat ? paintPlain<false, true, kLayered> : paintPlain<false, false, kLayered>);
+    paint(style, sprite, others, tile);
 }
 
 } // namespace fumage::HWY_NAMESPACE

@@ -21,19 +21,15 @@ constexpr int kFractionBits = 7;
 /// Weights of the texels at fraction t are kFull - t and t: the last step before the next texel gives that texel, so that no value jumps.
 constexpr int kFull = (1 << kFractionBits) - 1;
 
-/// What lights the inside of a textured sprite.
-enum class Shading {
-    None, ///< the same light everywhere
-    Sun, ///< one light along (lightX, lightY) of the style
-    Axes, ///< one a channel: red along (lightX, 0), green along (0, lightY), blue along the view, which shades nothing
-};
+/// How many lights shade the inside of a textured sprite: none, the sun, or that and those of other layers in place of what lights evenly.
+constexpr std::size_t kSunAlone = 1;
 
 /// How one light shades the inside of a sprite.
 struct LightOnSprite {
     float reliefU, reliefV; ///< by the noise's slope, per grey value * kFull
     float roundX, roundY; ///< by the place in the sprite, per pixel
 
-    /// @param scale of the sprite's matrix without which it only turns @param slope relief of one grey value * kFull
+    /// @param scale of the sprite's matrix without which it only turns @param slope relief of one grey value * kFull @param lightX,lightY its way; y runs down
     LightOnSprite(const SpriteStyle& style, const Sprite& sprite, float scale, float slope, float lightX, float lightY)
     {
         const float lightP = (sprite.m00 * lightX + sprite.m01 * lightY) * scale;
@@ -82,13 +78,13 @@ struct SpriteLines {
     struct Across {
         alignas(kAlignment) float dx[kLineRoom], bend[kLineRoom]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend + slope)
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< texture coordinates
-        alignas(kAlignment) float round[kLineRoom], roundSecond[kLineRoom]; ///< shading, and that by the second of two lights
+        alignas(kAlignment) float round[kLayerLights][kLineRoom]; ///< shading by each light
         alignas(kAlignment) float p[kLineRoom], q[kLineRoom]; ///< place in a square, in pixels across its edges
     } across;
     struct Down {
         alignas(kAlignment) float slope[kLineRoom], rest[kLineRoom];
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< with kToFixed
-        alignas(kAlignment) float round[kLineRoom], roundSecond[kLineRoom];
+        alignas(kAlignment) float round[kLayerLights][kLineRoom];
         alignas(kAlignment) float p[kLineRoom], q[kLineRoom];
     } down;
     // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
@@ -105,8 +101,22 @@ struct SquareRim {
     }
 };
 
-template <bool kSquare, Shading kShading>
-HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const LightOnSprite& light, const LightOnSprite& second, const Rim& rim, const SquareRim& edges, const Patches& box, const Tile& tile, SpriteLines& lines)
+/// What comes from the right goes to the left.
+template <std::size_t kLights>
+HWY_INLINE std::array<LightOnSprite, kLights> lightsOn(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look)
+{
+    const auto light = [&](float x, float y) { return LightOnSprite(style, sprite, look.turn, look.slope, x, y); };
+    if constexpr (kLights == 0) {
+        return {};
+    } else if constexpr (kLights == kSunAlone) {
+        return {light(style.lightX, style.lightY)};
+    } else {
+        return {light(style.lightX, style.lightY), light(-1.0F, 0.0F), light(0.0F, 1.0F), light(1.0F, 0.0F), light(0.0F, -1.0F)};
+    }
+}
+
+template <bool kSquare, std::size_t kLights>
+HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const std::array<LightOnSprite, kLights>& lights, const Rim& rim, const SquareRim& edges, const Patches& box, const Tile& tile, SpriteLines& lines)
 {
     const D d;
     const V bend = hn::Set(d, rim.xx * style.hardness);
@@ -118,11 +128,8 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
             const auto store = [&](float* HWY_RESTRICT to, float slope) HWY_ATTR { hn::Store(hn::Mul(hn::Set(d, slope), dx), d, to + at); };
             store(lines.across.u, sprite.m00 * look.texelsAcross);
             store(lines.across.v, sprite.m10 * look.texelsAcross);
-            if constexpr (kShading != Shading::None) {
-                store(lines.across.round, light.roundX);
-            }
-            if constexpr (kShading == Shading::Axes) {
-                store(lines.across.roundSecond, second.roundX);
+            for (std::size_t i = 0; i < kLights; ++i) {
+                store(lines.across.round[i], lights[i].roundX);
             }
             if constexpr (kSquare) {
                 store(lines.across.p, sprite.m00 * edges.p);
@@ -138,11 +145,8 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
             const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR { hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + at); };
             store(lines.down.u, sprite.m01 * look.texelsAcross, kToFixed + look.u);
             store(lines.down.v, sprite.m11 * look.texelsAcross, kToFixed + look.v);
-            if constexpr (kShading != Shading::None) {
-                store(lines.down.round, light.roundY, 1.0F);
-            }
-            if constexpr (kShading == Shading::Axes) {
-                store(lines.down.roundSecond, second.roundY, 1.0F);
+            for (std::size_t i = 0; i < kLights; ++i) {
+                store(lines.down.round[i], lights[i].roundY, 1.0F);
             }
             if constexpr (kSquare) {
                 store(lines.down.p, sprite.m01 * edges.p, 0.0F);
@@ -155,8 +159,9 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
     }
 }
 
-template <bool kSquare, Shading kShading>
-void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, Tile& tile)
+/// @param kShaded its noise or its roundness is lit @param kLayered there are other layers
+template <bool kSquare, bool kShaded, bool kLayered>
+void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, const SpriteInLayers& others, Tile& tile)
 {
     const Patches box = patchesOf(sprite, tile);
     if (box.none()) {
@@ -167,11 +172,11 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const TexturedSprite look(style, texture, sprite);
     const Rim rim(sprite);
     const SquareRim edges(sprite);
-    constexpr bool kAxes = kShading == Shading::Axes;
-    const LightOnSprite light(style, sprite, look.turn, look.slope, style.lightX, kAxes ? 0.0F : style.lightY);
-    const LightOnSprite second(style, sprite, look.turn, look.slope, 0.0F, style.lightY);
+    constexpr std::size_t kLights = !kShaded ? 0 : kLayered ? kLayerLights
+                                                            : kSunAlone;
+    const std::array<LightOnSprite, kLights> lights = lightsOn<kLights>(style, sprite, look);
     SpriteLines lines;
-    fillLines<kSquare, kShading>(style, sprite, look, light, second, rim, edges, box, tile, lines);
+    fillLines<kSquare, kLights>(style, sprite, look, lights, rim, edges, box, tile, lines);
 
     const I wrap = hn::Set(di, (1 << look.shift) - 1);
     // The fraction in all bytes or halves of a lane, then full minus fraction in the first of each two.
@@ -196,8 +201,8 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const V ambientBlue = hn::Set(d, sprite.ambient[2]);
     const auto* texels = reinterpret_cast<const std::int32_t*>(look.texels);
 
-    /// @param across,down of the vector's first pixel in the lists @param at its pixels in the tile
-    const auto paintVector = [&](std::size_t across, std::size_t down, float* HWY_RESTRICT at) HWY_ATTR {
+    /// @param across,down of the vector's first pixel in the lists @param at its pixels in the tile @param more those in the other layers
+    const auto paintVector = [&](std::size_t across, std::size_t down, float* HWY_RESTRICT at, float* HWY_RESTRICT more) HWY_ATTR {
         const auto sum = [&](const float* x, const float* y) HWY_ATTR { return hn::Add(hn::Load(d, x + across), hn::Load(d, y + down)); };
         const I u = hn::BitCast(di, sum(lines.across.u, lines.down.u));
         const I v = hn::BitCast(di, sum(lines.across.v, lines.down.v));
@@ -218,29 +223,32 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
         const auto dot = [&](I x, I y) HWY_ATTR { return hn::ConvertTo(d, dotHalves(di, x, y)); };
         const I pairs = dotBytes(di, footprint, alongU);
         const V a = hn::Mul(mask, hn::Min(hn::Max(mulAdd(dot(pairs, alongV), alphaScale, alphaShift), leastAlpha), mostAlpha));
-        if constexpr (kShading == Shading::None) {
-            under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
-            return;
-        }
-        const V slopeU = dot(dotBytes(di, footprint, rise), alongV);
-        const V slopeV = dot(pairs, riseOfHalves);
-        const auto shadeBy = [&](const LightOnSprite& by, const float* x, const float* y) HWY_ATTR {
-            return hn::Max(zero, mulAdd(hn::Set(d, by.reliefV), slopeV, mulAdd(hn::Set(d, by.reliefU), slopeU, sum(x, y))));
-        };
-        const V shade = shadeBy(light, lines.across.round, lines.down.round);
-        if constexpr (kShading == Shading::Sun) {
-            under(d, at, a, mulAdd(shade, directRed, ambientRed), mulAdd(shade, directGreen, ambientGreen), mulAdd(shade, directBlue, ambientBlue));
+        if constexpr (kShaded) {
+            const V slopeU = dot(dotBytes(di, footprint, rise), alongV);
+            const V slopeV = dot(pairs, riseOfHalves);
+            const auto shadeBy = [&](std::size_t i) HWY_ATTR {
+                return hn::Max(zero, mulAdd(hn::Set(d, lights[i].reliefV), slopeV, mulAdd(hn::Set(d, lights[i].reliefU), slopeU, sum(lines.across.round[i], lines.down.round[i]))));
+            };
+            const V shade = shadeBy(0);
+            const V weight = under(d, at, a, mulAdd(shade, directRed, ambientRed), mulAdd(shade, directGreen, ambientGreen), mulAdd(shade, directBlue, ambientBlue));
+            if constexpr (kLayered) {
+                const V shades[kLayerLights] = {hn::Set(d, 1.0F), shadeBy(kFromRight), shadeBy(kFromTop), shadeBy(kFromLeft), shadeBy(kFromBottom)}; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+                others.under<true>(d, more, weight, shades);
+            }
         } else {
-            const V other = shadeBy(second, lines.across.roundSecond, lines.down.roundSecond);
-            under(d, at, a, mulAdd(shade, directRed, ambientRed), mulAdd(other, directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
+            const V weight = under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
+            if constexpr (kLayered) {
+                others.under<false>(d, more, weight, nullptr);
+            }
         }
     };
     const auto paintRow = [&](int row, int first, int last) HWY_ATTR {
         for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d)) {
             float* pixels = tile.patches.data() + patchOffset(first, row) + part;
+            float* more = kLayered ? tile.others.data() + others.layers.offset(first, row) + part : nullptr;
             const std::size_t down = static_cast<std::size_t>(row) * Tile::kPatchPixels + part;
-            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats) {
-                paintVector(static_cast<std::size_t>(column) * Tile::kPatchPixels + part, down, pixels);
+            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats, more += others.layers.stride()) {
+                paintVector(static_cast<std::size_t>(column) * Tile::kPatchPixels + part, down, pixels, more);
             }
         }
     };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -59,8 +60,9 @@ struct Rim {
     }
 };
 
-/// Adds a layer of opacity a and colour c under what is there.
-HWY_INLINE void under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue)
+/// Puts a sprite of some opacity and colour under what is there.
+/// @return how much of it is seen
+HWY_INLINE V under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue)
 {
     float* HWY_RESTRICT toRed = through + Tile::kPatchPixels;
     float* HWY_RESTRICT toGreen = through + 2 * Tile::kPatchPixels;
@@ -71,12 +73,94 @@ HWY_INLINE void under(D d, float* HWY_RESTRICT through, V a, V red, V green, V b
     hn::Store(mulAdd(weight, green, hn::Load(d, toGreen)), d, toGreen);
     hn::Store(mulAdd(weight, blue, hn::Load(d, toBlue)), d, toBlue);
     hn::Store(hn::Sub(before, weight), d, through);
+    return weight;
 }
 
 HWY_INLINE std::size_t patchOffset(int column, int row)
 {
     return static_cast<std::size_t>(row * Tile::kAcross + column) * Tile::kPatchFloats;
 }
+
+/// What lights the inside of a sprite in other layers: places in a list.
+enum : std::size_t {
+    kEvenly,
+    kFromRight,
+    kFromTop,
+    kFromLeft,
+    kFromBottom,
+    kLayerLights,
+};
+
+/// Layers beside the sprites' own colours.
+struct OtherLayers {
+    struct One {
+        const float* colours; ///< of all sprites
+        std::size_t red, green; ///< lights; nothing shades blue
+    };
+    std::array<One, kPassLayers> layers{};
+    std::size_t count = 0;
+
+    explicit OtherLayers(std::span<const Compositor::Layer> all)
+    {
+        for (const Compositor::Layer& layer : all) {
+            if (layer.colours != nullptr) {
+                layers[count++] = One{layer.colours->colours.data(), lightOf(layer, kFromRight, kFromLeft), lightOf(layer, kFromTop, kFromBottom)};
+            }
+        }
+    }
+    /// Floats from a patch of the tile to the next.
+    [[nodiscard]] std::size_t stride() const { return count * Tile::kPatchColours; }
+    [[nodiscard]] std::size_t offset(int column, int row) const { return static_cast<std::size_t>(row * Tile::kAcross + column) * stride(); }
+    void fetch(std::size_t sprite) const
+    {
+        for (std::size_t i = 0; i < count; ++i) {
+            hwy::Prefetch(layers[i].colours + sprite * SpriteLayer::kStride);
+        }
+    }
+
+private:
+    static std::size_t lightOf(const Compositor::Layer& layer, std::size_t above, std::size_t below)
+    {
+        switch (layer.colours->light) {
+        case LayerLight::Flat: break;
+        case LayerLight::RightTopBack: return above;
+        case LayerLight::LeftBottomFront: return below;
+        }
+        return kEvenly;
+    }
+};
+
+/// A sprite in the other layers of a tile; of no account where there are none.
+struct SpriteInLayers {
+    const OtherLayers& layers;
+    std::size_t sprite;
+
+    /// Puts it under what is there.
+    /// @param weight what under() has found @param lights kLayerLights; null: all the same
+    template <bool kLit>
+    HWY_INLINE void under(D d, float* HWY_RESTRICT to, V weight, const V* lights) const
+    {
+        for (std::size_t i = 0; i < layers.count; ++i, to += Tile::kPatchColours) {
+            const OtherLayers::One& layer = layers.layers[i];
+            const float* HWY_RESTRICT colour = layer.colours + sprite * SpriteLayer::kStride;
+            const auto put = [&](std::size_t channel, V value) HWY_ATTR {
+                float* HWY_RESTRICT at = to + channel * Tile::kPatchPixels;
+                hn::Store(mulAdd(weight, value, hn::Load(d, at)), d, at);
+            };
+            const auto lit = [&](std::size_t channel, std::size_t light) HWY_ATTR {
+                const V value = hn::Set(d, colour[channel]);
+                if constexpr (kLit) {
+                    return hn::Mul(lights[light], value);
+                } else {
+                    return value;
+                }
+            };
+            put(0, lit(0, layer.red));
+            put(1, lit(1, layer.green));
+            put(2, hn::Set(d, colour[2]));
+        }
+    }
+};
 
 /// Column and row of each pixel of a patch, at its centre.
 alignas(kAlignment) constexpr float kColumns[Tile::kPatchPixels] = {0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F};

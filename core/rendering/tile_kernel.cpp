@@ -15,9 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
 /// Nothing yet in the way of anything. What lies beyond the image's edge counts as covered, or the last tiles would never be full.
-void clearTile(Tile& tile)
+void clearTile(const OtherLayers& others, Tile& tile)
 {
     const D d;
+    tile.others.resize(std::max(tile.others.size(), others.stride() * Tile::kPatches));
+    std::fill_n(tile.others.data(), others.stride() * Tile::kPatches, 0.0F);
     for (std::size_t patch = 0; patch < tile.patches.size(); patch += Tile::kPatchFloats) {
         for (std::size_t i = 0; i < Tile::kPatchFloats; i += hn::Lanes(d)) {
             hn::Store(i < Tile::kPatchPixels ? hn::Set(d, 1.0F) : hn::Zero(d), d, tile.patches.data() + patch + i);
@@ -50,15 +52,34 @@ bool isOpaque(const Tile& tile)
     return true;
 }
 
+/// The planes of one layer in a tile.
+struct Planes {
+    const float* through; ///< from one patch to the next Tile::kPatchFloats
+    const float* colours; ///< red, green and blue
+    std::size_t stride; ///< of colours, from one patch to the next
+
+    [[nodiscard]] Planes at(int column, int row) const
+    {
+        const auto patch = static_cast<std::size_t>(row * Tile::kAcross + column);
+        return {through + patch * Tile::kPatchFloats, colours + patch * stride, stride};
+    }
+    void next()
+    {
+        through += Tile::kPatchFloats;
+        colours += stride;
+    }
+};
+
 /// Puts a row of the image together from its planes.
-void joinRow(const float* HWY_RESTRICT from, int width, float* HWY_RESTRICT to)
+/// @param line of the patch
+void joinRow(Planes from, std::size_t line, int width, float* HWY_RESTRICT to)
 {
     const hn::CappedTag<float, Tile::kPatch> d;
     const auto one = hn::Set(d, 1.0F);
-    for (int x = 0; x < width; x += Tile::kPatch, from += Tile::kPatchFloats) {
-        for (std::size_t i = 0; i < Tile::kPatch; i += hn::Lanes(d), to += 4 * hn::Lanes(d)) {
-            const auto plane = [&](std::size_t number) HWY_ATTR { return hn::LoadU(d, from + number * Tile::kPatchPixels + i); };
-            hn::StoreInterleaved4(plane(1), plane(2), plane(3), hn::Sub(one, plane(0)), d, to);
+    for (int x = 0; x < width; x += Tile::kPatch, from.next()) {
+        for (std::size_t i = line * Tile::kPatch; i < (line + 1) * Tile::kPatch; i += hn::Lanes(d), to += 4 * hn::Lanes(d)) {
+            const auto plane = [&](std::size_t number) HWY_ATTR { return hn::LoadU(d, from.colours + number * Tile::kPatchPixels + i); };
+            hn::StoreInterleaved4(plane(0), plane(1), plane(2), hn::Sub(one, hn::LoadU(d, from.through + i)), d, to);
         }
     }
 }
@@ -90,17 +111,17 @@ HWY_INLINE void streamRows(DRows d, VRows first, VRows second, VRows third, VRow
 
 /// Puts a patch of the image together from its planes.
 /// @param stride floats from one row of the image to the next
-HWY_INLINE void streamPatch(const float* HWY_RESTRICT from, float* HWY_RESTRICT to, std::size_t stride)
+HWY_INLINE void streamPatch(const Planes& from, float* HWY_RESTRICT to, std::size_t stride)
 {
     const D d;
     const hn::Repartition<double, D> pairs;
     for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d), to += hn::Lanes(d) / Tile::kPatch * stride) {
-        const auto plane = [&](std::size_t number) HWY_ATTR { return hn::Load(d, from + number * Tile::kPatchPixels + part); };
-        const V alpha = hn::Sub(hn::Set(d, 1.0F), plane(0));
-        const auto lowRg = hn::BitCast(pairs, hn::InterleaveLower(d, plane(1), plane(2)));
-        const auto highRg = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(1), plane(2)));
-        const auto lowBa = hn::BitCast(pairs, hn::InterleaveLower(d, plane(3), alpha));
-        const auto highBa = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(3), alpha));
+        const auto plane = [&](std::size_t number) HWY_ATTR { return hn::Load(d, from.colours + number * Tile::kPatchPixels + part); };
+        const V alpha = hn::Sub(hn::Set(d, 1.0F), hn::Load(d, from.through + part));
+        const auto lowRg = hn::BitCast(pairs, hn::InterleaveLower(d, plane(0), plane(1)));
+        const auto highRg = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(0), plane(1)));
+        const auto lowBa = hn::BitCast(pairs, hn::InterleaveLower(d, plane(2), alpha));
+        const auto highBa = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(2), alpha));
         streamRows(d, hn::BitCast(d, hn::InterleaveLower(pairs, lowRg, lowBa)), hn::BitCast(d, hn::InterleaveUpper(pairs, lowRg, lowBa)),
             hn::BitCast(d, hn::InterleaveLower(pairs, highRg, highBa)), hn::BitCast(d, hn::InterleaveUpper(pairs, highRg, highBa)), to, stride);
     }
@@ -120,7 +141,7 @@ float* pixelsOf(const Tile& tile, Image& image, int row)
 }
 
 /// Past the cache where that can be: nothing reads the image before the whole picture, which is larger than the cache, is done.
-void writeTile(const Tile& tile, Image& image)
+void writeTile(const Tile& tile, const Planes& planes, Image& image)
 {
     const int width = tile.right - tile.left;
     const int height = tile.bottom - tile.top;
@@ -129,9 +150,9 @@ void writeTile(const Tile& tile, Image& image)
     if (hasWholePatches(image)) {
         const std::size_t stride = static_cast<std::size_t>(image.width) * 4;
         for (; y + Tile::kPatch <= height; y += Tile::kPatch) {
-            const float* from = tile.patches.data() + patchOffset(0, y / Tile::kPatch);
+            Planes from = planes.at(0, y / Tile::kPatch);
             float* to = pixelsOf(tile, image, y);
-            for (int x = 0; x < width; x += Tile::kPatch, from += Tile::kPatchFloats, to += Tile::kPatchPixels) {
+            for (int x = 0; x < width; x += Tile::kPatch, from.next(), to += Tile::kPatchPixels) {
                 streamPatch(from, to, stride);
             }
         }
@@ -139,7 +160,7 @@ void writeTile(const Tile& tile, Image& image)
 #endif
     for (; y < height; ++y) {
         alignas(kAlignment) float line[static_cast<std::size_t>(Compositor::kTileWidth) * 4]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
-        joinRow(tile.patches.data() + patchOffset(0, y / Tile::kPatch) + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch), width, line);
+        joinRow(planes.at(0, y / Tile::kPatch), static_cast<std::size_t>(y % Tile::kPatch), width, line);
         std::copy_n(line, static_cast<std::size_t>(width) * 4, pixelsOf(tile, image, y));
     }
     hwy::FlushStream();
@@ -163,39 +184,16 @@ void writeNothing(const Tile& tile, Image& image)
     hwy::FlushStream();
 }
 
-/// What lights the inside of the sprites of a picture.
-Shading shadingOf(const SpriteStyle& style, const SpriteLayer* layer)
-{
-    if (style.relief == 0.0F && style.roundness == 0.0F) {
-        return Shading::None;
-    }
-    return layer == nullptr ? Shading::Sun : layer->light == LayerLight::Flat ? Shading::None
-                                                                              : Shading::Axes;
-}
+using PaintTextured = void (*)(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, const SpriteInLayers& others, Tile& tile);
 
-/// Those of the batch, under the lights of a layer.
-SpriteStyle styleOf(const SpriteBatch& batch, const SpriteLayer* layer)
+template <bool kLayered>
+PaintTextured painterOf(const SpriteStyle& style)
 {
-    SpriteStyle style = batch.style;
-    if (layer != nullptr) {
-        // What comes from the right goes to the left; y runs down.
-        style.lightX = layer->light == LayerLight::RightTopBack ? -1.0F : 1.0F;
-        style.lightY = -style.lightX;
+    const bool isShaded = style.relief != 0.0F || style.roundness != 0.0F;
+    if (style.square) {
+        return isShaded ? paintTextured<true, true, kLayered> : paintTextured<true, false, kLayered>;
     }
-    return style;
-}
-
-using PaintTextured = void (*)(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, Tile& tile);
-
-template <bool kSquare>
-PaintTextured painterOf(Shading shading)
-{
-    switch (shading) {
-    case Shading::None: break;
-    case Shading::Sun: return paintTextured<kSquare, Shading::Sun>;
-    case Shading::Axes: return paintTextured<kSquare, Shading::Axes>;
-    }
-    return paintTextured<kSquare, Shading::None>;
+    return isShaded ? paintTextured<false, true, kLayered> : paintTextured<false, false, kLayered>;
 }
 
 /// Calls paintSprite(index) near to far, until nothing behind can be seen.
@@ -215,40 +213,51 @@ HWY_INLINE void forEntries(std::span<const DepthEntry> entries, const Tile& tile
     }
 }
 
-void paint(const SpriteBatch& batch, const SpriteTexture& texture, const SpriteLayer* layer, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+/// Paints the sprites' own colours and those of the other layers.
+template <bool kLayered>
+void paintAll(const SpriteBatch& batch, const SpriteTexture& texture, const OtherLayers& others, std::span<const DepthEntry> entries, Tile& tile)
+{
+    const PaintTextured paintWithTexture = painterOf<kLayered>(batch.style);
+    forEntries(
+        entries, tile, [&](std::uint32_t index) HWY_ATTR {
+            const Sprite& sprite = batch.sprites[index];
+            const SpriteInLayers inLayers{others, index};
+            if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
+                paintPlainSprite<kLayered>(batch.style, sprite, inLayers, tile);
+            } else {
+                paintWithTexture(batch.style, texture, sprite, inLayers, tile);
+            } },
+        [&](std::uint32_t index) HWY_ATTR {
+            hwy::Prefetch(&batch.sprites[index]);
+            others.fetch(index);
+        });
+}
+
+void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Compositor::Layer> layers, std::span<const DepthEntry> entries, Tile& tile)
 {
     if (entries.empty()) {
-        writeNothing(tile, image);
+        for (const Compositor::Layer& layer : layers) {
+            writeNothing(tile, *layer.image);
+        }
         return;
     }
-    clearTile(tile);
-    const Shading shading = shadingOf(batch.style, layer);
-    const SpriteStyle style = styleOf(batch, layer);
-    const PaintTextured paintWithTexture = style.square ? painterOf<true>(shading) : painterOf<false>(shading);
-    const auto paintSprite = [&](const Sprite& sprite) HWY_ATTR {
-        if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
-            paintPlainSprite(style, sprite, tile);
-        } else {
-            paintWithTexture(style, texture, sprite, tile);
-        }
-    };
-    const auto fetch = [&](std::uint32_t index) HWY_ATTR { hwy::Prefetch(&batch.sprites[index]); };
-    if (layer == nullptr) {
-        forEntries(
-            entries, tile, [&](std::uint32_t index) HWY_ATTR { paintSprite(batch.sprites[index]); }, fetch);
+    const OtherLayers others(layers);
+    clearTile(others, tile);
+    if (others.count > 0) {
+        paintAll<true>(batch, texture, others, entries, tile);
     } else {
-        forEntries(
-            entries, tile, [&](std::uint32_t index) HWY_ATTR {
-                Sprite sprite = batch.sprites[index];
-                std::copy_n(layer->colours.data() + std::size_t{index} * SpriteLayer::kStride, std::size(sprite.direct), sprite.direct);
-                std::fill_n(sprite.ambient, std::size(sprite.ambient), 0.0F);
-                paintSprite(sprite); },
-            [&](std::uint32_t index) HWY_ATTR {
-                fetch(index);
-                hwy::Prefetch(layer->colours.data() + std::size_t{index} * SpriteLayer::kStride);
-            });
+        paintAll<false>(batch, texture, others, entries, tile);
     }
-    writeTile(tile, image);
+    const float* const through = tile.patches.data();
+    const float* other = tile.others.data();
+    for (const Compositor::Layer& layer : layers) {
+        if (layer.colours == nullptr) {
+            writeTile(tile, {through, through + Tile::kPatchPixels, Tile::kPatchFloats}, *layer.image);
+        } else {
+            writeTile(tile, {through, other, others.stride()}, *layer.image);
+            other += Tile::kPatchColours;
+        }
+    }
 }
 
 } // namespace fumage::HWY_NAMESPACE
@@ -259,10 +268,10 @@ namespace fumage {
 
 HWY_EXPORT(paint);
 
-void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, const SpriteLayer* layer, std::span<const DepthEntry> entries, Tile& tile, Image& image)
+void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Compositor::Layer> layers, std::span<const DepthEntry> entries, Tile& tile)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(paint);
-    kernel(batch, texture, layer, entries, tile, image);
+    kernel(batch, texture, layers, entries, tile);
 }
 
 } // namespace fumage

@@ -13,7 +13,7 @@ template <class Channel>
 struct EncodedImage {
     int width = 0;
     int height = 0;
-    std::vector<Channel> pixels; ///< width * height * 4, row-major, origin top-left
+    RawArray<Channel> pixels; ///< width * height * 4, row-major, origin top-left
 };
 
 /// How opaque what is encoded is.

@@ -228,7 +228,7 @@ private slots:
     void colourBleedsUnderTransparencyAndNotIntoOtherCells()
     {
         // Three cells of 5 x 3: one red pixel; a faint green and a strong blue one; nothing.
-        EncodedImage<std::uint16_t> image{15, 3, std::vector<std::uint16_t>(15 * 3 * 4, 0)};
+        EncodedImage<std::uint16_t> image{15, 3, RawArray<std::uint16_t>(15 * 3 * 4, 0)};
         const auto pixel = [&](int x, int y) { return image.pixels.data() + static_cast<std::size_t>((y * 15 + x) * 4); };
         const auto set = [&](int x, int y, const std::array<std::uint16_t, 4>& to) { std::copy(to.begin(), to.end(), pixel(x, y)); };
         set(4, 1, {60000, 0, 0, 65535});

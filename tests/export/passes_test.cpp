@@ -321,14 +321,14 @@ private slots:
         const auto make = [&] {
             const Made made(effect, {20, 22}, all);
             const PassPictures pictures(made.sheet, all, {});
-            std::vector<std::vector<float>> values;
+            std::vector<RawArray<float>> values;
             for (const Pass pass : kAllPasses) {
-                values.push_back(pass == Pass::Colour ? std::vector<float>(made.sheet.layers.of(PassLayer::Colour).pixels.begin(), made.sheet.layers.of(PassLayer::Colour).pixels.end()) : pictures.picture(pass).values);
+                values.push_back(pass == Pass::Colour ? made.sheet.layers.of(PassLayer::Colour).pixels : pictures.picture(pass).values);
             }
             return values;
         };
         const auto expected = make();
-        const auto same = [&](const std::vector<std::vector<float>>& seen) {
+        const auto same = [&](const std::vector<RawArray<float>>& seen) {
             for (std::size_t i = 0; i < seen.size(); ++i) {
                 if (seen[i].size() != expected[i].size() || std::memcmp(seen[i].data(), expected[i].data(), seen[i].size() * sizeof(float)) != 0) {
                     qWarning("%s differs", std::string(passName(kAllPasses[i])).c_str());

@@ -43,7 +43,7 @@ PassSheet columnThatMoves()
 /// What says that everything goes 4 pixels to the right from each cell to the next, in halves of a cell.
 DataImage fourToTheRight()
 {
-    DataImage motion{2 * kEdge, kEdge, 3, true, std::vector<float>(std::size_t{2} * kEdge * kEdge * 3, 0.0F)};
+    DataImage motion{2 * kEdge, kEdge, 3, true, RawArray<float>(std::size_t{2} * kEdge * kEdge * 3, 0.0F)};
     for (std::size_t i = 0; i < motion.values.size(); i += 3) {
         motion.values[i] = 4.0F / kEdge / 0.5F;
     }

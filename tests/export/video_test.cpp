@@ -79,6 +79,7 @@ private slots:
             EncodedImage<std::uint8_t> behind;
             Image one;
             one.resize(1, 1);
+            std::fill(one.pixels.begin(), one.pixels.end(), 0.0F);
             fillBackground(one, smallSmoke().output.backgroundColour);
             encode(one, smallSmoke().output, behind);
             QVERIFY(hasAlpha(format) || std::equal(behind.pixels.begin(), behind.pixels.begin() + 3, reinterpret_cast<const unsigned char*>(bytes.data())));

@@ -136,7 +136,7 @@ private slots:
 
 private:
     struct EncodedImageOf {
-        std::vector<std::uint8_t> bytes;
+        RawArray<std::uint8_t> bytes;
         EncodedImageOf(const Image& image, const Effect& effect)
         {
             EncodedImage<std::uint8_t> encoded;

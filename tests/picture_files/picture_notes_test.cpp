@@ -23,6 +23,7 @@ std::string pictureWith(const PictureNotes& notes, ImageFormat format)
 {
     Image image;
     image.resize(20, 10);
+    std::fill(image.pixels.begin(), image.pixels.end(), 0.5F);
     const std::vector<std::byte> bytes = encodeImage(image, Effect{}, format, notes).value();
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
