@@ -81,7 +81,7 @@ Status doJobs(const std::string& file, bool asJson)
         }
         answers.push_back(answerOf(job, done));
     }
-    const Status answered = asJson ? printJson({{"done", total - failures.size()}, {"failed", failures.size()}, {"jobs", answers}}) : Status(Done{});
+    Status answered = asJson ? printJson({{"done", total - failures.size()}, {"failed", failures.size()}, {"jobs", answers}}) : Status(Done{});
     if (!answered || failures.empty()) {
         return answered;
     }

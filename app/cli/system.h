@@ -14,7 +14,7 @@ namespace fumage::cli {
 class StandardStreams {
 public:
     StandardStreams();
-    ~StandardStreams();
+    ~StandardStreams(); // NOLINT(performance-trivially-destructible): on Windows it has something to do
     StandardStreams(const StandardStreams&) = delete;
     StandardStreams& operator=(const StandardStreams&) = delete;
     StandardStreams(StandardStreams&&) = delete;

@@ -125,7 +125,7 @@ Status verify(const VerifyOptions& options)
     if (!finding) {
         return finding.error();
     }
-    const Status told = options.asJson ? answerInJson(finding.value(), set.value()) : answerInText(finding.value());
+    Status told = options.asJson ? answerInJson(finding.value(), set.value()) : answerInText(finding.value());
     if (!told || finding.value().isClean()) {
         return told;
     }

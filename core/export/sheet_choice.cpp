@@ -69,7 +69,8 @@ Result<std::vector<Moment>> momentsOf(const Effect& effect, const FlipbookOption
             return frame.error();
         }
         Moment& moment = moments[static_cast<std::size_t>(i)];
-        const double ofFrame = static_cast<double>((number - options.frames.first) / options.frames.step) / options.frames.count();
+        const int place = (number - options.frames.first) / options.frames.step; // in the range
+        const double ofFrame = static_cast<double>(place) / options.frames.count();
         moment.share = options.retime ? (2.0 * i + 1.0) / (2.0 * kMoments) : ofFrame;
         if (Status status = renderer.render(*frame.value(), smoke, effect.output.width, effect.output.height, moment.truth, stop); !status) {
             return status.error();

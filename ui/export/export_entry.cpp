@@ -2,11 +2,13 @@
 
 #include "ui/document/text.h"
 
+#include <QWidget>
+
 namespace fumage::ui {
 
-ExportEntry::ExportEntry(ExportQueue& queue, const AskForChoice& askForChoice, QWidget* window)
+ExportEntry::ExportEntry(ExportQueue& queue, AskForChoice askForChoice, QWidget* window)
     : m_queue(queue)
-    , m_askForChoice(askForChoice)
+    , m_askForChoice(std::move(askForChoice))
     , m_window(window)
 {
 }

@@ -15,7 +15,7 @@ class ExportEntry : public QObject {
 
 public:
     /// @param window parent of what is asked
-    ExportEntry(ExportQueue& queue, const AskForChoice& askForChoice, QWidget* window);
+    ExportEntry(ExportQueue& queue, AskForChoice askForChoice, QWidget* window);
 
     /// One at a time: what is asked for last counts.
     /// @param answered what was answered before, and is not asked again
