@@ -24,7 +24,7 @@ struct FlipbookOptions {
     FrameRange frames; ///< at least as many as cells; spread evenly over them
     ImageFormat format = ImageFormat::Png8;
     PassSet passes{Pass::Colour}; ///< one picture each; none only beside packed ones
-    PassStyle style; ///< of those that are not the colour
+    PassStyle style{}; ///< of those that are not the colour
     Engine engine = Engine::Generic; ///< the files that make it play are written, too
     std::string preset{}; ///< that the pictures carry, as JSON; empty: none
     /// Which frames the cells show: the share of the way through the frames, 0 to 1, by the share of the way through the cells. Where it is level, smoke stands still,

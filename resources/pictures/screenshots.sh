@@ -23,13 +23,13 @@ keys() {
         sleep 1.2
     done
 }
-# Until nothing on the screen has changed for a while: air is baked, pictures are whole, previews are there.
+# Until the editor has nothing to do any more: air is baked, pictures are whole, previews are there.
 settle() {
-    local seen='' now
-    for _ in {1..12}; do
-        now=$(import -window root rgb:- | md5sum)
-        [ "$now" != "$seen" ] || return 0
-        seen=$now
+    local before=-100 now
+    for _ in {1..100}; do
+        now=$(awk '{print $14 + $15}' "/proc/$pid/stat") # hundredths of a second
+        [ $((now - before)) -gt 10 ] || return 0
+        before=$now
         sleep 2.5
     done
 }
