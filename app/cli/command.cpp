@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/effect/value.h"
 
@@ -94,8 +95,9 @@ void EffectOptions::addTo(CLI::App& command)
 
 Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const
 {
+    const std::filesystem::path place = pathFrom(output);
     std::error_code missing;
-    const bool isFolder = !std::filesystem::path(output).has_filename() || std::filesystem::is_directory(output, missing);
+    const bool isFolder = !place.has_filename() || std::filesystem::is_directory(place, missing);
     if (presets.size() > 1 && !isFolder) {
         return Error{ErrorCode::OutOfRange, said("several presets cannot be written to one file"), output, said("Name a folder, as in --output out/")};
     }

@@ -6,6 +6,7 @@
 
 #include "core/base/file.h"
 #include "core/base/memory.h"
+#include "core/base/path.h"
 #include "core/export/farm/chunk.h"
 #include "core/export/farm/farm.h"
 #include "core/export/output_name.h"
@@ -59,7 +60,7 @@ std::vector<std::string> joinWordsOf(const FarmOptions& options, const FarmJob& 
 Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
 {
     PictureOptions picture = options.picture;
-    if (!options.then.empty() && picture.format.empty() && endingOf(picture.output).empty()) {
+    if (!options.then.empty() && picture.format.empty() && endingOf(pathFrom(picture.output)).empty()) {
         picture.format = nameOf(ImageFormat::ExrHalf);
     }
     Result<PictureJob> job = picture.jobFor(named);
@@ -108,7 +109,7 @@ FarmJob jobOf(const FarmOptions& options, const Effect& seen, const ExportPlan& 
 /// Writes the preset as it is to be rendered: with its changes, its size, and the camera that sees all of it.
 Status writePreset(const FarmJob& job, const NamedPreset& named, const Effect& seen)
 {
-    const std::filesystem::path file = job.folder / presetFileOf(job);
+    const std::filesystem::path file = job.folder / pathFrom(presetFileOf(job));
     if (isSameFile(file, named.file)) {
         return wouldOverwrite(file);
     }

@@ -6,6 +6,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
 
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/job_file.h"
 
@@ -23,7 +24,7 @@ Result<std::vector<ExportJob>> load(const std::string& file)
         const Result<std::string> text = readStandardInput(kMaxJobsBytes);
         reading = text ? parseJobs(text.value(), "standard input") : text.error();
     } else {
-        reading = readJobsFile(file);
+        reading = readJobsFile(pathFrom(file));
     }
     if (!reading) {
         return reading.error();

@@ -4,6 +4,7 @@
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
+#include "core/base/path.h"
 #include "core/export/video.h"
 
 #include <memory>
@@ -64,7 +65,7 @@ Status joinOne(const JoinOptions& options, const NamedPreset& named)
         return frames.error();
     }
     const Output& output = named.preset.effect.output;
-    const FrameSource source = framesOfFiles(options.input, frames.value(), output.width, output.height);
+    const FrameSource source = framesOfFiles(pathFrom(options.input), frames.value(), output.width, output.height);
     return options.grid.empty() ? joinToVideo(options, named, frames.value(), source) : joinToFlipbook(options, named, frames.value(), source);
 }
 

@@ -128,6 +128,7 @@ int run(int argc, char** argv)
     (void)interruption(); // before any thread starts, so that all of them have the signals blocked
     const StandardStreams streams;
     CLI::App program("Fumage makes smoke: it renders presets to pictures and bakes noise, without a display.", "fumage-cli");
+    program.allow_windows_style_options(false); // /tmp/smoke.png is a file
     program.set_version_flag("-V,--version", std::string("fumage-cli ") + FUMAGE_VERSION);
     program.footer("Start with:\n"
                    "  fumage-cli presets\n"

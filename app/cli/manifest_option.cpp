@@ -1,5 +1,6 @@
 #include "app/cli/manifest_option.h"
 
+#include "core/base/path.h"
 #include "core/export/manifest/manifest_parts.h"
 
 namespace fumage::cli {
@@ -12,7 +13,7 @@ void ManifestOption::addTo(CLI::App& command)
 
 std::filesystem::path ManifestOption::fileFor(const std::filesystem::path& output) const
 {
-    return text == "true" ? manifestBeside(output) : std::filesystem::path(text);
+    return text == "true" ? manifestBeside(output) : pathFrom(text);
 }
 
 } // namespace fumage::cli

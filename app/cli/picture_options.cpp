@@ -3,6 +3,7 @@
 #include "app/cli/number_options.h"
 #include "app/cli/progress.h"
 
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/output_name.h"
 
@@ -114,7 +115,7 @@ Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named) co
 Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan)
 {
     static constexpr std::array<std::string_view, 3> kEndings{".png", ".exr", ".tga"};
-    plan.output = output;
+    plan.output = pathFrom(output);
     plan.format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(formatName).value_or(plan.format);
     if (output == kStandardStream) {
         return Done{};

@@ -3,6 +3,7 @@
 #include "app/cli/system.h"
 
 #include "core/base/file.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 
 #include <array>
@@ -110,10 +111,11 @@ Status writeOutput(const std::string& path, std::string_view text)
     if (path == kStandardStream) {
         return print(text);
     }
-    if (Status status = makeFolderOf(path); !status) {
+    const std::filesystem::path file = pathFrom(path);
+    if (Status status = makeFolderOf(file); !status) {
         return status;
     }
-    return writeFileAtomically(path, text);
+    return writeFileAtomically(file, text);
 }
 
 } // namespace fumage::cli

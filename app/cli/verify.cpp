@@ -3,6 +3,7 @@
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/manifest/verify.h"
 #include "core/version.h"
@@ -116,7 +117,7 @@ Status answerInJson(const Finding& finding, const ManifestSet& set)
 
 Status verify(const VerifyOptions& options)
 {
-    const Result<ManifestSet> set = openManifests(options.target);
+    const Result<ManifestSet> set = openManifests(pathFrom(options.target));
     if (!set) {
         return set.error();
     }

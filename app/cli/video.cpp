@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
 
+#include "core/base/path.h"
 #include "core/export/output_name.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ Status chooseVideo(const PictureOptions& options, const std::string& name, Expor
         }
     }
     if (options.output == kStandardStream) {
-        plan.output = options.output;
+        plan.output = pathFrom(options.output);
         return Done{};
     }
     const Result<std::filesystem::path> path = outputPath(options.output, {endings, name});

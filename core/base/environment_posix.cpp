@@ -1,4 +1,5 @@
 #include "core/base/environment.h"
+#include "core/base/path.h"
 
 #include <cstdlib>
 
@@ -9,7 +10,7 @@ namespace {
 /// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the working folder
 std::filesystem::path absoluteFolder(const char* variable)
 {
-    const std::filesystem::path folder = environmentVariable(variable);
+    const std::filesystem::path folder = pathFrom(environmentVariable(variable));
     return folder.is_absolute() ? folder : std::filesystem::path();
 }
 

@@ -1,4 +1,5 @@
 #include "core/base/environment.h"
+#include "core/base/path.h"
 
 #include "core/base/system_text.h"
 #include "core/base/windows_api.h"
@@ -15,7 +16,7 @@ std::string environmentVariable(const char* name)
 
 std::filesystem::path userDataFolder()
 {
-    const std::filesystem::path folder = wideFrom(environmentVariable("APPDATA"));
+    const std::filesystem::path folder = pathFrom(environmentVariable("APPDATA"));
     return folder.is_absolute() ? folder : std::filesystem::path();
 }
 

@@ -1,4 +1,5 @@
 #include "core/base/file_draft.h"
+#include "core/base/path.h"
 
 #include "core/base/sha256.h"
 #include "core/base/system_text.h"
@@ -47,7 +48,7 @@ std::filesystem::path finalPath(HANDLE file)
 
 std::filesystem::path temporaryName(int attempt)
 {
-    return std::string(kDraftPrefix) + std::to_string(::GetCurrentProcessId()) + "-" + std::to_string(attempt);
+    return pathFrom(std::string(kDraftPrefix) + std::to_string(::GetCurrentProcessId()) + "-" + std::to_string(attempt));
 }
 
 /// Gives a new file the permissions of the one that it replaces, if we may: without, it has those of its folder.

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/parallel.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/cell_frames.h"
 #include "core/export/engines/engine_files.h"
@@ -208,7 +209,7 @@ EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, co
 /// The picture with a name of its own before the ending.
 std::filesystem::path besides(const std::filesystem::path& picture, const std::string& name)
 {
-    return picture.parent_path() / (picture.stem().string() + "_" + name + picture.extension().string());
+    return picture.parent_path() / pathFrom(picture.stem().string() + "_" + name + picture.extension().string());
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "core/export/image_file.h"
 
+#include "core/base/path.h"
 #include "core/export/bleed.h"
 #include "core/export/output_name.h"
 #include "core/picture_files/exr_file.h"
@@ -126,7 +127,7 @@ ImageFormat formatOf(const std::filesystem::path& path, bool wide)
 
 std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending)
 {
-    return endingOf(path) == ending ? path : path.parent_path() / (path.filename().string() + std::string(ending));
+    return endingOf(path) == ending ? path : path.parent_path() / pathFrom(path.filename().string() + std::string(ending));
 }
 
 Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)

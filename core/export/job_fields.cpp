@@ -1,5 +1,6 @@
 #include "core/export/job_fields.h"
 
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/cell_frames.h"
 #include "core/export/job_file.h"
@@ -38,7 +39,7 @@ Status readPath(const JsonNode& value, std::filesystem::path& out)
     if (Status status = readText(value, kLongestPath, text); !status) {
         return status;
     }
-    out = text;
+    out = pathFrom(text);
     return Done{};
 }
 

@@ -1,5 +1,6 @@
 #include "core/export/output_name.h"
 
+#include "core/base/path.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -56,16 +57,16 @@ Error wouldOverwrite(const std::filesystem::path& source)
 
 Result<std::filesystem::path> outputPath(const std::string& named, const OutputNames& names)
 {
-    std::filesystem::path path(named);
+    std::filesystem::path path = pathFrom(named);
     std::error_code missing;
     const std::filesystem::file_status there = std::filesystem::status(path, missing);
     if (named.empty() || path.filename().empty() || std::filesystem::is_directory(there)) {
-        return path / (names.fallback + std::string(names.endings.front()));
+        return path / pathFrom(names.fallback + std::string(names.endings.front()));
     }
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
         return Error{ErrorCode::NotAFile, said("cannot write: %1", said("it is not a regular file")), named, said("Name a file, or - for standard output")};
     }
-    path.replace_filename(withHashes(path.filename().string()));
+    path.replace_filename(pathFrom(withHashes(path.filename().string())));
     const std::string ending = endingOf(path);
     if (!ending.empty() && std::find(names.endings.begin(), names.endings.end(), ending) == names.endings.end()) {
         return Error{ErrorCode::UnknownName, said("the ending %1 does not fit", inQuotes(ending)), named, said("Use %1", listOf(names.endings))};

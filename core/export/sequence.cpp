@@ -1,6 +1,7 @@
 #include "core/export/sequence.h"
 
 #include "core/base/file.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/frame_layers.h"
 #include "core/export/frame_neighbours.h"
@@ -182,7 +183,7 @@ std::filesystem::path framePath(const std::filesystem::path& output, const Frame
     } else if (frames.count() > 1) {
         name.insert(name.size() - ending.size(), "_" + padded(frame, kDigits));
     }
-    return output.parent_path() / name;
+    return output.parent_path() / pathFrom(name);
 }
 
 bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames, std::string_view ending)

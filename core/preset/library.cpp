@@ -2,6 +2,7 @@
 
 #include "core/base/embedded_file.h"
 #include "core/base/environment.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -89,13 +90,14 @@ Result<LibraryEntry> findPreset(const std::string& nameOrPath)
         }
         names.push_back(entry.id);
     }
+    const std::filesystem::path file = pathFrom(nameOrPath);
     std::error_code ignored;
-    const bool looksLikeName = !std::filesystem::path(nameOrPath).has_parent_path() && nameOrPath.find('.') == std::string::npos;
-    if (looksLikeName && !std::filesystem::exists(std::filesystem::symlink_status(nameOrPath, ignored))) {
+    const bool looksLikeName = !file.has_parent_path() && nameOrPath.find('.') == std::string::npos;
+    if (looksLikeName && !std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
         const std::string_view near = nearestName(nameOrPath, names);
         return Error{ErrorCode::UnknownName, said("there is no preset or file %1", inQuotes(nameOrPath)), {}, near.empty() ? said("List the presets with: fumage-cli presets") : said("Did you mean %1?", inQuotes(near))};
     }
-    return LibraryEntry{std::filesystem::path(nameOrPath).stem().string(), nameOrPath};
+    return LibraryEntry{file.stem().string(), file};
 }
 
 Result<PresetReading> loadPreset(const std::string& nameOrPath)

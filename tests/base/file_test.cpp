@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/file_draft.h"
 #include "core/base/file_error.h"
+#include "core/base/path.h"
 
 #include <QTemporaryDir>
 
@@ -214,6 +215,16 @@ private slots:
             QCOMPARE(readFile(base + "/one", 1000).value()[0], readFile(base + "/other", 1000).value()[0]);
         }
         QCOMPARE(namesIn(folder).size(), 2);
+    }
+
+    void aPathHasTheLettersOfItsText()
+    {
+        const QTemporaryDir folder;
+        const QString name = QStringLiteral(u"r\u00f6k \u70df \U0001f525.txt");
+        QVERIFY(writeFileAtomically(pathFrom(folder.path().toStdString()) / pathFrom(name.toStdString()), std::string_view("smoke")));
+        QCOMPARE(namesIn(folder), QStringList(name));
+        QCOMPARE(pathFrom("\xff\xfe.txt").native(), std::string("\xff\xfe.txt"));
+        QVERIFY(pathFrom("").empty());
     }
 
     void aFullDiskLeavesTheOldFile()

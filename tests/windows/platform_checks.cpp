@@ -8,6 +8,7 @@
 #include "core/base/file_draft.h"
 #include "core/base/file_lock.h"
 #include "core/base/parallel.h"
+#include "core/base/path.h"
 #include "core/base/system_text.h"
 #include "core/base/windows_api.h"
 
@@ -63,6 +64,12 @@ ChildProcess other(const std::vector<std::string>& arguments)
     std::array<wchar_t, 1024> name{};
     const DWORD length = ::GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size()));
     return std::move(ChildProcess::start(utf8From({name.data(), length}), arguments).value());
+}
+
+void paths()
+{
+    check(pathFrom("r\xc3\xb6k \xe7\x83\x9f \xf0\x9f\x94\xa5.txt") == std::filesystem::path(L"r\u00f6k \u70df \U0001F525.txt"), "a path has the letters of its text");
+    check(pathFrom("a\xff.txt") == std::filesystem::path(L"a\ufffd.txt") && pathFrom("").empty(), "and U+FFFD for what is none");
 }
 
 void files(const std::filesystem::path& folder)
@@ -234,6 +241,7 @@ int main(int argc, char** argv)
         std::filesystem::create_directories(folder / name);
         test(folder / name);
     }
+    paths();
     memory();
     threads();
     check(userDataFolder().is_absolute(), "the user's folder is known");

@@ -1,5 +1,6 @@
 #include "core/export/engines/engine_files.h"
 
+#include "core/base/path.h"
 #include "core/export/engines/texture_packer.h"
 #include "core/export/engines/template_text.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 std::filesystem::path beside(const std::filesystem::path& picture, std::string_view ending)
 {
-    return std::filesystem::path(picture).replace_extension(ending);
+    return std::filesystem::path(picture).replace_extension(pathFrom(ending));
 }
 
 /// Engines that import textures themselves read TGA, too; what is shown or read by other programs is PNG.
@@ -23,7 +24,7 @@ bool takes(Engine engine, ImageFormat format)
 
 std::filesystem::path importOf(const std::filesystem::path& picture)
 {
-    return picture.parent_path() / (picture.filename().string() + ".import");
+    return picture.parent_path() / pathFrom(picture.filename().string() + ".import");
 }
 
 } // namespace
@@ -37,8 +38,8 @@ std::vector<std::filesystem::path> engineFilesOf(Engine engine, std::span<const 
     };
     switch (engine) {
     case Engine::Generic: break;
-    case Engine::Unity: return {picture.parent_path() / "Editor" / (picture.stem().string() + ".cs")};
-    case Engine::Unreal: return {picture.parent_path() / (picture.stem().string() + "_unreal.py")};
+    case Engine::Unity: return {picture.parent_path() / "Editor" / pathFrom(picture.stem().string() + ".cs")};
+    case Engine::Unreal: return {picture.parent_path() / pathFrom(picture.stem().string() + "_unreal.py")};
     case Engine::Godot: return withImports({beside(picture, ".tscn"), beside(picture, ".gdshader")});
     case Engine::Godot3: return withImports({beside(picture, ".tscn"), beside(picture, ".shader")});
     case Engine::Effekseer: return {beside(picture, ".efkproj")};

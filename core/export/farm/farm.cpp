@@ -1,6 +1,7 @@
 #include "core/export/farm/farm.h"
 
 #include "core/base/embedded_file.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/farm/chunk.h"
 #include "core/preset/json_tree.h"
@@ -94,7 +95,13 @@ Status checkNames(Farm farm, const FarmJob& job)
     if (found == refused.end()) {
         return Done{};
     }
-    return Error{ErrorCode::OutOfRange, said("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), inQuotes(*found)), (job.folder / job.output).string(), said("Choose another name or folder")};
+    return Error{ErrorCode::OutOfRange, said("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), inQuotes(*found)), (job.folder / pathFrom(job.output)).string(), said("Choose another name or folder")};
+}
+
+/// One of the farm's files.
+std::filesystem::path fileOf(const FarmJob& job, std::string_view ending)
+{
+    return job.folder / pathFrom(job.name + std::string(ending));
 }
 
 data commonFacts(const FarmJob& job)
@@ -135,12 +142,12 @@ FarmFiles slurmFiles(const FarmJob& job)
     facts.set("before_frames", joined(before, shellQuoted, " "));
     facts.set("after_frames", joined(after, shellQuoted, " "));
     facts.set("join", joined(job.joinWords, shellQuoted, " "));
-    const std::string script = job.name + ".slurm.sh";
-    FarmFiles made{{{job.folder / script, filled("slurm", facts)}}, "sbatch " + shellQuoted((job.folder / script).string())};
+    const std::filesystem::path script = fileOf(job, ".slurm.sh");
+    FarmFiles made{{{script, filled("slurm", facts)}}, "sbatch " + shellQuoted(script.string())};
     if (!job.joinWords.empty()) {
-        const std::string join = job.name + ".join.slurm.sh";
-        made.files.push_back({job.folder / join, filled("slurm_join", facts)});
-        made.submit = "sbatch --dependency=afterok:$(sbatch --parsable " + shellQuoted((job.folder / script).string()) + ") " + shellQuoted((job.folder / join).string());
+        const std::filesystem::path join = fileOf(job, ".join.slurm.sh");
+        made.files.push_back({join, filled("slurm_join", facts)});
+        made.submit = "sbatch --dependency=afterok:$(sbatch --parsable " + shellQuoted(script.string()) + ") " + shellQuoted(join.string());
     }
     return made;
 }
@@ -154,7 +161,7 @@ FarmFiles openJdFiles(const FarmJob& job)
     words.insert(words.end(), {"--progress", "openjd"});
     facts.set("render", joined(words, quoteJson, ", "));
     facts.set("join", joined(joinWordsIn(folder, job), quoteJson, ", "));
-    const std::filesystem::path path = job.folder / (job.name + ".openjd.json");
+    const std::filesystem::path path = fileOf(job, ".openjd.json");
     return {{{path, filled("openjd", facts)}}, "openjd run " + shellQuoted(path.string()) + " -p Folder=" + shellQuoted(job.folder.string())};
 }
 
@@ -168,7 +175,7 @@ FarmFiles flamencoFiles(const FarmJob& job)
     facts.set("folder", quoteJson(job.folder.string()));
     facts.set("render", listed(renderWordsOf(job, {}, "./")));
     facts.set("join", listed(job.joinWords));
-    const std::filesystem::path path = job.folder / (job.name + ".flamenco.js");
+    const std::filesystem::path path = fileOf(job, ".flamenco.js");
     return {{{path, filled("flamenco", facts)}}, "Copy " + shellQuoted(path.string()) + " to the folder \"scripts\" of the Flamenco Manager and choose the job type there"};
 }
 
@@ -181,16 +188,15 @@ FarmFiles deadlineFiles(const FarmJob& job)
     facts.set("start", job.folder.string());
     facts.set("render", joined(renderWordsOf(job, "<STARTFRAME>-<ENDFRAME>" + (job.frames.step > 1 ? ":" + std::to_string(job.frames.step) : std::string()), folder), quoted, " "));
     facts.set("join", joined(joinWordsIn(folder, job), quoted, " "));
-    const auto file = [&](const std::string& ending) { return job.name + ending; };
-    facts.set("job_file", shellQuoted(fromHere(file(".deadline.job"))));
-    facts.set("plugin_file", shellQuoted(fromHere(file(".deadline.plugin"))));
-    facts.set("join_job_file", shellQuoted(fromHere(file(".join.deadline.job"))));
-    facts.set("join_plugin_file", shellQuoted(fromHere(file(".join.deadline.plugin"))));
-    FarmFiles made{{{job.folder / file(".deadline.sh"), filled("deadline_submit", facts)}, {job.folder / file(".deadline.job"), filled("deadline_job", facts)}, {job.folder / file(".deadline.plugin"), filled("deadline_plugin", facts)}},
-        "bash " + shellQuoted((job.folder / file(".deadline.sh")).string())};
+    facts.set("job_file", shellQuoted(fromHere(job.name + ".deadline.job")));
+    facts.set("plugin_file", shellQuoted(fromHere(job.name + ".deadline.plugin")));
+    facts.set("join_job_file", shellQuoted(fromHere(job.name + ".join.deadline.job")));
+    facts.set("join_plugin_file", shellQuoted(fromHere(job.name + ".join.deadline.plugin")));
+    FarmFiles made{{{fileOf(job, ".deadline.sh"), filled("deadline_submit", facts)}, {fileOf(job, ".deadline.job"), filled("deadline_job", facts)}, {fileOf(job, ".deadline.plugin"), filled("deadline_plugin", facts)}},
+        "bash " + shellQuoted(fileOf(job, ".deadline.sh").string())};
     if (!job.joinWords.empty()) {
-        made.files.push_back({job.folder / file(".join.deadline.job"), filled("deadline_join_job", facts)});
-        made.files.push_back({job.folder / file(".join.deadline.plugin"), filled("deadline_join_plugin", facts)});
+        made.files.push_back({fileOf(job, ".join.deadline.job"), filled("deadline_join_job", facts)});
+        made.files.push_back({fileOf(job, ".join.deadline.plugin"), filled("deadline_join_plugin", facts)});
     }
     return made;
 }

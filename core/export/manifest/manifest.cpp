@@ -1,5 +1,6 @@
 #include "core/export/manifest/manifest.h"
 
+#include "core/base/path.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "core/export/sequence.h"
@@ -28,7 +29,7 @@ std::string presetText(const Effect& effect)
 /// Whether a path leads to somewhere within the folder that it is read in.
 bool isWithin(const std::string& file)
 {
-    const std::filesystem::path path(file);
+    const std::filesystem::path path = pathFrom(file);
     const auto leaves = [](const std::filesystem::path& part) { return part.empty() || part == "." || part == ".."; };
     return !file.empty() && file.find('\0') == std::string::npos && !path.has_root_path() && std::none_of(path.begin(), path.end(), leaves);
 }

@@ -1,6 +1,7 @@
 #include "core/export/manifest/manifest_parts.h"
 
 #include "core/base/file.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/output_name.h"
 
@@ -58,7 +59,7 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
 
 std::filesystem::path manifestBeside(const std::filesystem::path& output)
 {
-    return output.parent_path() / (nameWithoutNumber(output) + std::string(kEnding));
+    return output.parent_path() / pathFrom(nameWithoutNumber(output) + std::string(kEnding));
 }
 
 std::filesystem::path partOf(const std::filesystem::path& manifest, const std::optional<FrameRange>& frames)
@@ -67,7 +68,7 @@ std::filesystem::path partOf(const std::filesystem::path& manifest, const std::o
     if (frames) {
         name += "." + std::to_string(frames->first) + "-" + std::to_string(frames->last) + (frames->step > 1 ? "x" + std::to_string(frames->step) : "");
     }
-    return manifest.parent_path() / (name + std::string(kEnding));
+    return manifest.parent_path() / pathFrom(name + std::string(kEnding));
 }
 
 Result<Manifest> readManifest(const std::filesystem::path& path)

@@ -1,6 +1,7 @@
 #include "core/export/manifest/recorded.h"
 
 #include "core/base/file.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/cell_frames.h"
 #include "core/export/manifest/manifest_parts.h"
@@ -141,7 +142,7 @@ Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
     const std::optional<std::int64_t> columns = parseInteger(settingOf(job, "columns"));
     const std::optional<std::int64_t> rows = parseInteger(settingOf(job, "rows"));
     const auto areCells = [](const std::optional<std::int64_t>& count) { return count && *count >= 1 && *count <= kMaxSheetCells; };
-    const std::filesystem::path name = std::filesystem::path(settingOf(job, "name")).filename();
+    const std::filesystem::path name = pathFrom(settingOf(job, "name")).filename();
     if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !passes || !frames || !areCells(columns) || !areCells(rows) || name.empty()) {
         return cannotBeRendered();
     }

@@ -1,6 +1,7 @@
 #include "core/export/manifest/verify.h"
 
 #include "core/base/file.h"
+#include "core/base/path.h"
 #include "core/export/cell_frames.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/output_name.h"
@@ -56,13 +57,13 @@ std::vector<CheckedFile> extrasOf(const ManifestSet& set, const std::map<std::st
 {
     std::set<std::string> endings;
     for (const auto& [file, expectation] : expected) {
-        endings.insert(endingOf(file));
+        endings.insert(endingOf(pathFrom(file)));
     }
     std::vector<CheckedFile> extras;
     std::error_code error;
     for (std::filesystem::directory_iterator at(set.folder, error), end; !error && at != end; at.increment(error)) {
         const std::string name = at->path().filename().string();
-        const bool isOfTheKind = endings.contains(endingOf(name)) && !name.starts_with('.') && !name.ends_with(".json");
+        const bool isOfTheKind = endings.contains(endingOf(at->path())) && !name.starts_with('.') && !name.ends_with(".json");
         if (isOfTheKind && !expected.contains(name) && at->is_regular_file(error)) {
             extras.push_back({name, {}, FileState::Extra});
         }
@@ -123,7 +124,7 @@ Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vec
         contents[file.path.filename().string()] = std::move(content).value();
     }
     for (const ManifestEntry& entry : job.files) {
-        const auto found = contents.find(std::filesystem::path(entry.file).filename().string());
+        const auto found = contents.find(pathFrom(entry.file).filename().string());
         checked.push_back({entry.file, {}, found != contents.end() && found->second == entry.content ? FileState::Same : FileState::Different});
     }
     return Done{};
@@ -219,7 +220,7 @@ Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::o
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
         }
-        const Result<FileState> state = stateOf(set.folder / file, expectation);
+        const Result<FileState> state = stateOf(set.folder / pathFrom(file), expectation);
         if (!state) {
             return state.error();
         }
