@@ -83,7 +83,7 @@ Words joinWordsIn(const std::string& folder, const FarmJob& job)
 /// Which characters of names a farm has no way to write.
 Status checkNames(Farm farm, const FarmJob& job)
 {
-    const auto has = [&](std::string_view text) { return job.folder.string().find(text) != std::string::npos || job.name.find(text) != std::string::npos || job.output.find(text) != std::string::npos; };
+    const auto has = [&](std::string_view text) { return job.folder.generic_string().find(text) != std::string::npos || job.name.find(text) != std::string::npos || job.output.find(text) != std::string::npos; };
     std::vector<std::string_view> refused{std::string_view("\0", 1)};
     switch (farm) {
     case Farm::Slurm:
@@ -182,10 +182,10 @@ FarmFiles flamencoFiles(const FarmJob& job)
 FarmFiles deadlineFiles(const FarmJob& job)
 {
     const auto quoted = [](const std::string& word) { return word.find_first_of(" \t'") == std::string::npos ? word : "<QUOTE>" + word + "<QUOTE>"; };
-    const std::string folder = (job.folder / "").generic_string();
+    const std::string folder = (job.folder / "").generic_string(); // Deadline takes a backslash for itself
     data facts = commonFacts(job);
-    facts.set("folder", shellQuoted(job.folder.string()));
-    facts.set("start", job.folder.string());
+    facts.set("folder", shellQuoted(job.folder.generic_string()));
+    facts.set("start", job.folder.generic_string());
     facts.set("render", joined(renderWordsOf(job, "<STARTFRAME>-<ENDFRAME>" + (job.frames.step > 1 ? ":" + std::to_string(job.frames.step) : std::string()), folder), quoted, " "));
     facts.set("join", joined(joinWordsIn(folder, job), quoted, " "));
     facts.set("job_file", shellQuoted(fromHere(job.name + ".deadline.job")));
