@@ -44,5 +44,7 @@ part libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
 part imath
 part openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF -DOPENEXR_INSTALL_TOOLS=OFF
 part onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
+# It would have what it is linked into export its functions.
+x86_64-w64-mingw32-objcopy --remove-section .drectve "$parts/lib/libtbb12.a"
 rm -rf "$work"
 echo "$wanted" > "$parts/made"
