@@ -2,13 +2,13 @@
 
 #include "app/cli/interruption.h"
 
+#include "core/base/descriptor.h"
 #include "core/base/system_text.h"
 #include "core/base/windows_api.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <future>
 #include <memory>
 #include <thread>
 
@@ -23,20 +23,24 @@ namespace {
 constexpr std::size_t kMostAtOnce = std::size_t{1} << 16U;
 
 /// Does what may wait for ever on a thread of its own, which ends with the program where the user interrupts first.
+/// The event is Windows's own: a future of mingw's threads that is waited for with a timeout now and then never returns.
 template <class Act>
 Transferred unlessInterrupted(Act act)
 {
-    constexpr std::chrono::milliseconds kLook{100}; // how long an interruption may go unseen
-    std::packaged_task<Transferred()> task(std::move(act));
-    std::future<Transferred> result = task.get_future();
-    std::thread(std::move(task)).detach();
+    constexpr DWORD kLookMs = 100; // how long an interruption may go unseen
+    const auto result = std::make_shared<Transferred>();
+    const auto isDone = std::make_shared<Descriptor>(::CreateEventW(nullptr, TRUE, FALSE, nullptr));
+    std::thread([result, isDone, act] {
+        *result = act();
+        ::SetEvent(isDone->get());
+    }).detach();
     const std::stop_token stop = interruption();
-    while (result.wait_for(kLook) != std::future_status::ready) {
+    while (::WaitForSingleObject(isDone->get(), kLookMs) == WAIT_TIMEOUT) {
         if (stop.stop_requested()) {
             return {0, true, {}};
         }
     }
-    return result.get();
+    return *result;
 }
 
 } // namespace
