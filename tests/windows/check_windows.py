@@ -38,6 +38,10 @@ def check(holds, what):
         faults.append(what)
 
 
+def in_wine(path):
+    return "Z:" + str(path).replace("/", "\\")
+
+
 class Program:
     """fumage-cli, of Windows or of Linux."""
 
@@ -78,7 +82,7 @@ class Checks:
 
     def hashes(self, program, folder, preset, options=()):
         program.run("--quiet", *options, "render", preset, "-f", FRAMES, *TINY, "--manifest", "-o", str(folder / f"{preset}_###.exr"))
-        return {entry["file"]: entry["sha256"] for part in sorted(folder.glob(f"{preset}*.manifest.json")) for entry in json.loads(part.read_text())["files"]}
+        return {entry["file"]: entry["pixels"] for part in sorted(folder.glob(f"{preset}*.manifest.json")) for entry in json.loads(part.read_text())["files"]}
 
     def bits(self):
         sets = json.loads(self.windows.run("info", "--json").stdout)["instructionSets"]
@@ -101,13 +105,13 @@ class Checks:
     def files(self):
         jobs = {
             "smoke.ply": ["dump", "default", "--frame", "20", "--format", "ply"],
-            "smoke.json": ["dump", "thesis-2012", "--frame", "20", "--format", "json"],
+            "smoke.pcache": ["dump", "thesis-2012", "--frame", "20", "--format", "pcache"],
             "smoke.vdb": ["volume", "steam", "--frames", "20"],
             "smoke.fga": ["air", "campfire", "--frame", "10"],
             "noise.png": ["bake-noise", "default", "--size", "128"],
             "smoke.tga": ["render", "magic", "--frames", "20"] + TINY,
             "smoke.png": ["render", "magic", "--frames", "20"] + TINY,
-            "sheet.png": ["flipbook", "steam", "--grid", "4x4", "--size", "64", "--passes", "six-way,motion", "--for", "godot"] + TINY[2:],
+            "sheet.png": ["flipbook", "steam", "--grid", "4x4", "--size", "64", "--passes", "colour,six-way,motion", "--for", "godot"] + TINY[2:],
         }
         for name, words in jobs.items():
             for place, program in (("l", self.linux), ("w", self.windows)):
@@ -133,26 +137,49 @@ class Checks:
         shown = self.linux.run("presets", "--show", "default").stdout
         check(self.windows.run("presets", "--show", "default").stdout == shown, "standard output has the same bytes, line ends too")
         check(self.windows.run("validate", "-", input=shown.replace(b"\n", b"\r\n")).returncode == 0, "standard input takes a preset with line ends of Windows")
+        self.letters()
+        self.interrupted()
+
+    def letters(self):
         name = "r\u00f6k \u70df \U0001F525"
-        (self.folder / name).mkdir()
-        preset = self.folder / name / f"{name}.json"
-        preset.write_bytes(shown)
-        picture = self.folder / name / f"{name}_new" / "f_##.png"
+        place = self.folder / name
+        place.mkdir()
+        preset = place / f"{name}.json"
+        preset.write_bytes(self.linux.run("presets", "--show", "default").stdout)
+        picture = place / f"{name}_new" / "f_##.png"
         done = self.windows.run("render", str(preset), "-f", "3", *SMALL, "-o", str(picture))
         written = list(picture.parent.glob("*")) if picture.parent.exists() else []
         check([p.name for p in written] == ["f_03.png"] and whole_png(written[0].read_bytes()), "arguments and paths of any letters arrive")
         check(name.encode() in done.stderr, "and are said as UTF-8")
         missing = self.windows.run("render", str(self.folder / f"{name}.json"), expect=1)
         check(name.encode() in missing.stderr and b"there is no such file" in missing.stderr, "a file that is missing is named")
-        # Wine knows the user's folder by a variable of its own.
-        data = self.folder / name
-        library = data / "fumage" / "presets"
+        self.letters_in_files(place, name)
+        library = place / "fumage" / "presets"
         library.mkdir(parents=True)
-        (library / f"{name} mine.json").write_bytes(shown)
-        environment = {**os.environ, "APPDATA": "Z:" + str(data).replace("/", "\\")}
-        listed = self.windows.run("presets", env=environment).stdout
+        (library / f"{name} mine.json").write_bytes(preset.read_bytes())
+        # Wine gives the first program that it starts a folder of its own; that program hands on what it likes.
+        shell = Program(WINE + ["cmd", "/c", f"set APPDATA={in_wine(place)}&&{in_wine(self.build / 'bin/fumage-cli.exe')}"])
+        listed = shell.run("presets").stdout
         check(f"{name} mine".encode() in listed, "presets of the user's folder are listed")
-        self.interrupted()
+
+    def letters_in_files(self, place, name):
+        """Names that stand in jobs, in manifests, and in what is written for engines and farms."""
+        jobs = place / f"{name} jobs.json"
+        job = {"name": name, "preset": str(place / f"{name}.json"), "output": str(place / "jobs" / f"{name}_##.png"), "frames": "3"}
+        jobs.write_text(json.dumps({"format": "fumage-jobs", "version": 1, "jobs": [job]}))
+        self.windows.run("render", "--jobs", str(jobs))
+        check((place / "jobs" / f"{name}_03.png").exists(), "jobs name presets and files of any letters")
+        sheets = place / "sheets"
+        manifest = sheets / f"{name} list.manifest.json"
+        self.windows.run("flipbook", "thesis-2012", "--grid", "2", *SMALL, "--for", "godot", f"--manifest={manifest}", "-o", str(sheets / f"{name}.png"))
+        written = {p.name for p in sheets.glob("*")}
+        wanted = {manifest.name, *(name + ending for ending in (".png", ".png.import", ".tscn", ".gdshader", ".flipbook.json"))}
+        check(wanted <= written, f"so do manifests and an engine's files {sorted(wanted - written) or ''}")
+        for program, system in ((self.windows, "Windows"), (self.linux, "Linux")):
+            check(program.run("--quiet", "verify", "--render", "0-999", str(sheets)).returncode == 0, f"{system} verifies them, and renders them again")
+        for farm, ending in (("slurm", ".slurm.sh"), ("openjd", ".openjd.json"), ("flamenco", ".flamenco.js"), ("deadline", ".deadline.sh")):
+            self.windows.run("farm", "thesis-2012", "-f", "0-3", "--for", farm, "-o", str(place / "farm" / f"{name}_##.exr"))
+            check((place / "farm" / f"{name}{ending}").exists(), f"{farm} has its files")
 
     def interrupted(self):
         place = self.folder / "interrupted"
