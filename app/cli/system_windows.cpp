@@ -23,13 +23,16 @@ namespace {
 constexpr std::size_t kMostAtOnce = std::size_t{1} << 16U;
 
 /// Does what may wait for ever on a thread of its own, which ends with the program where the user interrupts first.
-/// The event is Windows's own: a future of mingw's threads that is waited for with a timeout now and then never returns.
+/// The event is Windows's own: a future of mingw's threads was seen to stand in such a wait.
 template <class Act>
 Transferred unlessInterrupted(Act act)
 {
     constexpr DWORD kLookMs = 100; // how long an interruption may go unseen
     const auto result = std::make_shared<Transferred>();
     const auto isDone = std::make_shared<Descriptor>(::CreateEventW(nullptr, TRUE, FALSE, nullptr));
+    if (isDone->get() == nullptr) {
+        return act(); // and waits as long as it takes
+    }
     std::thread([result, isDone, act] {
         *result = act();
         ::SetEvent(isDone->get());
