@@ -93,7 +93,7 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
         claims.push_back({"  part", "frame/default_1M", "", part});
     }
-    claims.push_back({"default preset at 512 x 512", "frame/default_512", "", "", 40.0, true});
+    claims.push_back({"default preset at 512 x 512", "frame/default_512", "", "", 16.0, true});
     claims.push_back({"encoding 1280 x 720 for the screen", "frame/encode_8bit", "", ""});
 
     struct Row {
