@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -111,12 +110,6 @@ struct OtherLayers {
     /// Floats from a patch of the tile to the next.
     [[nodiscard]] std::size_t stride() const { return count * Tile::kPatchColours; }
     [[nodiscard]] std::size_t offset(int column, int row) const { return static_cast<std::size_t>(row * Tile::kAcross + column) * stride(); }
-    void fetch(std::size_t sprite) const
-    {
-        for (std::size_t i = 0; i < count; ++i) {
-            hwy::Prefetch(layers[i].colours + sprite * SpriteLayer::kStride);
-        }
-    }
 
 private:
     static std::size_t lightOf(const Compositor::Layer& layer, std::size_t above, std::size_t below)

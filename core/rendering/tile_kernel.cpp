@@ -197,8 +197,8 @@ PaintTextured painterOf(const SpriteStyle& style)
 }
 
 /// Calls paintSprite(index) near to far, until nothing behind can be seen.
-template <class PaintSprite, class FetchSprite>
-HWY_INLINE void forEntries(std::span<const DepthEntry> entries, const Tile& tile, const PaintSprite& paintSprite, const FetchSprite& fetchSprite)
+template <class PaintSprite>
+HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherLayers& others, std::span<const DepthEntry> entries, const Tile& tile, const PaintSprite& paintSprite)
 {
     constexpr std::size_t kBetweenLooks = 32;
     constexpr std::size_t kAhead = 12;
@@ -207,7 +207,12 @@ HWY_INLINE void forEntries(std::span<const DepthEntry> entries, const Tile& tile
             break;
         }
         if (i + kAhead < entries.size()) {
-            fetchSprite(entryIndex(entries[i + kAhead]));
+            // Here and not in a function: GCC takes one that only fetches for one without effect, and leaves out its calls.
+            const std::size_t next = entryIndex(entries[i + kAhead]);
+            hwy::Prefetch(&batch.sprites[next]);
+            for (std::size_t layer = 0; layer < others.count; ++layer) {
+                hwy::Prefetch(others.layers[layer].colours + next * SpriteLayer::kStride);
+            }
         }
         paintSprite(entryIndex(entries[i]));
     }
@@ -218,19 +223,15 @@ template <bool kLayered>
 void paintAll(const SpriteBatch& batch, const SpriteTexture& texture, const OtherLayers& others, std::span<const DepthEntry> entries, Tile& tile)
 {
     const PaintTextured paintWithTexture = painterOf<kLayered>(batch.style);
-    forEntries(
-        entries, tile, [&](std::uint32_t index) HWY_ATTR {
-            const Sprite& sprite = batch.sprites[index];
-            const SpriteInLayers inLayers{others, index};
-            if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
-                paintPlainSprite<kLayered>(batch.style, sprite, inLayers, tile);
-            } else {
-                paintWithTexture(batch.style, texture, sprite, inLayers, tile);
-            } },
-        [&](std::uint32_t index) HWY_ATTR {
-            hwy::Prefetch(&batch.sprites[index]);
-            others.fetch(index);
-        });
+    forEntries(batch, others, entries, tile, [&](std::uint32_t index) HWY_ATTR {
+        const Sprite& sprite = batch.sprites[index];
+        const SpriteInLayers inLayers{others, index};
+        if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
+            paintPlainSprite<kLayered>(batch.style, sprite, inLayers, tile);
+        } else {
+            paintWithTexture(batch.style, texture, sprite, inLayers, tile);
+        }
+    });
 }
 
 void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Compositor::Layer> layers, std::span<const DepthEntry> entries, Tile& tile)
