@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include <QCoreApplication>
+#include <QEventLoop>
 
 namespace {
 
@@ -59,9 +60,12 @@ int recover(const std::string& path)
         recovery.adopt(std::move(left.works.front()));
         recovery.proveHarmless();
     }
+    QEventLoop writing;
+    QObject::connect(&recovery, &Recovery::written, &writing, &QEventLoop::quit);
     for (int turn = 1;; ++turn) {
         change(document, turn);
-        recovery.saveNow();
+        recovery.save();
+        writing.exec();
     }
 }
 

@@ -25,6 +25,12 @@ QString readOrigin(const QString& copy)
     return origin ? toQString(origin.value()) : QString();
 }
 
+Status writeCopy(const QString& path, const QString& originalPath, const Preset& preset)
+{
+    const Status origin = writeFileAtomically(toPath(path + kOrigin), originalPath.toStdString(), FileAccess::Private);
+    return origin ? writeFileAtomically(toPath(path), formatPreset(preset), FileAccess::Private) : origin;
+}
+
 /// Takes a copy and what lies beside it away.
 void removeCopy(const QString& path)
 {
@@ -42,7 +48,7 @@ Recovery::Recovery(Document& document, const QDir& folder, QObject* parent)
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSoonMs);
-    connect(&m_soon, &QTimer::timeout, this, &Recovery::saveNow);
+    connect(&m_soon, &QTimer::timeout, this, &Recovery::save);
     connect(&document, &Document::effectChanged, this, &Recovery::follow);
     connect(&document, &Document::titleChanged, this, &Recovery::follow);
 }
@@ -61,15 +67,25 @@ void Recovery::follow()
     }
 }
 
-void Recovery::saveNow()
+void Recovery::save()
 {
     m_soon.stop();
     if (!m_document.isModified()) {
         return;
     }
-    const Status origin = writeFileAtomically(toPath(m_copy.path + kOrigin), m_document.filePath().toStdString(), FileAccess::Private);
-    const Status copy = origin ? writeFileAtomically(toPath(m_copy.path), formatPreset(m_document.preset()), FileAccess::Private) : origin;
-    if (!copy && !m_hasFailed) {
+    m_writing.ask([this, path = m_copy.path, origin = m_document.filePath(), preset = m_document.preset()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
+        const std::lock_guard lock(m_files);
+        if (!stop.stop_requested()) {
+            tell([this, copy = writeCopy(path, origin, preset)] { note(copy); });
+        }
+    });
+}
+
+void Recovery::note(const Status& copy)
+{
+    if (copy) {
+        emit written();
+    } else if (!m_hasFailed) {
         emit failed(told(copy.error()));
     }
     m_hasFailed = !copy;
@@ -78,6 +94,8 @@ void Recovery::saveNow()
 void Recovery::discard()
 {
     m_soon.stop();
+    m_writing.forget();
+    const std::lock_guard lock(m_files); // what is being written must not come after its end
     removeCopy(m_copy.path);
 }
 

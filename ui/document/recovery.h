@@ -2,15 +2,18 @@
 
 #include "ui/document/document.h"
 #include "ui/document/own_file.h"
+#include "ui/work/answer_job.h"
 
 #include <QTimer>
 
+#include <mutex>
 #include <vector>
 
 namespace fumage::ui {
 
 /// Keeps a copy of unsaved work on disk, a moment after each change, and takes it away once the work is saved or given up: what is
-/// there when a program starts, and belongs to no running one, is what a crash has left. The copies are for the user's eyes alone.
+/// there when a program starts, and belongs to no running one, is what a crash has left. The copies are for the user's eyes alone. They are written
+/// on a thread of their own: until a disk has them for certain takes longer than a hand that drags may wait.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -19,8 +22,8 @@ public:
     Recovery(Document& document, const QDir& folder, QObject* parent = nullptr);
     ~Recovery() override;
 
-    /// Writes the copy now, if there is unsaved work.
-    void saveNow();
+    /// Has the copy written now, if there is unsaved work; written() or failed() follows, unless there is newer work by then.
+    void save();
     /// The work is saved or given up.
     void discard();
 
@@ -45,17 +48,22 @@ public:
     void proveHarmless();
 
 signals:
-    /// The copy cannot be written.
+    /// The disk has the copy.
+    void written();
+    /// The copy cannot be written; told once until it can be.
     void failed(const QString& message);
 
 private:
     void follow();
+    void note(const Status& copy);
 
     Document& m_document;
     OwnFile m_copy; ///< files beside it have its name and more
     QTimer m_soon;
     bool m_onTrial = false; ///< adopted work has not been shown yet
     bool m_hasFailed = false;
+    std::mutex m_files; ///< held while the copy is written or taken away
+    AnswerJob m_writing; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui
