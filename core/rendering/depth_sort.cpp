@@ -40,7 +40,7 @@ void sortByDepth(std::span<DepthEntry> entries, AlignedArray<DepthEntry>& scratc
     // Below this the histograms cost more than comparing.
     constexpr std::size_t kFew = 96;
     if (entries.size() < kFew) {
-        std::stable_sort(entries.begin(), entries.end(), [](DepthEntry a, DepthEntry b) { return (a >> 32U) < (b >> 32U); });
+        std::sort(entries.begin(), entries.end());
         return;
     }
     if (scratch.size() < entries.size()) {

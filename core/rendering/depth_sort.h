@@ -22,8 +22,9 @@ using DepthEntry = std::uint64_t;
     return static_cast<std::uint32_t>(entry);
 }
 
-/// Sorts near to far by the lower SpriteBatch::kDepthBits bits of the key; equal depths keep their order.
+/// Sorts near to far by the key, of which SpriteBatch::kDepthBits bits are used, and equal depths by their indices.
 /// Radix sort in two passes of 11 bits. O(entries).
+/// @param entries by rising indices
 /// @param scratch grows to the number of entries; reused between calls
 void sortByDepth(std::span<DepthEntry> entries, AlignedArray<DepthEntry>& scratch);
 

@@ -39,6 +39,12 @@ void* operator new(std::size_t size, std::align_val_t alignment)
     return fumage::tests::counted(std::aligned_alloc(step, (size + step - 1) / step * step));
 }
 
+void* operator new(std::size_t size, const std::nothrow_t& /*nothrow*/) noexcept
+{
+    ++fumage::tests::allocationCount;
+    return std::malloc(size == 0 ? 1 : size);
+}
+
 void operator delete(void* memory) noexcept
 {
     std::free(memory);
