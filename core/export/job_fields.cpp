@@ -163,10 +163,16 @@ bool isVolume(const ExportJob& job)
     return job.plan.kind == ExportKind::Volumes;
 }
 
+/// Whether its files are frames as pictures.
+bool isOfFrames(const ExportJob& job)
+{
+    return job.plan.kind == ExportKind::Sequence || job.plan.kind == ExportKind::Picture;
+}
+
 /// Whether there may be others than the colour.
 bool hasPasses(const ExportJob& job)
 {
-    return isFlipbook(job) || job.plan.kind == ExportKind::Sequence || job.plan.kind == ExportKind::Picture;
+    return isFlipbook(job) || isOfFrames(job);
 }
 
 Status readPacks(const JsonNode& value, ExportPlan& plan)
@@ -315,6 +321,12 @@ constexpr JobField kFields[] = {
     {"carries_preset",
         [](From job) { return flagIf(isPicture(job.plan.kind), job.plan.project.has_value()); },
         [](Json value, Text, To job) { return readCarries(value, job.plan); }},
+    {"manifest",
+        [](From job) { return manifestOf(job.plan).empty() ? Written() : jsonText(job.plan.recording.manifest.string()); },
+        [](Json value, Text, To job) { return readPath(value, job.plan.recording.manifest); }},
+    {"skip_existing",
+        [](From job) { return flagIf(isOfFrames(job), job.plan.recording.skipExisting); },
+        [](Json value, Text, To job) { return readFlag(value, job.plan.recording.skipExisting); }},
     {"cells",
         [](From job) { return isVolume(job) ? Written(std::to_string(job.plan.cells)) : Written(); },
         [](Json value, Text, To job) { return readWhole(value, kMinVolumeCells, kMaxVolumeCells, job.plan.cells); }},

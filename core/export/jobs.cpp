@@ -14,9 +14,18 @@ std::filesystem::path placeOf(const std::filesystem::path& folder)
     return unknown ? folder.lexically_normal() : whole;
 }
 
-std::filesystem::path placedIn(const std::filesystem::path& folder, const std::filesystem::path& file)
+/// What a job writes, by where it lies. Files of a plan lie in one folder; its manifest may lie above them.
+std::vector<std::string> placesOf(const ExportPlan& plan)
 {
-    return folder / file.filename();
+    std::vector<std::string> places;
+    const std::filesystem::path folder = placeOf(plan.output.parent_path());
+    for (const std::filesystem::path& file : filesOf(plan)) {
+        places.push_back((folder / file.filename()).string());
+    }
+    if (const std::filesystem::path manifest = manifestOf(plan); !manifest.empty()) {
+        places.push_back((placeOf(manifest.parent_path()) / manifest.filename()).string());
+    }
+    return places;
 }
 
 } // namespace
@@ -32,14 +41,13 @@ Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& pro
 
 Status JobFiles::check(const ExportJob& job) const
 {
-    const std::vector<std::filesystem::path> files = filesOf(job.plan);
+    const std::vector<std::string> files = placesOf(job.plan);
     if (files.size() + m_writers.size() > kMostJobFiles) {
         return Error{ErrorCode::TooLarge, said("the jobs write more than %1 files", kMostJobFiles), inQuotes(job.name), said("Make two lists of them")};
     }
-    const std::filesystem::path folder = placeOf(job.plan.output.parent_path()); // all of them lie in one
-    for (const std::filesystem::path& file : files) {
-        if (const auto found = m_writers.find(placedIn(folder, file).string()); found != m_writers.end()) {
-            return Error{ErrorCode::WouldOverwrite, said("%1 would write over a file of %2", inQuotes(job.name), inQuotes(m_names[found->second])), file.string(), said("Choose another name")};
+    for (const std::string& file : files) {
+        if (const auto found = m_writers.find(file); found != m_writers.end()) {
+            return Error{ErrorCode::WouldOverwrite, said("%1 would write over a file of %2", inQuotes(job.name), inQuotes(m_names[found->second])), file, said("Choose another name")};
         }
     }
     return Done{};
@@ -50,9 +58,8 @@ Status JobFiles::add(const ExportJob& job)
     if (Status status = check(job); !status) {
         return status;
     }
-    const std::filesystem::path folder = placeOf(job.plan.output.parent_path());
-    for (const std::filesystem::path& file : filesOf(job.plan)) {
-        m_writers.emplace(placedIn(folder, file).string(), m_names.size());
+    for (std::string& file : placesOf(job.plan)) {
+        m_writers.emplace(std::move(file), m_names.size());
     }
     m_names.push_back(job.name);
     return Done{};
@@ -60,7 +67,7 @@ Status JobFiles::add(const ExportJob& job)
 
 std::optional<std::size_t> JobFiles::writerOf(const std::filesystem::path& file) const
 {
-    const auto found = m_writers.find(placedIn(placeOf(file.parent_path()), file).string());
+    const auto found = m_writers.find((placeOf(file.parent_path()) / file.filename()).string());
     return found == m_writers.end() ? std::nullopt : std::optional(found->second);
 }
 

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostJobFiles = std::size_t{1} << 20U;
 /// @error those of runExport()
 [[nodiscard]] Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& progress, const std::stop_token& stop = {});
 
-/// The files that jobs write, to find those that one would write over another's. Folders are the same by whatever way they are named.
+/// The files that jobs write, manifests among them, to find those that one would write over another's. Folders are the same by whatever way they are named.
 class JobFiles {
 public:
     /// Takes the files of a job in. O(files).

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/export/fit_camera.h"
+#include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
 #include "core/export/trim.h"
 #include "core/noise/texture.h"
@@ -133,6 +134,19 @@ bool isImage(ExportKind kind)
 bool isNumbered(ExportKind kind)
 {
     return kind == ExportKind::Sequence || kind == ExportKind::Particles || kind == ExportKind::Volumes || kind == ExportKind::Air;
+}
+
+bool canBeRecorded(ExportKind kind)
+{
+    return kind == ExportKind::Sequence || kind == ExportKind::Picture || kind == ExportKind::Flipbook;
+}
+
+std::filesystem::path manifestOf(const ExportPlan& plan)
+{
+    if (plan.recording.manifest.empty() || !canBeRecorded(plan.kind)) {
+        return {};
+    }
+    return partOf(plan.recording.manifest, plan.kind == ExportKind::Flipbook ? std::nullopt : std::optional(framesOf(plan)));
 }
 
 std::string_view fileEnding(const ExportPlan& plan)

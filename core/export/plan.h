@@ -74,6 +74,11 @@ struct ExportPlan {
 /// The files of a plan, first and last; what describes a flipbook lies beside it.
 [[nodiscard]] std::filesystem::path firstFile(const ExportPlan& plan);
 [[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
+/// Whether a manifest can be written of a plan of this kind: frames and flipbooks.
+[[nodiscard]] bool canBeRecorded(ExportKind kind);
+/// The manifest, or the part of one, that a plan writes beside its files; empty: none. What is there already is replaced with them.
+[[nodiscard]] std::filesystem::path manifestOf(const ExportPlan& plan);
+
 /// What a plan for a flipbook asks for, with all of its frames.
 [[nodiscard]] FlipbookOptions flipbookOf(const ExportPlan& plan);
 

@@ -56,10 +56,13 @@ private slots:
         book.packs = {parsePack("masks=shadow,0,motion.r@1/4").value(), parsePack("own=depth").value()};
         book.trim = true;
         book.powerOfTwo = true;
+        book.recording.manifest = "a.b/röd";
         book.retime = parseRetime("[[0, 0], [0.3, 0.7], [1, 0.1]]").value();
         jobs[0].plan.passes = {Pass::Colour, Pass::Depth};
         jobs[0].plan.format = ImageFormat::ExrFloat;
         jobs[0].plan.project.reset();
+        jobs[0].plan.recording = {"a.b/kept.manifest.json", true};
+        jobs[2].plan.recording.manifest = "films.manifest.json"; // none is written of them
         jobs[2].plan.video = VideoFormat::WebM;
         jobs[2].plan.fitCamera = true;
         jobs[4].plan.noiseSize = 48;
@@ -95,6 +98,10 @@ private slots:
         QVERIFY(again.style.layout == SixWayLayout::RltBbf && again.style.vectors == VectorSigns::Unreal && again.style.premultiplied);
         QVERIFY(again.frames.first == 2 && again.frames.last == 9 && again.frames.step == 3);
         QVERIFY(read[0].plan.format == ImageFormat::ExrFloat && read[0].plan.passes.has(Pass::Depth) && !read[0].plan.project);
+        QCOMPARE(read[0].plan.recording.manifest, jobs[0].plan.recording.manifest);
+        QVERIFY(read[0].plan.recording.skipExisting && !again.recording.skipExisting);
+        QCOMPARE(again.recording.manifest, book.recording.manifest);
+        QVERIFY(read[2].plan.recording.manifest.empty());
         QVERIFY(read[2].plan.video == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
         QVERIFY(read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
         QVERIFY(read[5].plan.particles == ParticleFormat::Ply && read[5].plan.up == UpAxis::Z);
@@ -261,6 +268,19 @@ private slots:
             QCOMPARE(status.error().code, ErrorCode::WouldOverwrite);
             QVERIFY2(status.error().text().find("\"second\" would write over a file of \"first\"") != std::string::npos, status.error().text().c_str());
         }
+    }
+
+    void noTwoJobsWriteTheSameManifest()
+    {
+        std::vector<ExportJob> jobs{jobFor(ExportKind::Sequence, at("a_##.png")), jobFor(ExportKind::Sequence, at("a_##.exr"))};
+        jobs[1].plan.format = ImageFormat::ExrHalf;
+        QVERIFY(checkJobs(jobs).ok());
+        jobs[0].plan.recording.manifest = jobs[1].plan.recording.manifest = at("a.manifest.json");
+        const Status status = checkJobs(jobs);
+        QVERIFY(!status.ok());
+        QVERIFY2(status.error().text().find("a.2-9x3.manifest.json") != std::string::npos, status.error().text().c_str());
+        jobs[1].plan.frames.last = 20; // another part of it
+        QVERIFY(checkJobs(jobs).ok());
     }
 
     void aJobIsNotWrittenOverThePresetOfAnother()

@@ -1,0 +1,43 @@
+#include "core/export/plan_check.h"
+
+#include "core/base/memory.h"
+
+#include <set>
+
+namespace fumage {
+
+namespace {
+
+Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+{
+    const std::filesystem::path manifest = manifestOf(plan);
+    const Result<ManifestSet> set = openManifests(manifest);
+    if (!set) {
+        return set.error();
+    }
+    Result<std::vector<CheckedFile>> checked = checkFiles(set.value(), std::nullopt, progress, stop);
+    if (!checked) {
+        return checked;
+    }
+    std::set<std::string> named;
+    for (const CheckedFile& file : checked.value()) {
+        named.insert(file.file);
+    }
+    const std::filesystem::path folder = std::filesystem::absolute(manifest).lexically_normal().parent_path();
+    for (const std::filesystem::path& file : filesOf(plan)) {
+        const std::string name = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).generic_string();
+        if (!named.contains(name)) {
+            checked.value().push_back({name, {}, FileState::Extra});
+        }
+    }
+    return checked;
+}
+
+} // namespace
+
+Result<std::vector<CheckedFile>> checkExport(const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+{
+    return withinMemory([&] { return check(plan, progress, stop); });
+}
+
+} // namespace fumage
