@@ -714,14 +714,6 @@
         <translation>%1, %2 × %3 bildpunkter, och bredvid den en fil om hur den spelas</translation>
     </message>
     <message>
-        <source>Fit the camera to the smoke of all frames</source>
-        <translation>Anpassa kameran till röken i alla bildrutor</translation>
-    </message>
-    <message>
-        <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
-        <translation>Bilderna tas därifrån all rök syns och fyller dem; vyn förblir som den är</translation>
-    </message>
-    <message>
         <source>There is a file %1 already.</source>
         <translation>Det finns redan en fil %1.</translation>
     </message>
@@ -740,14 +732,6 @@
     <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
         <translation>%1, %2 × %3 bildpunkter, och %4 filer till</translation>
-    </message>
-    <message>
-        <source>Pictures carry the preset</source>
-        <translation>Bilderna bär förinställningen</translation>
-    </message>
-    <message>
-        <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
-        <translation>Fumage öppnar då en bild som den förinställning den gjordes av, vid dess bildruta</translation>
     </message>
     <message>
         <source>Video</source>
@@ -3738,6 +3722,33 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.</source>
         <translation>Så många meter växer radien med varje meter längs axeln, bort från källan: en tratt.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PictureChoices</name>
+    <message>
+        <source>Fit the camera to the smoke of all frames</source>
+        <translation>Anpassa kameran till röken i alla bildrutor</translation>
+    </message>
+    <message>
+        <source>Pictures carry the preset</source>
+        <translation>Bilderna bär förinställningen</translation>
+    </message>
+    <message>
+        <source>Manifest, to verify the files by</source>
+        <translation>Manifest att kontrollera filerna mot</translation>
+    </message>
+    <message>
+        <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
+        <translation>Bilderna tas därifrån all rök syns och fyller dem; vyn förblir som den är</translation>
+    </message>
+    <message>
+        <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
+        <translation>Fumage öppnar då en bild som den förinställning den gjordes av, vid dess bildruta</translation>
+    </message>
+    <message>
+        <source>A file beside the others with what each of them shows: Verify, in the panel Exports, and fumage-cli verify then find those that are missing, broken or changed</source>
+        <translation>En fil bredvid de andra med vad var och en av dem visar: Kontrollera, i panelen Exporter, och fumage-cli verify hittar sedan dem som saknas, är trasiga eller har ändrats</translation>
     </message>
 </context>
 <context>

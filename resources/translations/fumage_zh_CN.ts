@@ -714,14 +714,6 @@
         <translation>%1，%2 × %3 像素，旁边附有播放说明文件</translation>
     </message>
     <message>
-        <source>Fit the camera to the smoke of all frames</source>
-        <translation>使摄像机适应所有帧的烟雾</translation>
-    </message>
-    <message>
-        <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
-        <translation>从能看到全部烟雾并使其充满画面的位置拍摄；视图保持不变</translation>
-    </message>
-    <message>
         <source>There is a file %1 already.</source>
         <translation>文件 %1 已经存在。</translation>
     </message>
@@ -740,14 +732,6 @@
     <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
         <translation>%1，%2 × %3 像素，以及另外 %4 个文件</translation>
-    </message>
-    <message>
-        <source>Pictures carry the preset</source>
-        <translation>图片携带预设</translation>
-    </message>
-    <message>
-        <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
-        <translation>这样 Fumage 打开图片时会还原生成它的预设，并停在对应的帧</translation>
     </message>
     <message>
         <source>Video</source>
@@ -3738,6 +3722,33 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.</source>
         <translation>沿轴线远离发射器每前进一米，半径增大的米数：形成漏斗。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PictureChoices</name>
+    <message>
+        <source>Fit the camera to the smoke of all frames</source>
+        <translation>使摄像机适应所有帧的烟雾</translation>
+    </message>
+    <message>
+        <source>Pictures carry the preset</source>
+        <translation>图片携带预设</translation>
+    </message>
+    <message>
+        <source>Manifest, to verify the files by</source>
+        <translation>清单，用于校验文件</translation>
+    </message>
+    <message>
+        <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
+        <translation>从能看到全部烟雾并使其充满画面的位置拍摄；视图保持不变</translation>
+    </message>
+    <message>
+        <source>Fumage then opens a picture as the preset that it was made of, at its frame</source>
+        <translation>这样 Fumage 打开图片时会还原生成它的预设，并停在对应的帧</translation>
+    </message>
+    <message>
+        <source>A file beside the others with what each of them shows: Verify, in the panel Exports, and fumage-cli verify then find those that are missing, broken or changed</source>
+        <translation>在其他文件旁写出一个文件，记录它们各自显示的内容：之后“导出”面板中的“校验”和 fumage-cli verify 可找出缺失、损坏或改变的文件</translation>
     </message>
 </context>
 <context>

@@ -126,6 +126,43 @@ private slots:
         QVERIFY(m_dialog->plan().trim); // out of sight is not out of the plan
     }
 
+    void framesAndFlipbooksHaveAManifestWhereThatIsAskedFor()
+    {
+        const auto* manifest = child<QCheckBox>(u"export.manifest"_q);
+        const auto nameFor = [this](ExportKind kind) {
+            m_dialog->setKind(kind);
+            return manifestOf(m_dialog->plan()).filename().string();
+        };
+        QVERIFY(!manifest->isChecked());
+        QVERIFY(nameFor(ExportKind::Sequence).empty());
+        child<QCheckBox>(u"export.manifest"_q)->click();
+        child<QSpinBox>(u"export.first"_q)->setValue(3);
+        child<QSpinBox>(u"export.last"_q)->setValue(90);
+        QCOMPARE(nameFor(ExportKind::Sequence), std::string("untitled.3-90.manifest.json"));
+        QVERIFY(manifest->isVisible());
+        QCOMPARE(nameFor(ExportKind::Flipbook), std::string("untitled_8x8.manifest.json"));
+        QVERIFY(manifest->isVisible());
+        for (const ExportKind kind : {ExportKind::Video, ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes, ExportKind::Air}) {
+            QVERIFY(nameFor(kind).empty());
+            QVERIFY(!manifest->isVisible());
+        }
+        // It is remembered, as all that was chosen.
+        m_dialog->close();
+        m_dialog->show();
+        QVERIFY(!nameFor(ExportKind::Flipbook).empty());
+        QVERIFY(manifest->isChecked());
+    }
+
+    void aManifestIsNumberedOnWithItsFiles()
+    {
+        m_dialog->setKind(ExportKind::Sequence);
+        child<QCheckBox>(u"export.manifest"_q)->click();
+        const ExportPlan next = numberedOn(m_dialog->plan());
+        QCOMPARE(next.recording.manifest.filename().string(), std::string("untitled-2.manifest.json"));
+        child<QCheckBox>(u"export.manifest"_q)->click();
+        QVERIFY(manifestOf(numberedOn(m_dialog->plan())).empty());
+    }
+
     void aLoopIsNotTrimmed()
     {
         m_dialog->setKind(ExportKind::Flipbook);

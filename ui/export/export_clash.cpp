@@ -4,6 +4,7 @@
 #include "ui/export/export_dialog.h"
 
 #include "core/base/text.h"
+#include "core/export/manifest/manifest_parts.h"
 
 #include <array>
 
@@ -57,8 +58,12 @@ JobFiles filesOf(const ExportJobs& jobs)
 
 ExportPlan numberedOn(ExportPlan plan, const JobFiles& others)
 {
+    const bool hasManifest = !manifestOf(plan).empty();
     do {
         plan.output = withNextNumber(plan.output);
+        if (hasManifest) {
+            plan.recording.manifest = manifestBeside(plan.output);
+        }
     } while (filesThere(plan).first > 0 || !others.check({{}, {}, plan}));
     return plan;
 }

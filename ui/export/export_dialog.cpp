@@ -8,6 +8,7 @@
 #include "ui/export/flipbook_choices.h"
 #include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
+#include "ui/export/picture_choices.h"
 #include "ui/export/preview_pane.h"
 #include "ui/panels/parameter_row.h"
 
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <array>
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QFileInfo>
@@ -67,8 +67,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_data(new DataChoices(this))
     , m_flipbook(new FlipbookChoices(this))
     , m_preview(new PreviewPane(this))
-    , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
-    , m_carries(new QCheckBox(tr("Pictures carry the preset"), this))
+    , m_pictures(new PictureChoices(this))
     , m_files(new QLabel(this))
     , m_progress(new ExportProgress(queue, this))
     , m_export(new QPushButton(tr("Export"), this))
@@ -145,13 +144,7 @@ void ExportDialog::buildForm()
     form->add(tr("File"), place);
     form->add(tr("Frames"), makeRange());
     form->addRow(m_flipbook);
-    m_fit->setObjectName(QStringLiteral("export.fit"));
-    m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
-    form->addRow(QString(), m_fit);
-    m_carries->setObjectName(QStringLiteral("export.carries"));
-    m_carries->setToolTip(tr("Fumage then opens a picture as the preset that it was made of, at its frame"));
-    m_carries->setChecked(true);
-    form->addRow(QString(), m_carries);
+    form->addRow(QString(), m_pictures);
     form->addRow(m_data);
     auto* content = new QWidget;
     auto* box = new QVBoxLayout(content);
@@ -228,10 +221,6 @@ ExportPlan ExportDialog::plan() const
     ExportPlan plan;
     plan.kind = kind();
     plan.frames = {m_first->value(), m_last->value(), m_step->value()};
-    plan.fitCamera = m_fit->isChecked();
-    if (m_carries->isChecked()) {
-        plan.project = m_document.preset();
-    }
     plan.source = toPath(m_document.filePath());
     m_data->applyTo(plan);
     const int format = std::max(0, m_format->currentIndex());
@@ -248,6 +237,7 @@ ExportPlan ExportDialog::plan() const
     if (!m_path->text().trimmed().isEmpty()) {
         plan.output = withEnding(toPath(m_path->text()), fileEnding(plan));
     }
+    m_pictures->applyTo(plan, m_document.preset());
     return plan;
 }
 
@@ -295,8 +285,7 @@ void ExportDialog::followPlan()
     }
     const bool picture = isPicture(kind());
     const bool onColour = kind() == ExportKind::Video && !hasAlpha(plan().video);
-    m_fit->setVisible(picture);
-    m_carries->setVisible(picture && kind() != ExportKind::Video && plan().format != ImageFormat::Tga);
+    m_pictures->follow(plan());
     for (ParameterRow* row : m_rows) {
         row->sync();
         const bool isBehind = onColour && &row->parameter() == &knownParameter("output.background_colour");

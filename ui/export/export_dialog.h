@@ -11,7 +11,6 @@
 
 #include <vector>
 
-class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -25,6 +24,7 @@ namespace fumage::ui {
 class DataChoices;
 class ExportProgress;
 class FlipbookChoices;
+class PictureChoices;
 class PreviewPane;
 class ParameterRow;
 
@@ -91,8 +91,7 @@ private:
     DataChoices* m_data;
     FlipbookChoices* m_flipbook;
     PreviewPane* m_preview;
-    QCheckBox* m_fit;
-    QCheckBox* m_carries; ///< whether pictures carry the preset
+    PictureChoices* m_pictures;
     QLabel* m_files;
     ExportProgress* m_progress;
     QPushButton* m_export;

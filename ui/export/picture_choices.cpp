@@ -1,0 +1,48 @@
+#include "ui/export/picture_choices.h"
+
+#include "core/export/manifest/manifest_parts.h"
+
+#include <QCheckBox>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+PictureChoices::PictureChoices(QWidget* parent)
+    : QWidget(parent)
+    , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
+    , m_carries(new QCheckBox(tr("Pictures carry the preset"), this))
+    , m_manifest(new QCheckBox(tr("Manifest, to verify the files by"), this))
+{
+    m_fit->setObjectName(QStringLiteral("export.fit"));
+    m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
+    m_carries->setObjectName(QStringLiteral("export.carries"));
+    m_carries->setToolTip(tr("Fumage then opens a picture as the preset that it was made of, at its frame"));
+    m_carries->setChecked(true);
+    m_manifest->setObjectName(QStringLiteral("export.manifest"));
+    m_manifest->setToolTip(tr("A file beside the others with what each of them shows: Verify, in the panel Exports, and fumage-cli verify then find those that are missing, broken or changed"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    for (QCheckBox* choice : {m_fit, m_carries, m_manifest}) {
+        layout->addWidget(choice);
+    }
+}
+
+void PictureChoices::follow(const ExportPlan& plan)
+{
+    setVisible(isPicture(plan.kind));
+    m_carries->setVisible(isPicture(plan.kind) && plan.kind != ExportKind::Video && plan.format != ImageFormat::Tga);
+    m_manifest->setVisible(canBeRecorded(plan.kind));
+}
+
+void PictureChoices::applyTo(ExportPlan& plan, const Preset& preset) const
+{
+    plan.fitCamera = m_fit->isChecked();
+    if (m_carries->isChecked()) {
+        plan.project = preset;
+    }
+    if (m_manifest->isChecked() && canBeRecorded(plan.kind) && !plan.output.empty()) {
+        plan.recording.manifest = manifestBeside(plan.output);
+    }
+}
+
+} // namespace fumage::ui
