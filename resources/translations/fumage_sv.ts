@@ -565,6 +565,57 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::ExportCheck</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 saknas</translation>
+    </message>
+    <message>
+        <source>%1 is different</source>
+        <translation>%1 är annorlunda</translation>
+    </message>
+    <message>
+        <source>%1 is broken</source>
+        <translation>%1 är trasig</translation>
+    </message>
+    <message>
+        <source>the manifest says two things of %1</source>
+        <translation>manifestet säger två saker om %1</translation>
+    </message>
+    <message>
+        <source>%1 is not in the manifest</source>
+        <translation>%1 finns inte i manifestet</translation>
+    </message>
+    <message>
+        <source>Verified: the file is as it was written</source>
+        <translation>Kontrollerad: filen är som den skrevs</translation>
+    </message>
+    <message>
+        <source>Verified: %1 files are as they were written</source>
+        <translation>Kontrollerade: %1 filer är som de skrevs</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 till</translation>
+    </message>
+    <message>
+        <source>1 of %1 files is not as it was written: %2</source>
+        <translation>1 av %1 filer är inte som den skrevs: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files are not as they were written: %3</source>
+        <translation>%1 av %2 filer är inte som de skrevs: %3</translation>
+    </message>
+    <message>
+        <source>Verifying…</source>
+        <translation>Kontrollerar…</translation>
+    </message>
+    <message>
+        <source>Verifying: %1 of %2</source>
+        <translation>Kontrollerar: %1 av %2</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::ExportDesk</name>
     <message>
         <source>Exported %1</source>
@@ -4173,6 +4224,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Not finished when the program ended: %1</source>
         <translation>Inte färdiga när programmet avslutades: %1</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Kontrollera</translation>
+    </message>
+    <message>
+        <source>Verify: look whether the files are as they were written, where an export has a manifest</source>
+        <translation>Kontrollera: se efter om filerna är som de skrevs, där en export har ett manifest</translation>
     </message>
 </context>
 <context>

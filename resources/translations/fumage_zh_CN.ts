@@ -565,6 +565,57 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::ExportCheck</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 缺失</translation>
+    </message>
+    <message>
+        <source>%1 is different</source>
+        <translation>%1 已改变</translation>
+    </message>
+    <message>
+        <source>%1 is broken</source>
+        <translation>%1 已损坏</translation>
+    </message>
+    <message>
+        <source>the manifest says two things of %1</source>
+        <translation>清单对 %1 的记录自相矛盾</translation>
+    </message>
+    <message>
+        <source>%1 is not in the manifest</source>
+        <translation>%1 不在清单中</translation>
+    </message>
+    <message>
+        <source>Verified: the file is as it was written</source>
+        <translation>已校验：文件与写出时一致</translation>
+    </message>
+    <message>
+        <source>Verified: %1 files are as they were written</source>
+        <translation>已校验：%1 个文件与写出时一致</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 个</translation>
+    </message>
+    <message>
+        <source>1 of %1 files is not as it was written: %2</source>
+        <translation>%1 个文件中有 1 个与写出时不同：%2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files are not as they were written: %3</source>
+        <translation>%2 个文件中有 %1 个与写出时不同：%3</translation>
+    </message>
+    <message>
+        <source>Verifying…</source>
+        <translation>正在校验…</translation>
+    </message>
+    <message>
+        <source>Verifying: %1 of %2</source>
+        <translation>正在校验：%1 / %2</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::ExportDesk</name>
     <message>
         <source>Exported %1</source>
@@ -4173,6 +4224,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Not finished when the program ended: %1</source>
         <translation>程序结束时尚未完成：%1</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>校验</translation>
+    </message>
+    <message>
+        <source>Verify: look whether the files are as they were written, where an export has a manifest</source>
+        <translation>校验：查看文件是否与写出时一致；导出须有清单</translation>
     </message>
 </context>
 <context>

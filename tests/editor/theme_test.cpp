@@ -40,7 +40,7 @@ private slots:
     void textIsReadOnWhatItStandsOn()
     {
         const ThemeColours& colours = chosen();
-        for (const QRgb text : {colours.text, colours.quiet, colours.mark}) {
+        for (const QRgb text : {colours.text, colours.quiet, colours.mark, colours.good}) {
             for (const QRgb behind : {colours.window, colours.base, colours.raised}) {
                 compare(text, behind, 4.5);
             }

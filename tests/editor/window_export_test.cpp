@@ -12,9 +12,11 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStatusBar>
+#include <QToolButton>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -231,6 +233,32 @@ private slots:
         QCOMPARE(m_choiceQuestions.size(), 2);
         QVERIFY(QFile::exists(m_folder.filePath(u"a-3_04.png"_q)));
         QCOMPARE(childOf<QLineEdit>(*dialog, u"export.path"_q)->text(), m_folder.filePath(u"a-3_##.png"_q));
+    }
+
+    void anExportIsVerifiedAndAgainAfterItWasSpoilt()
+    {
+        const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 6);
+        childOf<QCheckBox>(*dialog, u"export.manifest"_q)->setChecked(true);
+        exportAndWait(*childOf<QPushButton>(*dialog, u"export.begin"_q));
+        QVERIFY(QFile::exists(m_folder.filePath(u"a.3-6.manifest.json"_q)));
+        childOf<QDockWidget>(*m_window, u"dock.queue"_q)->show();
+        auto* verify = childOf<QToolButton>(*m_window, u"queue.verify.button"_q);
+        QTRY_VERIFY(verify->isVisible());
+        childOf<QListView>(*m_window, u"queue.list"_q)->setCurrentIndex(queue().index(0));
+        const auto said = [this] { return queue().index(0).data(ExportQueue::ToldRole).toString(); };
+        QTest::mouseClick(verify, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(said(), u"Verified: 4 files are as they were written"_q, 60000);
+        QVERIFY(QFile::resize(m_folder.filePath(u"a_04.png"_q), 100));
+        QVERIFY(QFile::remove(m_folder.filePath(u"a_06.png"_q)));
+        QTest::mouseClick(verify, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(said(), u"2 of 4 files are not as they were written: a_04.png is broken, a_06.png is missing"_q, 60000);
+        // Exported again, with the manifest that was asked for, it is right, and nobody has looked at it yet.
+        m_chosenAnswer = 0;
+        trigger("file.exportAgain");
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(1), ExportState::Done, 60000);
+        QCOMPARE(queue().at(0).check.state, CheckState::None);
+        queue().verify(1);
+        QTRY_COMPARE_WITH_TIMEOUT(queue().at(1).check.state, CheckState::Same, 60000);
     }
 
     void exportingAgainAsksOnce()

@@ -2,14 +2,12 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_clash.h"
-#include "ui/export/export_formats.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QDir>
 #include <QFile>
-#include <QFileInfo>
 
 namespace fumage::ui {
 
@@ -17,39 +15,6 @@ namespace {
 
 /// More of those that are done are forgotten, the oldest first.
 constexpr int kMostEnded = 100;
-
-/// A folder as people call it: "~/smoke".
-QString folderName(const QString& folder)
-{
-    const QString home = QDir::homePath();
-    const bool isInHome = folder == home || folder.startsWith(home + QLatin1Char('/'));
-    return QDir::toNativeSeparators(isInHome ? QLatin1Char('~') + folder.mid(home.size()) : folder);
-}
-
-/// What comes first is seen where there is little room.
-QString placeOf(const ExportPlan& plan)
-{
-    const QFileInfo file(fromPath(plan.output));
-    return QStringLiteral("%1 · %2 · %3").arg(kindName(plan.kind), file.fileName(), folderName(file.path()));
-}
-
-QString usualText(ExportState state)
-{
-    switch (state) {
-    case ExportState::Held: return ExportQueue::tr("Not begun: left from before");
-    case ExportState::Waiting: return ExportQueue::tr("Waiting");
-    case ExportState::Running: return ExportQueue::tr("Begun");
-    case ExportState::Done: return ExportQueue::tr("Done");
-    case ExportState::Failed: return ExportQueue::tr("Failed");
-    case ExportState::Cancelled: return ExportQueue::tr("Cancelled. Files that were complete are kept.");
-    }
-    return {};
-}
-
-double shareOf(const QueuedExport& one)
-{
-    return one.total > 0 ? static_cast<double>(one.done) / one.total : -1.0;
-}
 
 } // namespace
 
@@ -66,6 +31,7 @@ ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
     connect(&m_worker, &ExportWorker::preparing, this, [this](const QString& what) { follow(0, 0, what); });
     connect(&m_worker, &ExportWorker::finished, this, [this](const QString& remark) { end(ExportState::Done, remark); });
     connect(&m_worker, &ExportWorker::cancelled, this, [this] { end(ExportState::Cancelled, {}); });
+    connect(&m_check, &ExportCheck::marked, this, &ExportQueue::takeMark);
     connect(&m_worker, &ExportWorker::failed, this, [this](const QString& message) { end(ExportState::Failed, message); });
 }
 
@@ -87,11 +53,12 @@ QVariant ExportQueue::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole: return toQString(one.job->name);
-    case Qt::ToolTipRole: return QStringLiteral("%1\n%2").arg(QDir::toNativeSeparators(fromPath(one.job->plan.output)), one.told);
-    case Qt::AccessibleTextRole: return QStringLiteral("%1, %2").arg(toQString(one.job->name), one.told);
+    case Qt::ToolTipRole: return QStringLiteral("%1\n%2").arg(QDir::toNativeSeparators(fromPath(one.job->plan.output)), wholeTextOf(one, QStringLiteral("\n")));
+    case Qt::AccessibleTextRole: return QStringLiteral("%1, %2").arg(toQString(one.job->name), wholeTextOf(one, QStringLiteral(", ")));
     case StateRole: return static_cast<int>(one.state);
     case ShareRole: return shareOf(one);
-    case ToldRole: return one.told;
+    case CheckRole: return static_cast<int>(one.check.state);
+    case ToldRole: return lineOf(one);
     case PlaceRole: return placeOf(one.job->plan);
     default: return {};
     }
@@ -248,6 +215,7 @@ void ExportQueue::cancel(int row)
         setState(row, ExportState::Cancelled);
         keep();
         break;
+    case ExportState::Done: m_check.giveUp(at(row).id); break;
     default: break;
     }
 }
@@ -260,6 +228,7 @@ void ExportQueue::removeAll(const IsMeant& isMeant)
             ++row;
             continue;
         }
+        m_check.giveUp(at(row).id);
         beginRemoveRows({}, row, row);
         m_exports.erase(m_exports.begin() + row);
         endRemoveRows();
@@ -324,6 +293,7 @@ void ExportQueue::goOn()
     next->done = next->total = 0;
     const std::shared_ptr<const ExportJob> job = next->job;
     setState(static_cast<int>(next - m_exports.begin()), ExportState::Running);
+    dropMarks(job->plan);
     m_worker.start(job);
 }
 
@@ -355,6 +325,7 @@ void ExportQueue::end(ExportState state, const QString& told)
     if (row >= 0) {
         m_exports[static_cast<std::size_t>(row)].remark = state == ExportState::Done ? told : QString();
         setState(row, state, told);
+        dropMarks(at(row).job->plan); // of files that were looked at while they were written
     }
     goOn();
     keep();
@@ -363,6 +334,33 @@ void ExportQueue::end(ExportState state, const QString& told)
     }
     if (active() == 0) {
         emit emptied();
+    }
+}
+
+// --- holding them against their manifests --------------------------------------------------------------------------------
+
+void ExportQueue::verify(int row)
+{
+    if (at(row).canBeChecked()) {
+        m_check.start(at(row).id, at(row).job);
+    }
+}
+
+void ExportQueue::takeMark(quint64 id, const CheckMark& mark)
+{
+    if (const int row = rowOf(id); row >= 0) {
+        m_exports[static_cast<std::size_t>(row)].check = mark;
+        emit dataChanged(index(row), index(row));
+    }
+}
+
+void ExportQueue::dropMarks(const ExportPlan& written)
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        if (at(row).check.state != CheckState::None && mayShareFiles(at(row).job->plan, written)) {
+            m_check.giveUp(at(row).id);
+            takeMark(at(row).id, {});
+        }
     }
 }
 

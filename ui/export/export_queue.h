@@ -2,36 +2,11 @@
 
 #include "ui/export/export_worker.h"
 #include "ui/export/queue_file.h"
+#include "ui/export/queued_export.h"
 
 #include <QAbstractListModel>
 
 namespace fumage::ui {
-
-/// What has become of an export of the queue.
-enum class ExportState {
-    Held, ///< left by a program that is gone; waits for somebody to start it
-    Waiting,
-    Running,
-    Done,
-    Failed,
-    Cancelled,
-};
-
-/// An export of the queue.
-struct QueuedExport {
-    quint64 id = 0; ///< never 0, and never that of another
-    std::shared_ptr<const ExportJob> job;
-    ExportState state = ExportState::Waiting;
-    int done = 0; ///< files of `total` that are done while it runs
-    int total = 0; ///< 0: not known yet
-    QString told{}; ///< how far it is, or what came of it, in words
-    QString remark{}; ///< of one that is done: what the artist should know of the result
-
-    /// Whether it will be done without anybody doing something for it.
-    [[nodiscard]] bool isActive() const { return state == ExportState::Waiting || state == ExportState::Running; }
-    /// Whether it is still to be done.
-    [[nodiscard]] bool isUnfinished() const { return isActive() || state == ExportState::Held; }
-};
 
 /// The exports of the program as a list: done one after the other, from the top, while the artist works. Those that are not done are on the disk too, so
 /// that a crash does not lose them.
@@ -42,6 +17,7 @@ public:
     /// What data() gives beside the name.
     enum Role {
         StateRole = Qt::UserRole, ///< an ExportState as int
+        CheckRole, ///< a CheckState as int
         ShareRole, ///< how much is done, 0 to 1; less than 0: not known
         ToldRole, ///< QString: how far it is, or what came of it
         PlaceRole, ///< QString: what is written, its file, its folder
@@ -80,7 +56,10 @@ public:
     /// Lets one that is held, failed or was cancelled wait for its turn; it fails where another that waits writes one of its files.
     void start(int row);
     void startHeld();
+    /// Of one that is done: gives up holding its files against its manifest.
     void cancel(int row);
+    /// Holds the files of one that is done against its manifest. The mark that comes of it goes where files of that name are written again.
+    void verify(int row);
     /// Takes one from the list that does not run.
     void remove(int row);
     /// Takes those from the list that are done, failed or were cancelled.
@@ -112,6 +91,9 @@ private:
     void removeAll(const IsMeant& isMeant);
     void forgetOldest();
     void append(std::shared_ptr<const ExportJob> job, ExportState state);
+    void takeMark(quint64 id, const CheckMark& mark);
+    /// Of exports whose files are another's now.
+    void dropMarks(const ExportPlan& written);
     void setState(int row, ExportState state, const QString& told = {});
     void follow(int done, int total, const QString& told);
     void end(ExportState state, const QString& told);
@@ -123,7 +105,8 @@ private:
     std::vector<QueuedExport> m_exports;
     quint64 m_lastId = 0;
     QueueFile m_file;
-    ExportWorker m_worker; ///< last: it ends before what hears of it
+    ExportWorker m_worker; ///< these last: they end before what hears of them
+    ExportCheck m_check;
 };
 
 } // namespace fumage::ui

@@ -96,6 +96,8 @@ void QueuePanel::buildActions()
     m_down = addAction("queue.down", QStringLiteral("down"), tr("Later"), [this](int row) { move(row, row + 2); });
     m_rename = addAction("queue.rename", {}, tr("Rename"), [this](int row) { m_list->edit(m_queue.index(row)); });
     m_stop = addAction("queue.stop", QStringLiteral("cancel"), tr("Cancel"), [this](int row) { cancelOrRemove(row); });
+    m_verify = addAction("queue.verify", QStringLiteral("verify"), tr("Verify"), [this](int row) { m_queue.verify(row); });
+    m_verify->setToolTip(tr("Verify: look whether the files are as they were written, where an export has a manifest"));
     m_folder = addAction("queue.folder", QStringLiteral("open"), tr("Show in folder"), [this](int row) { showInFolder(row); });
     m_again = addAction("queue.again", QStringLiteral("export"), tr("Export again, with the smoke as it is now"), [this](int row) { emit againRequested(m_queue.at(row).job->plan); });
     m_clear = addAction("queue.clear", {}, tr("Remove what has ended"), [this](int) { m_queue.removeEnded(); });
@@ -103,8 +105,8 @@ void QueuePanel::buildActions()
     m_save->setToolTip(tr("Save what is not done as a list, which fumage-cli render --jobs does without a display"));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(2);
-    for (QAction* action : {m_start, m_stop, m_up, m_down, m_folder, m_again, m_save}) {
-        if (action == m_folder) {
+    for (QAction* action : {m_start, m_stop, m_up, m_down, m_verify, m_folder, m_again, m_save}) {
+        if (action == m_verify) {
             buttons->addStretch();
         }
         auto* button = new QToolButton(this);
@@ -129,7 +131,7 @@ void QueuePanel::move(int from, int before)
 
 void QueuePanel::cancelOrRemove(int row)
 {
-    if (m_queue.at(row).isActive()) {
+    if (m_queue.at(row).isActive() || m_queue.at(row).isChecked()) {
         m_queue.cancel(row);
     } else {
         m_queue.remove(row);
@@ -164,10 +166,11 @@ void QueuePanel::follow()
     const int chosen = row();
     const bool isThere = chosen >= 0 && chosen < m_queue.rowCount();
     const ExportState state = isThere ? m_queue.at(chosen).state : ExportState::Done;
-    const bool isActive = isThere && m_queue.at(chosen).isActive();
+    const bool isAtWork = isThere && (m_queue.at(chosen).isActive() || m_queue.at(chosen).isChecked());
     m_start->setEnabled(isThere && (state == ExportState::Held || state == ExportState::Failed || state == ExportState::Cancelled));
     m_stop->setEnabled(isThere);
-    m_stop->setText(isThere && !isActive ? tr("Remove") : tr("Cancel"));
+    m_stop->setText(isThere && !isAtWork ? tr("Remove") : tr("Cancel"));
+    m_verify->setEnabled(isThere && m_queue.at(chosen).canBeChecked());
     m_up->setEnabled(isThere && chosen > 0);
     m_down->setEnabled(isThere && chosen + 1 < m_queue.rowCount());
     for (QAction* action : {m_rename, m_folder, m_again}) {
@@ -197,7 +200,7 @@ void QueuePanel::contextMenuEvent(QContextMenuEvent* event)
     QMenu menu(this);
     menu.addActions({m_start, m_rename, m_up, m_down, m_stop});
     menu.addSeparator();
-    menu.addActions({m_folder, m_again});
+    menu.addActions({m_verify, m_folder, m_again});
     menu.addSeparator();
     menu.addActions({m_clear, m_save});
     menu.exec(event->globalPos());

@@ -53,6 +53,7 @@ private:
     QAction* m_down = nullptr;
     QAction* m_rename = nullptr;
     QAction* m_stop = nullptr;
+    QAction* m_verify = nullptr;
     QAction* m_folder = nullptr;
     QAction* m_again = nullptr;
     QAction* m_clear = nullptr;

@@ -17,7 +17,8 @@ constexpr ThemeColours kDark{.window = 0xff23262b,
     .quiet = 0xff969ca6,
     .accent = 0xff4a9fd8,
     .onAccent = 0xff10141a,
-    .mark = 0xffffb454};
+    .mark = 0xffffb454,
+    .good = 0xff5fc57f};
 constexpr ThemeColours kLight{.window = 0xfff3f4f6,
     .base = 0xffffffff,
     .raised = 0xffe6e8ec,
@@ -27,7 +28,8 @@ constexpr ThemeColours kLight{.window = 0xfff3f4f6,
     .quiet = 0xff5d646f,
     .accent = 0xff1f78b8,
     .onAccent = 0xffffffff,
-    .mark = 0xff955400};
+    .mark = 0xff955400,
+    .good = 0xff177037};
 
 QPalette makePalette(const ThemeColours& c)
 {

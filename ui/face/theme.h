@@ -28,6 +28,7 @@ struct ThemeColours {
     QRgb accent;
     QRgb onAccent;
     QRgb mark; ///< what differs from the preset
+    QRgb good; ///< what has been looked at and is right
 };
 
 [[nodiscard]] const ThemeColours& themeColours(bool dark);
