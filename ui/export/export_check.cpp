@@ -28,7 +28,7 @@ QString describe(const CheckedFile& file)
     case FileState::Extra: return ExportCheck::tr("%1 is not in the manifest").arg(name);
     case FileState::Same: break;
     }
-    return name;
+    return {};
 }
 
 CheckMark markOf(const std::vector<CheckedFile>& files)
