@@ -4,7 +4,6 @@
 #include "app/cli/interruption.h"
 #include "app/cli/json_answer.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/progress.h"
 
 #include "core/base/path.h"
 #include "core/base/text.h"
@@ -66,17 +65,11 @@ Status doJobs(const std::string& file, bool asJson)
         const ExportJob& job = jobs.value()[i];
         const std::string name = printable(job.name);
         tell("job " + std::to_string(i + 1) + " of " + std::to_string(total) + ": " + name);
-        Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
-        {
-            ProgressBar bar("Rendering");
-            done = runJob(job, bar.listener(), interruption());
-        }
+        const Result<std::optional<Flipbook>> done = exportWithBar(job.plan, [&](const Progress& progress) { return runJob(job, progress, interruption()); });
         if (!done && done.error().code == ErrorCode::Cancelled) {
             return done.error();
         }
-        if (done) {
-            tellWritten(writtenBy(job.plan, done.value()));
-        } else {
+        if (!done) {
             failures.push_back(done.error().code);
             std::cerr << "fumage-cli: " << name << ": " << printable(done.error().text()) << '\n';
         }

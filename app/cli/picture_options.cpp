@@ -22,7 +22,7 @@ void tellDone(const ExportPlan& plan, const std::optional<Flipbook>& flipbook, i
     if (kept > 0) {
         tell(std::to_string(kept) + " of " + std::to_string(written.count) + " files were there already, " + written.first.string() + " to " + written.last.string());
     } else {
-        tellWritten(written);
+        tellWritten(written.count, written.first, written.last);
     }
 }
 
@@ -143,18 +143,22 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
+    return exportWithBar(job.plan, [&](const Progress& progress) { return runExport(job.effect, job.plan, progress, interruption()); });
+}
+
+Result<std::optional<Flipbook>> exportWithBar(const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run)
+{
     int rendered = 0;
     Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
     {
         ProgressBar bar("Rendering");
-        const auto count = [&rendered, show = bar.listener()](Work work, int now, int total) {
+        done = run([&rendered, show = bar.listener()](Work work, int now, int total) {
             rendered = work == Work::Frames ? total : rendered;
             show(work, now, total);
-        };
-        done = runExport(job.effect, job.plan, count, interruption());
+        });
     }
     if (done) {
-        tellDone(job.plan, done.value(), rendered);
+        tellDone(plan, done.value(), rendered);
     }
     return done;
 }
@@ -165,11 +169,6 @@ Written writtenBy(const ExportPlan& plan, const std::optional<Flipbook>& flipboo
         return {flipbook->files, firstFile(plan), flipbook->description};
     }
     return {plan.kind == ExportKind::Sequence ? plan.frames.count() : 1, firstFile(plan), lastFile(plan)};
-}
-
-void tellWritten(const Written& written)
-{
-    tellWritten(written.count, written.first, written.last);
 }
 
 } // namespace fumage::cli

@@ -5,6 +5,7 @@
 
 #include "core/export/plan.h"
 
+#include <functional>
 #include <optional>
 
 namespace fumage::cli {
@@ -55,6 +56,9 @@ struct PictureOptions {
 /// @return the flipbook, where that is what was made
 [[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
+/// Runs an export of a plan with a bar of progress, and says what was written and what was there already.
+[[nodiscard]] Result<std::optional<Flipbook>> exportWithBar(const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run);
+
 /// The files that an export has written.
 struct Written {
     int count;
@@ -64,7 +68,5 @@ struct Written {
 
 /// @param flipbook what runExport() returned
 [[nodiscard]] Written writtenBy(const ExportPlan& plan, const std::optional<Flipbook>& flipbook);
-/// Says it, on standard error.
-void tellWritten(const Written& written);
 
 } // namespace fumage::cli

@@ -72,6 +72,19 @@ private slots:
         QVERIFY2(fine.code == 0 && fine.error.trimmed().endsWith("wrote e.png"), fine.error.constData());
     }
 
+    void jobsKeepTheirManifestAndWhatIsThere()
+    {
+        const QTemporaryDir folder;
+        const QString list = writeList(folder, R"({"output": "x.png", "frames": "0-2", "manifest": "x", "skip_existing": true, $small})");
+        const Outcome first = runIn(folder, {"render", "--jobs", list});
+        QVERIFY2(first.code == 0 && first.error.contains("wrote 3 files"), first.error.constData());
+        QVERIFY(QFile::remove(folder.filePath("x_0001.png")));
+        QCOMPARE(runIn(folder, {"verify", "x.0-2.manifest.json"}).code, 4);
+        const Outcome second = runIn(folder, {"render", "--jobs", list});
+        QVERIFY2(second.code == 0 && second.error.contains("2 of 3 files were there already"), second.error.constData());
+        QCOMPARE(runIn(folder, {"verify", "x.0-2.manifest.json"}).code, 0);
+    }
+
     void jobsOfOneFileAreRefusedBeforeAnythingIsRendered()
     {
         const QTemporaryDir folder;
