@@ -1,5 +1,6 @@
 #include "core/export/bleed.h"
 
+#include "core/base/parallel.h"
 #include "core/export/pyramid.h"
 #include "core/export/sheet_grid.h"
 
@@ -9,6 +10,12 @@
 namespace fumage {
 
 namespace {
+
+/// What a thread works in, cell after cell.
+struct Room {
+    std::vector<PyramidLevel> levels;
+    PyramidLevel seen;
+};
 
 /// Of the eight pixels around one: what bilinear filtering mixes with it.
 glm::vec4 aroundOf(const PyramidLevel& level, int x, int y)
@@ -23,18 +30,20 @@ glm::vec4 aroundOf(const PyramidLevel& level, int x, int y)
 }
 
 template <class Channel>
-void bleedCell(EncodedImage<Channel>& image, const SheetCell& cell)
+void bleedCell(EncodedImage<Channel>& image, const SheetCell& cell, Room& room)
 {
     const auto pixel = [&](int x, int y) { return image.pixels.data() + (static_cast<std::size_t>(cell.top + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(cell.left + x)) * 4; };
-    std::vector<PyramidLevel> levels = pyramidOf(cell.width, cell.height, [&](int x, int y) {
+    const auto weighted = [&](int x, int y) {
         const Channel* p = pixel(x, y);
         const auto alpha = static_cast<float>(p[3]);
         return glm::vec4(alpha * static_cast<float>(p[0]), alpha * static_cast<float>(p[1]), alpha * static_cast<float>(p[2]), alpha);
-    });
+    };
+    std::vector<PyramidLevel>& levels = room.levels;
+    buildPyramid(cell.width, cell.height, weighted, levels);
     if (levels.back().at(0, 0).w <= 0.0F) {
         return;
     }
-    const PyramidLevel seen = levels[0];
+    room.seen = levels[0];
     for (std::size_t level = levels.size() - 1; level > 0; --level) {
         const PyramidLevel& coarse = levels[level];
         PyramidLevel& fine = levels[level - 1];
@@ -50,7 +59,7 @@ void bleedCell(EncodedImage<Channel>& image, const SheetCell& cell)
         for (int x = 0; x < cell.width; ++x) {
             Channel* p = pixel(x, y);
             if (p[3] == 0) {
-                const glm::vec4 near = aroundOf(seen, x, y);
+                const glm::vec4 near = aroundOf(room.seen, x, y);
                 const glm::vec4 colour = near.w > 0.0F ? near : levels[0].at(x, y);
                 for (int channel = 0; channel < 3; ++channel) {
                     p[channel] = static_cast<Channel>(static_cast<int>(colour[channel] / colour.w + 0.5F));
@@ -63,7 +72,8 @@ void bleedCell(EncodedImage<Channel>& image, const SheetCell& cell)
 template <class Channel>
 void bleedCells(EncodedImage<Channel>& image, int cellWidth, int cellHeight)
 {
-    forSheetCells(image.width, image.height, cellWidth, cellHeight, [&](const SheetCell& cell) { bleedCell(image, cell); });
+    PerThread<Room> rooms;
+    forSheetCells(image.width, image.height, cellWidth, cellHeight, [&](const SheetCell& cell) { bleedCell(image, cell, rooms.local()); });
 }
 
 } // namespace

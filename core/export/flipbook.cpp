@@ -284,7 +284,7 @@ Result<MadeFlipbook> makeFlipbook(const Effect& effect, const FlipbookOptions& o
     if (Status status = fill(sheet, flipbook); !status) {
         return status.error();
     }
-    const PassPictures pictures(sheet, renderedPasses(options), options.style);
+    const PassPictures pictures = PassPictures::spending(sheet, renderedPasses(options), options.style);
     Result<std::vector<std::vector<std::byte>>> bytes = encodePictures(sheet, pictures, effect, options, stop);
     if (!bytes) {
         return bytes.error();

@@ -57,9 +57,9 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effe
 }
 
 template <class Channel>
-std::vector<Channel> quantisedAll(const DataImage& image)
+RawArray<Channel> quantisedAll(const DataImage& image)
 {
-    std::vector<Channel> pixels(image.values.size());
+    RawArray<Channel> pixels(image.values.size());
     std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(quantised(value, image.isSigned, std::numeric_limits<Channel>::max())); });
     return pixels;
 }
@@ -67,7 +67,7 @@ std::vector<Channel> quantisedAll(const DataImage& image)
 template <class Channel>
 Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const PictureNotes& notes, const std::stop_token& stop)
 {
-    const std::vector<Channel> pixels = quantisedAll<Channel>(image);
+    const RawArray<Channel> pixels = quantisedAll<Channel>(image);
     return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), image.isSrgb, std::as_bytes(std::span(pixels)), true, notes}, stop);
 }
 

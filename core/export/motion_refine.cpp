@@ -1,6 +1,7 @@
 #include "core/export/motion_refine.h"
 
 #include "core/base/math.h"
+#include "core/base/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,13 @@ namespace fumage {
 namespace {
 
 using Field = std::vector<float>; ///< a number for each pixel of a cell
+
+/// What a thread works in, pair after pair of cells: how much they differ where nothing moves, by half the vectors, and by the whole.
+struct Room {
+    Field none;
+    Field half;
+    Field whole;
+};
 
 /// The cells of a sheet, which are looked at between pixels.
 class Cells {
@@ -71,9 +79,9 @@ void blurAlong(Field& field, int lines, int count, int lineStep, int step)
 }
 
 /// How much two cells differ in the middle between them, around each pixel, where vectors are a share of what they are.
-Field mismatch(const Cells& cells, int cell, const SheetGrid& grid, float share)
+void findMismatch(const Cells& cells, int cell, const SheetGrid& grid, float share, Field& out)
 {
-    Field out(static_cast<std::size_t>(grid.cellWidth) * static_cast<std::size_t>(grid.cellHeight));
+    out.resize(static_cast<std::size_t>(grid.cellWidth) * static_cast<std::size_t>(grid.cellHeight));
     std::size_t i = 0;
     for (int y = 0; y < grid.cellHeight; ++y) {
         for (int x = 0; x < grid.cellWidth; ++x, ++i) {
@@ -89,25 +97,26 @@ Field mismatch(const Cells& cells, int cell, const SheetGrid& grid, float share)
         blurAlong(out, grid.cellHeight, grid.cellWidth, grid.cellWidth, 1);
         blurAlong(out, grid.cellWidth, grid.cellHeight, 1, grid.cellWidth);
     }
-    return out;
 }
 
 /// The share of the vectors at which two cells differ least, for each pixel.
-Field bestShares(const Cells& cells, int cell, const SheetGrid& grid)
+Field bestShares(const Cells& cells, int cell, const SheetGrid& grid, Room& room)
 {
-    Field none = mismatch(cells, cell, grid, 0.0F);
-    const Field half = mismatch(cells, cell, grid, 0.5F);
-    const Field whole = mismatch(cells, cell, grid, 1.0F);
-    for (std::size_t i = 0; i < none.size(); ++i) {
+    const auto& [none, half, whole] = room;
+    findMismatch(cells, cell, grid, 0.0F, room.none);
+    findMismatch(cells, cell, grid, 0.5F, room.half);
+    findMismatch(cells, cell, grid, 1.0F, room.whole);
+    Field out(none.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
         constexpr float kNothing = 1e-9F; // to be seen
         const float bend = 2.0F * (none[i] + whole[i] - 2.0F * half[i]);
         const float slope = 4.0F * half[i] - 3.0F * none[i] - whole[i];
         const bool flat = std::max({none[i], half[i], whole[i]}) < kNothing;
-        none[i] = flat ? 1.0F : bend > kNothing ? std::clamp(-0.5F * slope / bend, 0.0F, 1.0F)
-            : whole[i] < none[i]                ? 1.0F
-                                                : 0.0F;
+        out[i] = flat ? 1.0F : bend > kNothing ? std::clamp(-0.5F * slope / bend, 0.0F, 1.0F)
+            : whole[i] < none[i]               ? 1.0F
+                                               : 0.0F;
     }
-    return none;
+    return out;
 }
 
 /// 0 for what is blurred more than it gains, 1 for what goes as far as a pixel each from both sides.
@@ -127,7 +136,8 @@ void refineMotion(const Image& colour, const SheetGrid& grid, Image& motion)
     }
     const Cells cells(colour, motion, grid);
     std::vector<Field> shares(static_cast<std::size_t>(grid.cells - 1));
-    parallelFor(shares.size(), [&](std::size_t pair) { shares[pair] = bestShares(cells, static_cast<int>(pair), grid); });
+    PerThread<Room> rooms;
+    parallelFor(shares.size(), [&](std::size_t pair) { shares[pair] = bestShares(cells, static_cast<int>(pair), grid, rooms.local()); });
     parallelFor(static_cast<std::size_t>(grid.cells), [&](std::size_t cell) {
         const Field& before = shares[cell == 0 ? 0 : cell - 1];
         const Field& after = shares[std::min(cell, shares.size() - 1)];

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -101,21 +102,25 @@ std::string fileNameOf(Pass pass)
     return name;
 }
 
-PassPictures::PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style)
+PassPictures::PassPictures(const PassSheet& sheet, PassSheet* spent, PassSet passes, const PassStyle& style)
     : m_sheet(sheet)
     , m_style(style)
 {
-    const auto straighten = [&](PassLayer layer, float enough) { return straightened(sheet.layers.of(layer), sheet.grid.cellWidth, sheet.grid.cellHeight, enough); };
+    const auto straight = [&](PassLayer layer, float enough, bool last) {
+        Image image = spent != nullptr && last ? std::move(spent->layers.of(layer)) : sheet.layers.of(layer);
+        straighten(image, sheet.grid.cellWidth, sheet.grid.cellHeight, enough);
+        return image;
+    };
     for (const PassLayer layer : {PassLayer::RightTopBack, PassLayer::LeftBottomFront, PassLayer::Emission, PassLayer::Albedo, PassLayer::Inner}) {
         if (needsLayer(passes, layer)) {
-            m_straight[static_cast<std::size_t>(layer)] = straighten(layer, kEnough);
+            m_straight[static_cast<std::size_t>(layer)] = straight(layer, kEnough, !style.premultiplied);
         }
     }
     if (passes.has(Pass::Depth)) {
-        m_straight[static_cast<std::size_t>(PassLayer::Motion)] = straighten(PassLayer::Motion, kEnough);
+        m_straight[static_cast<std::size_t>(PassLayer::Motion)] = straight(PassLayer::Motion, kEnough, !passes.has(Pass::Motion));
     }
     if (passes.has(Pass::Motion)) {
-        m_motion = straighten(PassLayer::Motion, kEnoughToFlow);
+        m_motion = straight(PassLayer::Motion, kEnoughToFlow, true);
         refineMotion(sheet.layers.of(PassLayer::Colour), sheet.grid, m_motion);
     }
     findScales(passes);

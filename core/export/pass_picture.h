@@ -81,7 +81,12 @@ public:
     /// Divides the layers by their alpha, fits the vectors to the colours, and finds the scales.
     /// @param sheet  must stay; motion needs the layer of the colour too
     /// O(pixels).
-    PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style);
+    PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style)
+        : PassPictures(sheet, nullptr, passes, style)
+    {
+    }
+    /// The same, dividing where the layers lie: what the sheet has but the colour is spent, and memory for copies is not asked for.
+    [[nodiscard]] static PassPictures spending(PassSheet& sheet, PassSet passes, const PassStyle& style) { return {sheet, &sheet, passes, style}; }
 
     /// What the numbers of all pictures were divided by.
     [[nodiscard]] const PassScales& scales() const { return m_scales; }
@@ -90,6 +95,8 @@ public:
     [[nodiscard]] DataImage picture(Pass pass) const;
 
 private:
+    /// @param spent the sheet, where its layers may be taken
+    PassPictures(const PassSheet& sheet, PassSheet* spent, PassSet passes, const PassStyle& style);
     [[nodiscard]] const Image& straight(PassLayer layer) const { return m_straight[static_cast<std::size_t>(layer)]; }
     [[nodiscard]] const Image& written(PassLayer layer) const { return m_style.premultiplied ? m_sheet.layers.of(layer) : straight(layer); }
     void findScales(PassSet passes);

@@ -1,9 +1,11 @@
 #include "core/export/spread.h"
 
+#include "core/base/parallel.h"
 #include "core/export/pyramid.h"
 #include "core/export/sheet_grid.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -15,6 +17,13 @@ namespace {
 
 /// Straight channels of a level; of a pixel or block without smoke what is around it.
 using Channels = std::vector<glm::vec3>;
+
+/// What a thread works in, cell after cell.
+struct Room {
+    std::vector<PyramidLevel> levels;
+    Channels channels;
+    Channels coarser;
+};
 
 /// Between the centres of blocks twice as large.
 glm::vec3 bilinear(const PyramidLevel& level, const Channels& channels, int x, int y)
@@ -34,9 +43,9 @@ glm::vec3 bilinear(const PyramidLevel& level, const Channels& channels, int x, i
     return 0.75F * row(top) + 0.25F * row(bottom);
 }
 
-Channels channelsOf(const PyramidLevel& level, const PyramidLevel* coarse, const Channels& coarseChannels, float enough)
+void findChannels(const PyramidLevel& level, const PyramidLevel* coarse, const Channels& coarseChannels, float enough, Channels& out)
 {
-    Channels out(level.blocks.size());
+    out.resize(level.blocks.size());
     for (int y = 0; y < level.height; ++y) {
         for (int x = 0; x < level.width; ++x) {
             const std::size_t i = level.index(x, y);
@@ -46,18 +55,20 @@ Channels channelsOf(const PyramidLevel& level, const PyramidLevel* coarse, const
             out[i] = trusted >= 1.0F ? own : trusted * own + (1.0F - trusted) * bilinear(*coarse, coarseChannels, x, y);
         }
     }
-    return out;
 }
 
-void straightenCell(const Image& from, const SheetCell& cell, float enough, Image& to)
+void straightenCell(Image& image, const SheetCell& cell, float enough, Room& room)
 {
-    const std::vector<PyramidLevel> levels = pyramidOf(cell.width, cell.height, [&](int x, int y) { return from.at(cell.left + x, cell.top + y); });
-    Channels channels;
+    std::vector<PyramidLevel>& levels = room.levels;
+    buildPyramid(
+        cell.width, cell.height, [&](int x, int y) { return image.at(cell.left + x, cell.top + y); }, levels);
     for (std::size_t level = levels.size(); level-- > 0;) {
-        channels = channelsOf(levels[level], level + 1 < levels.size() ? &levels[level + 1] : nullptr, channels, enough);
+        std::swap(room.channels, room.coarser);
+        findChannels(levels[level], level + 1 < levels.size() ? &levels[level + 1] : nullptr, room.coarser, enough, room.channels);
     }
+    const Channels& channels = room.channels;
     for (int y = 0; y < cell.height; ++y) {
-        float* pixel = to.row(cell.top + y) + static_cast<std::size_t>(cell.left) * 4;
+        float* pixel = image.row(cell.top + y) + static_cast<std::size_t>(cell.left) * 4;
         for (int x = 0; x < cell.width; ++x, pixel += 4) {
             const std::size_t i = levels[0].index(x, y);
             std::copy_n(&channels[i].x, 3, pixel);
@@ -68,12 +79,10 @@ void straightenCell(const Image& from, const SheetCell& cell, float enough, Imag
 
 } // namespace
 
-Image straightened(const Image& image, int cellWidth, int cellHeight, float enough)
+void straighten(Image& image, int cellWidth, int cellHeight, float enough)
 {
-    Image out;
-    out.resize(image.width, image.height);
-    forSheetCells(image.width, image.height, cellWidth, cellHeight, [&](const SheetCell& cell) { straightenCell(image, cell, enough, out); });
-    return out;
+    PerThread<Room> rooms;
+    forSheetCells(image.width, image.height, cellWidth, cellHeight, [&](const SheetCell& cell) { straightenCell(image, cell, enough, rooms.local()); });
 }
 
 } // namespace fumage
