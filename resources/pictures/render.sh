@@ -13,7 +13,6 @@ for preset in "$here"/../presets/*.json; do
     explosion) frame=32 ;;
     dust) frame=45 ;;
     fire-ball) frame=24 ;;
-    landing) frame=45 ;;
     mushroom-cloud) frame=60 ;;
     ceiling) frame=110 ;;
     esac
