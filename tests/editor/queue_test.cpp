@@ -204,8 +204,44 @@ private slots:
         m_queue->cancel(1);
         add("b");
         m_queue->start(1);
-        QCOMPARE(stateOf(1), ExportState::Failed);
+        QCOMPARE(stateOf(1), ExportState::Starting); // the disk is not waited for
+        QTRY_COMPARE(stateOf(1), ExportState::Failed);
         QVERIFY(m_queue->at(1).told.contains(u"would write over"_q));
+    }
+
+    void ofTwoThatAreStartedForOneFileTheFirstIsDone()
+    {
+        for (const char* name : {"one", "two"}) { // each left by a program that is gone
+            const ExportJob job = jobFor(name, at("one.png"));
+            QVERIFY(writeJobsFile((queueFolder().filePath(QLatin1String(name)) + u".json"_q).toStdString(), {&job, 1}).ok());
+        }
+        QVERIFY(m_queue->takeLeftovers().isEmpty());
+        QCOMPARE(m_queue->held(), 2);
+        m_queue->startHeld();
+        QCOMPARE(m_queue->active(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
+        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1)}), (QList<ExportState>{ExportState::Done, ExportState::Failed}));
+        QVERIFY(m_queue->at(1).told.contains(u"would write over"_q));
+    }
+
+    void whatIsToBeStartedIsGivenUp()
+    {
+        const std::vector<ExportJob> jobs{jobFor("a", at("a.png")), jobFor("b", at("b.png")), jobFor("c", at("c.png"))};
+        QVERIFY(writeJobsFile(queueFolder().filePath(u"left.json"_q).toStdString(), jobs).ok());
+        QVERIFY(m_queue->takeLeftovers().isEmpty());
+        m_queue->startHeld();
+        choose(0);
+        action("queue.stop")->trigger();
+        QCOMPARE(stateOf(0), ExportState::Cancelled);
+        m_queue->cancel(1);
+        m_queue->remove(1);
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(1), ExportState::Done, kEndMs);
+        QCOMPARE(filesWritten(), QStringList{u"c.png"_q});
+        // One that was cancelled may be started again before the answer has come.
+        m_queue->start(0);
+        m_queue->cancel(0);
+        m_queue->start(0);
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Done, kEndMs);
     }
 
     void whatIsNotDoneIsOnTheDisk()

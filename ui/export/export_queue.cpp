@@ -22,6 +22,7 @@ ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
     : QAbstractListModel(parent)
     , m_folder(folder)
     , m_file(folder)
+    , m_starts([this] { return jobsThat([](const QueuedExport& one) { return one.isActive() && one.state != ExportState::Starting; }); })
 {
     connect(&m_file, &QueueFile::failed, this, &ExportQueue::notKept);
     connect(&m_worker, &ExportWorker::progressed, this, [this](int done, int total, double secondsLeft) {
@@ -31,6 +32,7 @@ ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
     connect(&m_worker, &ExportWorker::preparing, this, [this](const QString& what) { follow(0, 0, what); });
     connect(&m_worker, &ExportWorker::finished, this, [this](const QString& remark) { end(ExportState::Done, remark); });
     connect(&m_worker, &ExportWorker::cancelled, this, [this] { end(ExportState::Cancelled, {}); });
+    connect(&m_starts, &StartCheck::answered, this, &ExportQueue::takeAnswer);
     connect(&m_check, &ExportCheck::marked, this, &ExportQueue::takeMark);
     connect(&m_worker, &ExportWorker::failed, this, [this](const QString& message) { end(ExportState::Failed, message); });
 }
@@ -188,13 +190,23 @@ void ExportQueue::start(int row)
     if (state != ExportState::Held && state != ExportState::Failed && state != ExportState::Cancelled) {
         return;
     }
-    if (const Status apart = filesOf(activeJobs()).check(*at(row).job); apart) {
-        setState(row, ExportState::Waiting);
-    } else {
-        setState(row, ExportState::Failed, fumage::ui::told(apart.error()));
+    setState(row, ExportState::Starting);
+    m_starts.start(at(row).id, at(row).job);
+    keep();
+}
+
+void ExportQueue::takeAnswer(quint64 id, const Status& apart)
+{
+    const int row = rowOf(id);
+    if (row < 0 || at(row).state != ExportState::Starting) {
+        return;
     }
+    setState(row, apart ? ExportState::Waiting : ExportState::Failed, apart ? QString() : fumage::ui::told(apart.error()));
     goOn();
     keep();
+    if (active() == 0) {
+        emit emptied();
+    }
 }
 
 void ExportQueue::startHeld()
@@ -210,8 +222,10 @@ void ExportQueue::cancel(int row)
 {
     switch (at(row).state) {
     case ExportState::Running: m_worker.cancel(); break; // and it says so when it has ended
+    case ExportState::Starting:
     case ExportState::Waiting:
     case ExportState::Held:
+        m_starts.giveUp(at(row).id);
         setState(row, ExportState::Cancelled);
         keep();
         break;
@@ -229,6 +243,7 @@ void ExportQueue::removeAll(const IsMeant& isMeant)
             continue;
         }
         m_check.giveUp(at(row).id);
+        m_starts.giveUp(at(row).id);
         beginRemoveRows({}, row, row);
         m_exports.erase(m_exports.begin() + row);
         endRemoveRows();
@@ -254,7 +269,7 @@ void ExportQueue::removeHeld()
 
 void ExportQueue::stopAll()
 {
-    removeAll([](const QueuedExport& one) { return one.state == ExportState::Waiting; });
+    removeAll([](const QueuedExport& one) { return one.state == ExportState::Starting || one.state == ExportState::Waiting; });
     m_worker.cancel();
     if (const int row = running(); row >= 0) {
         setState(row, ExportState::Cancelled); // the program may end before its thread has: nothing is to be left of it on the disk

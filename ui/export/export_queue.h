@@ -3,6 +3,7 @@
 #include "ui/export/export_worker.h"
 #include "ui/export/queue_file.h"
 #include "ui/export/queued_export.h"
+#include "ui/export/start_check.h"
 
 #include <QAbstractListModel>
 
@@ -53,7 +54,8 @@ public:
     /// @return its id
     /// @error TooLarge where there are kMostJobs already
     [[nodiscard]] Result<quint64> add(ExportJob job);
-    /// Lets one that is held, failed or was cancelled wait for its turn; it fails where another that waits writes one of its files.
+    /// Lets one that is held, failed or was cancelled wait for its turn; it fails where another that waits writes one of its files. The disk is asked on another
+    /// thread.
     void start(int row);
     void startHeld();
     /// Of one that is done: gives up holding its files against its manifest.
@@ -91,6 +93,8 @@ private:
     void removeAll(const IsMeant& isMeant);
     void forgetOldest();
     void append(std::shared_ptr<const ExportJob> job, ExportState state);
+    /// Of one that was to be started: its turn comes, or it fails.
+    void takeAnswer(quint64 id, const Status& apart);
     void takeMark(quint64 id, const CheckMark& mark);
     /// Of exports whose files are another's now.
     void dropMarks(const ExportPlan& written);
@@ -107,6 +111,7 @@ private:
     QueueFile m_file;
     ExportWorker m_worker; ///< these last: they end before what hears of them
     ExportCheck m_check;
+    StartCheck m_starts;
 };
 
 } // namespace fumage::ui

@@ -39,6 +39,7 @@ QString usualText(ExportState state)
 {
     switch (state) {
     case ExportState::Held: return ExportQueue::tr("Not begun: left from before");
+    case ExportState::Starting:
     case ExportState::Waiting: return ExportQueue::tr("Waiting");
     case ExportState::Running: return ExportQueue::tr("Begun");
     case ExportState::Done: return ExportQueue::tr("Done");

@@ -7,6 +7,7 @@ namespace fumage::ui {
 /// What has become of an export of the queue.
 enum class ExportState {
     Held, ///< left by a program that is gone; waits for somebody to start it
+    Starting, ///< waits, once it is known that no other that waits writes its files
     Waiting,
     Running,
     Done,
@@ -26,7 +27,7 @@ struct QueuedExport {
     CheckMark check{}; ///< of one that is done: whether its files are as they were written
 
     /// Whether it will be done without anybody doing something for it.
-    [[nodiscard]] bool isActive() const { return state == ExportState::Waiting || state == ExportState::Running; }
+    [[nodiscard]] bool isActive() const { return state == ExportState::Starting || state == ExportState::Waiting || state == ExportState::Running; }
     /// Whether it is still to be done.
     [[nodiscard]] bool isUnfinished() const { return isActive() || state == ExportState::Held; }
     /// Whether its files are being held against its manifest, or are to be.

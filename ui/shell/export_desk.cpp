@@ -108,6 +108,7 @@ void ExportDesk::tell(quint64 id)
     case ExportState::Cancelled: emit news(tr("Export cancelled"), kShownMs); break;
     case ExportState::Failed: emit news(tr("Export failed: %1").arg(one.told), 0); break;
     case ExportState::Held:
+    case ExportState::Starting:
     case ExportState::Waiting: break;
     }
 }
