@@ -107,7 +107,12 @@ PassPictures::PassPictures(const PassSheet& sheet, PassSheet* spent, PassSet pas
     , m_style(style)
 {
     const auto straight = [&](PassLayer layer, float enough, bool last) {
-        Image image = spent != nullptr && last ? std::move(spent->layers.of(layer)) : sheet.layers.of(layer);
+        Image image;
+        if (spent != nullptr && last) {
+            image = std::move(spent->layers.of(layer));
+        } else {
+            image = sheet.layers.of(layer);
+        }
         straighten(image, sheet.grid.cellWidth, sheet.grid.cellHeight, enough);
         return image;
     };
