@@ -1,6 +1,8 @@
 #include "core/base/thread_priority.h"
 
 #ifdef __linux__
+#include <algorithm>
+
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
@@ -11,8 +13,10 @@ namespace fumage {
 
 bool lowerPriority(ThreadPriority priority)
 {
-    const int nice = priority == ThreadPriority::Least ? 19 : 10;
-    return setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice) == 0;
+    const auto thread = static_cast<id_t>(gettid());
+    const int wanted = priority == ThreadPriority::Least ? 19 : 10;
+    // Whoever was started with less already, by nice for instance, keeps that.
+    return setpriority(PRIO_PROCESS, thread, std::max(wanted, getpriority(PRIO_PROCESS, thread))) == 0;
 }
 
 bool isFirstThread()

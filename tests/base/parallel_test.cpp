@@ -156,7 +156,13 @@ private slots:
         const int before = getpriority(PRIO_PROCESS, 0);
         QCOMPARE(lowestPriority(), before);
         computeInBackground();
-        QVERIFY(lowestPriority() > before);
+        const int behind = lowestPriority();
+        QVERIFY(behind > before || (behind == before && before >= 10)); // there already, when the tests run under nice
+        std::thread([] {
+            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 15);
+            parallelFor(1000, [](std::size_t) {});
+            QVERIFY(getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())) >= 15);
+        }).join();
         parallelFor(1000, [](std::size_t) {});
         QCOMPARE(getpriority(PRIO_PROCESS, 0), before);
     }
