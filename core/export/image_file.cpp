@@ -56,11 +56,17 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effe
     return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
 }
 
+inline int steps(float value, bool isSigned, int full)
+{
+    const float share = std::clamp(isSigned ? 0.5F + 0.5F * value : value, 0.0F, 1.0F);
+    return static_cast<int>(share * static_cast<float>(full) + 0.5F);
+}
+
 template <class Channel>
 RawArray<Channel> quantisedAll(const DataImage& image)
 {
     RawArray<Channel> pixels(image.values.size());
-    std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(quantised(value, image.isSigned, std::numeric_limits<Channel>::max())); });
+    std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(steps(value, image.isSigned, std::numeric_limits<Channel>::max())); });
     return pixels;
 }
 
@@ -162,8 +168,7 @@ Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat fo
 
 int quantised(float value, bool isSigned, int full)
 {
-    const float share = std::clamp(isSigned ? 0.5F + 0.5F * value : value, 0.0F, 1.0F);
-    return static_cast<int>(share * static_cast<float>(full) + 0.5F);
+    return steps(value, isSigned, full);
 }
 
 DataImage stored(DataImage image, ImageFormat format)

@@ -17,6 +17,28 @@ namespace {
 
 using Field = std::vector<float>; ///< a number for each pixel of a cell
 
+/// Pixels of a cell, from the first to before the last.
+struct Area {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+
+    [[nodiscard]] bool isEmpty() const { return left >= right || top >= bottom; }
+    /// Some pixels more on every side, as far as the cell goes.
+    [[nodiscard]] Area grown(int by, const SheetGrid& grid) const
+    {
+        return isEmpty() ? Area{} : Area{std::max(0, left - by), std::max(0, top - by), std::min(grid.cellWidth, right + by), std::min(grid.cellHeight, bottom + by)};
+    }
+};
+
+Area around(const Area& a, const Area& b)
+{
+    return a.isEmpty() ? b
+        : b.isEmpty()  ? a
+                       : Area{std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
 /// What a thread works in, pair after pair of cells: how much they differ where nothing moves, by half the vectors, and by the whole.
 struct Room {
     Field none;
@@ -50,62 +72,84 @@ public:
     /// That of a place in pixels from the first.
     [[nodiscard]] glm::vec4 colour(int cell, glm::vec2 place) const { return shownBetween(m_colour, m_grid.cell(cell), place.x, place.y); }
 
+    /// Where half a vector from a pixel may lead to smoke; elsewhere all that is looked at is exactly nothing.
+    [[nodiscard]] Area reach(int cell) const
+    {
+        const SheetCell at = m_grid.cell(cell);
+        Area smoke{at.width, at.height, 0, 0};
+        float longest = 0.0F;
+        for (int y = 0; y < at.height; ++y) {
+            for (int x = 0; x < at.width; ++x) {
+                const glm::vec2 way = vector(cell, x, y);
+                longest = std::max({longest, std::abs(way.x), std::abs(way.y)});
+                if (m_colour.at(at.left + x, at.top + y) != glm::vec4(0.0F)) {
+                    smoke = {std::min(smoke.left, x), std::min(smoke.top, y), std::max(smoke.right, x + 1), std::max(smoke.bottom, y + 1)};
+                }
+            }
+        }
+        const auto pixels = static_cast<int>(std::min(0.5F * longest, static_cast<float>(std::max(at.width, at.height))));
+        return smoke.grown(pixels + 2, m_grid); // one for the part of a pixel, one for the neighbour that it is mixed with
+    }
+
 private:
     const Image& m_colour;
     const Image& m_motion;
     const SheetGrid& m_grid;
 };
 
+constexpr int kBlur = 2; // pixels on either side
+
 /// Means of the pixels around each along one axis.
-void blurAlong(Field& field, int lines, int count, int lineStep, int step)
+/// @param lines,pixels  from the first to before the last of those that may be anything but nothing
+void blurAlong(Field& field, std::array<int, 2> lines, std::array<int, 2> pixels, int count, int lineStep, int step)
 {
-    constexpr int kReach = 2; // pixels
     std::vector<float> line(static_cast<std::size_t>(count));
-    for (int i = 0; i < lines; ++i) {
+    for (int i = lines[0]; i < lines[1]; ++i) {
         const auto at = [&](int j) -> float& { return field[static_cast<std::size_t>(i) * static_cast<std::size_t>(lineStep) + static_cast<std::size_t>(j) * static_cast<std::size_t>(step)]; };
-        for (int j = 0; j < count; ++j) {
-            const int first = std::max(0, j - kReach);
-            const int last = std::min(count - 1, j + kReach);
+        for (int j = pixels[0]; j < pixels[1]; ++j) {
+            const int first = std::max(0, j - kBlur);
+            const int last = std::min(count - 1, j + kBlur);
             float sum = 0.0F;
             for (int k = first; k <= last; ++k) {
                 sum += at(k);
             }
             line[static_cast<std::size_t>(j)] = sum / static_cast<float>(last - first + 1);
         }
-        for (int j = 0; j < count; ++j) {
+        for (int j = pixels[0]; j < pixels[1]; ++j) {
             at(j) = line[static_cast<std::size_t>(j)];
         }
     }
 }
 
 /// How much two cells differ in the middle between them, around each pixel, where vectors are a share of what they are.
-void findMismatch(const Cells& cells, int cell, const SheetGrid& grid, float share, Field& out)
+/// @param area where they may differ
+void findMismatch(const Cells& cells, int cell, const SheetGrid& grid, const Area& area, float share, Field& out)
 {
-    out.resize(static_cast<std::size_t>(grid.cellWidth) * static_cast<std::size_t>(grid.cellHeight));
-    std::size_t i = 0;
-    for (int y = 0; y < grid.cellHeight; ++y) {
-        for (int x = 0; x < grid.cellWidth; ++x, ++i) {
+    out.assign(static_cast<std::size_t>(grid.cellWidth) * static_cast<std::size_t>(grid.cellHeight), 0.0F);
+    const bool moves = share > 0.0F;
+    for (int y = area.top; y < area.bottom; ++y) {
+        for (int x = area.left; x < area.right; ++x) {
             const glm::vec2 place(static_cast<float>(x), static_cast<float>(y));
-            const bool moves = share > 0.0F;
             const glm::vec4 from = moves ? cells.colour(cell, place - 0.5F * share * cells.vector(cell, x, y)) : cells.colour(cell, x, y);
             const glm::vec4 to = moves ? cells.colour(cell + 1, place + 0.5F * share * cells.vector(cell + 1, x, y)) : cells.colour(cell + 1, x, y);
-            out[i] = glm::dot(from - to, from - to);
+            out[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.cellWidth) + static_cast<std::size_t>(x)] = glm::dot(from - to, from - to);
         }
     }
     constexpr int kTimes = 2;
+    const Area blurred = area.grown(kTimes * kBlur, grid);
     for (int time = 0; time < kTimes; ++time) {
-        blurAlong(out, grid.cellHeight, grid.cellWidth, grid.cellWidth, 1);
-        blurAlong(out, grid.cellWidth, grid.cellHeight, 1, grid.cellWidth);
+        blurAlong(out, {blurred.top, blurred.bottom}, {blurred.left, blurred.right}, grid.cellWidth, grid.cellWidth, 1);
+        blurAlong(out, {blurred.left, blurred.right}, {blurred.top, blurred.bottom}, grid.cellHeight, 1, grid.cellWidth);
     }
 }
 
 /// The share of the vectors at which two cells differ least, for each pixel.
-Field bestShares(const Cells& cells, int cell, const SheetGrid& grid, Room& room)
+Field bestShares(const Cells& cells, int cell, const SheetGrid& grid, const Area& area, Room& room)
 {
     const auto& [none, half, whole] = room;
-    findMismatch(cells, cell, grid, 0.0F, room.none);
-    findMismatch(cells, cell, grid, 0.5F, room.half);
-    findMismatch(cells, cell, grid, 1.0F, room.whole);
+    findMismatch(cells, cell, grid, area, 0.0F, room.none);
+    findMismatch(cells, cell, grid, area, 0.5F, room.half);
+    findMismatch(cells, cell, grid, area, 1.0F, room.whole);
     Field out(none.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         constexpr float kNothing = 1e-9F; // to be seen
@@ -136,8 +180,12 @@ void refineMotion(const Image& colour, const SheetGrid& grid, Image& motion)
     }
     const Cells cells(colour, motion, grid);
     std::vector<Field> shares(static_cast<std::size_t>(grid.cells - 1));
+    std::vector<Area> reaches(static_cast<std::size_t>(grid.cells));
+    parallelFor(reaches.size(), [&](std::size_t cell) { reaches[cell] = cells.reach(static_cast<int>(cell)); });
     PerThread<Room> rooms;
-    parallelFor(shares.size(), [&](std::size_t pair) { shares[pair] = bestShares(cells, static_cast<int>(pair), grid, rooms.local()); });
+    parallelFor(shares.size(), [&](std::size_t pair) {
+        shares[pair] = bestShares(cells, static_cast<int>(pair), grid, around(reaches[pair], reaches[pair + 1]), rooms.local());
+    });
     parallelFor(static_cast<std::size_t>(grid.cells), [&](std::size_t cell) {
         const Field& before = shares[cell == 0 ? 0 : cell - 1];
         const Field& after = shares[std::min(cell, shares.size() - 1)];
