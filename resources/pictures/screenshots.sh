@@ -4,7 +4,7 @@ set -eu
 editor=$1
 out=$(cd "$(dirname "$0")" && pwd)
 home=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
 chmod 700 "$home"
 export HOME=$home XDG_CONFIG_HOME=$home XDG_DATA_HOME=$home XDG_RUNTIME_DIR=$home
 
