@@ -145,9 +145,10 @@ def read_points(task):
     return {"count": len(places), "bounds": [[pick(place[axis] for place in places) for axis in range(3)] for pick in (min, max)], "sum": [sum(place[axis] for place in places) for axis in range(3)]}
 
 
-def read_layers(task):
-    """Every layer of a multilayer EXR, written as a picture by the compositor, and that as numpy's file of its name."""
-    image = bpy.data.images.load(task["layers"])
+def read_layers(task, picture):
+    """Every layer of a multilayer EXR, written as a picture by the compositor, and that as numpy's file of the picture's and its own name."""
+    folder = pathlib.Path(task["folder"])
+    image = bpy.data.images.load(str(folder / f"{picture}.exr"))
     scene = bpy.data.scenes.new("Layers")
     bpy.context.window.scene = scene
     scene.use_nodes = True
@@ -162,14 +163,14 @@ def read_layers(task):
     node.image = image
     names = [output.name for output in node.outputs if output.enabled]
     for name in names:
-        files.file_slots.new(f"{name}-")
-        scene.node_tree.links.new(node.outputs[name], files.inputs[f"{name}-"])
+        slot = f"{picture}_{name}-"
+        files.file_slots.new(slot)
+        scene.node_tree.links.new(node.outputs[name], files.inputs[slot])
     scene.render.resolution_x = scene.render.resolution_y = task["size"]
     bpy.ops.render.render(scene=scene.name)
-    folder = pathlib.Path(task["folder"])
     for name in names:
-        for written in folder.glob(f"{name}-*.exr"):
-            numpy.save(folder / f"{name}.npy", pixels_of(bpy.data.images.load(str(written))))
+        for written in folder.glob(f"{picture}_{name}-*.exr"):
+            numpy.save(folder / f"{picture}_{name}.npy", pixels_of(bpy.data.images.load(str(written))))
     return names
 
 
@@ -180,7 +181,7 @@ def main():
     answer = {"version": bpy.app.version_string, "volumes": read_volumes(task)}
     picture_of_volume(task)
     answer["points"] = read_points(task)
-    answer["layers"] = read_layers(task)
+    answer["layers"] = {picture: read_layers(task, picture) for picture in task["layers"]}
     pathlib.Path(answer_file).write_text(json.dumps(answer, indent=1))
 
 

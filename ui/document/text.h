@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/path.h"
 #include "core/base/result.h"
 
 #include <filesystem>
@@ -18,8 +19,7 @@ namespace fumage::ui {
 /// Names of files as the core takes them, and back: UTF-8 whatever the system, where a path that is made of a std::string would be in the system's own letters.
 [[nodiscard]] inline std::filesystem::path toPath(const QString& path)
 {
-    const QByteArray text = path.toUtf8();
-    return std::u8string(text.begin(), text.end());
+    return pathFrom(path.toStdString());
 }
 [[nodiscard]] inline QString fromPath(const std::filesystem::path& path)
 {
