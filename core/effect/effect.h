@@ -108,6 +108,8 @@ struct Air {
     float vorticity = 0.15F;
     float raggedness = 0.35F;
     float unevenness = 0.4F;
+    float turbulence = 0.0F;
+    float turbulenceScale = 0.8F;
     float detail = 1.0F;
     float heatOpacity = 0.0F;
     float expansion = 0.0F;

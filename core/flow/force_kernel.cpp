@@ -32,8 +32,8 @@ HWY_INLINE Vec3<V> sourceNoise(D d, const AirSource& source, const Vec3<V>& away
 {
     Vec3<V> sum = uniform(hn::Zero(d));
     Vec3<V> none = sum;
-    const auto add = [&](const SourceOctave& octave, Vec3<V>& to) HWY_ATTR { addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none); };
-    for (const SourceOctave& octave : source.rim) {
+    const auto add = [&](const AirOctave& octave, Vec3<V>& to) HWY_ATTR { addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none); };
+    for (const AirOctave& octave : source.rim) {
         add(octave, sum);
     }
     if (source.unevenness > 0.0F) {
@@ -171,6 +171,25 @@ HWY_INLINE Vec3<V> swirled(D d, const AirSwirl& swirl, float dt, const Vec3<V>& 
     return (swirl.grip * (wanted - dot(v, tangent) / (distance2 + kOnAxis))) * tangent + (dt * wanted * wanted) * cross(axis, tangent);
 }
 
+/// The acceleration of what stirs the air, m/s^2.
+HWY_INLINE Vec3<V> stirred(D d, const AirStirring& stirring, const Vec3<V>& place, V heat)
+{
+    Vec3<V> sum = uniform(hn::Zero(d));
+    const Vec3<V> away = place - stirring.place;
+    const V ramp = clamp01(d, hn::Sqrt(dot(away, away)) * (1.0F / stirring.calm) - 1.0F);
+    const V share = ramp * hn::Min(heat, hn::Set(d, 1.0F));
+    // Most of a box is cold.
+    if (hn::AllFalse(d, hn::Gt(share, hn::Zero(d)))) {
+        return sum;
+    }
+    Vec3<V> none = sum;
+    for (std::size_t i = 0; i < stirring.octaves; ++i) {
+        const AirOctave& octave = stirring.octave[i];
+        addCurlNoise<false, 2>(d, place * octave.frequency + octave.shift, octave.slices, sum, none);
+    }
+    return sum * (share * stirring.strength);
+}
+
 HWY_INLINE Vec3<V> bounded(D d, const Vec3<V>& v)
 {
     const V most = hn::Set(d, kMaxAirSpeed);
@@ -186,7 +205,7 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
         const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
         const std::size_t start = cells.column.at(0, j, k);
         const std::size_t inPlane = CurlPlane::at(cells.column, j);
-        const glm::vec3 rowStart = cells.grid.centre({0, j, k}) - step.swirl.place;
+        const glm::vec3 rowStart = cells.grid.centre({0, j, k});
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
             const std::size_t at = start + i;
             const V heat = hn::Load(d, cells.heat.data() + at);
@@ -195,8 +214,12 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
             if (step.confinement > 0.0F) {
                 v = v + confinement(d, curl, cells.column.row, step.confinement * step.dt, inPlane + i);
             }
+            const Vec3<V> place{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
             if (step.swirl.speed != 0.0F) {
-                v = v + swirled(d, step.swirl, step.dt, {hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)}, v);
+                v = v + swirled(d, step.swirl, step.dt, place - step.swirl.place, v);
+            }
+            if (step.stirring.strength > 0.0F) {
+                v = v + stirred(d, step.stirring, place, heat) * step.dt;
             }
             if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
                 v = v * afterDrag(d, cells, step, onGround, v, at);

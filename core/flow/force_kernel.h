@@ -16,7 +16,7 @@ void addSource(AirCells& cells, const AirSource& source, int k);
 /// Reads velocity with its ghosts.
 void findCurl(const AirCells& cells, int k, CurlPlane& out);
 
-/// forced = velocity + dt (buoyancy heat up + epsilon (N x w)) + change of the wind, with w the curl and N = grad |w| / |grad |w||; then the swirl, and friction.
+/// forced = velocity + dt (buoyancy heat up + epsilon (N x w)) + change of the wind, with w the curl and N = grad |w| / |grad |w||; then the swirl, what stirs hot air, and friction.
 /// Heat cools. Reads velocity, heat and curl.
 /// @param curl not read where there is no confinement
 /// Source: Steinhoff and Underhill 1994; Fedkiw, Stam, Jensen, "Visual Simulation of Smoke", SIGGRAPH 2001.

@@ -11,10 +11,9 @@
 
 namespace fumage {
 
-/// One octave of the noise of a source.
-struct SourceOctave {
+/// One octave of noise that moves: of a source, or of what stirs the air.
+struct AirOctave {
     float frequency = 1.0F; ///< 1/m
-    float weight = 1.0F;
     glm::vec3 shift{0.0F};
     CurlSlices slices;
 };
@@ -35,8 +34,8 @@ struct AirSource {
     float heat = 0.0F;
     float expansion = 0.0F; ///< divergence within, 1/s
     float unevenness = 0.0F; ///< how far its heat varies, as a share of it
-    std::array<SourceOctave, 2> rim;
-    SourceOctave billow; ///< the smallest, which only its heat has
+    std::array<AirOctave, 2> rim;
+    AirOctave billow; ///< the smallest, which only its heat has
     glm::ivec3 first{0}; ///< cells that it may reach: [first, last), along x multiples of kAirLanes
     glm::ivec3 last{0};
 };
@@ -51,6 +50,18 @@ struct AirSwirl {
     float grip = 0.0F; ///< share of the way to its speed in a step
 };
 
+/// Most octaves of what stirs the air.
+inline constexpr std::size_t kStirringOctaves = 3;
+
+/// A force of curl noise on all that is hot: what the wind, the fire and what burns do to smoke at scales that the source does not know of.
+struct AirStirring {
+    float strength = 0.0F; ///< root mean square of the acceleration at heat 1, m/s^2; 0: none
+    std::size_t octaves = 0; ///< the largest ones, which the grid can show
+    std::array<AirOctave, kStirringOctaves> octave;
+    glm::vec3 place{0.0F}; ///< of the source, m
+    float calm = 1.0F; ///< distance from it at which the force begins, m; at twice of it all of it acts
+};
+
 /// What happens to the air in one step.
 struct AirStep {
     float dt = 0.0F; ///< s
@@ -62,6 +73,7 @@ struct AirStep {
     glm::vec3 windChange{0.0F}; ///< since the step before; all of the air is moved by as much
     AirSource source;
     AirSwirl swirl;
+    AirStirring stirring;
 };
 
 } // namespace fumage

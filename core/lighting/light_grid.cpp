@@ -69,7 +69,8 @@ GridShape gridShape(const Appearance& appearance, const Light& light, const Axes
     const glm::vec3 extent = appearance.high - appearance.low;
     const float longest = std::max({extent.x, extent.y, extent.z, kSmallestCloud});
     constexpr float kFewestCells = 6.0F; // along the longest edge: less shows no shadow
-    shape.cell = std::max(longest / static_cast<float>(resolution - 2), std::min(longest / kFewestCells, smallestCell(appearance, light)));
+    shape.finest = longest / static_cast<float>(resolution - 2);
+    shape.cell = std::max(shape.finest, std::min(longest / kFewestCells, smallestCell(appearance, light)));
     shape.origin = appearance.low - glm::vec3(0.5F * shape.cell);
     // One cell of air on every side, so that bounds never cut a particle in half.
     const auto count = [&](float length) { return std::min(resolution, static_cast<int>(std::ceil(length / shape.cell)) + 2); };

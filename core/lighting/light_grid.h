@@ -16,6 +16,7 @@ struct GridShape {
     Axes axes;
     glm::vec3 origin{0.0F}; ///< of cell (0, 0, 0)'s centre, in the axes, m
     float cell = 1.0F; ///< edge of a cell, m
+    float finest = 1.0F; ///< edge that the resolution asks for, m: cells are larger where particles are too few for it
     int nu = 1, nv = 1, nw = 1;
 
     /// How many cells there are in all.
@@ -36,6 +37,7 @@ struct LightWorkspace {
     AlignedArray<float> sky; ///< one float a cell, before they go into light
     AlignedArray<float> ground;
     AlignedArray<float> air; ///< a line of cells without density: what lies before the first
+    AlignedArray<float> soft; ///< four floats a cell, half softened
     std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
 };
 

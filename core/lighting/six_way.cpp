@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/lighting/six_way_kernel.h"
+#include "core/lighting/soft_light.h"
 
 namespace fumage {
 
@@ -47,6 +48,8 @@ void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appeara
     });
     interleave(out.single, 0, cells, out.fromAbove);
     interleave(out.single, 1, cells, out.fromBelow);
+    softenCells(out.grid.shape, SixWayLight::kStride, out.fromAbove, room.soft);
+    softenCells(out.grid.shape, SixWayLight::kStride, out.fromBelow, room.soft);
 }
 
 } // namespace fumage

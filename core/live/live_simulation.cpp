@@ -45,6 +45,8 @@ Air fixedPart(const Air& air)
         part.vorticity = Air().vorticity;
         part.raggedness = Air().raggedness;
         part.unevenness = Air().unevenness;
+        part.turbulence = Air().turbulence;
+        part.turbulenceScale = Air().turbulenceScale;
         part.detail = Air().detail;
         part.heatOpacity = Air().heatOpacity;
         part.expansion = Air().expansion;

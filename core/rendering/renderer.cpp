@@ -1,5 +1,7 @@
 #include "core/rendering/renderer.h"
 
+#include "core/lighting/soft_light.h"
+
 namespace fumage {
 
 namespace {
@@ -48,6 +50,7 @@ Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const 
         const Stopwatch stopwatch(m_times.light);
         findAppearance(frame, effect, lightAxes(effect->light.direction), m_appearance);
         lightSmoke(frame, effect, m_appearance, view.eye, m_lightWorkspace, m_light);
+        softenLight(m_light, m_lightWorkspace);
         lightByFire(frame, effect, m_appearance, m_fireWorkspace, m_lightWorkspace, m_light);
         growLoneParticles(frame, effect, m_light, m_overlapWorkspace, m_appearance);
     }

@@ -17,7 +17,8 @@ namespace {
 
 /// Streams of the random numbers of the air.
 enum AirStream : std::uint32_t {
-    kRim = 140
+    kRim = 140,
+    kStirring = 150
 };
 
 /// Drag, 1/s, below which the wind is as fast as if there were this much: without any it would have no speed of its own.
@@ -158,7 +159,21 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
     return source;
 }
 
-/// The source's noise at a step: octaves of two slices of time that cross-fade.
+/// An octave of noise at a step: two slices of time that cross-fade.
+/// @param seed of its own @param frequency 1/m @param rate how often it becomes another, 1/s @param weight of a component's root mean square
+AirOctave octaveAt(std::int64_t step, const Schedule& schedule, std::uint32_t seed, float frequency, float rate, float weight)
+{
+    const RowPosition row = rowPosition(step, schedule, static_cast<double>(rate * schedule.dt));
+    const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
+    AirOctave octave;
+    octave.frequency = frequency;
+    octave.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
+    octave.slices.key = {keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
+    octave.slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
+    return octave;
+}
+
+/// The source's noise at a step.
 void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed, float rate, std::int64_t step)
 {
     const float radius = std::max(source.reach.x, source.reach.y);
@@ -167,19 +182,41 @@ void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed,
     float frequency = 0.45F / radius;
     float often = rate;
     std::uint32_t stream = kRim;
-    for (SourceOctave* octave : {&source.rim[0], &source.rim[1], &source.billow}) {
-        const std::uint32_t own = streamBits(seed, stream);
-        const RowPosition row = rowPosition(step, schedule, static_cast<double>(often * schedule.dt));
-        const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
-        octave->frequency = frequency;
-        octave->shift = {unitFloat(streamBits(own, 1)), unitFloat(streamBits(own, 2)), unitFloat(streamBits(own, 3))};
-        octave->slices.key = {keyOf(own, static_cast<std::uint64_t>(row.before)), keyOf(own, static_cast<std::uint64_t>(row.after))};
-        octave->slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
+    for (AirOctave* octave : {&source.rim[0], &source.rim[1], &source.billow}) {
+        *octave = octaveAt(step, schedule, streamBits(seed, stream), frequency, often, weight);
         weight *= stream == kRim ? 0.5F : 1.0F; // the smallest is as strong as the one before it: it is what makes billows on billows
         frequency *= 2.0F;
         often *= 1.6F;
         ++stream;
     }
+}
+
+/// What stirs the air at a step. Each octave has swirls half as large as the one before and 0.7 of its strength, and becomes another about as often as
+/// its swirls turn around.
+AirStirring stirringAt(const SampledEffect& effect, const AirGrid& grid, const Schedule& schedule, std::int64_t step)
+{
+    const Air& air = effect->air;
+    constexpr float kRoughness = 0.7F;
+    constexpr float kSquares = 1.0F + kRoughness * kRoughness * (1.0F + kRoughness * kRoughness); // of three octaves
+    constexpr float kComponents = 3.0F;
+    constexpr float kTurns = 0.2F;
+    constexpr float kLeastCells = 2.0F; // a smaller swirl is none
+    AirStirring stirring;
+    stirring.strength = air.turbulence;
+    stirring.place = effect->emitter.position;
+    stirring.calm = 0.5F * std::max(radiusOf(effect->emitter), grid.cell);
+    float size = std::max(air.turbulenceScale, kLeastCells * grid.cell);
+    float weight = kCurlNormalisation / std::sqrt(kComponents * kSquares);
+    float strength = air.turbulence;
+    for (std::uint32_t i = 0; i < kStirringOctaves && size >= kLeastCells * grid.cell; ++i) {
+        const std::uint32_t own = streamBits(effect->emitter.seed, kStirring + i);
+        stirring.octave[i] = octaveAt(step, schedule, own, 1.0F / size, kTurns * std::sqrt(strength / size), weight);
+        stirring.octaves = i + 1;
+        size *= 0.5F;
+        weight *= kRoughness;
+        strength *= kRoughness;
+    }
+    return stirring;
 }
 
 /// The vortex of the effect, about an axis through the emitter. The air takes up its speed while it goes a radius far.
@@ -267,6 +304,9 @@ AirStep airStep(const Model& model, const AirGrid& grid, std::int64_t number, bo
     step.source.acts = acts;
     step.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * schedule.dt) : 0.0F;
     step.swirl = swirlOf(effect, schedule.dt);
+    if (effect->air.turbulence > 0.0F) {
+        step.stirring = stirringAt(effect, grid, schedule, number);
+    }
     if (acts && (step.source.raggedness > 0.0F || step.source.unevenness > 0.0F)) {
         const float radius = std::max(step.source.reach.x, step.source.reach.y);
         const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(motion.buoyancy) * radius)) / radius;

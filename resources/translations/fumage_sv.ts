@@ -3774,6 +3774,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.</source>
         <translation>Så många meter växer radien med varje meter längs axeln, bort från källan: en tratt.</translation>
     </message>
+    <message>
+        <source>Stirs the hot air, so that smoke breaks up, spreads and billows from its foot on, where it would rise as a smooth column: the root mean square of the acceleration where it is hottest.</source>
+        <translation>Rör om i den varma luften, så att röken bryts upp, sprids och bolmar redan från sin fot, där den annars skulle stiga som en slät pelare: accelerationens effektivvärde där det är som hetast.</translation>
+    </message>
+    <message>
+        <source>Turbulence size</source>
+        <translation>Turbulensens storlek</translation>
+    </message>
+    <message>
+        <source>Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. About as large as the emitter looks natural.</source>
+        <translation>Storleken på de största virvlar som turbulensen skapar; det finns också hälften och en fjärdedel så stora, så långt luftens celler visar dem. Ungefär lika stora som källan ser naturligt ut.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>

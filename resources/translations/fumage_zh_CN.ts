@@ -3774,6 +3774,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.</source>
         <translation>沿轴线远离发射器每前进一米，半径增大的米数：形成漏斗。</translation>
     </message>
+    <message>
+        <source>Stirs the hot air, so that smoke breaks up, spreads and billows from its foot on, where it would rise as a smooth column: the root mean square of the acceleration where it is hottest.</source>
+        <translation>搅动热空气，使烟从底部起就散开、扩展并翻滚，而不是像光滑的柱子一样上升：最热处加速度的均方根值。</translation>
+    </message>
+    <message>
+        <source>Turbulence size</source>
+        <translation>湍流尺度</translation>
+    </message>
+    <message>
+        <source>Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. About as large as the emitter looks natural.</source>
+        <translation>湍流所产生的最大旋涡的尺寸；另有一半和四分之一大小的旋涡，只要空气网格能表现出来。与发射器差不多大时看起来最自然。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>

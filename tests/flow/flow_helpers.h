@@ -63,7 +63,7 @@ inline void makeRagged(AirStep& step, float raggedness, float time)
     float weight = 87.0F * 0x1p-31F;
     float frequency = 0.6F / step.source.reach.x;
     std::uint32_t seed = 5;
-    for (SourceOctave& octave : step.source.rim) {
+    for (AirOctave& octave : step.source.rim) {
         const float slice = std::floor(3.0F * time);
         const float turn = 1.5707963F * (3.0F * time - slice);
         octave.frequency = frequency;

@@ -163,6 +163,7 @@ AirState someAir(AirField& field)
     step.swirl = {0.8F, 0.4F, 0.2F, {0.2F, 0.1F, -0.1F}, glm::normalize(glm::vec3(0.2F, 1.0F, -0.3F)), 0.1F};
     for (int i = 0; i < 12; ++i) {
         makeRagged(step, 0.4F, static_cast<float>(i) * step.dt);
+        step.stirring = {3.0F, step.source.rim.size(), {step.source.rim[0], step.source.rim[1]}, {0.1F, 0.0F, 0.0F}, 0.2F};
         air.step(step);
     }
     field = AirField(grid);

@@ -53,6 +53,7 @@ Effect stageFor(const Parameter& p)
         effect.timeline.prewarm = false;
         effect.emitter.position.y = 0.2F;
         effect.air.groundHeight = 0.1F;
+        effect.air.turbulence = 3.0F;
     }
     if (&p == &knownParameter("look.deformation_limit")) {
         effect.look.deformationLimit = 1.02F; // so early nothing is stretched by much

@@ -261,6 +261,63 @@ private slots:
         QVERIFY(near(uneven.deviation(), 0.25, 0.05));
     }
 
+    void whatStirsHotAirIsAsStrongAsItSays_data()
+    {
+        QTest::addColumn<int>("cells");
+        QTest::addColumn<int>("octaves");
+        QTest::addColumn<double>("share");
+        // Each octave is 0.7 times as strong as the one before; what the cells cannot show is left out.
+        const double all = 1.0 + 0.49 + 0.49 * 0.49;
+        QTest::newRow("all octaves") << 64 << 3 << 1.0;
+        QTest::newRow("two of them") << 24 << 2 << std::sqrt((1.0 + 0.49) / all);
+        QTest::newRow("one of them") << 16 << 1 << std::sqrt(1.0 / all);
+    }
+
+    void whatStirsHotAirIsAsStrongAsItSays()
+    {
+        QFETCH(int, cells);
+        QFETCH(int, octaves);
+        QFETCH(double, share);
+        Effect effect = thesisEffect(1);
+        effect.emitter.radius = 0.2F;
+        effect.motion = Motion();
+        effect.motion.wind = effect.motion.buoyancy = effect.motion.cooling = 0.0F;
+        effect.air.enabled = true;
+        effect.air.resolution = cells;
+        effect.air.fit = false;
+        effect.air.size = glm::vec3(4.0F);
+        effect.air.ground = false;
+        effect.air.vorticity = 0.0F;
+        effect.air.turbulence = 7.0F;
+        effect.air.turbulenceScale = 0.9F;
+        const auto afterAStep = [&](float heat, const auto& visit) {
+            const AirPlan plan = airPlan(Model(sampled(effect)));
+            AirStep step = plan.stepTo(1);
+            step.source.acts = false;
+            QCOMPARE(static_cast<int>(step.stirring.octaves), octaves);
+            AirSolver air(plan.grid, plan.borders);
+            air.set([&](const glm::vec3& /*place*/) { return glm::vec4(0.0F, 0.0F, 0.0F, heat); });
+            air.step(step);
+            forCells(plan.grid.cells, [&](const glm::ivec3& c) { visit(plan.grid.centre(c) - effect.emitter.position, glm::vec3(air.at(c)) / step.dt); });
+        };
+        double squares = 0.0;
+        double count = 0.0;
+        for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+            effect.emitter.seed = seed;
+            afterAStep(1.0F, [&](const glm::vec3& away, const glm::vec3& acceleration) {
+                // Not where the pressure is that of the open sides, and not in the calm around the source.
+                if (glm::all(glm::lessThan(glm::abs(glm::vec2(away.x, away.z)), glm::vec2(1.2F))) && away.y > 0.8F && away.y < 3.2F) {
+                    squares += static_cast<double>(glm::dot(acceleration, acceleration));
+                    count += 1.0;
+                }
+            });
+        }
+        const double strength = std::sqrt(squares / count);
+        qInfo("%.2f m/s^2", strength);
+        QVERIFY(near(strength / (7.0 * share), 1.0, 0.05));
+        afterAStep(0.0F, [](const glm::vec3& /*away*/, const glm::vec3& acceleration) { QVERIFY(acceleration == glm::vec3(0.0F)); });
+    }
+
     void smokeIsBornInTheSourceAndThinsOutTowardsItsRim()
     {
         Effect effect = thesisEffect(4000);
