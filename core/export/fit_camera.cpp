@@ -100,26 +100,35 @@ private:
             }
             const PictureReach reach = reachOf(m_image, kSeen);
             m_touches = m_touches || (!reach.isEmpty() && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
-            const auto [nearest, farthest] = depths(frame.value()->particles, view);
-            seen.addPicture(view, reach, nearest, farthest, seconds);
+            seen.addPicture(view, reach, depths(frame.value()->particles, view), seconds);
             tell();
         }
         return Done{};
     }
 
     /// Of what is drawn, m.
-    [[nodiscard]] std::pair<float, float> depths(const Particles& particles, const View& view) const
+    [[nodiscard]] DepthRange depths(const Particles& particles, const View& view) const
     {
         const SpriteBatch& batch = m_renderer.batch();
-        std::pair<float, float> range{1e30F, 0.0F};
+        DepthRange range{1e30F, 0.0F, 1.0F};
+        double covered = 0.0;
+        double sum = 0.0;
         for (std::size_t i = 0; i < particles.capacity; ++i) {
             if (batch.depth[i] == SpriteBatch::kHidden || batch.sprites[i].opacity < kSeen) {
                 continue;
             }
             const float depth = project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth;
-            range = {std::min(range.first, depth), std::max(range.second, depth)};
+            range.nearest = std::min(range.nearest, depth);
+            range.farthest = std::max(range.farthest, depth);
+            const auto cover = static_cast<double>(batch.sprites[i].opacity * batch.sprites[i].halfWidth * batch.sprites[i].halfHeight);
+            covered += cover;
+            sum += cover * static_cast<double>(depth);
         }
-        return range.first <= range.second ? range : std::pair{1.0F, 1.0F};
+        if (!(covered > 0.0)) {
+            return {1.0F, 1.0F, 1.0F};
+        }
+        range.middle = static_cast<float>(sum / covered);
+        return range;
     }
 
     SampledEffect m_smoke;

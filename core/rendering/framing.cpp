@@ -75,7 +75,9 @@ Framing::Framing(const Camera& camera, int width, int height)
 void Framing::addParticles(const Particles& particles, const Appearance& appearance, float seconds)
 {
     const View view = makeView(m_camera, seconds, m_width, m_height);
-    Moment moment{view.right, view.up, view.forward, -kInfinity, -kInfinity, -kInfinity, -kInfinity, kInfinity, -kInfinity};
+    Moment moment{view.right, view.up, view.forward, -kInfinity, -kInfinity, -kInfinity, -kInfinity, {kInfinity, -kInfinity, 0.0F}};
+    double covered = 0.0;
+    double depths = 0.0;
     for (std::size_t i = 0; i < particles.capacity; ++i) {
         if (!(appearance.alpha[i] > kFaintest && appearance.radius[i] > 0.0F)) {
             continue;
@@ -89,15 +91,19 @@ void Framing::addParticles(const Particles& particles, const Appearance& appeara
         moment.toLeft = std::max(moment.toLeft, radius - x - m_tangentX * z);
         moment.upwards = std::max(moment.upwards, radius + y - m_tangentY * z);
         moment.downwards = std::max(moment.downwards, radius - y - m_tangentY * z);
-        moment.nearest = std::min(moment.nearest, z);
-        moment.farthest = std::max(moment.farthest, z);
+        moment.along.nearest = std::min(moment.along.nearest, z);
+        moment.along.farthest = std::max(moment.along.farthest, z);
+        const auto cover = static_cast<double>(appearance.alpha[i] * radius * radius);
+        covered += cover;
+        depths += cover * static_cast<double>(z);
     }
-    if (moment.nearest <= moment.farthest) {
+    if (moment.along.nearest <= moment.along.farthest) {
+        moment.along.middle = static_cast<float>(depths / covered);
         m_moments.push_back(moment);
     }
 }
 
-void Framing::addPicture(const View& view, const PictureReach& reach, float nearest, float farthest, float seconds)
+void Framing::addPicture(const View& view, const PictureReach& reach, const DepthRange& depths, float seconds)
 {
     if (reach.isEmpty()) {
         return;
@@ -115,30 +121,31 @@ void Framing::addPicture(const View& view, const PictureReach& reach, float near
     const float y = glm::dot(view.eye, direction.up);
     const float z = glm::dot(view.eye, direction.forward);
     // The largest along a ray is at one of its ends.
-    const auto support = [&](float eye, float slope, float limit) { return eye - limit * z + (slope - limit) * (slope > limit ? farthest : nearest); };
+    const auto support = [&](float eye, float slope, float limit) { return eye - limit * z + (slope - limit) * (slope > limit ? depths.farthest : depths.nearest); };
     m_moments.push_back({direction.right, direction.up, direction.forward, support(x, toRight, m_tangentX), support(-x, toLeft, m_tangentX),
-        support(y, upwards, m_tangentY), support(-y, downwards, m_tangentY), z + nearest, z + farthest});
+        support(y, upwards, m_tangentY), support(-y, downwards, m_tangentY), {z + depths.nearest, z + depths.farthest, z + depths.middle}});
 }
 
 Camera Framing::still() const
 {
     Moment all = m_moments.front();
+    float middle = 0.0F;
     for (const Moment& moment : m_moments) {
         all.toRight = std::max(all.toRight, moment.toRight);
         all.toLeft = std::max(all.toLeft, moment.toLeft);
         all.upwards = std::max(all.upwards, moment.upwards);
         all.downwards = std::max(all.downwards, moment.downwards);
-        all.nearest = std::min(all.nearest, moment.nearest);
-        all.farthest = std::max(all.farthest, moment.farthest);
+        all.along.nearest = std::min(all.along.nearest, moment.along.nearest);
+        middle += moment.along.middle / static_cast<float>(m_moments.size());
     }
     // e.r - t e.f >= toRight and -e.r - t e.f >= toLeft: their sum says how far back, their difference how far aside.
     const float x = 0.5F * (all.toRight - all.toLeft);
     const float y = 0.5F * (all.upwards - all.downwards);
-    const float z = std::min({-0.5F * (all.toRight + all.toLeft) / m_tangentX, -0.5F * (all.upwards + all.downwards) / m_tangentY, all.nearest - kNearest});
+    const float z = std::min({-0.5F * (all.toRight + all.toLeft) / m_tangentX, -0.5F * (all.upwards + all.downwards) / m_tangentY, all.along.nearest - kNearest});
     const glm::vec3 eye = x * all.right + y * all.up + z * all.forward;
     Camera out = m_camera;
     out.position = eye;
-    out.distance = std::max(kNearest, 0.5F * (all.nearest + all.farthest) - z);
+    out.distance = std::max(kNearest, middle - z);
     out.target = eye + out.distance * all.forward;
     return out;
 }
@@ -159,7 +166,7 @@ Framing::Demand Framing::demandAt(const glm::vec3& target) const
         ask(moment.toLeft, -moment.right, m_tangentX, moment.forward);
         ask(moment.upwards, moment.up, m_tangentY, moment.forward);
         ask(moment.downwards, -moment.up, m_tangentY, moment.forward);
-        if (const float behind = glm::dot(target, moment.forward) - moment.nearest + kNearest; behind > most.distance) {
+        if (const float behind = glm::dot(target, moment.forward) - moment.along.nearest + kNearest; behind > most.distance) {
             most = {behind, -moment.forward};
         }
     }
@@ -172,7 +179,7 @@ Camera Framing::turning() const
     for (const Moment& moment : m_moments) {
         const float x = 0.5F * (moment.toRight - moment.toLeft);
         const float y = 0.5F * (moment.upwards - moment.downwards);
-        const float z = 0.5F * (moment.nearest + moment.farthest);
+        const float z = 0.5F * (moment.along.nearest + moment.along.farthest);
         target += (x * moment.right + y * moment.up + z * moment.forward) / static_cast<float>(m_moments.size());
     }
     // The least distance over all targets is sought by moving towards whatever asks for most, by ever shorter steps

@@ -19,6 +19,12 @@ struct PictureReach {
 /// @param alpha what is less than this is not seen
 [[nodiscard]] PictureReach reachOf(const Image& image, float alpha);
 
+/// How far from the eye particles lie along its way, m.
+struct DepthRange {
+    float nearest, farthest;
+    float middle; ///< mean, each by what it covers: one that has flown off does not count
+};
+
 /// Finds where a camera must stand so that the smoke of many moments is within its picture, looking the way it does.
 ///
 /// A point p is within when |(p - e).r| <= t (p - e).f, e the eye, r and f the camera's right and forward, t half the picture's width over the focal length;
@@ -35,12 +41,13 @@ public:
     /// Takes what a picture of the smoke shows, through a camera that looks the same way from anywhere. Where smoke touches the picture's border more
     /// of it is taken to be outside.
     /// @param reach in pixels of the view
-    /// @param nearest depth of the nearest particle, m, more than 0
-    void addPicture(const View& view, const PictureReach& reach, float nearest, float farthest, float seconds);
+    /// @param depths nearest more than 0
+    void addPicture(const View& view, const PictureReach& reach, const DepthRange& depths, float seconds);
 
     [[nodiscard]] bool isEmpty() const { return m_moments.empty(); }
 
     /// The camera that sees all that was added, with a margin: nearest of all where the camera does not turn, near it on a turntable.
+    /// A camera that does not turn has its target in the middle of the smoke's depth, so that the hand orbits around the smoke.
     [[nodiscard]] Camera camera() const;
 
     /// How far from its target, m, a camera would have to be to see all that was added.
@@ -51,7 +58,7 @@ private:
     struct Moment {
         glm::vec3 right, up, forward;
         float toRight, toLeft, upwards, downwards; ///< largest p.r - t p.f, -p.r - t p.f, p.u - t p.f, -p.u - t p.f
-        float nearest, farthest; ///< p.f
+        DepthRange along; ///< p.f
     };
     /// What asks a camera to stand farthest from its target.
     struct Demand {

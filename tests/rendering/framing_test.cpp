@@ -134,6 +134,20 @@ private slots:
         QVERIFY(std::abs(std::max(reach.x, reach.y) - kMost) < 1e-3F);
     }
 
+    void theTargetIsAmongTheSmokeAndNotHalfWayToWhatHasFlownOff()
+    {
+        std::vector<glm::vec4> discs(50, {0.0F, 0.0F, -2.0F, 0.3F});
+        discs.emplace_back(0.0F, 0.1F, 6.0F, 0.01F);
+        const Discs smoke(discs);
+        const Camera camera; // looks along -z, a little down
+        Framing framing(camera, kWidth, kHeight);
+        framing.addParticles(smoke.particles, smoke.appearance, 0.0F);
+        const Camera found = framing.camera();
+        QVERIFY(std::abs(found.target.z + 2.0F) < 0.1F);
+        const glm::vec2 reach = reachThrough(found, smoke, 0.0F);
+        QVERIFY(std::max(reach.x, reach.y) < kMost + 1e-3F);
+    }
+
     void clearParticlesNeedNoRoom()
     {
         Discs discs({{0.0F, 0.0F, 0.0F, 0.2F}, {100.0F, 0.0F, 0.0F, 1.0F}});
