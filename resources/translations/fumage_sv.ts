@@ -3966,8 +3966,8 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Ånga</translation>
     </message>
     <message>
-        <source>White jets from a vent, gone within a metre or two.</source>
-        <translation>Vita strålar ur en ventil, borta inom någon meter.</translation>
+        <source>White puffs from a vent, gone within a metre or two.</source>
+        <translation>Vita puffar ur en ventil, borta inom någon meter.</translation>
     </message>
     <message>
         <source>Thesis 2012</source>

@@ -3966,8 +3966,8 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>蒸汽</translation>
     </message>
     <message>
-        <source>White jets from a vent, gone within a metre or two.</source>
-        <translation>从排气口喷出的白色汽流，一两米内消散。</translation>
+        <source>White puffs from a vent, gone within a metre or two.</source>
+        <translation>从排气口冒出的一团团白汽，一两米内消散。</translation>
     </message>
     <message>
         <source>Thesis 2012</source>

@@ -105,7 +105,7 @@ class Laws(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             picture = pathlib.Path(folder) / "smoke.png"
             shipped = json.loads(cli("presets", "--show", "plume"))
-            opacity = 1.3  # a particle that is opaque by itself cannot stand for sixteen
+            opacity = 0.6  # a particle that is opaque by itself cannot stand for sixteen
             brightness = {}
             for share in (1 / 16, 1 / 4, 1, 8):
                 changes = {"emitter.count": round(shipped["emitter"]["count"] * share), "look.opacity": opacity / share, "output.view_transform": "standard", "output.exposure": -2}
