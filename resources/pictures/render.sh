@@ -5,13 +5,13 @@ set -euo pipefail
 cli=$1
 here=$(cd "$(dirname "$0")" && pwd)
 sky=(--set output.background=colour --set "output.background_colour=[0.05,0.1,0.18]")
-"$cli" render default --frames 130 --size 960x640 --supersample 2 --set emitter.count=1000000 --set look.size=0.12 --set air.resolution=96 --set light.resolution=96 --set camera.distance=10.5 --set "camera.target=[0.6,4.2,0.2]" "${sky[@]}" --output "$here/default_wide.png"
+"$cli" render default --frames 130 --size 960x640 --supersample 2 --set emitter.count=1000000 --set look.size=0.12 --set air.resolution=96 --set light.resolution=96 --set camera.distance=15.5 --set "camera.target=[0.43,5.2,0]" "${sky[@]}" --output "$here/default_wide.png"
 for preset in "$here"/../presets/*.json; do
     name=$(basename "$preset" .json)
     frame=70
     case $name in
     explosion) frame=32 ;;
-    dust) frame=45 ;;
+    dust | landing | rolling-dust) frame=45 ;;
     fire-ball) frame=24 ;;
     mushroom-cloud) frame=60 ;;
     ceiling) frame=110 ;;
@@ -22,7 +22,7 @@ done
 # A second of film is fifteen frames: every other one of the presets' thirty.
 film=$(mktemp -d)
 trap 'rm -rf "$film"' EXIT
-moving=(campfire explosion mushroom-cloud cloud)
+moving=(campfire explosion mushroom-cloud plume)
 for name in "${moving[@]}"; do
     "$cli" render "$name" --frames 0-119:2 --size 240 --set output.background=transparent --output "$film/${name}_###.png"
 done
