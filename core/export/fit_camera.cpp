@@ -110,25 +110,15 @@ private:
     [[nodiscard]] DepthRange depths(const Particles& particles, const View& view) const
     {
         const SpriteBatch& batch = m_renderer.batch();
-        DepthRange range{1e30F, 0.0F, 1.0F};
-        double covered = 0.0;
-        double sum = 0.0;
+        Depths found;
         for (std::size_t i = 0; i < particles.capacity; ++i) {
             if (batch.depth[i] == SpriteBatch::kHidden || batch.sprites[i].opacity < kSeen) {
                 continue;
             }
             const float depth = project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth;
-            range.nearest = std::min(range.nearest, depth);
-            range.farthest = std::max(range.farthest, depth);
-            const auto cover = static_cast<double>(batch.sprites[i].opacity * batch.sprites[i].halfWidth * batch.sprites[i].halfHeight);
-            covered += cover;
-            sum += cover * static_cast<double>(depth);
+            found.add(depth, batch.sprites[i].opacity * batch.sprites[i].halfWidth * batch.sprites[i].halfHeight);
         }
-        if (!(covered > 0.0)) {
-            return {1.0F, 1.0F, 1.0F};
-        }
-        range.middle = static_cast<float>(sum / covered);
-        return range;
+        return found.isEmpty() ? DepthRange{1.0F, 1.0F, 1.0F} : found.range();
     }
 
     SampledEffect m_smoke;

@@ -62,6 +62,14 @@ PictureReach reachOf(const Image& image, float alpha)
     return reach;
 }
 
+void Depths::add(float depth, float cover)
+{
+    m_nearest = std::min(m_nearest, depth);
+    m_farthest = std::max(m_farthest, depth);
+    m_covered += static_cast<double>(cover);
+    m_sum += static_cast<double>(cover) * static_cast<double>(depth);
+}
+
 Framing::Framing(const Camera& camera, int width, int height)
     : m_camera(camera)
     , m_width(width)
@@ -75,9 +83,8 @@ Framing::Framing(const Camera& camera, int width, int height)
 void Framing::addParticles(const Particles& particles, const Appearance& appearance, float seconds)
 {
     const View view = makeView(m_camera, seconds, m_width, m_height);
-    Moment moment{view.right, view.up, view.forward, -kInfinity, -kInfinity, -kInfinity, -kInfinity, {kInfinity, -kInfinity, 0.0F}};
-    double covered = 0.0;
-    double depths = 0.0;
+    Moment moment{view.right, view.up, view.forward, -kInfinity, -kInfinity, -kInfinity, -kInfinity, {}};
+    Depths depths;
     for (std::size_t i = 0; i < particles.capacity; ++i) {
         if (!(appearance.alpha[i] > kFaintest && appearance.radius[i] > 0.0F)) {
             continue;
@@ -91,14 +98,10 @@ void Framing::addParticles(const Particles& particles, const Appearance& appeara
         moment.toLeft = std::max(moment.toLeft, radius - x - m_tangentX * z);
         moment.upwards = std::max(moment.upwards, radius + y - m_tangentY * z);
         moment.downwards = std::max(moment.downwards, radius - y - m_tangentY * z);
-        moment.along.nearest = std::min(moment.along.nearest, z);
-        moment.along.farthest = std::max(moment.along.farthest, z);
-        const auto cover = static_cast<double>(appearance.alpha[i] * radius * radius);
-        covered += cover;
-        depths += cover * static_cast<double>(z);
+        depths.add(z, appearance.alpha[i] * radius * radius);
     }
-    if (moment.along.nearest <= moment.along.farthest) {
-        moment.along.middle = static_cast<float>(depths / covered);
+    if (!depths.isEmpty()) {
+        moment.along = depths.range();
         m_moments.push_back(moment);
     }
 }

@@ -4,6 +4,7 @@
 #include "core/rendering/camera.h"
 #include "core/rendering/image.h"
 
+#include <limits>
 #include <vector>
 
 namespace fumage {
@@ -23,6 +24,24 @@ struct PictureReach {
 struct DepthRange {
     float nearest, farthest;
     float middle; ///< mean, each by what it covers: one that has flown off does not count
+};
+
+/// Gathers how far particles lie from the eye.
+class Depths {
+public:
+    /// @param depth m
+    /// @param cover of the picture, more than 0, in any unit that is the same for all
+    void add(float depth, float cover);
+
+    [[nodiscard]] bool isEmpty() const { return !(m_covered > 0.0); }
+    /// Of at least one particle.
+    [[nodiscard]] DepthRange range() const { return {m_nearest, m_farthest, static_cast<float>(m_sum / m_covered)}; }
+
+private:
+    float m_nearest = std::numeric_limits<float>::infinity();
+    float m_farthest = -std::numeric_limits<float>::infinity();
+    double m_covered = 0.0;
+    double m_sum = 0.0; ///< of depths times covers
 };
 
 /// Finds where a camera must stand so that the smoke of many moments is within its picture, looking the way it does.

@@ -15,8 +15,8 @@ inline constexpr std::array kRows<Air>{
         .key = "air.enabled",
         .label = "Moving air",
         .synonyms = "fluid solver simulation flow grid fire realistic billow roll mushroom",
-        .tip = "The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows around obstacles. Buoyancy, cooling, wind, gusts and the speed of the emitter act "
-               "on the air; turbulence is the detail below its grid, and vortex rings come by themselves.",
+        .tip = "The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows around obstacles. Buoyancy, cooling, "
+               "wind, gusts and the speed of the emitter act on the air; turbulence is the detail below its grid, and vortex rings come by themselves.",
         .source = "Fedkiw, Stam, Jensen 2001",
     }),
     row<&Air::resolution>({
@@ -25,7 +25,8 @@ inline constexpr std::array kRows<Air>{
         .synonyms = "grid cells voxels divisions quality detail",
         .hard = {kMinAirResolution, kMaxAirResolution},
         .step = 8,
-        .tip = "Cells of air along the longest side of its box: twice as many show smaller billows and take sixteen times as long. Once baked, the air costs next to nothing.",
+        .tip = "Cells of air along the longest side of its box: twice as many show smaller billows and take sixteen times as long. Once baked, the air costs "
+               "next to nothing.",
         .visible = when("air.enabled", true),
     }),
     row<&Air::fit>({
@@ -86,7 +87,8 @@ inline constexpr std::array kRows<Air>{
         .hard = {0, 3},
         .soft = {0, 1.5},
         .step = 0.02,
-        .tip = "How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. Without it a cap is bald.",
+        .tip = "How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. "
+               "Without it a cap is bald.",
         .visible = when("air.enabled", true),
     }),
     row<&Air::turbulence>({
@@ -97,7 +99,8 @@ inline constexpr std::array kRows<Air>{
         .soft = {0, 20},
         .step = 0.1,
         .unit = Unit::MetresPerSecond2,
-        .tip = "Stirs the hot air, so that smoke breaks up, spreads and billows from its foot on, where it would rise as a smooth column: the root mean square of the acceleration where it is hottest.",
+        .tip = "Stirs the hot air, so that smoke breaks up, spreads and billows from its foot on, where it would rise as a smooth column: the root mean "
+               "square of the acceleration where it is hottest.",
         .source = "Bridson et al. 2007, curl noise",
         .visible = when("air.enabled", true),
     }),
@@ -110,7 +113,8 @@ inline constexpr std::array kRows<Air>{
         .step = 0.05,
         .unit = Unit::Metres,
         .scale = Scale::Log,
-        .tip = "Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. About as large as the emitter looks natural.",
+        .tip = "Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. "
+               "About as large as the emitter looks natural.",
         .visible = when("air.enabled", true),
     }),
     row<&Air::detail>({
@@ -120,7 +124,8 @@ inline constexpr std::array kRows<Air>{
         .hard = {0, 10},
         .soft = {0, 2},
         .step = 0.02,
-        .tip = "Swirls that are smaller than the cells of the air, as strong as the air around them is sheared. Octaves, roughness, evolution and drift of the turbulence say what they are like.",
+        .tip = "Swirls that are smaller than the cells of the air, as strong as the air around them is sheared. Octaves, roughness, evolution and drift of "
+               "the turbulence say what they are like.",
         .source = "Kim, Th\u00fcrey, James, Gross 2008",
         .visible = when("air.enabled", true),
     }),
