@@ -85,7 +85,7 @@ private slots:
         const glm::ivec3 middle(3, 2, 2);
         const AlignedArray<float> out = softened(shape, 2, [&](const glm::ivec3& cell, std::size_t channel) { return cell == middle ? 64.0F * static_cast<float>(channel) : 0.0F; });
         const auto weight = [](int way) { return way == 0 ? 2.0F : way == 1 || way == -1 ? 1.0F
-                                                                                          : 0.0F; };
+                                                                                         : 0.0F; };
         float sum = 0.0F;
         std::size_t i = 0;
         for (int w = 0; w < shape.nw; ++w) {
