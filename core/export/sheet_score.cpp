@@ -5,6 +5,7 @@
 #include "core/export/difference.h"
 #include "core/export/sheet.h"
 #include "core/export/sheet_playback.h"
+#include "core/rendering/view_transform.h"
 #include "core/simulation/simulator.h"
 
 #include <algorithm>
@@ -152,8 +153,9 @@ Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const P
     return Done{};
 }
 
-void scorePixels(const PassSheet& sheet, SheetScore& score)
+void scorePixels(const PassSheet& sheet, const Output& output, SheetScore& score)
 {
+    const float brightest = brightestShown(output);
     constexpr float kSeen = 0.5F / 255.0F;
     const Image& colour = sheet.layers.of(PassLayer::Colour);
     std::size_t smoke = 0;
@@ -167,7 +169,7 @@ void scorePixels(const PassSheet& sheet, SheetScore& score)
                 const bool isBorder = x == 0 || y == 0 || x + 1 == cell.width || y + 1 == cell.height;
                 score.edgeAlpha = isBorder ? std::max(score.edgeAlpha, pixel.a) : score.edgeAlpha;
                 smoke += pixel.a >= kSeen ? 1U : 0U;
-                clipped += pixel.a >= kSeen && std::max({pixel.r, pixel.g, pixel.b}) > pixel.a ? 1U : 0U;
+                clipped += pixel.a >= kSeen && std::max({pixel.r, pixel.g, pixel.b}) > brightest * pixel.a ? 1U : 0U;
             }
         }
         score.empty += smoke == before ? 1 : 0;
@@ -189,7 +191,7 @@ Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& optio
     }
     Simulator simulator(sampled(seen), Simulator::kDefaultCheckpointBytes, shelf);
     SheetScore score;
-    scorePixels(sheet, score);
+    scorePixels(sheet, seen.output, score);
     if (Status status = scoreSixWay(seen, options, sheet, frames, lit, simulator, score, stop); !status) {
         return status.error();
     }

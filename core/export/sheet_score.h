@@ -22,7 +22,7 @@ struct SheetScore {
         int between = 0; ///< how many pictures were looked at
     } motion;
     float edgeAlpha = 0.0F; ///< most alpha on a cell's border
-    double clipped = 0.0; ///< share of the pixels with smoke whose colour is beyond 1
+    double clipped = 0.0; ///< share of the pixels with smoke whose colour is brighter than the view transform can show
     int empty = 0; ///< cells without smoke
 };
 

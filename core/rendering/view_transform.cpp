@@ -141,6 +141,13 @@ void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t
     encodeAll(image, output, out, cover);
 }
 
+float brightestShown(const Output& output)
+{
+    // Where the filmic curve, x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), comes to 1: the positive root of 0.08 x^2 - 0.56 x - 0.14.
+    constexpr float kFilmic = 7.24166F;
+    return (output.viewTransform == ViewTransform::Filmic ? kFilmic : 1.0F) / exposureGain(output.exposure);
+}
+
 float exposureGain(float stops)
 {
     constexpr float kLnTwo = 0.693147180559945309F;

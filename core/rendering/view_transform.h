@@ -37,6 +37,9 @@ void encode(const Image& image, const Output& output, EncodedImage<std::uint16_t
 /// What light is multiplied by: 2^stops.
 [[nodiscard]] float exposureGain(float stops);
 
+/// The linear light, before exposure, from which on a channel is shown as 1: what is brighter looks the same.
+[[nodiscard]] float brightestShown(const Output& output);
+
 /// The sRGB curve for one linear value of 0 or more; values above 1 go on along the curve.
 [[nodiscard]] float srgbFromLinear(float linear);
 

@@ -482,6 +482,30 @@ private slots:
         QVERIFY2(flames > 1.95F * one && flames < 2.001F * one, qPrintable(QString("%1 %2").arg(flames).arg(one)));
     }
 
+    void lightBeyondWhatIsShownLooksTheSame()
+    {
+        for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {
+            for (const float exposure : {-1.0F, 0.0F, 2.5F}) {
+                Output output;
+                output.viewTransform = transform;
+                output.exposure = exposure;
+                const float brightest = brightestShown(output);
+                Image image;
+                image.resize(3, 1);
+                const std::array<float, 3> lights{0.98F * brightest, 1.001F * brightest, 100.0F * brightest};
+                for (std::size_t i = 0; i < lights.size(); ++i) {
+                    std::fill_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, lights[i]);
+                    image.pixels[4 * i + 3] = 1.0F;
+                }
+                EncodedImage<std::uint16_t> shown;
+                encode(image, output, shown);
+                QVERIFY(shown.pixels[0] < 65535);
+                QCOMPARE(shown.pixels[4], std::uint16_t{65535});
+                QCOMPARE(shown.pixels[8], std::uint16_t{65535});
+            }
+        }
+    }
+
     void filesShowTheLightOfClearFlames()
     {
         // Premultiplied: a clear flame, smoke, what glows a little, a hot flame, and thin smoke.
