@@ -13,7 +13,7 @@ for preset in "$here"/../presets/*.json; do
     explosion) frame=32 ;;
     dust | landing | rolling-dust) frame=45 ;;
     fire-ball) frame=24 ;;
-    mushroom-cloud) frame=60 ;;
+    mushroom-cloud) frame=95 ;;
     ceiling) frame=110 ;;
     esac
     "$cli" render "$preset" --frames "$frame" --size 256x256 --supersample 2 "${sky[@]}" --output "$here/$name.png"
