@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
-#include <cstring>
 #include <memory>
 #include <stop_token>
 #include <utility>
@@ -25,46 +24,40 @@ namespace {
 
 constexpr std::size_t kMostAtOnce = std::size_t{1} << 16U;
 
-/// Does what may wait for ever on a thread of its own, which ends with the program where the user interrupts first.
-/// It is Windows's own thread, and what is waited for is its end, which comes whatever happens: with std::thread of mingw, detached, the end was seen to get lost.
-class Transfer {
-public:
-    explicit Transfer(std::function<Transferred()> act)
-        : m_act(std::move(act))
-    {
-    }
-
-    /// @return what it did, or what it was not waited for until
-    static Transferred run(std::function<Transferred()> act)
-    {
-        constexpr DWORD kLookMs = 100; // how long an interruption may go unseen
-        const auto transfer = std::make_shared<Transfer>(std::move(act));
-        auto itself = std::make_unique<std::shared_ptr<Transfer>>(transfer); // the thread's share: it may outlive the wait
-        const Descriptor thread(reinterpret_cast<HANDLE>(_beginthreadex(nullptr, 0, &Transfer::onThread, itself.get(), 0, nullptr)));
-        if (thread.get() == nullptr) {
-            return transfer->m_act(); // and waits as long as it takes
-        }
-        (void)itself.release();
-        const std::stop_token stop = interruption();
-        while (::WaitForSingleObject(thread.get(), kLookMs) == WAIT_TIMEOUT) {
-            if (stop.stop_requested()) {
-                return {0, true, {}};
-            }
-        }
-        return transfer->m_result;
-    }
-
-private:
-    static unsigned __stdcall onThread(void* share)
-    {
-        const std::unique_ptr<std::shared_ptr<Transfer>> itself(static_cast<std::shared_ptr<Transfer>*>(share));
-        (*itself)->m_result = (*itself)->m_act();
-        return 0;
-    }
-
-    std::function<Transferred()> m_act;
-    Transferred m_result;
+/// What may wait for ever, and what came of it.
+struct Transfer {
+    std::function<Transferred()> act;
+    Transferred result;
 };
+
+/// @param share a std::shared_ptr<Transfer> on the heap: whoever waits may be gone before the end
+unsigned __stdcall transferOnThread(void* share)
+{
+    const std::unique_ptr<std::shared_ptr<Transfer>> transfer(static_cast<std::shared_ptr<Transfer>*>(share));
+    (*transfer)->result = (*transfer)->act();
+    return 0;
+}
+
+/// Does what may wait for ever on a thread of its own, which ends with the program where the user interrupts first.
+/// It is Windows's own thread, and what is waited for is its end: an event that a detached std::thread of mingw set was seen to get lost.
+Transferred unlessInterrupted(std::function<Transferred()> act)
+{
+    constexpr DWORD kLookMs = 100; // how long an interruption may go unseen
+    const auto transfer = std::make_shared<Transfer>(Transfer{std::move(act), {}});
+    auto share = std::make_unique<std::shared_ptr<Transfer>>(transfer);
+    const Descriptor thread(reinterpret_cast<HANDLE>(_beginthreadex(nullptr, 0, &transferOnThread, share.get(), 0, nullptr)));
+    if (thread.get() == nullptr) {
+        return transfer->act(); // and waits as long as it takes
+    }
+    (void)share.release();
+    const std::stop_token stop = interruption();
+    while (::WaitForSingleObject(thread.get(), kLookMs) == WAIT_TIMEOUT) {
+        if (stop.stop_requested()) {
+            return {0, true, {}};
+        }
+    }
+    return transfer->result;
+}
 
 } // namespace
 
@@ -109,7 +102,7 @@ bool isErrorOnTerminal()
 Transferred readSome(std::span<char> room)
 {
     const auto buffer = std::make_shared<std::vector<char>>(std::min(room.size(), kMostAtOnce));
-    const Transferred result = Transfer::run([buffer]() -> Transferred {
+    const Transferred result = unlessInterrupted([buffer]() -> Transferred {
         DWORD count = 0;
         const bool isRead = ::ReadFile(::GetStdHandle(STD_INPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
         const DWORD failure = isRead ? ERROR_SUCCESS : ::GetLastError();
@@ -123,7 +116,7 @@ Transferred readSome(std::span<char> room)
 Transferred writeSome(std::span<const char> bytes)
 {
     const auto buffer = std::make_shared<std::vector<char>>(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMostAtOnce)));
-    return Transfer::run([buffer]() -> Transferred {
+    return unlessInterrupted([buffer]() -> Transferred {
         DWORD count = 0;
         const bool isWritten = ::WriteFile(::GetStdHandle(STD_OUTPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
         return {count, false, isWritten ? std::string() : systemText(::GetLastError())};

@@ -83,9 +83,9 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     add("frame/default_1M", defaultLook(1000000), kWidth, kHeight, 2);
     add("frame/default_100k_1thread", defaultLook(100000), kWidth, kHeight, 1);
     add("frame/default_512", newPreset().effect, 512, 512, 2);
-    Effect final = newPreset().effect;
-    final.output.quality = Quality::Final;
-    add("frame/default_4k_final", final, 3840, 2160, 2);
+    Effect finest = newPreset().effect;
+    finest.output.quality = Quality::Final;
+    add("frame/default_4k_final", finest, 3840, 2160, 2);
     benchmark::RegisterBenchmark("frame/encode_8bit", encodeForScreen)->UseRealTime()->Unit(benchmark::kMillisecond);
     claims.push_back({"whole frame, default look, 100 000 particles, 1280 x 720, 2 threads", "frame/default_100k", "", "frames/s", 60.0});
     for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
