@@ -24,19 +24,18 @@ BACKGROUND = (29, 79, 145)
 CAMERA = ["camera.mode=fixed", "camera.position=[0,2.8,9]", "camera.view=[0,0,-1]", "camera.focal_length=50"]
 FRONT = ["light.direction=[-0.66,-0.64,-0.38]"]
 BACK = ["light.direction=[-0.32,0.34,0.88]"]
-PLUME = ["emitter.position=[0,0,0]", "emitter.radius=0.35"]
 YOUNG = ["timeline.prewarm=false"]
-OLD = ["emitter.count=500000", "emitter.spread=6", "life.fade_rate=0.009", "life.size=[[0,0.6],[1,1]]", "look.opacity=0.3", "look.dilution=0.2", "rings.strength=0.5", "rings.radius=0.7",
-       "turbulence.strength=0.22", "turbulence.octaves=6", "turbulence.roughness=0.9", "turbulence.growth=0"]
-WIND = ["light.direction=[0.86,-0.5,0]", "emitter.position=[-1.45,0.58,0]", "emitter.radius=0.22", "emitter.speed=0.3", "emitter.spread=15", "motion.wind=3", "motion.drag=2",
-        "motion.buoyancy=0.5", "motion.cooling=0.3", "motion.gust=0.1", "rings.strength=0", "turbulence.strength=0.22", "turbulence.scale=0.5", "turbulence.growth=0", "turbulence.drift=0",
-        "look.size=0.18", "look.opacity=0.31"]
-WISP = ["emitter.position=[0,0.56,0]", "emitter.radius=0.1", "emitter.count=100000", "emitter.speed=0.6", "emitter.spread=6", "life.fade_rate=0.01", "motion.buoyancy=0.1", "motion.drag=0.3",
-        "rings.strength=0.25", "rings.speed=0.55", "rings.radius=0.25", "rings.widening=0.1", "rings.spacing=0.5", "turbulence.strength=0.1", "turbulence.scale=0.4", "turbulence.octaves=6",
-        "turbulence.drift=0.5", "look.size=0.15", "look.dilution=0.3", "look.opacity=0.14"]
+AIR = ["air.resolution=96", "air.unevenness=1", "look.overlap=6", "look.texture=0.3", "look.deformation=0.5", "life.size=[[0,0.7],[1,1.2]]"]
+PLUME = AIR + ["emitter.position=[0,0,0]", "emitter.radius=0.55", "emitter.speed=1.3", "emitter.count=500000", "motion.buoyancy=2.2", "air.size=[3,8,3]", "air.turbulence=8", "air.turbulence_scale=0.35"]
+SMALL = ["look.size=0.09", "look.opacity=1.5"]
+OLD = ["life.fade_rate=0.012", "look.size=0.1", "look.opacity=1.2"]
+WIND = AIR + ["light.direction=[0.86,-0.5,0]", "emitter.position=[-1.45,0.58,0]", "emitter.radius=0.22", "emitter.speed=0.3", "life.fade_rate=0.03", "motion.wind=2.6", "motion.drag=2", "motion.buoyancy=0.7",
+              "motion.gust=0", "air.size=[5,2.5,2]", "air.offset=[1.8,-0.6,0]", "air.turbulence=4", "air.turbulence_scale=0.2", "look.size=0.075", "look.opacity=0.7"]
+WISP = AIR + ["emitter.position=[0,0.56,0]", "emitter.radius=0.2", "emitter.count=100000", "emitter.speed=0.35", "life.fade_rate=0.012", "motion.buoyancy=0.4", "air.size=[1.5,3.5,1.5]", "air.turbulence=0.6",
+              "air.turbulence_scale=0.2", "look.size=0.075", "look.opacity=0.25"]
 # reference file, preset, frame, what to set
 PAIRS = [
-    ("solver_plume_rgba_080.png", "plume", 78, CAMERA + FRONT + PLUME + YOUNG),
+    ("solver_plume_rgba_080.png", "plume", 78, CAMERA + FRONT + PLUME + SMALL + YOUNG),
     ("solver_plume_rgba_150.png", "plume", 120, CAMERA + FRONT + PLUME + OLD),
     ("solver_plume_rgba_150_back.png", "plume", 120, CAMERA + BACK + PLUME + OLD),
     ("solver_wind_rgba_110.png", "plume", 110, CAMERA + WIND),
