@@ -66,6 +66,17 @@ int runTest(int argc, char** argv)
     return QTest::qExec(&test, argc, argv);
 }
 
+/// A part of a widget by its objectName; it must be there.
+template <class Widget>
+Widget* childOf(const QWidget& parent, const QString& name)
+{
+    auto* widget = parent.findChild<Widget*>(name);
+    if (widget == nullptr) {
+        qFatal("there is no %s", qPrintable(name));
+    }
+    return widget;
+}
+
 } // namespace fumage::tests
 
 #define FUMAGE_TEST_MAIN(Test)                           \

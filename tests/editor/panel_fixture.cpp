@@ -27,11 +27,7 @@ void PanelFixture::cleanup()
 
 NumberField* PanelFixture::field(const char* name) const
 {
-    auto* found = m_panel->findChild<NumberField*>(QString::fromLatin1(name));
-    if (found == nullptr) {
-        qFatal("there is no %s", name);
-    }
-    return found;
+    return childOf<NumberField>(*m_panel, QString::fromLatin1(name));
 }
 
 void PanelFixture::typeInto(NumberField& field, const QString& text)

@@ -35,17 +35,6 @@ void answerNext(const char* name, const Answer& answer)
 
 void pressButton(QMessageBox& box, QMessageBox::StandardButton button);
 
-/// A part of a window by its objectName; it must be there.
-template <class Widget>
-Widget* childOf(const QWidget& parent, const QString& name)
-{
-    auto* widget = parent.findChild<Widget*>(name);
-    if (widget == nullptr) {
-        qFatal("there is no %s", qPrintable(name));
-    }
-    return widget;
-}
-
 /// Whole windows, driven as a person would: on a screen, with mouse and keyboard. Each test gets a window of its own on the small preset,
 /// paused at frame 30, with its picture on the screen, and a folder and a library that are empty.
 class WindowFixture : public QObject {
