@@ -169,6 +169,7 @@ struct Look {
     float opacity = 1.6F;
     float dilution = 0.6F;
     float overlap = 4.0F;
+    float groundFade = 0.0F;
     float deformation = 1.0F;
     float deformationTime = 0.5F;
     float deformationLimit = 2.0F;

@@ -27,6 +27,8 @@ AppearanceJob makeJob(const Frame& frame, const Effect& effect, const Axes& axes
     job.radius = 0.5F * effect.look.size;
     job.sizeVariance = effect.look.sizeVariance;
     job.heatOpacity = frame.particles.inAir() ? effect.air.heatOpacity : 0.0F;
+    job.ground = effect.air.groundHeight;
+    job.groundFade = effect.look.groundFade;
     if (hasClearFlames(effect.light)) {
         job.glow = Glow(effect, glowColours(effect.light));
     }

@@ -69,6 +69,10 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
             dense = dense * (1.0F - job.heatOpacity * (1.0F - hn::Min(one, hn::Load(d, particles.heat.data() + i))));
         }
         V alpha = hn::Min(one, dense);
+        if (job.groundFade > 0.0F) {
+            const V share = hn::Clamp((hn::Load(d, particles.y.data() + i) - job.ground) / hn::Set(d, job.groundFade), zero, one);
+            alpha = alpha * (share * share * (3.0F - 2.0F * share));
+        }
         if (job.glow.clears) {
             alpha = alpha * opaqueShare(d, job.glow, glowingHeat(d, job.glow, particles, i, key, age * job.dt));
         }

@@ -25,6 +25,8 @@ struct AppearanceJob {
     float radius = 0.0F;
     float sizeVariance = 0.0F;
     float heatOpacity = 0.0F; ///< share of the opacity that is the heat's, where air carries the particles
+    float ground = 0.0F; ///< height of the floor, m
+    float groundFade = 0.0F; ///< height above it at which particles are as opaque as they get, m; 0: at once
     Glow glow;
     Axes axes;
 };

@@ -3786,6 +3786,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. About as large as the emitter looks natural.</source>
         <translation>Storleken på de största virvlar som turbulensen skapar; det finns också hälften och en fjärdedel så stora, så långt luftens celler visar dem. Ungefär lika stora som källan ser naturligt ut.</translation>
     </message>
+    <message>
+        <source>Ground fade</source>
+        <translation>Marktoning</translation>
+    </message>
+    <message>
+        <source>Height above the floor over which smoke becomes opaque, as soft particles do before what they touch in engines: no straight cut at its foot. 0: smoke ends at the floor.</source>
+        <translation>Höjd över golvet på vilken röken blir tät, som mjuka partiklar gör framför det de möter i spelmotorer: inget rakt snitt vid foten. 0: röken slutar vid golvet.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>

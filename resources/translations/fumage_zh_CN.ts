@@ -3786,6 +3786,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. About as large as the emitter looks natural.</source>
         <translation>湍流所产生的最大旋涡的尺寸；另有一半和四分之一大小的旋涡，只要空气网格能表现出来。与发射器差不多大时看起来最自然。</translation>
     </message>
+    <message>
+        <source>Ground fade</source>
+        <translation>地面淡出</translation>
+    </message>
+    <message>
+        <source>Height above the floor over which smoke becomes opaque, as soft particles do before what they touch in engines: no straight cut at its foot. 0: smoke ends at the floor.</source>
+        <translation>烟雾在地面以上多高处变得不透明，如同引擎中柔和粒子接触物体时那样：底部没有平直的切口。0：烟雾止于地面。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>

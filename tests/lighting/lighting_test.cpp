@@ -7,6 +7,7 @@
 #include "core/lighting/light_grid.h"
 #include "core/lighting/overlap.h"
 
+#include <array>
 #include <cmath>
 
 using namespace fumage;
@@ -191,6 +192,32 @@ private slots:
             const Lifecycle cycle = lifecycle(*frame, i);
             const float smoke = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] / (2.0F * cycle.alpha);
             QVERIFY(std::abs(smoke / (0.25F * 0.25F * 0.25F * effect.look.size * effect.look.size) - 1.0F) < 0.02F);
+        }
+    }
+
+    void smokeFadesInAboveTheGround()
+    {
+        Effect effect = lookInSun();
+        effect.air.groundHeight = 0.5F;
+        effect.look.groundFade = 2.0F;
+        std::vector<glm::vec3> places;
+        for (const float height : {-4.0F, 0.0F, 0.5F, 1.0F, 1.5F, 2.0F, 2.5F, 9.0F}) {
+            places.emplace_back(0.3F, height, 0.1F);
+        }
+        const Frame frame = cloud(effect, places);
+        const auto alphas = [&](float fade) {
+            effect.look.groundFade = fade;
+            Appearance appearance;
+            findAppearance(frame, sampled(effect), Axes{}, appearance);
+            return std::vector<float>(appearance.alpha.begin(), appearance.alpha.begin() + static_cast<std::ptrdiff_t>(places.size()));
+        };
+        const std::vector<float> all = alphas(0.0F);
+        const std::vector<float> faded = alphas(2.0F);
+        // x x (3 - 2 x) of the share of two metres above the floor at 0.5 m: of 0, 1/4, 1/2, 3/4 and 1.
+        const std::array<float, 8> shares{0.0F, 0.0F, 0.0F, 0.15625F, 0.5F, 0.84375F, 1.0F, 1.0F};
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            QVERIFY(all[i] > 0.0F);
+            QVERIFY(std::abs(faded[i] - shares[i] * all[i]) < 1e-6F);
         }
     }
 

@@ -141,6 +141,17 @@ inline constexpr std::array kRows<Look>{
         .tip = "Where fewer particles than this overlap they grow and thin out, so that smoke ends as haze and not as dots; 0: never.",
         .stage = Stage::Shade,
     }),
+    row<&Look::groundFade>({
+        .key = "look.ground_fade",
+        .label = "Ground fade",
+        .synonyms = "soft particles depth fade floor foot cut intersection contact",
+        .hard = {0, 1000},
+        .soft = {0, 2},
+        .step = 0.01,
+        .unit = Unit::Metres,
+        .tip = "Height above the floor over which smoke becomes opaque, as soft particles do before what they touch in engines: no straight cut at its foot. 0: smoke ends at the floor.",
+        .stage = Stage::Shade,
+    }),
     row<&Look::textureScale>({
         .key = "look.texture_scale",
         .label = "Texture scale",
