@@ -18,7 +18,7 @@ CLI = sys.argv[1]
 # The most that the pictures of solvers in resources/references and others that we measured have: path-traced fire with the grain of few samples.
 DOTS_OF_SOLVERS = 1.75
 SHIMMER = 1.2  # between ours in air, at most 1.1, and particles that are seen, at least 1.3
-SEEN = ["emitter.count=4000", "look.size=0.06", "look.dilution=0", "look.overlap=0"]
+SEEN = ["emitter.count=4000", "look.opacity=1.7", "look.ground_fade=0", "look.size=0.06", "look.dilution=0", "look.overlap=0"]
 
 
 def haze(edge=256):
