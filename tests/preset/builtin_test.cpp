@@ -1,5 +1,6 @@
 // What everyone may take for granted of the presets that come along.
 #include "tests/helpers.h"
+#include "tests/png_file.h"
 
 #include "core/export/flipbook.h"
 #include "core/preset/library.h"
@@ -7,6 +8,32 @@
 #include <QTemporaryDir>
 
 using namespace fumage;
+
+namespace {
+
+constexpr int kColumns = 4;
+constexpr int kRows = 3;
+constexpr int kCell = 64;
+
+/// Of a cell's width or of its height, whichever is the larger share, that has smoke in one cell or another.
+double usedOfCells(const tests::PngFile& sheet)
+{
+    constexpr std::size_t kAlpha = 3;
+    int left = kCell, right = 0, top = kCell, bottom = 0;
+    for (int y = 0; y < sheet.height; ++y) {
+        for (int x = 0; x < sheet.width; ++x) {
+            if (sheet.samples[static_cast<std::size_t>((y * sheet.width + x) * sheet.channels) + kAlpha] > 0) {
+                left = std::min(left, x % kCell);
+                right = std::max(right, x % kCell + 1);
+                top = std::min(top, y % kCell);
+                bottom = std::max(bottom, y % kCell + 1);
+            }
+        }
+    }
+    return static_cast<double>(std::max(right - left, bottom - top)) / kCell;
+}
+
+} // namespace
 
 class BuiltinTest : public QObject {
     Q_OBJECT
@@ -33,15 +60,19 @@ private slots:
         const QTemporaryDir folder;
         Effect effect = loadPreset(name).value().preset.effect;
         effect.emitter.count /= 4; // reach as far, and are simulated sooner
-        effect.output.width = effect.output.height = 64;
+        effect.output.width = effect.output.height = kCell;
         effect.output.background = Background::Transparent;
         FlipbookOptions flipbook;
         flipbook.output = folder.path().toStdString() + "/a.png";
-        flipbook.columns = 4;
-        flipbook.rows = 3;
+        flipbook.columns = kColumns;
+        flipbook.rows = kRows;
         flipbook.frames = {0, effect.timeline.length - 1, 1};
         const Flipbook book = renderFlipbook(effect, flipbook, [](int, int) {}).value();
         QVERIFY2(book.edgeAlpha < 1.0F / 255.0F, qPrintable(QString::number(static_cast<double>(book.edgeAlpha))));
+        const tests::PngFile sheet(book.picture.string());
+        QCOMPARE(sheet.channels, 4);
+        const double used = usedOfCells(sheet);
+        QVERIFY2(used >= 0.6, qPrintable(QString::number(used)));
     }
 };
 
