@@ -26,6 +26,13 @@ HWY_INLINE hn::VFromD<D> clamp01(D d, hn::VFromD<D> x)
     return hn::Min(hn::Max(x, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
+/// From 0 to 1 with level ends, for t in [0, 1]: 3 t^2 - 2 t^3.
+template <SimdVector V>
+HWY_INLINE V smoothStep(V t)
+{
+    return t * t * (3.0F - 2.0F * t);
+}
+
 template <SimdVector V>
 struct SineCosine {
     V sine, cosine;

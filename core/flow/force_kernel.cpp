@@ -23,8 +23,7 @@ constexpr float kMaxAirSpeed = 2000.0F;
 /// @param inside distance from the border, m
 HWY_INLINE V covered(D d, V inside, float width)
 {
-    const V t = clamp01(d, inside * (1.0F / width) + 0.5F);
-    return t * t * (3.0F - 2.0F * t);
+    return smoothStep(clamp01(d, inside * (1.0F / width) + 0.5F));
 }
 
 /// Noise at a place: of the rim in x, of the speed in y, and of the heat in z, which has an octave more.

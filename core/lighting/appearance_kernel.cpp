@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/hash-inl.h"
+#include "core/base/math-inl.h"
 #include "core/lighting/appearance_kernel.h"
 #include "core/lighting/glow-inl.h"
 #include "core/lighting/grid_cell-inl.h"
@@ -70,8 +71,7 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         }
         V alpha = hn::Min(one, dense);
         if (job.groundFade > 0.0F) {
-            const V share = hn::Clamp((hn::Load(d, particles.y.data() + i) - job.ground) / hn::Set(d, job.groundFade), zero, one);
-            alpha = alpha * (share * share * (3.0F - 2.0F * share));
+            alpha = alpha * smoothStep(clamp01(d, (hn::Load(d, particles.y.data() + i) - job.ground) / hn::Set(d, job.groundFade)));
         }
         if (job.glow.clears) {
             alpha = alpha * opaqueShare(d, job.glow, glowingHeat(d, job.glow, particles, i, key, age * job.dt));

@@ -60,7 +60,7 @@ void coverLight(const float* HWY_RESTRICT from, std::size_t count, float gain, b
         if (!(brightest > alpha) || colour <= kLit) {
             continue;
         }
-        const float share = smoothStep(std::min(1.0F, (colour - kLit) / (kBurning - kLit)));
+        const float share = fumage::smoothStep(std::min(1.0F, (colour - kLit) / (kBurning - kLit)));
         const float cover = alpha + share * (brightest - alpha);
         for (int channel = 0; channel < 3; ++channel) {
             const float covered = straight[channel] * alpha;

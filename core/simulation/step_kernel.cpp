@@ -46,8 +46,7 @@ HWY_INLINE V onsetRamp(D d, const StepConstants& constants, V age)
     if (constants.onset <= 0.0F) {
         return hn::Set(d, 1.0F);
     }
-    const V t = clamp01(d, age * (1.0F / constants.onset));
-    return t * t * (3.0F - 2.0F * t);
+    return smoothStep(clamp01(d, age * (1.0F / constants.onset)));
 }
 
 /// What a step, or the part of it that they have lived through, makes of particles.

@@ -199,7 +199,6 @@ private slots:
     {
         Effect effect = lookInSun();
         effect.air.groundHeight = 0.5F;
-        effect.look.groundFade = 2.0F;
         std::vector<glm::vec3> places;
         for (const float height : {-4.0F, 0.0F, 0.5F, 1.0F, 1.5F, 2.0F, 2.5F, 9.0F}) {
             places.emplace_back(0.3F, height, 0.1F);

@@ -11,18 +11,16 @@ using namespace fumage;
 
 namespace {
 
-constexpr int kColumns = 4;
-constexpr int kRows = 3;
-constexpr int kCell = 64;
+constexpr int kCell = 64; // pixels
 
 /// Of a cell's width or of its height, whichever is the larger share, that has smoke in one cell or another.
 double usedOfCells(const tests::PngFile& sheet)
 {
-    constexpr std::size_t kAlpha = 3;
+    constexpr int kAlpha = 3;
     int left = kCell, right = 0, top = kCell, bottom = 0;
     for (int y = 0; y < sheet.height; ++y) {
         for (int x = 0; x < sheet.width; ++x) {
-            if (sheet.samples[static_cast<std::size_t>((y * sheet.width + x) * sheet.channels) + kAlpha] > 0) {
+            if (sheet.at(x, y, kAlpha) > 0) {
                 left = std::min(left, x % kCell);
                 right = std::max(right, x % kCell + 1);
                 top = std::min(top, y % kCell);
@@ -64,8 +62,8 @@ private slots:
         effect.output.background = Background::Transparent;
         FlipbookOptions flipbook;
         flipbook.output = folder.path().toStdString() + "/a.png";
-        flipbook.columns = kColumns;
-        flipbook.rows = kRows;
+        flipbook.columns = 4;
+        flipbook.rows = 3;
         flipbook.frames = {0, effect.timeline.length - 1, 1};
         const Flipbook book = renderFlipbook(effect, flipbook, [](int, int) {}).value();
         QVERIFY2(book.edgeAlpha < 1.0F / 255.0F, qPrintable(QString::number(static_cast<double>(book.edgeAlpha))));
