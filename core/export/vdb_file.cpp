@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/export/byte_writer.h"
+#include "core/rendering/sprite_texture.h"
 #include "core/simulation/simulator.h"
 
 #include <algorithm>
@@ -356,10 +357,18 @@ Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, 
         return Error{ErrorCode::OutOfRange, said("a volume of %1 cells", options.longest), {}, said("Use %1 to %2 cells along the longest edge", kMinVolumeCells, kMaxVolumeCells)};
     }
     const SampledEffect smoke = sampled(effect);
+    GreyCounts greys;
+    if (smoke->look.texture > 0.0F) {
+        const Result<SpriteTexture> texture = SpriteTexture::bake(smoke->noise, stop);
+        if (!texture) {
+            return texture.error();
+        }
+        greys = texture.value().greys(0);
+    }
     Simulator simulator(smoke);
     return writeNumbered({options.output, options.frames, kVdbEnding, options.source, options.written}, progress, [&](int number) -> Result<std::string> {
         const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
-        return frame ? Result<std::string>(encodeVdb(volumeOf(*frame.value(), smoke, options.longest), options.up)) : frame.error();
+        return frame ? Result<std::string>(encodeVdb(volumeOf(*frame.value(), smoke, options.longest, greys), options.up)) : frame.error();
     });
 }
 

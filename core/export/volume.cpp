@@ -49,16 +49,17 @@ std::vector<Ball> ballsOf(const Frame& frame, const SampledEffect& effect, const
     for (const glm::vec3& colour : colours) {
         brightest = std::max(brightest, glm::dot(colour, kLuminance));
     }
+    const float discs = kPi / 3.0F * (appearance.cover.mean / Coverage::kSoftDisc);
     const Particles& p = frame.particles;
     std::vector<Ball> balls;
     balls.reserve(appearance.count);
     for (std::size_t i = 0; i < p.capacity; ++i) {
-        const float mass = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i];
+        const float mass = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] * (appearance.left.empty() ? 1.0F : appearance.left[i]);
         if (!(mass > 0.0F)) {
             continue;
         }
         const float heat = heatOf(frame, i, effect);
-        balls.push_back({(glm::vec3(p.x[i], p.y[i], p.z[i]) - volume.corner) / volume.cell, appearance.radius[i] / volume.cell, mass * (kPi / 3.0F) / (volume.cell * volume.cell), heat,
+        balls.push_back({(glm::vec3(p.x[i], p.y[i], p.z[i]) - volume.corner) / volume.cell, appearance.radius[i] / volume.cell, mass * discs / (volume.cell * volume.cell), heat,
             glowOf(colours, heat, brightest), {p.vx[i], p.vy[i], p.vz[i]}});
     }
     return balls;
@@ -131,10 +132,10 @@ void placeBox(const Appearance& appearance, int longest, Volume& volume)
 
 } // namespace
 
-Volume volumeOf(const Frame& frame, const SampledEffect& effect, int longest)
+Volume volumeOf(const Frame& frame, const SampledEffect& effect, int longest, const GreyCounts& greys)
 {
     Appearance appearance;
-    findAppearance(frame, effect, Axes{}, appearance);
+    findAppearance(frame, effect, Axes{}, appearance, greys);
     Volume volume;
     if (appearance.count == 0) {
         return volume;

@@ -27,11 +27,12 @@ inline constexpr int kMaxVolumeCells = 256;
 
 /// Spreads the particles of a frame over cells.
 ///
-/// Each is a ball of extinction 105 / (96 r) alpha (1 - q^2)^2, q the distance from its centre over its radius r: seen from any side it takes alpha pi r^2 / 3,
-/// as the soft disc does that pictures and shadows are made of (see lightSmoke()). Shares are scaled so that each particle leaves all of it, however small
-/// it is beside a cell.
+/// Each is a ball of extinction 105 / (32 r) c alpha (1 - q^2)^2, q the distance from its centre over its radius r and c what of a disc it covers (1/3 for the
+/// soft disc, see Coverage): seen from any side it takes c alpha pi r^2, as the sprites and shadows of pictures do (see lightSmoke()). Shares are scaled so that
+/// each particle leaves all of it, however small it is beside a cell.
 /// @param longest cells along the longest edge of the box around the smoke
+/// @param greys   of the texture that particles show; without any it is as if there were no texture
 /// O(cells that particles cover). The same bits for any thread count and instruction set.
-[[nodiscard]] Volume volumeOf(const Frame& frame, const SampledEffect& effect, int longest);
+[[nodiscard]] Volume volumeOf(const Frame& frame, const SampledEffect& effect, int longest, const GreyCounts& greys = {});
 
 } // namespace fumage

@@ -58,13 +58,15 @@ std::array<glm::vec3, kColourTableSize> coloursOverLife(const Look& look)
     return colours;
 }
 
-void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out)
+void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys)
 {
     const Particles& particles = frame.particles;
     const std::size_t padded = particles.x.size();
     out.radius.resize(padded);
     out.alpha.resize(padded);
     out.life.resize(padded);
+    out.cover = coverageOf(effect->look, greys);
+    out.left.resize(out.cover.erodes ? padded : 0);
     const AppearanceJob job = makeJob(frame, effect, axes);
     std::vector<ChunkExtent> extents(particles.chunks());
     parallelFor(particles.chunks(), [&](std::size_t chunk) { extents[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/aligned_array.h"
+#include "core/lighting/coverage.h"
 #include "core/simulation/frame.h"
 
 #include <array>
@@ -15,9 +16,11 @@ struct Appearance {
     AlignedArray<float> radius; ///< m
     AlignedArray<float> alpha; ///< opacity at the centre, in [0, 1]
     AlignedArray<float> life; ///< share of its life that has passed, in [0, 1)
+    AlignedArray<float> left; ///< of what a newborn covers, where texture eats at particles as they age; else empty
+    Coverage cover; ///< what particles cover of discs
     glm::vec3 low{0.0F}; ///< bounds of living centres in the axes that were asked for, m
     glm::vec3 high{0.0F};
-    float largestMass = 0.0F; ///< of alpha * radius^2, m^2
+    float largestMass = 0.0F; ///< of alpha * radius^2, and what is left of it, m^2
     float largestRadius = 0.0F; ///< m
     std::size_t count = 0; ///< of living particles that are not yet transparent
 };
@@ -35,7 +38,8 @@ struct Axes {
 
 /// @param effect the look to apply; its simulation part is that of the frame
 /// @param axes   in which the bounds are taken
+/// @param greys  of the texture that particles show, for what they cover; without any it is as if there were no texture
 /// O(particles). Follows lifecycle() to the bit; size and alpha over life come from tables of 1024 entries.
-void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out);
+void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys = {});
 
 } // namespace fumage

@@ -79,7 +79,13 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         const V varied = 1.0F - job.sizeVariance * unitStream(d, key, kSizeStream);
         const V radius = job.radius * hn::GatherIndex(d, job.size.data(), entry) * varied;
         const auto visible = hn::And(alive, hn::Gt(alpha, zero));
-        largestMass = hn::Max(largestMass, hn::IfThenElseZero(visible, alpha * (radius * radius)));
+        V mass = alpha * (radius * radius);
+        if (out.cover.erodes) {
+            const V left = hn::GatherIndex(d, out.cover.left.data(), hn::ConvertTo(di, life * static_cast<float>(Coverage::kLives) + 0.5F));
+            mass = mass * left;
+            hn::Store(left, d, out.left.data() + i);
+        }
+        largestMass = hn::Max(largestMass, hn::IfThenElseZero(visible, mass));
         largestRadius = hn::Max(largestRadius, hn::IfThenElseZero(visible, radius));
         hn::Store(hn::IfThenElseZero(visible, radius), d, out.radius.data() + i);
         hn::Store(hn::IfThenElseZero(visible, alpha), d, out.alpha.data() + i);

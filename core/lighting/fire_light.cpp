@@ -222,6 +222,7 @@ void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearan
     parallelFor(chunks, [&](std::size_t chunk) { largest[chunk] = findFireOfChunk(job, frame, appearance, light, chunk, room); });
     room.glowing.largestMass = *std::max_element(largest.begin(), largest.end());
     room.glowing.count = appearance.count;
+    room.glowing.cover.mean = appearance.cover.mean;
     const auto entry = static_cast<std::size_t>(meanHeat(room) * static_cast<float>(kGlowTableSize - 1));
     const float brightness = job.brightness[entry];
     if (!(room.glowing.largestMass > 0.0F) || !(brightness > 0.0F)) {

@@ -32,7 +32,10 @@ float fireOfChunk(const FireJob& job, const Particles& particles, const Appearan
         const V seen = clamp01(d, heat * (1.0F - job.hotCore * open));
         const V brightness = hn::GatherIndex(d, job.brightness.data(), hn::ConvertTo(di, seen * static_cast<float>(kGlowTableSize - 1)));
         // Clear flames give off what opaque ones would.
-        const V given = alpha / opaqueShare(d, job.glow, heat) * brightness;
+        V given = alpha / opaqueShare(d, job.glow, heat) * brightness;
+        if (!appearance.left.empty()) {
+            given = given * hn::Load(d, appearance.left.data() + i);
+        }
         largest = hn::Max(largest, given * (radius * radius));
         hn::Store(radius, d, out.glowing.radius.data() + i);
         hn::Store(given, d, out.glowing.alpha.data() + i);

@@ -54,7 +54,7 @@ float smallestCell(const Appearance& appearance, const Light& light)
     const float filled = portablePow(volume / (kCellsAParticle * static_cast<float>(appearance.count)), kThird);
     constexpr float kTypical = 0.4F; // a particle's mass over the largest; of the built-in presets 0.32 to 0.58
     constexpr float kMostOwnDepth = 0.3F; // optical depth of one particle spread over a cell
-    const float crossSection = kTypical * kPi * kProfileMean * appearance.largestMass * std::max(light.shadow, light.occlusion);
+    const float crossSection = kTypical * kPi * appearance.cover.mean * appearance.largestMass * std::max(light.shadow, light.occlusion);
     return std::max(filled, std::sqrt(crossSection / kMostOwnDepth));
 }
 
@@ -142,7 +142,7 @@ void splatParticles(const Frame& frame, const Appearance& appearance, const Grid
         }
     });
     const float volume = shape.cell * shape.cell * shape.cell;
-    const float perUnit = kPi * kProfileMean / (unitsPerMass * volume);
+    const float perUnit = kPi * appearance.cover.mean / (unitsPerMass * volume);
     out.resize(cells + kPadding);
     const auto planes = static_cast<std::size_t>(shape.nw);
     const std::size_t plane = cells / planes;

@@ -8,9 +8,6 @@
 
 namespace fumage {
 
-/// Mean over a disc of the soft profile (1 - r^2)^2.
-inline constexpr float kProfileMean = 1.0F / 3.0F;
-
 /// A regular grid around the cloud whose w axis runs along the light, so that shadows are sums along columns.
 struct GridShape {
     Axes axes;
@@ -44,7 +41,7 @@ struct LightWorkspace {
 /// Axes with w along the light.
 [[nodiscard]] Axes lightAxes(const glm::vec3& direction);
 
-/// Adds up alpha * pi r^2 / 3 of the particles around each cell, over its volume.
+/// Adds up what the particles around each cell cover, alpha * pi r^2 times appearance.cover, over its volume.
 /// @param out gets a vector of zeros after the last cell
 void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out);
 
@@ -55,8 +52,8 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
 
 /// Splats the particles into a grid and lets light through it.
 ///
-/// Each particle is an absorber of cross-section alpha * pi r^2 / 3 (the mean of the soft disc's profile); their sum over a cell's
-/// volume is its extinction. Sun: optical depth tau by summing along w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum
+/// Each particle is an absorber of cross-section alpha * pi r^2 times the mean of its mask and texture (1/3 for the soft disc, see Coverage);
+/// their sum over a cell's volume is its extinction. Sun: optical depth tau by summing along w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum
 /// of s^i (Wrenninge, Kulla, Lundqvist, "Oz: The Great and Volumetric", 2013), p the Henyey-Greenstein phase function relative to an
 /// isotropic one. Sky and ground: transmittance along the six axis directions, weighted by how much they face up or down.
 /// Sums are of whole numbers, so that their order does not matter: the same bits for any thread count. Shares of a particle are rounded up or

@@ -55,7 +55,10 @@ HWY_INLINE void placeBlock(const Particles& particles, const Appearance& appeara
         const V alpha = hn::Load(d, appearance.alpha.data() + at);
         const auto key = hn::Load(hn::RebindToUnsigned<D>(), particles.key.data() + at);
         const GridCell<D> cell = gridCellAt(d, shape, load(d, particles.x, particles.y, particles.z, at));
-        const V mass = alpha * (radius * radius) * unitsPerMass;
+        V mass = alpha * (radius * radius) * unitsPerMass;
+        if (!appearance.left.empty()) {
+            mass = mass * hn::Load(d, appearance.left.data() + at);
+        }
         const V back = mass * cell.fraction.z;
         const V front = mass - back;
         const V frontTop = front * cell.fraction.y;

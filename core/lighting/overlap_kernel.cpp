@@ -86,15 +86,17 @@ void grow(const Particles& particles, const GridShape& shape, const float* aroun
     constexpr float kMostGrowth = 3.0F;
     constexpr float kThird = 1.0F / 3.0F;
     constexpr float kNoAlpha = 1e-12F;
-    const float perVolume = kPi * kProfileMean / (shape.cell * shape.cell * shape.cell);
+    const float perVolume = kPi * appearance.cover.mean / (shape.cell * shape.cell * shape.cell);
+    const float ballsADisc = 4.0F * (Coverage::kSoftDisc / appearance.cover.mean); // 4/3 pi r^3 over what the particle covers, by r
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
         const V radius = hn::Load(d, appearance.radius.data() + i);
         const V alpha = hn::Load(d, appearance.alpha.data() + i);
+        const V dense = appearance.left.empty() ? alpha : alpha * hn::Load(d, appearance.left.data() + i);
         const GridCell<D> cell = gridCellAt(d, shape, load(d, particles.x, particles.y, particles.z, i));
-        const V own = alpha * (radius * radius) * perVolume * ownShare(cell.fraction);
+        const V own = dense * (radius * radius) * perVolume * ownShare(cell.fraction);
         const V others = hn::Max(hn::Zero(d), sampled(d, shape, around, cell) - own);
-        const V present = 1.0F + 4.0F * radius * others / hn::Max(alpha, hn::Set(d, kNoAlpha));
+        const V present = 1.0F + ballsADisc * radius * others / hn::Max(dense, hn::Set(d, kNoAlpha));
         const V lacking = hn::Max(hn::Set(d, 1.0F), overlap / present);
         const V growth = hn::Min(hn::Set(d, kMostGrowth), exponential(d, kThird * logarithm(d, lacking)));
         hn::Store(radius * growth, d, appearance.radius.data() + i);

@@ -93,7 +93,7 @@ void Framing::addParticles(const Particles& particles, const Appearance& appeara
         const float x = glm::dot(p, view.right);
         const float y = glm::dot(p, view.up);
         const float z = glm::dot(p, view.forward);
-        const float radius = appearance.radius[i];
+        const float radius = appearance.radius[i] * appearance.cover.reach;
         moment.toRight = std::max(moment.toRight, radius + x - m_tangentX * z);
         moment.toLeft = std::max(moment.toLeft, radius - x - m_tangentX * z);
         moment.upwards = std::max(moment.upwards, radius + y - m_tangentY * z);

@@ -78,7 +78,7 @@ void PassRenderer::makeLayers(const FrameAmongOthers& frames, const SampledEffec
     layer(PassLayer::LeftBottomFront).light = LayerLight::LeftBottomFront;
     if (needsLayer(passes, PassLayer::RightTopBack)) {
         const Axes axes{batch.view.right, batch.view.up, batch.view.forward};
-        findAppearance(*frames.now, effect, axes, m_inView);
+        findAppearance(*frames.now, effect, axes, m_inView, m_renderer.texture()->greys(0));
         lightSixWays(*frames.now, effect, m_inView, axes, batch.view.eye, m_lightWorkspace, m_sixWay);
     }
     if (needsLayer(passes, PassLayer::Emission) || needsLayer(passes, PassLayer::Albedo)) {

@@ -121,10 +121,19 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     const std::uint32_t offset = mixBits(key ^ 0x51ed270bU);
     const auto slice = static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));
     const float threshold = job.erosion * life;
+    const auto erosion = static_cast<std::uint32_t>(threshold * static_cast<float>(TextureRef::kErosionSteps) + 0.5F);
+    const auto makeEven = [&](int level) {
+        if (job.style.texture > 0.0F) {
+            sprite.opacity = std::min(1.0F, sprite.opacity * job.evenness[static_cast<std::size_t>(level)][erosion]);
+        }
+    };
     if (radius * job.contrast >= kPlainRadius || job.style.square) {
-        sprite.texture = packTexture(slice, static_cast<std::uint32_t>(textureLevel(job, radius)), offset & 255U, offset >> 8U & 255U, static_cast<std::uint32_t>(threshold * static_cast<float>(TextureRef::kErosionSteps) + 0.5F));
+        const int level = textureLevel(job, radius);
+        makeEven(level);
+        sprite.texture = packTexture(slice, static_cast<std::uint32_t>(level), offset & 255U, offset >> 8U & 255U, erosion);
         return;
     }
+    makeEven(job.texture->levels());
     const int coarsest = job.texture->levels() - 1;
     const std::uint32_t texel = job.texture->texels(coarsest, static_cast<int>(slice))[offset >> 16U & (SpriteTexture::kSmallest * SpriteTexture::kSmallest - 1U)];
     const float grey = static_cast<float>(texel & 255U) / 255.0F;

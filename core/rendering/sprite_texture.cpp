@@ -29,6 +29,26 @@ AlignedArray<float> halved(const AlignedArray<float>& values, std::size_t edge)
     return out;
 }
 
+/// Counts the greys between texels, bilinearly in the middle of each quarter; where there are very many texels, of one in so many.
+void countBetween(const AlignedArray<std::uint32_t>& texels, GreyCounts& greys)
+{
+    constexpr std::size_t kMost = std::size_t{1} << 18U;
+    const std::size_t stride = (texels.size() / kMost) | 1U; // odd: all columns are met
+    for (std::size_t i = 0; i < texels.size(); i += stride) {
+        const std::uint32_t g00 = texels[i] & 255U;
+        const std::uint32_t g10 = texels[i] >> 8U & 255U;
+        const std::uint32_t g01 = texels[i] >> 16U & 255U;
+        const std::uint32_t g11 = texels[i] >> 24U;
+        const auto count = [&](std::uint32_t nearest, std::uint32_t beside, std::uint32_t above, std::uint32_t farthest) {
+            ++greys.counts[(9U * nearest + 3U * (beside + above) + farthest + 8U) / 16U];
+        };
+        count(g00, g10, g01, g11);
+        count(g10, g00, g11, g01);
+        count(g01, g11, g00, g10);
+        count(g11, g01, g10, g00);
+    }
+}
+
 } // namespace
 
 SpriteTexture::SpriteTexture(int size, int slices)
@@ -59,12 +79,22 @@ void SpriteTexture::packSlice(int slice, AlignedArray<float> values)
     }
 }
 
+void SpriteTexture::countGreys()
+{
+    m_greys.assign(m_levels.size() + 1, {});
+    parallelFor(m_levels.size(), [&](std::size_t level) { countBetween(m_levels[level], m_greys[level]); });
+    for (const std::uint32_t texel : m_levels.back()) {
+        ++m_greys.back().counts[texel & 255U];
+    }
+}
+
 SpriteTexture SpriteTexture::pack(int size, const std::vector<AlignedArray<float>>& slices)
 {
     SpriteTexture texture(size, static_cast<int>(slices.size()));
     for (std::size_t i = 0; i < slices.size(); ++i) {
         texture.packSlice(static_cast<int>(i), slices[i]);
     }
+    texture.countGreys();
     return texture;
 }
 
@@ -84,6 +114,7 @@ Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_to
     if (failed) {
         return Error{ErrorCode::Cancelled, said("baking the noise texture was cancelled"), {}, {}};
     }
+    texture.countGreys();
     return texture;
 }
 

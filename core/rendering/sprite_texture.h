@@ -3,6 +3,7 @@
 #include "core/base/aligned_array.h"
 #include "core/base/result.h"
 #include "core/effect/effect.h"
+#include "core/lighting/coverage.h"
 
 #include <array>
 #include <bit>
@@ -45,10 +46,16 @@ public:
         return m_levels[static_cast<std::size_t>(level)].data() + static_cast<std::size_t>(slice) * edge * edge;
     }
 
+    /// The greys that sprites show of a level between its texels; of the texels themselves where level is levels(): sprites too small for a texture
+    /// show one of the coarsest.
+    [[nodiscard]] const GreyCounts& greys(int level) const { return m_greys[static_cast<std::size_t>(level)]; }
+
 private:
     SpriteTexture(int size, int slices);
     void packSlice(int slice, AlignedArray<float> values);
+    void countGreys();
 
+    std::vector<GreyCounts> m_greys;
     int m_size = 0;
     int m_slices = 0;
     std::vector<AlignedArray<std::uint32_t>> m_levels;

@@ -4,7 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/lighting/fire_light.h"
 #include "core/rendering/sprite_kernel.h"
-#include "core/rendering/sprite_mask.h"
+#include "core/lighting/sprite_mask.h"
 
 #include <algorithm>
 
@@ -50,6 +50,22 @@ void fillTables(const Effect& effect, SpriteJob& job)
     job.ground = colour4(effect.light.ground * effect.light.ambient);
 }
 
+/// Coarser levels have lost the greys that erosion and its softness cut off: without a balance smoke would be denser from afar.
+void fillEvenness(const Look& look, const SpriteTexture& texture, SpriteJob& job)
+{
+    constexpr float kMost = 2.0F; // where hardly anything is left, a level may have nothing
+    constexpr auto kSteps = static_cast<float>(TextureRef::kErosionSteps);
+    const auto last = static_cast<std::size_t>(look.erosion * kSteps + 0.5F);
+    for (std::size_t step = 0; step <= last; ++step) {
+        const float threshold = static_cast<float>(step) / kSteps;
+        const float finest = textureLeaves(look, texture.greys(0), threshold);
+        for (int level = 0; level <= texture.levels(); ++level) {
+            const float here = textureLeaves(look, texture.greys(level), threshold);
+            job.evenness[static_cast<std::size_t>(level)][step] = finest < kMost * here ? finest / here : kMost;
+        }
+    }
+}
+
 /// All of a job but what it reads and writes.
 SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const View& view)
 {
@@ -87,6 +103,9 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     job.isLitByFire = isLitByFire(effect->light) && !light.fire.empty();
     job.fire = colour4(light.fireColour * effect->light.fireLight);
     job.texture = &texture;
+    if (effect->look.texture > 0.0F) {
+        fillEvenness(effect->look, texture, job);
+    }
     job.out = &out;
     const std::size_t padded = frame.particles.x.size();
     out.sprites.resize(padded);

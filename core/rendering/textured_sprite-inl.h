@@ -214,7 +214,8 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
         if constexpr (kSquare) {
             const V p = sum(lines.across.p, lines.down.p);
             const V q = sum(lines.across.q, lines.down.q);
-            mask = clamp01(d, hn::Min(hn::Sub(insideP, hn::Abs(p)), hn::Sub(insideQ, hn::Abs(q))));
+            // A product, so that a square of few pixels covers what a large one does: 4 r^2.
+            mask = hn::Mul(clamp01(d, hn::Sub(insideP, hn::Abs(p))), clamp01(d, hn::Sub(insideQ, hn::Abs(q))));
         } else {
             const V fall = hn::Mul(hn::Load(d, lines.across.dx + across), sum(lines.across.bend, lines.down.slope));
             const V inside = clamp01(d, hn::Sub(hn::Load(d, lines.down.rest + down), fall));

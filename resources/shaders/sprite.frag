@@ -24,8 +24,8 @@ float profile(vec2 place)
 {
     if (square && (look >> 7u & 15u) != kPlain) {
         vec2 edges = vec2(inversesqrt(dot(rows.xy, rows.xy)), inversesqrt(dot(rows.zw, rows.zw))); // half of them, in pixels
-        vec2 inside = edges * (1.0 - abs(place)) + 0.5;
-        return clamp(min(inside.x, inside.y), 0.0, 1.0);
+        vec2 inside = clamp(edges * (1.0 - abs(place)) + 0.5, 0.0, 1.0);
+        return inside.x * inside.y;
     }
     float inside = clamp(hardness * (1.0 - dot(place, place)), 0.0, 1.0);
     return inside * inside;

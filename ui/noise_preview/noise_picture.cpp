@@ -1,6 +1,6 @@
 #include "ui/noise_preview/noise_picture.h"
 
-#include "core/rendering/sprite_mask.h"
+#include "core/lighting/sprite_mask.h"
 
 #include <algorithm>
 #include <cmath>
