@@ -142,13 +142,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
 
 Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Effect& effect, ImageFormat format, const PictureNotes& notes)
 {
-    const Image& colour = sheet.layers.of(PassLayer::Colour);
-    if (effect.output.background == Background::Transparent) {
-        return encodeSheet(colour, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
-    }
-    Image filled = colour;
-    fillBackground(filled, effect.output.backgroundColour);
-    return encodeSheet(filled, effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
+    return encodeSheet(sheet.layers.of(PassLayer::Colour), effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
 }
 
 std::vector<Pass> listOf(PassSet passes)

@@ -6,6 +6,7 @@
 #include "core/picture_files/exr_file.h"
 #include "core/picture_files/png_file.h"
 #include "core/picture_files/tga_file.h"
+#include "core/rendering/compositor.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -15,6 +16,18 @@
 namespace fumage {
 
 namespace {
+
+/// Calls take(light) with the light that files of floats have.
+template <class Take>
+auto withBackground(const Image& image, const Output& output, const Take& take)
+{
+    if (output.background == Background::Transparent) {
+        return take(image);
+    }
+    Image light = image;
+    fillBackground(light, output.backgroundColour);
+    return take(light);
+}
 
 template <class Channel, class Finish>
 Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
@@ -50,7 +63,10 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effe
     case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, effect, notes, stop, finish);
     case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, effect, notes, stop, finish);
     case ImageFormat::ExrHalf:
-    case ImageFormat::ExrFloat: return encodeExr({image.width, image.height, {{{}, exrChannels(4), image.pixels}}, format == ImageFormat::ExrHalf, notes}, stop);
+    case ImageFormat::ExrFloat:
+        return withBackground(image, effect.output, [&](const Image& light) {
+            return encodeExr({light.width, light.height, {{{}, exrChannels(4), light.pixels}}, format == ImageFormat::ExrHalf, notes}, stop);
+        });
     case ImageFormat::Tga: return encodeTgaOf(image, effect, finish);
     }
     return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
@@ -149,7 +165,7 @@ Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& eff
 DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
 {
     if (holdsFloats(format)) {
-        return {image.width, image.height, 4, false, image.pixels};
+        return withBackground(image, effect.output, [](const Image& light) { return DataImage{light.width, light.height, 4, false, light.pixels}; });
     }
     return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight) : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
 }

@@ -2,7 +2,6 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/rendering/compositor.h"
 
 #include <algorithm>
 #include <array>
@@ -220,10 +219,7 @@ bool isSrgb(const PackedPicture& pack, ImageFormat format)
 
 DataImage Packer::colour(int divisor) const
 {
-    Image image = m_sheet.layers.of(PassLayer::Colour);
-    if (m_effect.output.background != Background::Transparent) {
-        fillBackground(image, m_effect.output.backgroundColour);
-    }
+    const Image& image = m_sheet.layers.of(PassLayer::Colour);
     return sheetNumbers(divisor > 1 ? downsample(image, divisor) : image, m_effect, m_format, m_sheet.grid.cellWidth / divisor, m_sheet.grid.cellHeight / divisor);
 }
 

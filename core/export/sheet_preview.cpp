@@ -44,10 +44,10 @@ std::array<float, 256> linearOfBytes()
 void storeColours(const Effect& effect, ImageFormat format, SheetPreview& preview)
 {
     Image& colour = preview.sheet.layers.layers[static_cast<std::size_t>(PassLayer::Colour)];
-    if (effect.output.background != Background::Transparent) {
-        fillBackground(colour, effect.output.backgroundColour);
-    }
     if (holdsFloats(format)) {
+        if (effect.output.background != Background::Transparent) {
+            fillBackground(colour, effect.output.backgroundColour);
+        }
         return;
     }
     EncodedImage<std::uint8_t> encoded;

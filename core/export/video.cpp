@@ -3,7 +3,6 @@
 #include "core/base/child_process.h"
 #include "core/base/environment.h"
 #include "core/base/file_draft.h"
-#include "core/rendering/compositor.h"
 #include "core/rendering/renderer.h"
 #include "core/rendering/view_transform.h"
 #include "core/simulation/simulator.h"
@@ -82,15 +81,16 @@ Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha,
 {
     Image image;
     EncodedImage<Channel> encoded;
+    Output output = smoke->output;
+    if (!alpha) {
+        output.background = Background::Colour;
+    }
     const int total = options.frames.count();
     for (int i = 0; i < total; ++i) {
         if (Status status = frames(options.frames.at(i), image); !status) {
             return status;
         }
-        if (!alpha) {
-            fillBackground(image, smoke->output.backgroundColour);
-        }
-        encode(image, smoke->output, encoded, coverOf(smoke->light));
+        encode(image, output, encoded, coverOf(smoke->light));
         if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), stop); !status) {
             return status;
         }

@@ -80,9 +80,6 @@ Status Renderer::render(const Frame& frame, const SampledEffect& effect, int wid
     if (stop.stop_requested()) {
         return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
     }
-    if (effect->output.background == Background::Colour) {
-        fillBackground(image, effect->output.backgroundColour);
-    }
     return Done{};
 }
 

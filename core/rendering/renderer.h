@@ -20,7 +20,7 @@ struct RenderTimes {
     std::chrono::nanoseconds composite{0};
 };
 
-/// Makes pictures of frames: looks, light, sprites, compositor, supersampling and background.
+/// Makes pictures of frames: looks, light, sprites, compositor and supersampling.
 ///
 /// Keeps the noise texture until the noise changes, and all buffers. Not thread-safe; uses all threads inside.
 class Renderer {
@@ -28,7 +28,7 @@ public:
     /// @param frame  the particles
     /// @param effect the look; its simulation part must be that of the frame
     /// @param width,height pixels; the picture is rendered effect.output.supersample times larger and averaged
-    /// @param image  resized; linear premultiplied light, before exposure and view transform
+    /// @param image  resized; linear premultiplied light, before exposure, view transform and background
     /// @error TooLarge before allocating, Cancelled
     /// A pure function of its arguments, to the bit.
     [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop = {});

@@ -482,6 +482,92 @@ private slots:
         QVERIFY2(flames > 1.95F * one && flames < 2.001F * one, qPrintable(QString("%1 %2").arg(flames).arg(one)));
     }
 
+    void theBackgroundIsTheChosenColourInEveryViewAndExposure()
+    {
+        Image image; // nothing, thin smoke and opaque smoke
+        image.resize(3, 1);
+        const std::array<float, 12> pixels{0.0F, 0.0F, 0.0F, 0.0F, 0.05F, 0.05F, 0.05F, 0.1F, 0.4F, 0.4F, 0.4F, 1.0F};
+        std::copy(pixels.begin(), pixels.end(), image.pixels.begin());
+        for (const glm::vec3& colour : {glm::vec3(0.05F, 0.1F, 0.18F), glm::vec3(0.0F, 1.0F, 0.0F), glm::vec3(1.0F), glm::vec3(0.0F), glm::vec3(0.9F, 0.02F, 0.5F)}) {
+            for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {
+                for (const float exposure : {-8.0F, -1.0F, 0.0F, 0.5F, 3.0F, 8.0F}) {
+                    Output output;
+                    output.viewTransform = transform;
+                    output.exposure = exposure;
+                    EncodedImage<std::uint16_t> clear;
+                    encode(image, output, clear);
+                    output.background = Background::Colour;
+                    output.backgroundColour = colour;
+                    EncodedImage<std::uint8_t> bytes;
+                    EncodedImage<std::uint16_t> words;
+                    EncodedImage<std::uint8_t> over;
+                    encode(image, output, bytes);
+                    encode(image, output, words);
+                    encodeOver(image, output, {colour, {}, 0}, over);
+                    QVERIFY(sameBits(bytes.pixels, over.pixels));
+                    for (int channel = 0; channel < 3; ++channel) {
+                        const auto at = static_cast<std::size_t>(channel);
+                        const float shown = srgbFromLinear(colour[channel]);
+                        QCOMPARE(int(bytes.pixels[at]), static_cast<int>(shown * 255.0F + 0.5F));
+                        QVERIFY(std::abs(int(words.pixels[at]) - static_cast<int>(shown * 65535.0F + 0.5F)) <= 1);
+                        // Smoke as in transparent pictures, in front of it.
+                        const float smoke = linearFromSrgb(static_cast<float>(clear.pixels[4 + at]) / 65535.0F);
+                        const float mixed = srgbFromLinear(0.1F * smoke + 0.9F * colour[channel]);
+                        QVERIFY(exposure > 0.5F || std::abs(static_cast<float>(words.pixels[4 + at]) / 65535.0F - mixed) < 2e-3F);
+                        QCOMPARE(words.pixels[8 + at], clear.pixels[8 + at]);
+                    }
+                    QCOMPARE(bytes.pixels[3], std::uint8_t{255});
+                    QCOMPARE(bytes.pixels[7], std::uint8_t{255});
+                }
+            }
+        }
+    }
+
+    void filmicKeepsHuesAndGoesOverIntoWhite_data()
+    {
+        QTest::addColumn<glm::vec3>("colour");
+        QTest::newRow("orange") << glm::vec3(1.0F, 0.4F, 0.05F);
+        QTest::newRow("red") << glm::vec3(1.0F, 0.02F, 0.01F);
+        QTest::newRow("green") << glm::vec3(0.05F, 1.0F, 0.1F);
+        QTest::newRow("blue") << glm::vec3(0.02F, 0.1F, 1.0F);
+        QTest::newRow("one channel") << glm::vec3(0.0F, 0.0F, 1.0F);
+        QTest::newRow("violet") << glm::vec3(0.6F, 0.1F, 0.9F);
+    }
+    void filmicKeepsHuesAndGoesOverIntoWhite()
+    {
+        QFETCH(glm::vec3, colour);
+        const auto hue = [](const glm::dvec3& c) { return std::atan2(std::sqrt(3.0) * (c.g - c.b), 2.0 * c.r - c.g - c.b) * 180.0 / M_PI; };
+        Output output;
+        output.viewTransform = ViewTransform::Filmic;
+        double saturation = 2.0;
+        glm::dvec3 before(-1.0);
+        for (float stops = -4.0F; stops <= 8.0F; stops += 0.25F) {
+            output.exposure = stops;
+            Image image;
+            image.resize(1, 1);
+            image.pixels = {colour.r, colour.g, colour.b, 1.0F};
+            EncodedImage<std::uint16_t> encoded;
+            encode(image, output, encoded);
+            glm::dvec3 shown(0.0);
+            for (int i = 0; i < 3; ++i) {
+                shown[i] = static_cast<double>(linearFromSrgb(static_cast<float>(encoded.pixels[static_cast<std::size_t>(i)]) / 65535.0F));
+            }
+            const double most = std::max({shown.r, shown.g, shown.b});
+            const double least = std::min({shown.r, shown.g, shown.b});
+            if (stops <= 3.0F) {
+                const double turned = std::remainder(hue(shown) - hue(glm::dvec3(colour)), 360.0);
+                QVERIFY2(std::abs(turned) < 1.0, qPrintable(QString("%1 stops: %2 degrees").arg(static_cast<double>(stops)).arg(turned)));
+            }
+            QVERIFY((most - least) / most <= saturation + 1e-3);
+            saturation = (most - least) / most;
+            for (int i = 0; i < 3; ++i) {
+                QVERIFY(shown[i] >= before[i] - 1e-4); // more light never shows as less
+            }
+            before = shown;
+        }
+        QVERIFY(saturation < 0.01); // white in the end
+    }
+
     void lightBeyondWhatIsShownLooksTheSame()
     {
         for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {

@@ -19,26 +19,15 @@ constexpr qint64 kParticleBudgetNs = kBudgetNs * 3 / 4;
 
 constexpr int kCheckerPixels = 16;
 
-/// Puts what lies behind the smoke under it, in linear light, so that exposure leaves it alone.
-void fillBackdrop(Image& image, const Backdrop& backdrop, const Output& output)
+/// What is seen behind the smoke in the window.
+Backing backingOf(const Backdrop& backdrop, const Output& output)
 {
-    const float gain = exposureGain(-output.exposure);
-    if (backdrop.kind == Backdrop::Kind::Colour) {
-        fillBackground(image, backdrop.colour * gain);
-        return;
+    if (output.background == Background::Colour) {
+        return {output.backgroundColour};
     }
-    constexpr float kDark = 0.10F;
-    constexpr float kLight = 0.16F;
-    for (int y = 0; y < image.height; ++y) {
-        float* pixel = image.row(y);
-        for (int x = 0; x < image.width; ++x, pixel += 4) {
-            const float grey = gain * ((x / kCheckerPixels + y / kCheckerPixels) % 2 == 0 ? kDark : kLight) * (1.0F - pixel[3]);
-            pixel[0] += grey;
-            pixel[1] += grey;
-            pixel[2] += grey;
-            pixel[3] = 1.0F;
-        }
-    }
+    constexpr glm::vec3 kDark(0.10F);
+    constexpr glm::vec3 kLight(0.16F);
+    return backdrop.kind == Backdrop::Kind::Colour ? Backing{backdrop.colour} : Backing{kDark, kLight, kCheckerPixels};
 }
 
 QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
@@ -223,12 +212,7 @@ bool Studio::paint(const PictureRequest& request, const Plan& plan, Picture& pic
         noteTrouble(status.error());
         return false;
     }
-    if (plan.effect->output.background == Background::Colour) {
-        fillBackground(m_image, plan.effect->output.backgroundColour);
-    } else {
-        fillBackdrop(m_image, request.backdrop, plan.effect->output);
-    }
-    encode(m_image, plan.effect->output, m_encoded);
+    encodeOver(m_image, plan.effect->output, backingOf(request.backdrop, plan.effect->output), m_encoded);
     picture.image = toScreen(m_encoded);
     return true;
 }

@@ -148,13 +148,11 @@ void GlSprites::resolve(const Picture& picture, const QSize& pixels, GLuint targ
     const Output& output = picture.output;
     const bool own = output.background == Background::Colour;
     const glm::vec3 behind = own ? output.backgroundColour : picture.backdrop.colour;
-    const float gain = exposureGain(output.exposure);
     m_resolveProgram.bind();
     m_resolveProgram.setUniformValue("smoke", 0);
     m_resolveProgram.setUniformValue("background", QVector3D(behind.r, behind.g, behind.b));
     m_resolveProgram.setUniformValue("checker", !own && picture.backdrop.kind == Backdrop::Kind::Checker);
-    m_resolveProgram.setUniformValue("gain", gain);
-    m_resolveProgram.setUniformValue("backdropGain", own ? 1.0F : 1.0F / gain);
+    m_resolveProgram.setUniformValue("gain", exposureGain(output.exposure));
     m_resolveProgram.setUniformValue("filmic", output.viewTransform == ViewTransform::Filmic);
     m_resolveProgram.setUniformValue("height", static_cast<float>(pixels.height()));
     const QOpenGLVertexArrayObject::Binder binder(&m_nothing);
