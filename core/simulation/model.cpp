@@ -57,15 +57,26 @@ Turbulence belowTheGrid(const Turbulence& whole, float cell, float detail)
     return part;
 }
 
+/// Below this the differences of exponentials would cancel, and series of six terms leave less than a float sees.
+constexpr float kSmallDrag = 0.1F;
+
+/// (dt - tau) / (D dt) with tau as below: what drag takes of the way of a step's acceleration.
+float lackingOfTau(float drag, float dt)
+{
+    const float x = drag * dt;
+    if (x > kSmallDrag) {
+        return (1.0F - (1.0F - portableExp(-x)) / x) / drag;
+    }
+    return dt * 0.5F * (1.0F - x / 3.0F * (1.0F - x / 4.0F * (1.0F - x / 5.0F * (1.0F - x / 6.0F))));
+}
+
 /// tau = (1 - e^(-D dt)) / D, by which a step's acceleration is multiplied: the exact solution of V' = a - D V is V + (a - D V) tau.
 float draggedTime(float drag, float dt)
 {
     const float x = drag * dt;
-    constexpr float kSmall = 0.1F;
-    if (x > kSmall) {
+    if (x > kSmallDrag) {
         return (1.0F - portableExp(-x)) / drag;
     }
-    // The difference would cancel; six terms leave x^6 / 5040, less than a float sees.
     return dt * (1.0F - x / 2.0F * (1.0F - x / 3.0F * (1.0F - x / 4.0F * (1.0F - x / 5.0F * (1.0F - x / 6.0F)))));
 }
 
@@ -218,6 +229,12 @@ StepConstants Model::constants(std::int64_t step) const
     out.heatVariance = motion.heatVariance;
     out.pull = motion.pull * tau;
     out.drag = motion.drag * tau;
+    if (motion.drag > 0.0F) {
+        // V tau + a (dt - tau) / D, with a from the velocities at either end.
+        out.dragOfStep = motion.drag * dt;
+        out.flightAfter = lackingOfTau(motion.drag, dt) / tau;
+        out.flightBefore = tau / dt - out.flightAfter * (1.0F - out.drag);
+    }
     out.pivot = m_effect->emitter.position;
     if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
         out.rotation = rotationAt(step);

@@ -59,6 +59,9 @@ struct StepConstants {
     float heatVariance = 0.0F;
     float pull = 0.0F; ///< times tau, 1/s
     float drag = 0.0F; ///< times tau: the share of its velocity that a particle loses
+    float dragOfStep = 0.0F; ///< times dt
+    float flightBefore = 0.0F; ///< what the velocities before and after a step have in the way of it
+    float flightAfter = 1.0F;
     glm::vec3 pivot{0.0F}; ///< the emitter
     float rotation = 0.0F; ///< of the whole cloud, radians
     float rotationSin = 0.0F;

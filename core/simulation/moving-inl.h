@@ -37,6 +37,23 @@ HWY_INLINE Vec3<V> signedDraws(D d, VU key, VU stepKey)
     return {x, y, signedValue(d, bits)};
 }
 
+/// Of a way by drag: see StepConstants.
+struct FlightWeights {
+    V before, after;
+};
+
+/// (1 - e^-x) / x, and what it lacks of 1 over x: for small x by their series, whose next term is below what a float sees.
+HWY_INLINE void dragMeans(D d, V x, V& mean, V& lacking)
+{
+    constexpr float kSmall = 0.1F;
+    const V safe = hn::Max(x, hn::Set(d, kSmall));
+    const V direct = (1.0F - exponential(d, hn::Neg(safe))) / safe;
+    const V series = 0.5F * (1.0F - x * (1.0F / 3.0F) * (1.0F - x * (1.0F / 4.0F) * (1.0F - x * (1.0F / 5.0F) * (1.0F - x * (1.0F / 6.0F)))));
+    const auto isSmall = hn::Lt(x, hn::Set(d, kSmall));
+    mean = hn::IfThenElse(isSmall, 1.0F - x * series, direct);
+    lacking = hn::IfThenElse(isSmall, series, (1.0F - direct) / safe);
+}
+
 /// The time of a step, for what lives through the whole of it.
 struct WholeStep {
     template <class T>
@@ -44,6 +61,9 @@ struct WholeStep {
     {
         return amount;
     }
+    /// A step's change of velocity.
+    static HWY_INLINE Vec3<V> dragged(D /*d*/, const StepConstants& /*constants*/, const Vec3<V>& change) { return change; }
+    [[nodiscard]] static HWY_INLINE FlightWeights flight(D d, const StepConstants& constants) { return {hn::Set(d, constants.flightBefore), hn::Set(d, constants.flightAfter)}; }
     [[nodiscard]] static HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) { return {hn::Set(d, constants.rotationSin), hn::Set(d, constants.rotationCos)}; }
 };
 
@@ -54,6 +74,27 @@ struct PartOfStep {
     HWY_INLINE V operator()(V amount) const { return amount * share; }
     HWY_INLINE V operator()(float amount) const { return amount * share; }
     HWY_INLINE Vec3<V> operator()(const Vec3<V>& amount) const { return amount * share; }
+    /// Drag takes and forces give less in the second half of a step than in the first.
+    [[nodiscard]] HWY_INLINE Vec3<V> dragged(D d, const StepConstants& constants, const Vec3<V>& change) const
+    {
+        if (constants.drag == 0.0F) {
+            return change * share;
+        }
+        V mean, lacking;
+        dragMeans(d, share * constants.dragOfStep, mean, lacking);
+        return change * (share * mean * (constants.dragOfStep / constants.drag));
+    }
+    [[nodiscard]] HWY_INLINE FlightWeights flight(D d, const StepConstants& constants) const
+    {
+        if (constants.drag == 0.0F) {
+            return WholeStep::flight(d, constants);
+        }
+        V mean, lacking;
+        const V x = share * constants.dragOfStep;
+        dragMeans(d, x, mean, lacking);
+        const V after = lacking / mean;
+        return {mean - after * (1.0F - x * mean), after};
+    }
     [[nodiscard]] HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) const { return sinCos(d, constants.rotation * share); }
 };
 
@@ -81,10 +122,22 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& 
     const Vec3<V> common = draw * constants.random + constants.steady;
     const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
     const Vec3<V> kick = common + own * share;
-    const Vec3<V> v = velocity + time(constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
+    const Vec3<V> v = velocity + time.dragged(d, constants, constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
     const V most = hn::Set(d, kMaxSpeed);
     const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
     return {bounded(v.x), bounded(v.y), bounded(v.z)};
+}
+
+/// The velocity by which a particle gets in a step from where it was to where it is, of those before and after accelerated(): with drag the mean of the
+/// exact solution, without it that of the semi-implicit Euler step, eq. X, which is the one after.
+template <class Time>
+HWY_INLINE Vec3<V> flown(D d, const StepConstants& constants, const Time& time, const Vec3<V>& before, const Vec3<V>& after)
+{
+    if (constants.drag == 0.0F) {
+        return after;
+    }
+    const FlightWeights weights = time.flight(d, constants);
+    return before * weights.before + after * weights.after;
 }
 
 /// How much more than others a particle is lifted by its heat.

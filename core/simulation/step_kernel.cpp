@@ -58,8 +58,9 @@ HWY_INLINE Moving stepped(D d, const StepConstants& constants, const Time& time,
         p = turnedByVortex(d, constants, time, p);
     }
     const V lift = constants.buoyancy * (1.0F + heatDeviation(d, constants, key)) * exponential(d, -constants.cooling * age);
-    at.velocity = accelerated(d, constants, time, key, lift, p, at.velocity);
-    Vec3<V> carried = at.velocity;
+    const Vec3<V> before = at.velocity;
+    at.velocity = accelerated(d, constants, time, key, lift, p, before);
+    Vec3<V> carried = flown(d, constants, time, before, at.velocity);
     Vec3<V> vorticity = uniform(hn::Zero(d));
     if (constants.octaves > 0) {
         addTurbulence<kTurns>(d, constants, p, onsetRamp(d, constants, age), carried, vorticity);
