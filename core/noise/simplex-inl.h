@@ -100,15 +100,22 @@ HWY_INLINE Vec3<hn::VFromD<D>> signedComponents(D d, VU bits)
     return {signedValue(d, bits), signedValue(d, hn::ShiftLeft<11>(bits)), signedValue(d, hn::ShiftLeft<22>(bits))};
 }
 
-/// Adds the curl noise at a point to the velocity, which is without divergence, exactly; and with kTurns what it turns, to the vorticity: the
-/// curl of that velocity, per unit of the coordinates.
+/// What curl noise is at a point.
+template <SimdVector V>
+struct Swirl {
+    Vec3<V> velocity; ///< without divergence, exactly
+    Vec3<V> vorticity; ///< its curl, per unit of the coordinates; where it is asked for
+    Vec3<V> potential; ///< whose curl it is; where it is asked for
+};
+
+/// Adds the curl noise at a point.
 ///
 /// The potential is Psi = sum over corners of t^4 (c x d), with t = max(0, 1/2 - |d|^2), d the way from corner to point and c a random
 /// vector of the corner, uniform in a cube. Its curl is 2 t^3 ((t - 4 |d|^2) c + 4 (d.c) d): each lattice point is a small vortex.
-/// The curl of the velocity is 8 t^2 (5 t - 6 |d|^2) (c x d). All are linear in c, so that two sets cost little more than one.
+/// (Half of both is added, and the rest is in the normalisation.) The curl of the velocity is 8 t^2 (5 t - 6 |d|^2) (c x d). All are linear in c, so that two sets cost little more than one.
 /// Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007, on simplex kernels.
-template <bool kTurns, std::size_t kSlices, class D, class V = hn::VFromD<D>>
-HWY_INLINE void addCurlNoise(D d, const Vec3<V>& point, const CurlSlices& slices, Vec3<V>& velocity, Vec3<V>& vorticity)
+template <bool kTurns, bool kPotential, std::size_t kSlices, class D, class V = hn::VFromD<D>>
+HWY_INLINE void addSwirl(D d, const Vec3<V>& point, const CurlSlices& slices, Swirl<V>& swirl)
 {
     const hn::RebindToUnsigned<D> du;
     const SimplexCorners<D> corners = simplexCorners(d, point);
@@ -123,11 +130,24 @@ HWY_INLINE void addCurlNoise(D d, const Vec3<V>& point, const CurlSlices& slices
         const V r2 = dot(way, way);
         const V t = hn::Max(hn::Zero(d), 0.5F - r2);
         const V t3 = t * t * t;
-        velocity = velocity + (t3 * (t - 4.0F * r2) * c + t3 * (4.0F * dot(way, c)) * way);
+        swirl.velocity = swirl.velocity + (t3 * (t - 4.0F * r2) * c + t3 * (4.0F * dot(way, c)) * way);
         if constexpr (kTurns) {
-            vorticity = vorticity + t * t * (20.0F * t - 24.0F * r2) * cross(c, way);
+            swirl.vorticity = swirl.vorticity + t * t * (20.0F * t - 24.0F * r2) * cross(c, way);
+        }
+        if constexpr (kPotential) {
+            swirl.potential = swirl.potential + 0.5F * (t3 * t) * cross(c, way);
         }
     }
+}
+
+/// The same without its potential.
+template <bool kTurns, std::size_t kSlices, class D, class V = hn::VFromD<D>>
+HWY_INLINE void addCurlNoise(D d, const Vec3<V>& point, const CurlSlices& slices, Vec3<V>& velocity, Vec3<V>& vorticity)
+{
+    Swirl<V> swirl{velocity, vorticity, uniform(hn::Zero(d))};
+    addSwirl<kTurns, false, kSlices>(d, point, slices, swirl);
+    velocity = swirl.velocity;
+    vorticity = swirl.vorticity;
 }
 
 } // namespace fumage::HWY_NAMESPACE

@@ -16,51 +16,71 @@ HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
 /// Adds the noise of an octave, of one set of random vectors or two.
-template <bool kTurns, class D, class V = hn::VFromD<D>>
-HWY_INLINE void addOctave(D d, const Vec3<V>& place, const CurlSlices& slices, Vec3<V>& velocity, Vec3<V>& vorticity)
+template <bool kTurns, bool kPotential, class D, class V = hn::VFromD<D>>
+HWY_INLINE void addOctave(D d, const Vec3<V>& place, const CurlSlices& slices, Swirl<V>& swirl)
 {
     if (slices.weight[1] != 0.0F) {
-        addCurlNoise<kTurns, 2>(d, place, slices, velocity, vorticity);
+        addSwirl<kTurns, kPotential, 2>(d, place, slices, swirl);
     } else {
-        addCurlNoise<kTurns, 1>(d, place, slices, velocity, vorticity);
+        addSwirl<kTurns, kPotential, 1>(d, place, slices, swirl);
     }
 }
 
-/// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s. Coordinates shrink with
-/// height so that swirls grow: q = (x, ln(1 + g h) / g, z) / (scale (1 + g h)) in x and z, whose spacing in y is also scale (1 + g h).
-/// Without growth the flow V has no divergence. With it, directions and speeds are not adapted to q (that would take the potential and its cost):
-/// what is left is -g / (1 + g h) (x dVy/dx + z dVy/dz), root mean square sqrt(2 / 15) g rho / (1 + g h) of the gradient at rho from the axis.
+/// The sum of all octaves at a place, in units of the first.
+template <bool kTurns, bool kPotential, class D, class V = hn::VFromD<D>>
+HWY_INLINE Swirl<V> sumOfOctaves(D d, const StepConstants& constants, const Vec3<V>& q)
+{
+    const Vec3<V> none = uniform(hn::Zero(d));
+    Swirl<V> sum{none, none, none};
+    for (int octave = 0; octave < constants.octaves; ++octave) {
+        const OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
+        const Vec3<V> place = q * at.frequency + at.shift;
+        Swirl<V> here{sum.velocity, none, none};
+        if (kTurns && at.turns) {
+            addOctave<true, kPotential>(d, place, at.slices, here);
+            sum.vorticity = sum.vorticity + here.vorticity * at.frequency;
+        } else {
+            addOctave<false, kPotential>(d, place, at.slices, here);
+        }
+        sum.velocity = here.velocity;
+        if constexpr (kPotential) {
+            sum.potential = sum.potential + here.potential * (1.0F / at.frequency);
+        }
+    }
+    return sum;
+}
+
+/// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s.
+///
+/// Swirls may grow with the height h over the pivot: with w = 1 + g h, q = (x / w, ln(w) / g, z / w) / scale, in which all of them have one size. The flow is
+/// the curl of w^2 scale^2 J^T Psi(q), J the derivatives of q and V the curl of Psi: V + (g / w) Vy (x, 0, z) + 2 g scale (Psi_z, 0, -Psi_x). So
+/// it has no divergence, whatever the growth, it keeps its speed upwards, and it spreads as the swirls do. (The vorticity is that of V alone.)
 template <bool kTurns, class D, class V = hn::VFromD<D>>
 HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Vec3<V>& position, V ramp, Vec3<V>& velocity, Vec3<V>& vorticity)
 {
     const float frequency = constants.turbulenceFrequency;
     const Vec3<V> away = position - constants.pivot;
-    Vec3<V> q = away * frequency;
-    V shrunk = ramp;
-    if (constants.growth > 0.0F) {
-        const V above = hn::Max(away.y, hn::Zero(d));
-        const V widening = constants.growth * above + 1.0F;
-        const V logHeight = logarithm(d, widening) * (1.0F / constants.growth);
-        const V shrink = 1.0F / widening;
-        shrunk = ramp * shrink;
-        q = {q.x * shrink, (logHeight + (away.y - above)) * frequency, q.z * shrink};
-    }
-    Vec3<V> sum = uniform(hn::Zero(d));
-    Vec3<V> turn = sum;
-    for (int octave = 0; octave < constants.octaves; ++octave) {
-        const OctaveAtStep& at = constants.octave[static_cast<std::size_t>(octave)];
-        const Vec3<V> place = q * at.frequency + at.shift;
-        Vec3<V> turned = uniform(hn::Zero(d));
-        if (kTurns && at.turns) {
-            addOctave<true>(d, place, at.slices, sum, turned);
-            turn = turn + turned * at.frequency;
-        } else {
-            addOctave<false>(d, place, at.slices, sum, turned);
+    if (constants.growth == 0.0F) {
+        const Swirl<V> sum = sumOfOctaves<kTurns, false>(d, constants, away * frequency);
+        velocity = velocity + sum.velocity * ramp;
+        if constexpr (kTurns) {
+            vorticity = vorticity + sum.vorticity * (ramp * frequency);
         }
+        return;
     }
-    velocity = velocity + sum * ramp;
+    const V above = hn::Max(away.y, hn::Zero(d));
+    const V shrink = 1.0F / (constants.growth * above + 1.0F);
+    const V logHeight = logarithm(d, constants.growth * above + 1.0F) * (1.0F / constants.growth);
+    const Vec3<V> q{away.x * frequency * shrink, (logHeight + (away.y - above)) * frequency, away.z * frequency * shrink};
+    Swirl<V> sum = sumOfOctaves<kTurns, true>(d, constants, q);
+    const V growth = hn::IfThenElseZero(hn::Gt(away.y, hn::Zero(d)), hn::Set(d, constants.growth)); // below the pivot nothing grows
+    const V spread = growth * shrink * sum.velocity.y;
+    const V twist = growth * (2.0F / frequency);
+    sum.velocity.x = sum.velocity.x + (spread * away.x + twist * sum.potential.z);
+    sum.velocity.z = sum.velocity.z + (spread * away.z - twist * sum.potential.x);
+    velocity = velocity + sum.velocity * ramp;
     if constexpr (kTurns) {
-        vorticity = vorticity + turn * (shrunk * frequency);
+        vorticity = vorticity + sum.vorticity * (ramp * shrink * frequency);
     }
 }
 
@@ -92,13 +112,13 @@ HWY_INLINE V ringStrength(D d, const StepConstants& constants, V number, V draw)
 
 /// Adds the flow of a train of vortex rings on an axis through the pivot, and with kTurns its vorticity in 1/s.
 ///
-/// With rho the distance from a ring's axis, s = rho / R, z the way along the axis from its centre, L the spacing and t = (z + b rho^2) / L with
-/// b = 1 / (2 R), so that rings arch as domes, the potential is A = S/2 rho q^4 C about the axis, q = max(0, 1 - s^2 / 5), C = (1 - 4 t^2)^2.
-/// Its curl is S q^3 (q - 4/5 s^2) C - 2 b rho v along the axis and v = 8 S/L rho q^4 t (1 - 4 t^2) away from it: through the middle, out
-/// above, down outside and in below, with no divergence where R is constant and the ring on the axis; a widening of 0.3 makes it 9 % of the
-/// gradient, root mean square, and a variance of 0.6 as much as 8 %, since where a ring lies then follows from another axis. Half-way to the next ring C is 0 and
-/// flat, so that each may have its own strength and axis, and the air before the first can be still. The vorticity is that of rings that do
-/// not arch. Polynomials stand in for the Gauss and cosine shapes of measured rings, at a third of their cost.
+/// With r the way from a ring's axis, rho its length, s = rho / R, r0 the way from the common axis, h the height along it, z that above the ring, L the
+/// spacing and t = (z + b r0^2) / L with b = 1 / (2 R), so that rings arch as domes, the potential is A = S/2 q^4 C (axis x r), q = max(0, 1 - s^2 / 5),
+/// C = (1 - 4 t^2)^2. Its curl is S q^3 (q - 4/5 s^2) C - (r.r0 / R) v along the axis and v r with v = 8 S/L q^4 t (1 - 4 t^2): through the
+/// middle, out above, down outside and in below. Where R grows by k a metre and axes lie o R aside, v r has (1 - k r0^2 / (2 R^2)) times
+/// that and less by S q^3 C 4/5 k (r.r0) / R^3, and k/2 S q^4 C o is added: it has no divergence wherever rings lie and however they grow. Half-way to
+/// the next ring C is 0 and flat, so that each may have its own strength and axis, and the air before the first can be still. The vorticity is that
+/// of rings that do not arch. Polynomials stand in for the Gauss and cosine shapes of measured rings, at a third of their cost.
 template <bool kTurns, class D, class V = hn::VFromD<D>>
 HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& position, Vec3<V>& velocity, Vec3<V>& vorticity)
 {
@@ -123,6 +143,7 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& pos
     const Vec3<V> draws = ringDraws(d, number, constants.ringKey);
     const V strength = ringStrength(d, constants, number, draws.x);
     const V reach = constants.ringVariance * radius;
+    const Vec3<V> common = away;
     away = away - (reach * (draws.y - 0.5F)) * constants.ringSides[0];
     away = away - (reach * (draws.z - 0.5F)) * constants.ringSides[1];
 
@@ -135,8 +156,15 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& pos
     const V crest = slope * slope;
     const V core = strength * (q2 * q);
     const V outward = core * q * (8.0F * constants.ringsPerMetre * (t * slope)); // per metre from the axis
-    const V along = core * outside * crest - perRadius * rho2 * outward;
+    const V between = dot(common, away);
+    const V along = core * outside * crest - perRadius * between * outward;
     velocity = velocity + (outward * away + along * axis);
+    if (constants.ringWidening > 0.0F) {
+        const V widening = hn::IfThenElseZero(hn::Gt(height, zero), hn::Set(d, constants.ringWidening));
+        const V inward = perRadius * (0.5F * perRadius * dot(common, common) * outward + 0.8F * (perRadius * perRadius) * between * (core * crest));
+        const Vec3<V> aside = perRadius * (common - away);
+        velocity = velocity + widening * (0.5F * (core * q * crest) * aside - inward * away);
+    }
     if constexpr (kTurns) {
         const float perSpacing2 = constants.ringsPerMetre * constants.ringsPerMetre;
         const V bend = perSpacing2 * (8.0F - 96.0F * (t * t));
