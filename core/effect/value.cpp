@@ -152,13 +152,28 @@ float clampComponent(const Parameter& parameter, float value)
     return std::clamp(value, static_cast<float>(parameter.hard.low), static_cast<float>(parameter.hard.high));
 }
 
+/// Shorter vectors point nowhere.
+constexpr float kShortestDirection = 1e-6F;
+
+float largestComponent(const glm::vec3& value)
+{
+    return std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
+}
+
+/// Whether numbers say a direction, whatever their length.
+bool isDirection(const Parameter& parameter, const glm::vec3& value)
+{
+    const glm::vec3 inside{clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
+    return inside == value && largestComponent(value) >= kShortestDirection;
+}
+
 glm::vec3 clampVector(const Parameter& parameter, const glm::vec3& value)
 {
     if (parameter.kind != Kind::Direction) {
         return {clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
     }
-    const float largest = std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
-    if (largest < 1e-6F) {
+    const float largest = largestComponent(value);
+    if (largest < kShortestDirection) {
         return std::get<glm::vec3>(parameter.get(Effect{}));
     }
     const glm::vec3 scaled = value / largest;
@@ -285,8 +300,7 @@ Clamped clampValue(const Parameter& parameter, const Value& value)
     case Kind::Curve: clamped = clampCurve(parameter, std::get<Curve>(value)); break;
     case Kind::Gradient: clamped = clampGradient(parameter, std::get<Gradient>(value)); break;
     }
-    const bool changed = clamped != value;
-    return {clamped, changed};
+    return {clamped, parameter.kind == Kind::Direction ? !isDirection(parameter, std::get<glm::vec3>(value)) : clamped != value};
 }
 
 std::vector<const Parameter*> differences(const Effect& a, const Effect& b)

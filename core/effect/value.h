@@ -16,7 +16,7 @@ namespace fumage {
 
 struct Clamped {
     Value value;
-    bool changed = false; ///< it was outside of what the type or the parameter allows
+    bool changed = false; ///< it was outside of what the type or the parameter allows; a direction may have any length
 };
 
 /// Reads what formatText() writes; brackets around a vector may be left out. Only what the type cannot hold is clamped: see clampValue().

@@ -115,6 +115,25 @@ private slots:
         QCOMPARE(effect.emitter.normal, once);
     }
 
+    void aDirectionOfAnyLengthIsAllowedAndNoneIsNot()
+    {
+        for (const Parameter& p : parameterTable()) {
+            if (p.kind != Kind::Direction) {
+                continue;
+            }
+            Effect effect;
+            const std::string key(p.key);
+            for (const char* text : {"0.3,0.2,-0.1", "1,1,1", "0,-0.001,0", "[-1, 1, 0.5]"}) {
+                const Result<bool> clamped = applyAssignment(effect, key + "=" + text);
+                QVERIFY2(clamped.ok() && !clamped.value(), (key + "=" + text).c_str());
+                const auto direction = std::get<glm::vec3>(p.get(effect));
+                QVERIFY(std::abs(glm::length(direction) - 1.0F) < 1e-6F);
+            }
+            QVERIFY2(applyAssignment(effect, key + "=0,0,0").value(), key.c_str());
+            QVERIFY2(applyAssignment(effect, key + "=0,7,0").value(), key.c_str()); // more than the table allows
+        }
+    }
+
     void assignmentsSayWhatIsWrong()
     {
         Effect effect;
