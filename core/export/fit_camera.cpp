@@ -138,11 +138,6 @@ private:
 
 } // namespace
 
-FrameRange framesToFit(const Effect& effect, const FrameRange& asked)
-{
-    return {std::min(0, asked.first), std::max(effect.timeline.length - 1, asked.last), 1};
-}
-
 Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
 {
     return withinMemory([&] { return Fitting(effect, frames, progress, stop).run(); });

@@ -4,10 +4,6 @@
 
 namespace fumage {
 
-/// The frames that a fit looks at where nothing else is asked for: the timeline, and what is asked for beyond it. So the parts of an animation that is
-/// rendered in parts get one camera.
-[[nodiscard]] FrameRange framesToFit(const Effect& effect, const FrameRange& asked);
-
 /// Finds the camera that shows all of the smoke of an animation and no more, from the direction in which it looks: no pixel on the border of any of the
 /// frames reaches an alpha of 1/255. It moves, and does not turn or zoom; on a turntable it stays on its circle.
 ///

@@ -233,7 +233,7 @@ Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const 
     }
     out.output = output.value();
     if (plan.fitCamera && isPicture(plan.kind)) {
-        const Result<Camera> camera = fitCamera(out, plan.kind == ExportKind::Flipbook ? plan.frames : framesToFit(out, plan.frames), progress, stop);
+        const Result<Camera> camera = fitCamera(out, framesOf(plan), progress, stop);
         if (!camera) {
             return camera.error();
         }

@@ -136,15 +136,23 @@ private slots:
         QVERIFY(!runExport(effect, plan, [](int, int) {}).value()->cutOff);
     }
 
-    void partsOfAnAnimationAreFittedToTheWhole()
+    void picturesAndVideosAreFittedToTheFramesThatTheyShow()
     {
-        const Effect effect = risingSmoke();
-        const FrameRange whole = framesToFit(effect, {0, kFrames - 1, 1});
-        const FrameRange part = framesToFit(effect, {8, 19, 3});
-        QCOMPARE(part.first, whole.first);
-        QCOMPARE(part.last, whole.last);
-        QCOMPARE(part.step, whole.step);
-        QCOMPARE(framesToFit(effect, {100, 200, 10}).last, 200);
+        Effect effect = risingSmoke();
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Video, ExportKind::Flipbook, ExportKind::Picture}) {
+            ExportPlan plan;
+            plan.kind = kind;
+            plan.fitCamera = true;
+            plan.frames = {8, 8, 1};
+            const Effect seen = effectSeenBy(effect, plan, {}, {}).value();
+            const Image image = render(seen, 8);
+            const PictureReach reach = reachOf(image, 0.5F / 255.0F);
+            const int width = image.width;
+            QVERIFY(std::max(10 * (reach.right - reach.left) / width, 10 * (reach.bottom - reach.top) / image.height) >= 8);
+            QVERIFY(std::abs(reach.left + reach.right - width) < width / 10); // in the middle
+            QVERIFY(std::abs(reach.top + reach.bottom - image.height) < width / 10);
+            QVERIFY(reach.left > 0 && reach.top > 0 && reach.right < width && reach.bottom < image.height);
+        }
     }
 
     void withoutSmokeThereIsNothingToFit()

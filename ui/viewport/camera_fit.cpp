@@ -61,7 +61,7 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
             onThisThread([this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
-    const Result<Camera> camera = fitCamera(request.effect, framesToFit(request.effect, {}), report, stop);
+    const Result<Camera> camera = fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, report, stop);
     onThisThread([this, camera] { end(camera); });
 }
 
