@@ -2,6 +2,7 @@
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
+#include "core/export/cell_frames.h"
 #include "core/export/flipbook.h"
 #include "core/preset/library.h"
 
@@ -42,6 +43,32 @@ private slots:
         const std::vector<LibraryEntry> presets = builtinPresets();
         const auto loops = [](const LibraryEntry& entry) { return loadPreset(entry).value().preset.effect.timeline.loop; };
         QVERIFY(std::ranges::count_if(presets, loops) >= 8);
+    }
+
+    void whatBurstsIsGoneBeforeTheLastFrameAndTheLastCellOfASheet_data()
+    {
+        QTest::addColumn<std::string>("name");
+        for (const LibraryEntry& entry : builtinPresets()) {
+            const Effect effect = loadPreset(entry).value().preset.effect;
+            if (effect.emitter.mode == EmissionMode::Burst && !effect.timeline.loop) {
+                QTest::newRow(entry.id.c_str()) << entry.id;
+            }
+        }
+    }
+
+    void whatBurstsIsGoneBeforeTheLastFrameAndTheLastCellOfASheet()
+    {
+        QFETCH(std::string, name);
+        Effect effect = loadPreset(name).value().preset.effect;
+        effect.emitter.count = 2000;
+        effect.air.resolution = kMinAirResolution;
+        FlipbookOptions flipbook;
+        flipbook.columns = flipbook.rows = 8;
+        flipbook.frames = {0, effect.timeline.length - 1, 1};
+        const int last = frameOfCell(flipbook, 8 * 8 - 1);
+        QVERIFY(tests::livingCount(*tests::frameOf(effect, last / 2)) > 1000);
+        QCOMPARE(tests::livingCount(*tests::frameOf(effect, last)), 0);
+        QCOMPARE(tests::livingCount(*tests::frameOf(effect, effect.timeline.length - 1)), 0);
     }
 
     void eachGivesAWholeFlipbook_data()

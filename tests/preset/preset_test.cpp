@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
+#include "core/noise/texture.h"
 #include "core/preset/json_tree.h"
 #include "core/preset/library.h"
 #include "core/preset/schema.h"
@@ -265,11 +266,15 @@ private slots:
         QCOMPARE(e.motion.randomness, 1.0F);
         QCOMPARE(e.motion.rotation, 0.0F);
         QCOMPARE(e.life.initialAlpha, 0.1F);
+        QCOMPARE(e.look.opacity, 1.0F); // what is seen of a particle is A(t) of eq. XIII
         QCOMPARE(e.noise.basis, NoiseBasis::Lattice);
         for (const float zero : {e.emitter.spread, e.motion.drag, e.motion.buoyancy, e.motion.pull, e.motion.gust, e.turbulence.strength, e.vortex.strength, e.rings.strength, e.look.roll, e.life.lifetimeVariance, e.look.sizeVariance,
                  e.look.spin, e.look.spinVariance, e.look.stretch, e.look.erosion, e.look.dilution, e.light.emission, e.noise.warp}) {
             QCOMPARE(zero, 0.0F);
         }
+        const NoiseTile tile = bakeNoise(e.noise, 128, 0.0F).value();
+        const Moments greys = Moments::of(tile.values);
+        QVERIFY(std::sqrt(greys.variance) > 0.2 && std::sqrt(greys.variance) < 0.35); // of 0.5 in a tile of black and white
         QVERIFY(!e.emitter.subframe);
         QCOMPARE(e.look.mask, MaskShape::Square);
     }
