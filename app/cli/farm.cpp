@@ -27,7 +27,7 @@ struct FarmOptions {
     std::string grid = "8x8";
 };
 
-std::vector<std::string> renderWordsOf(const FarmOptions& options, const ExportPlan& plan)
+std::vector<std::string> renderWordsOf(const FarmOptions& options, const Effect& seen, const ExportPlan& plan)
 {
     std::vector<std::string> words{"--format", std::string(nameOf(plan.format))};
     if (!options.passes.passes.empty()) {
@@ -38,6 +38,9 @@ std::vector<std::string> renderWordsOf(const FarmOptions& options, const ExportP
     }
     if (!options.picture.carriesPreset) {
         words.emplace_back("--no-preset");
+    }
+    if (!options.then.empty() && seen.output.background == Background::Colour) {
+        words.insert(words.end(), {"--set", "output.background=transparent"}); // joining puts the colour behind the view transform
     }
     return words;
 }
@@ -101,7 +104,7 @@ FarmJob jobOf(const FarmOptions& options, const Effect& seen, const ExportPlan& 
     }
     job.frames = plan.frames;
     job.perTask = options.chunk > 0 ? std::min(options.chunk, plan.frames.count()) : framesPerTask(farmCost(seen), plan.frames);
-    job.renderWords = renderWordsOf(options, plan);
+    job.renderWords = renderWordsOf(options, seen, plan);
     job.joinWords = joinWordsOf(options, job);
     return job;
 }

@@ -58,6 +58,37 @@ Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, cons
     return Done{};
 }
 
+/// Whether a view transform would make another colour of a background that frames have in their light.
+bool changesBackground(const Output& output)
+{
+    return output.background == Background::Colour && (output.viewTransform != ViewTransform::Standard || output.exposure != 0.0F);
+}
+
+bool isOpaque(const Image& image)
+{
+    for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
+        if (image.pixels[i] < 1.0F) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The frames of files, which must be without the background.
+FrameSource withoutBackground(const FrameSource& frames)
+{
+    return [frames](int frame, Image& image) -> Status {
+        if (Status status = frames(frame, image); !status) {
+            return status;
+        }
+        if (isOpaque(image)) {
+            return Error{ErrorCode::OutOfRange, said("the frames have their background in them, of which the view transform would make another colour"), {},
+                said("Render them with --set output.background=transparent: join puts the colour behind the smoke")};
+        }
+        return Done{};
+    };
+}
+
 Status joinOne(const JoinOptions& options, const NamedPreset& named)
 {
     const Result<FrameRange> frames = parseFrameRange(options.frames);
@@ -66,7 +97,8 @@ Status joinOne(const JoinOptions& options, const NamedPreset& named)
     }
     const Output& output = named.preset.effect.output;
     const FrameSource source = framesOfFiles(pathFrom(options.input), frames.value(), output.width, output.height);
-    return options.grid.empty() ? joinToVideo(options, named, frames.value(), source) : joinToFlipbook(options, named, frames.value(), source);
+    const FrameSource smoke = changesBackground(output) ? withoutBackground(source) : source;
+    return options.grid.empty() ? joinToVideo(options, named, frames.value(), smoke) : joinToFlipbook(options, named, frames.value(), smoke);
 }
 
 } // namespace

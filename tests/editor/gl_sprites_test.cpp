@@ -61,21 +61,28 @@ private slots:
     {
         QTest::addColumn<QString>("preset");
         QTest::addColumn<bool>("checker");
+        QTest::addColumn<bool>("ownBackground");
         for (const LibraryEntry& entry : builtinPresets()) {
-            QTest::newRow(entry.id.c_str()) << toQString(entry.id) << false;
+            QTest::newRow(entry.id.c_str()) << toQString(entry.id) << false << false;
         }
-        QTest::newRow("default on a checker, filmic, exposed") << u"default"_q << true;
+        QTest::newRow("default on a checker, filmic, exposed") << u"default"_q << true << false;
+        QTest::newRow("fire on white, filmic, exposed") << u"fire-ball"_q << true << true;
     }
     void openGlShowsWhatTheCompositorPaints()
     {
         QFETCH(QString, preset);
         QFETCH(bool, checker);
+        QFETCH(bool, ownBackground);
         Effect effect = loadPreset(preset.toStdString()).value().preset.effect;
         constexpr int kMost = 30000; // llvmpipe has to draw them all
         effect.emitter.count = qMin(effect.emitter.count, kMost);
         if (checker) {
             effect.output.exposure = 0.7F;
             effect.output.viewTransform = ViewTransform::Filmic;
+        }
+        if (ownBackground) {
+            effect.output.background = Background::Colour;
+            effect.output.backgroundColour = glm::vec3(1.0F);
         }
         PictureRequest request;
         request.effect = std::make_shared<const Effect>(effect);

@@ -24,6 +24,36 @@ private slots:
         QCOMPARE(Studio().make(requestFor(effect, 30), {})->image, first);
     }
 
+    void whatIsBehindTheSmokeIsTheChosenColourInEveryView()
+    {
+        const auto bytes = [](const glm::vec3& colour) {
+            const auto byte = [](float linear) { return static_cast<int>(srgbFromLinear(linear) * 255.0F + 0.5F); };
+            return QColor(byte(colour.r), byte(colour.g), byte(colour.b)).rgb();
+        };
+        constexpr glm::vec3 kColour(0.0F, 1.0F, 0.3F);
+        for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {
+            for (const float exposure : {-2.0F, 0.0F, 1.5F}) {
+                for (const Background background : {Background::Transparent, Background::Colour}) {
+                    for (const Backdrop::Kind kind : {Backdrop::Kind::Colour, Backdrop::Kind::Checker}) {
+                        Effect effect = smallEffect();
+                        effect.output.viewTransform = transform;
+                        effect.output.exposure = exposure;
+                        effect.output.background = background;
+                        effect.output.backgroundColour = kColour;
+                        effect.look.opacity = 0.0F;
+                        PictureRequest request = requestFor(effect, 3);
+                        request.backdrop.colour = kColour;
+                        request.backdrop.kind = kind;
+                        const QImage image = Studio().make(request, {})->image;
+                        const bool isChecker = kind == Backdrop::Kind::Checker && background == Background::Transparent;
+                        QCOMPARE(image.pixel(0, 0), bytes(isChecker ? glm::vec3(0.10F) : kColour));
+                        QCOMPARE(image.pixel(16, 0), bytes(isChecker ? glm::vec3(0.16F) : kColour));
+                    }
+                }
+            }
+        }
+    }
+
     void effectsOfOneSimulationShareTheirParticles()
     {
         Studio studio;

@@ -56,6 +56,35 @@ class ExportTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyPictureThatIsShownHasTheChosenBackground()
+    {
+        Effect effect;
+        effect.output.background = Background::Colour;
+        effect.output.backgroundColour = {0.05F, 0.1F, 0.18F};
+        for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {
+            for (const float exposure : {-1.0F, 0.0F, 2.0F}) {
+                effect.output.viewTransform = transform;
+                effect.output.exposure = exposure;
+                for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16}) {
+                    const float full = format == ImageFormat::Png8 ? 255.0F : 65535.0F;
+                    const DataImage numbers = sheetNumbers(ramp(), effect, format, 20, 15);
+                    const std::vector<std::byte> single = encodeImage(ramp(), effect, format, {}).value();
+                    const std::vector<std::byte> sheet = encodeSheet(ramp(), effect, format, 20, 15, {}).value();
+                    for (int channel = 0; channel < 3; ++channel) {
+                        const float shown = srgbFromLinear(effect.output.backgroundColour[channel]);
+                        const int expected = static_cast<int>(shown * full + 0.5F);
+                        QVERIFY(std::abs(PngFile(single).at(0, 0, channel) - expected) <= (format == ImageFormat::Png8 ? 0 : 1));
+                        QVERIFY(std::abs(PngFile(sheet).at(0, 0, channel) - expected) <= (format == ImageFormat::Png8 ? 0 : 1));
+                        QVERIFY(std::abs(numbers.values[static_cast<std::size_t>(channel)] - shown) < 1.0F / full);
+                    }
+                }
+                const DataImage light = sheetNumbers(ramp(), effect, ImageFormat::ExrFloat, 20, 15); // before exposure and view transform
+                QCOMPARE(light.values[0], effect.output.backgroundColour.r);
+                QCOMPARE(light.values[3], 1.0F);
+            }
+        }
+    }
+
     void png8ReadsBackThroughLibpng()
     {
         const Image image = ramp();
