@@ -21,8 +21,8 @@ namespace fumage::HWY_NAMESPACE {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-constexpr float kHalfWhite = 8.0F; ///< light that filmic shows half as colourful as it is
-constexpr float kWhitePoint = 64.0F; ///< light from which on all is white
+constexpr float kHalfWhite = 12.0F; ///< light that filmic shows half as colourful as it is
+constexpr float kWhitePoint = 96.0F; ///< light from which on all is white
 
 HWY_INLINE V srgb(D d, V linear)
 {
@@ -66,11 +66,13 @@ HWY_INLINE Pixels shownLight(D d, const Pixels& light, bool isFilmic)
     constexpr float kNoLight = 1e-20F;
     const V most = hn::Max(light.brightest(), hn::Set(d, kNoLight));
     const V curved = clamp01(d, filmicCurve(d, hn::Min(most, hn::Set(d, kWhitePoint))));
-    // Half of the way to white at kHalfWhite, all of it at kWhitePoint: Reinhard's curve with a white point, of the square.
+    // Half of the way to white at kHalfWhite, all of it at kWhitePoint, and hardly any below 4, where fire is: Reinhard's curve with a white point, of
+    // the fourth power.
     const V x = hn::Min(most, hn::Set(d, kWhitePoint)) * (1.0F / kHalfWhite);
-    const V square = x * x;
+    const V power = (x * x) * (x * x);
     constexpr float kSquareAtWhite = (kWhitePoint / kHalfWhite) * (kWhitePoint / kHalfWhite);
-    const V white = clamp01(d, square * (1.0F + square * (1.0F / (kSquareAtWhite * kSquareAtWhite))) / (1.0F + square));
+    constexpr float kPowerAtWhite = kSquareAtWhite * kSquareAtWhite;
+    const V white = clamp01(d, power * (1.0F + power * (1.0F / (kPowerAtWhite * kPowerAtWhite))) / (1.0F + power));
     return light.each([&](V channel) HWY_ATTR {
         const V ratio = channel / most;
         return clamp01(d, curved * (ratio + white * (1.0F - ratio)));

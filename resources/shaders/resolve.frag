@@ -12,8 +12,8 @@ out vec4 colour;
 const float kCheckerPixels = 16.0;
 const float kCheckerDark = 0.10;
 const float kCheckerLight = 0.16;
-const float kHalfWhite = 8.0;
-const float kWhitePoint = 64.0;
+const float kHalfWhite = 12.0;
+const float kWhitePoint = 96.0;
 const float kLeastAlpha = 1e-6;
 const float kLit = 1.0;
 const float kBurning = 3.0;
@@ -40,9 +40,9 @@ vec3 shown(vec3 light)
     float most = max(brightest(light), 1e-20);
     float bounded = min(most, kWhitePoint);
     float curved = clamp(bounded * (2.51 * bounded + 0.03) / (bounded * (2.43 * bounded + 0.59) + 0.14), 0.0, 1.0);
-    float square = bounded * bounded / (kHalfWhite * kHalfWhite);
-    float squareAtWhite = kWhitePoint * kWhitePoint / (kHalfWhite * kHalfWhite);
-    float white = clamp(square * (1.0 + square / (squareAtWhite * squareAtWhite)) / (1.0 + square), 0.0, 1.0);
+    float power = pow(bounded / kHalfWhite, 4.0);
+    float powerAtWhite = pow(kWhitePoint / kHalfWhite, 4.0);
+    float white = clamp(power * (1.0 + power / (powerAtWhite * powerAtWhite)) / (1.0 + power), 0.0, 1.0);
     return clamp(curved * mix(light / most, vec3(1.0), white), 0.0, 1.0);
 }
 

@@ -76,7 +76,7 @@ private slots:
         QTest::addColumn<float>("texture");
         QTest::addColumn<float>("erosion");
         QTest::addColumn<float>("size");
-        for (const float size : {0.03F, 0.12F, 1.0F}) { // of a pixel's, plain, and with a texture
+        for (const float size : {0.03F, 0.12F, 1.2F}) { // of a pixel's, plain, and with a texture
             for (const float texture : {0.0F, 0.35F, 1.0F}) {
                 for (const float erosion : {0.0F, 0.4F}) {
                     for (const float softness : {0.0F, 0.3F, 0.8F, 1.0F}) {
