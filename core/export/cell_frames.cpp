@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/effect/value.h"
+#include "core/export/loop.h"
 
 #include <algorithm>
 
@@ -55,6 +56,11 @@ std::vector<int> framesOfCells(const FlipbookOptions& options)
         frames.push_back(frameOfCell(options, cell));
     }
     return frames;
+}
+
+CellFrames cellFramesOf(const Effect& effect, const FlipbookOptions& options)
+{
+    return {framesOfCells(options), turnOf(effect.timeline, options)};
 }
 
 double cellsPerSecond(const Effect& effect, const FlipbookOptions& options)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/flipbook.h"
+#include "core/export/frame_neighbours.h"
 
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ namespace fumage {
 
 /// Those of all cells.
 [[nodiscard]] std::vector<int> framesOfCells(const FlipbookOptions& options);
+/// The same, and whether the first comes again after the last.
+[[nodiscard]] CellFrames cellFramesOf(const Effect& effect, const FlipbookOptions& options);
 
 /// Cells that are to be shown in a second, so that the effect keeps its speed.
 [[nodiscard]] double cellsPerSecond(const Effect& effect, const FlipbookOptions& options);

@@ -7,10 +7,13 @@
 #include "core/export/cell_frames.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/flipbook_description.h"
+#include "core/export/loop.h"
 #include "core/export/sheet.h"
 #include "core/rendering/framing.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <iterator>
 
 namespace fumage {
@@ -45,8 +48,9 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     }
     const int cells = options.columns * options.rows;
     if (options.frames.count() < cells) {
+        const auto [columns, rows] = gridWithin(options.frames.count(), options.columns, options.rows);
         return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", options.frames.count(), cells), {},
-            said("Choose more frames or fewer columns and rows")};
+            said("Choose more frames or fewer columns and rows, such as %1x%2", columns, rows)};
     }
     const std::int64_t width = static_cast<std::int64_t>(effect.output.width) * options.columns;
     const std::int64_t height = static_cast<std::int64_t>(effect.output.height) * options.rows;
@@ -133,7 +137,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
     const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) {
         borders.look(cell.of(PassLayer::Colour), frame, appearance);
     };
-    if (Status status = renderSheet(effect, framesOfCells(options), options.columns, rendered, sheet, look, progress, stop); !status) {
+    if (Status status = renderSheet(effect, cellFramesOf(effect, options), options.columns, rendered, sheet, look, progress, stop); !status) {
         return status;
     }
     borders.tell(flipbook);
@@ -185,7 +189,7 @@ Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& shee
 EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales,
     const std::vector<std::vector<std::byte>>& bytes)
 {
-    EngineSheet sheet{effect, options.columns, options.rows, flipbook.cellsPerSecond, options.style, scales, {}};
+    EngineSheet sheet{effect, options.columns, options.rows, flipbook.cellsPerSecond, flipbook.loops, options.style, scales, {}};
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
     const auto areVectors = [](Pass pass) { return pass == Pass::Motion || pass == Pass::Normal; };
@@ -207,6 +211,22 @@ std::filesystem::path besides(const std::filesystem::path& picture, const std::s
 }
 
 } // namespace
+
+std::array<int, 2> gridWithin(int frames, int columns, int rows, bool powersOfTwo)
+{
+    const auto fits = [powersOfTwo](int edge) { return !powersOfTwo || std::has_single_bit(static_cast<unsigned>(edge)); };
+    std::array<int, 2> best{1, 1};
+    for (int x = 1; x <= columns; ++x) {
+        for (int y = 1; y <= rows && x * y <= frames; ++y) {
+            const int gain = x * y - best[0] * best[1];
+            const bool isSquarer = std::abs(x - y) < std::abs(best[0] - best[1]);
+            if (fits(x) && fits(y) && (gain > 0 || (gain == 0 && isSquarer))) {
+                best = {x, y};
+            }
+        }
+    }
+    return best;
+}
 
 std::filesystem::path descriptionOf(const std::filesystem::path& picture)
 {
@@ -274,6 +294,7 @@ Result<MadeFlipbook> makeFlipbook(const Effect& effect, const FlipbookOptions& o
     flipbook.files = static_cast<int>(all.size());
     flipbook.description = all.back();
     flipbook.cellsPerSecond = cellsPerSecond(effect, options);
+    flipbook.loops = turnOf(effect.timeline, options).has_value();
     PassSheet sheet;
     if (Status status = fill(sheet, flipbook); !status) {
         return status.error();
@@ -340,7 +361,7 @@ Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& optio
         return Error{ErrorCode::OutOfRange, said("only the colour can be joined of frames"), {}, said("Render a flipbook for its other passes")};
     }
     const auto fill = [&](PassSheet& sheet, Flipbook&) {
-        return joinSheet(framesOfCells(options), options.columns, frames, {effect.output.width, effect.output.height}, sheet, progress, stop);
+        return joinSheet(cellFramesOf(effect, options), options.columns, frames, {effect.output.width, effect.output.height}, sheet, progress, stop);
     };
     return writeFlipbook(effect, options, fill, stop);
 }

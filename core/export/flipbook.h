@@ -5,6 +5,7 @@
 #include "core/export/packing.h"
 #include "core/export/sequence.h"
 
+#include <array>
 #include <optional>
 
 namespace fumage {
@@ -48,9 +49,15 @@ struct Flipbook {
     int files = 2; ///< pictures, what engines need, and the description
     std::filesystem::path description;
     double cellsPerSecond = 0.0; ///< keeps the speed of the effect
+    bool loops = false; ///< it is played over and over: its cells are whole turns of a loop
     float edgeAlpha = 0.0F; ///< most alpha on a cell's border
     std::optional<CutOff> cutOff; ///< where edgeAlpha reaches 1/255
 };
+
+/// The largest grid that frames fill, with no more columns and rows than are asked for; of several the one whose sides are nearest to each other.
+/// @param frames       1 or more
+/// @param powersOfTwo  columns and rows are among 1, 2, 4, ...
+[[nodiscard]] std::array<int, 2> gridWithin(int frames, int columns, int rows, bool powersOfTwo = false);
 
 /// The file beside the picture of a flipbook that says how it is to be played.
 [[nodiscard]] std::filesystem::path descriptionOf(const std::filesystem::path& picture);

@@ -154,7 +154,7 @@ std::string describeFlipbook(const Effect& effect, const FlipbookOptions& option
     json["order"] = "left to right, then top to bottom";
     json["cells_per_second"] = flipbook.cellsPerSecond;
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
-    json["loop"] = effect.timeline.loop;
+    json["loop"] = flipbook.loops;
     describeTime(options, json);
     json["for"] = std::string(nameOf(options.engine));
     const bool coloured = options.passes.has(Pass::Colour);

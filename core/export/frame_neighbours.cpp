@@ -4,8 +4,9 @@
 
 namespace fumage {
 
-FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const std::vector<int>& frames, bool wanted, int step, const std::shared_ptr<AirShelf>& shelf)
+FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const CellFrames& frames, bool wanted, int step, const std::shared_ptr<AirShelf>& shelf)
     : m_simulator(effect, Simulator::kDefaultCheckpointBytes, shelf)
+    , m_loop(effect->timeline.loop ? effect->timeline.length : 0)
     , m_frames(frames)
     , m_wanted(wanted)
     , m_step(step)
@@ -16,11 +17,11 @@ Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const std::stop_
 {
     const std::array<Numbered, 3> last = std::move(m_held);
     m_held = {};
-    const int now = m_frames[place];
-    const int before = numberBefore(place);
+    const int now = m_frames.numbers[place];
+    const std::optional<int> before = numberBefore(place);
     const int after = numberAfter(place);
-    if (m_wanted && before >= 0) {
-        if (Status status = fetch(before, last, m_held[0], stop, progress); !status) {
+    if (m_wanted && before) {
+        if (Status status = fetch(*before, last, m_held[0], stop, progress); !status) {
             return status.error();
         }
     }
@@ -32,30 +33,40 @@ Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const std::stop_
             return status.error();
         }
     }
-    return FrameAmongOthers{m_held[1].frame.get(), m_held[0].frame.get(), m_held[2].frame.get(), before < 0 ? 1 : now - before, after - now};
+    return FrameAmongOthers{m_held[1].frame.get(), m_held[0].frame.get(), m_held[2].frame.get(), before ? now - *before : 1, after - now};
 }
 
-int FrameNeighbours::numberBefore(std::size_t place) const
+std::optional<int> FrameNeighbours::numberBefore(std::size_t place) const
 {
+    const std::vector<int>& numbers = m_frames.numbers;
     if (m_step > 0) {
-        return m_frames[place] - m_step;
+        const int number = numbers[place] - m_step;
+        return number >= 0 || m_loop > 0 ? std::optional(number) : std::nullopt;
     }
-    return place > 0 ? m_frames[place - 1] : -1;
+    if (place > 0) {
+        return numbers[place - 1];
+    }
+    return m_frames.turn ? std::optional(numbers.back() - *m_frames.turn) : std::nullopt;
 }
 
 int FrameNeighbours::numberAfter(std::size_t place) const
 {
+    const std::vector<int>& numbers = m_frames.numbers;
     if (m_step > 0) {
-        return m_frames[place] + m_step;
+        return numbers[place] + m_step;
     }
-    if (place + 1 < m_frames.size()) {
-        return m_frames[place + 1];
+    if (place + 1 < numbers.size()) {
+        return numbers[place + 1];
     }
-    return std::max(0, m_frames[place] + (place > 0 ? m_frames[place] - m_frames[place - 1] : 1));
+    if (m_frames.turn) {
+        return numbers.front() + *m_frames.turn;
+    }
+    return std::max(0, numbers[place] + (place > 0 ? numbers[place] - numbers[place - 1] : 1));
 }
 
 Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, Numbered& to, const std::stop_token& stop, const Progress& progress)
 {
+    number = m_loop > 0 ? (number % m_loop + m_loop) % m_loop : number;
     const auto* const held = std::find_if(last.begin(), last.end(), [&](const Numbered& each) { return each.frame && each.number == number; });
     if (held != last.end()) {
         to = *held;

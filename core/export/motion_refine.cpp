@@ -121,17 +121,23 @@ void blurAlong(Field& field, std::array<int, 2> lines, std::array<int, 2> pixels
     }
 }
 
+/// Two cells, one shown after the other.
+struct CellPair {
+    int one = 0;
+    int other = 0;
+};
+
 /// How much two cells differ in the middle between them, around each pixel, where vectors are a share of what they are.
 /// @param area where they may differ
-void findMismatch(const Cells& cells, int cell, const SheetGrid& grid, const Area& area, float share, Field& out)
+void findMismatch(const Cells& cells, const CellPair& pair, const SheetGrid& grid, const Area& area, float share, Field& out)
 {
     out.assign(static_cast<std::size_t>(grid.cellWidth) * static_cast<std::size_t>(grid.cellHeight), 0.0F);
     const bool moves = share > 0.0F;
     for (int y = area.top; y < area.bottom; ++y) {
         for (int x = area.left; x < area.right; ++x) {
             const glm::vec2 place(static_cast<float>(x), static_cast<float>(y));
-            const glm::vec4 from = moves ? cells.colour(cell, place - 0.5F * share * cells.vector(cell, x, y)) : cells.colour(cell, x, y);
-            const glm::vec4 to = moves ? cells.colour(cell + 1, place + 0.5F * share * cells.vector(cell + 1, x, y)) : cells.colour(cell + 1, x, y);
+            const glm::vec4 from = moves ? cells.colour(pair.one, place - 0.5F * share * cells.vector(pair.one, x, y)) : cells.colour(pair.one, x, y);
+            const glm::vec4 to = moves ? cells.colour(pair.other, place + 0.5F * share * cells.vector(pair.other, x, y)) : cells.colour(pair.other, x, y);
             out[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.cellWidth) + static_cast<std::size_t>(x)] = glm::dot(from - to, from - to);
         }
     }
@@ -144,12 +150,12 @@ void findMismatch(const Cells& cells, int cell, const SheetGrid& grid, const Are
 }
 
 /// The share of the vectors at which two cells differ least, for each pixel.
-Field bestShares(const Cells& cells, int cell, const SheetGrid& grid, const Area& area, Room& room)
+Field bestShares(const Cells& cells, const CellPair& pair, const SheetGrid& grid, const Area& area, Room& room)
 {
     const auto& [none, half, whole] = room;
-    findMismatch(cells, cell, grid, area, 0.0F, room.none);
-    findMismatch(cells, cell, grid, area, 0.5F, room.half);
-    findMismatch(cells, cell, grid, area, 1.0F, room.whole);
+    findMismatch(cells, pair, grid, area, 0.0F, room.none);
+    findMismatch(cells, pair, grid, area, 0.5F, room.half);
+    findMismatch(cells, pair, grid, area, 1.0F, room.whole);
     Field out(none.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         constexpr float kNothing = 1e-9F; // to be seen
@@ -179,15 +185,19 @@ void refineMotion(const Image& colour, const SheetGrid& grid, Image& motion)
         return;
     }
     const Cells cells(colour, motion, grid);
-    std::vector<Field> shares(static_cast<std::size_t>(grid.cells - 1));
-    std::vector<Area> reaches(static_cast<std::size_t>(grid.cells));
+    const auto count = static_cast<std::size_t>(grid.cells);
+    std::vector<Field> shares(grid.loops ? count : count - 1); // of each cell and the one after it
+    std::vector<Area> reaches(count);
     parallelFor(reaches.size(), [&](std::size_t cell) { reaches[cell] = cells.reach(static_cast<int>(cell)); });
     PerThread<Room> rooms;
-    parallelFor(shares.size(), [&](std::size_t pair) {
-        shares[pair] = bestShares(cells, static_cast<int>(pair), grid, around(reaches[pair], reaches[pair + 1]), rooms.local());
+    parallelFor(shares.size(), [&](std::size_t cell) {
+        const std::size_t next = (cell + 1) % count;
+        const CellPair pair{static_cast<int>(cell), static_cast<int>(next)};
+        shares[cell] = bestShares(cells, pair, grid, around(reaches[cell], reaches[next]), rooms.local());
     });
-    parallelFor(static_cast<std::size_t>(grid.cells), [&](std::size_t cell) {
-        const Field& before = shares[cell == 0 ? 0 : cell - 1];
+    parallelFor(count, [&](std::size_t cell) {
+        const Field& before = shares[cell > 0 ? cell - 1 : grid.loops ? count - 1
+                                                                      : 0];
         const Field& after = shares[std::min(cell, shares.size() - 1)];
         const auto number = static_cast<int>(cell);
         const SheetCell place = grid.cell(number);

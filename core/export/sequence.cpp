@@ -77,8 +77,8 @@ public:
     LayeredFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
         : m_smoke(sampled(effect))
         , m_options(options)
-        , m_numbers(std::move(numbers))
-        , m_neighbours(m_smoke, m_numbers, options.passes.has(Pass::Motion), options.frames.step)
+        , m_frames{std::move(numbers)}
+        , m_neighbours(m_smoke, m_frames, options.passes.has(Pass::Motion), options.frames.step)
     {
         m_options.passes.add(Pass::Colour);
         for (PassSheet& sheet : m_sheets) {
@@ -99,13 +99,13 @@ public:
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeLayers(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output, m_options.format, notesOf(m_smoke, m_options, m_numbers[place]), stop);
+        return encodeLayers(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output, m_options.format, notesOf(m_smoke, m_options, m_frames.numbers[place]), stop);
     }
 
 private:
     SampledEffect m_smoke;
     SequenceOptions m_options;
-    std::vector<int> m_numbers;
+    CellFrames m_frames;
     FrameNeighbours m_neighbours;
     PassRenderer m_renderer;
     std::array<PassSheet, 2> m_sheets;

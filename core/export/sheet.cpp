@@ -1,7 +1,5 @@
 #include "core/export/sheet.h"
 
-#include "core/export/frame_neighbours.h"
-
 namespace fumage {
 
 namespace {
@@ -29,11 +27,11 @@ void makeRoom(const SheetGrid& grid, Image& sheet)
 
 } // namespace
 
-Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop, const std::shared_ptr<AirShelf>& shelf)
+Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop, const std::shared_ptr<AirShelf>& shelf)
 {
     const SampledEffect smoke = sampled(effect);
-    const int cells = static_cast<int>(frames.size());
-    sheet.grid = {columns, cells, effect.output.width, effect.output.height};
+    const int cells = static_cast<int>(frames.numbers.size());
+    sheet.grid = {columns, cells, effect.output.width, effect.output.height, frames.turn.has_value()};
     for (std::size_t i = 0; i < kPassLayers; ++i) {
         if (needsLayer(passes, static_cast<PassLayer>(i))) {
             makeRoom(sheet.grid, sheet.layers.layers[i]);
@@ -61,10 +59,10 @@ Status renderSheet(const Effect& effect, const std::vector<int>& frames, int col
     return Done{};
 }
 
-Status joinSheet(const std::vector<int>& frames, int columns, const FrameSource& source, const glm::ivec2& size, PassSheet& sheet, const Progress& progress, const std::stop_token& stop)
+Status joinSheet(const CellFrames& frames, int columns, const FrameSource& source, const glm::ivec2& size, PassSheet& sheet, const Progress& progress, const std::stop_token& stop)
 {
-    const int cells = static_cast<int>(frames.size());
-    sheet.grid = {columns, cells, size.x, size.y};
+    const int cells = static_cast<int>(frames.numbers.size());
+    sheet.grid = {columns, cells, size.x, size.y, frames.turn.has_value()};
     Image& whole = sheet.layers.of(PassLayer::Colour);
     makeRoom(sheet.grid, whole);
     Image cell;
@@ -72,7 +70,7 @@ Status joinSheet(const std::vector<int>& frames, int columns, const FrameSource&
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
         }
-        if (Status status = source(frames[static_cast<std::size_t>(number)], cell); !status) {
+        if (Status status = source(frames.numbers[static_cast<std::size_t>(number)], cell); !status) {
             return status;
         }
         place(cell, whole, sheet.grid.cell(number));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/export/frame_neighbours.h"
 #include "core/export/frame_source.h"
 #include "core/export/pass_picture.h"
 #include "core/rendering/pass_renderer.h"
@@ -18,16 +19,16 @@ namespace fumage {
 using CellWatch = std::function<void(const PassImages& cell, const Frame& frame, const Appearance& appearance)>;
 
 /// Renders frames into the cells of a sheet, first at the top left, then along the rows, each of effect.output's size and without background.
-/// @param frames  of the cells, in any order, but one that rises is quick; for motion one more frame is simulated, as far behind the last as that is behind the one before
+/// @param frames  of the cells, in any order, but one that rises is quick; for motion one more frame is simulated, unless they close a loop: as far behind the last as that is behind the one before
 /// @param columns the cells fill rows of as many
 /// @param passes  what the layers must do for
 /// @param shelf   with air that several sheets of one effect share; null: the sheet bakes its own
 /// @error those of Simulator and PassRenderer
-[[nodiscard]] Status renderSheet(const Effect& effect, const std::vector<int>& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {}, const std::shared_ptr<AirShelf>& shelf = nullptr);
+[[nodiscard]] Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {}, const std::shared_ptr<AirShelf>& shelf = nullptr);
 
 /// Fills the colour of a sheet with frames that are there already.
 /// @param size of a cell, pixels
 /// @error those of the frames; Cancelled
-[[nodiscard]] Status joinSheet(const std::vector<int>& frames, int columns, const FrameSource& source, const glm::ivec2& size, PassSheet& sheet, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status joinSheet(const CellFrames& frames, int columns, const FrameSource& source, const glm::ivec2& size, PassSheet& sheet, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

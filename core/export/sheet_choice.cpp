@@ -111,7 +111,7 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
     options.rows = candidate.rows;
     const bool hasMotion = options.passes.has(Pass::Motion);
     PassSheet sheet;
-    if (Status status = renderSheet(small, framesOfCells(options), options.columns, hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, progress, stop, shelf); !status) {
+    if (Status status = renderSheet(small, cellFramesOf(small, options), options.columns, hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, progress, stop, shelf); !status) {
         return status.error();
     }
     std::optional<SheetPlayback> playback;
@@ -124,7 +124,7 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
     Difference all;
     Image shownThen;
     for (const Moment& moment : moments) {
-        playback->picture(moment.share * sheet.grid.cells, seen.timeline.loop, CellBlending::Motion, shownThen);
+        playback->picture(moment.share * sheet.grid.cells, sheet.grid.loops, CellBlending::Motion, shownThen);
         all.add(differenceOf(shownThen, moment.truth));
     }
     return all.decibels();

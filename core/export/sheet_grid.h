@@ -23,6 +23,7 @@ struct SheetGrid {
     int cells = 1; ///< the last row may be part of one
     int cellWidth = 1;
     int cellHeight = 1;
+    bool loops = false; ///< after the last cell comes the first
 
     /// @param number below cells
     [[nodiscard]] SheetCell cell(int number) const { return {number % columns * cellWidth, number / columns * cellHeight, cellWidth, cellHeight}; }

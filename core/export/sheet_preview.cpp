@@ -84,13 +84,12 @@ Result<std::shared_ptr<const SheetPreview>> previewFlipbook(const Effect& effect
         const FlipbookOptions& options = made.value();
         preview->output = seen.value().output;
         preview->cellsPerSecond = cellsPerSecond(seen.value(), options);
-        preview->loops = seen.value().timeline.loop;
         PassSet passes{Pass::Colour};
         const bool motion = options.passes.has(Pass::Motion);
         if (motion) {
             passes.add(Pass::Motion);
         }
-        if (Status status = renderSheet(seen.value(), framesOfCells(options), options.columns, passes, preview->sheet, {}, progress, stop); !status) {
+        if (Status status = renderSheet(seen.value(), cellFramesOf(seen.value(), options), options.columns, passes, preview->sheet, {}, progress, stop); !status) {
             return status.error();
         }
         storeColours(seen.value(), options.format, *preview);

@@ -13,7 +13,6 @@ struct SheetPreview {
     std::unique_ptr<const SheetPlayback> playback; ///< of the sheet
     Output output; ///< how its colours are displayed
     double cellsPerSecond = 0.0; ///< keeps the speed of the effect
-    bool loops = false;
     bool isWhole = true; ///< cells are as large as those that will be written; else smaller
 };
 

@@ -109,13 +109,13 @@ struct Between {
     Difference faded;
     int count = 0;
 
-    void compare(const SheetPlayback& playback, int cell, float f, const Image& truth)
+    void compare(const SheetPlayback& playback, int cell, int next, float f, const Image& truth)
     {
         for (int y = 0; y < truth.height; ++y) {
             for (int x = 0; x < truth.width; ++x) {
                 const glm::vec4 there = shown(truth.at(x, y));
-                const glm::vec4 moved = playback.pixel(cell, cell + 1, f, x, y, CellBlending::Motion);
-                const glm::vec4 mixed = playback.pixel(cell, cell + 1, f, x, y, CellBlending::CrossFade);
+                const glm::vec4 moved = playback.pixel(cell, next, f, x, y, CellBlending::Motion);
+                const glm::vec4 mixed = playback.pixel(cell, next, f, x, y, CellBlending::CrossFade);
                 for (int channel = 0; channel < 4; ++channel) {
                     rebuilt.add(moved[channel], there[channel]);
                     faded.add(mixed[channel], there[channel]);
@@ -126,7 +126,7 @@ struct Between {
     }
 };
 
-Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const std::vector<int>& frames, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
+Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet, const CellFrames& frames, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
 {
     const PassPictures pictures(sheet, {Pass::Motion}, {});
     const SheetPlayback playback(sheet, stored(pictures.picture(Pass::Motion), options.format), pictures.scales().motion);
@@ -134,20 +134,24 @@ Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const P
     const SampledEffect smoke = sampled(effect);
     Renderer renderer;
     Image truth;
-    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
-        const int middle = (frames[i] + frames[i + 1]) / 2;
-        if (middle == frames[i]) {
+    const std::vector<int>& numbers = frames.numbers;
+    for (std::size_t i = 0; i + (frames.turn ? 0 : 1) < numbers.size(); ++i) {
+        const std::size_t next = (i + 1) % numbers.size();
+        const int there = numbers[next] + (next == 0 ? *frames.turn : 0);
+        const int middle = (numbers[i] + there) / 2;
+        if (middle == numbers[i]) {
             continue;
         }
-        const auto frame = simulator.frame(middle, stop);
+        const int length = effect.timeline.length; // of a loop that may be played backwards through its seam
+        const auto frame = simulator.frame(middle < 0 ? middle % length + length : middle, stop);
         if (!frame) {
             return frame.error();
         }
         if (Status status = renderer.render(*frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, truth, stop); !status) {
             return status;
         }
-        const float f = static_cast<float>(middle - frames[i]) / static_cast<float>(frames[i + 1] - frames[i]);
-        between.compare(playback, static_cast<int>(i), f, truth);
+        const float f = static_cast<float>(middle - numbers[i]) / static_cast<float>(there - numbers[i]);
+        between.compare(playback, static_cast<int>(i), static_cast<int>(next), f, truth);
     }
     score.motion = {between.rebuilt.decibels(), between.faded.decibels(), pictures.scales().motion, between.count};
     return Done{};
@@ -181,7 +185,7 @@ void scorePixels(const PassSheet& sheet, const Output& output, SheetScore& score
 
 Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Progress& progress, const std::stop_token& stop)
 {
-    const std::vector<int> frames = framesOfCells(options);
+    const CellFrames frames = cellFramesOf(effect, options);
     Effect seen = effect;
     seen.output.background = Background::Transparent;
     PassSheet sheet;
@@ -192,7 +196,7 @@ Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& optio
     Simulator simulator(sampled(seen), Simulator::kDefaultCheckpointBytes, shelf);
     SheetScore score;
     scorePixels(sheet, seen.output, score);
-    if (Status status = scoreSixWay(seen, options, sheet, frames, lit, simulator, score, stop); !status) {
+    if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, simulator, score, stop); !status) {
         return status.error();
     }
     if (Status status = scoreMotion(seen, options, sheet, frames, simulator, score, stop); !status) {

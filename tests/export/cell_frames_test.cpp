@@ -66,7 +66,7 @@ FlipbookOptions retimed(std::initializer_list<CurvePoint> points, FrameRange fra
 double meanMotion(const Effect& effect, const std::vector<int>& frames, int cell)
 {
     PassSheet sheet;
-    const Status status = renderSheet(effect, frames, static_cast<int>(frames.size()), {Pass::Colour, Pass::Motion}, sheet, {}, {});
+    const Status status = renderSheet(effect, {frames}, static_cast<int>(frames.size()), {Pass::Colour, Pass::Motion}, sheet, {}, {});
     if (!status) {
         qFatal("%s", status.error().text().c_str());
     }
@@ -200,10 +200,10 @@ private slots:
         const std::vector<int> frames = framesOfCells(retimed({{0.0F, 1.0F}, {0.5F, 0.0F}, {1.0F, 1.0F}}, {5, 40, 1}, 6));
         QVERIFY(!std::is_sorted(frames.begin(), frames.end()));
         PassSheet sheet;
-        QVERIFY(renderSheet(effect, frames, 6, {Pass::Colour, Pass::Motion}, sheet, {}, {}).ok());
+        QVERIFY(renderSheet(effect, {frames}, 6, {Pass::Colour, Pass::Motion}, sheet, {}, {}).ok());
         for (std::size_t cell = 0; cell < frames.size(); ++cell) {
             PassSheet alone;
-            QVERIFY(renderSheet(effect, {frames[cell]}, 1, {Pass::Colour}, alone, {}, {}).ok());
+            QVERIFY(renderSheet(effect, {{frames[cell]}}, 1, {Pass::Colour}, alone, {}, {}).ok());
             const Image& expected = alone.layers.of(PassLayer::Colour);
             const SheetCell at = sheet.grid.cell(static_cast<int>(cell));
             for (int y = 0; y < at.height; ++y) {

@@ -56,7 +56,7 @@ struct Made {
         : style(wanted)
     {
         passes.add(Pass::Alpha);
-        const Status status = renderSheet(effect, frames, static_cast<int>(frames.size()), passes, sheet, {}, {});
+        const Status status = renderSheet(effect, {frames}, static_cast<int>(frames.size()), passes, sheet, {}, {});
         if (!status) {
             qFatal("%s", status.error().text().c_str());
         }

@@ -31,7 +31,7 @@ PreviewPane::PreviewPane(QWidget* parent)
     , m_state(new QLabel(this))
 {
     setObjectName(QStringLiteral("export.preview"));
-    auto* plays = new QCheckBox(tr("Play it as the engine will"), this);
+    auto* plays = new QCheckBox(tr("Play as in the engine"), this);
     plays->setObjectName(QStringLiteral("export.plays"));
     auto* form = new LabelledForm(this);
     form->setContentsMargins({});
@@ -155,9 +155,9 @@ void PreviewPane::play()
     constexpr double kMillisecondsASecond = 1000.0;
     constexpr double kPause = 1.0; // s, after what does not loop
     const SheetGrid& grid = m_preview->sheet.grid;
-    const double length = m_preview->loops ? grid.cells : grid.cells - 1 + kPause * m_preview->cellsPerSecond;
+    const double length = grid.loops ? grid.cells : grid.cells - 1 + kPause * m_preview->cellsPerSecond;
     const double cell = std::fmod(static_cast<double>(m_clock.elapsed()) / kMillisecondsASecond * m_preview->cellsPerSecond, length);
-    m_preview->playback->picture(cell, m_preview->loops, static_cast<CellBlending>(m_blending->currentIndex()), m_image);
+    m_preview->playback->picture(cell, grid.loops, static_cast<CellBlending>(m_blending->currentIndex()), m_image);
     encode(m_image, m_preview->output, m_encoded);
     m_canvas->setImage(QImage(m_encoded.pixels.data(), m_encoded.width, m_encoded.height, 4 * m_encoded.width, QImage::Format_RGBA8888).copy());
 }

@@ -29,6 +29,7 @@ struct EngineSheet {
     int columns = 1;
     int rows = 1;
     double cellsPerSecond = 1.0;
+    bool loops = false; ///< it is played over and over
     PassStyle style;
     PassScales scales;
     std::vector<EnginePicture> pictures; ///< the first is the colour's

@@ -153,8 +153,8 @@ data factsOf(const EngineSheet& sheet)
     const int sixtieths = std::max(1, static_cast<int>(60.0 / sheet.cellsPerSecond + 0.5));
     facts.set("sixtieths", std::to_string(sixtieths));
     facts.set("life_sixtieths", std::to_string(sixtieths * cells));
-    facts.set("loop", sheet.effect.timeline.loop);
-    facts.set("once", !sheet.effect.timeline.loop);
+    facts.set("loop", sheet.loops);
+    facts.set("once", !sheet.loops);
     facts.set("motion_scale", number(sheet.scales.motion));
     facts.set("motion_right", sheet.style.vectors == VectorSigns::Unity ? "1.0" : "-1.0");
     facts.set("signs", std::string(nameOf(sheet.style.vectors)));

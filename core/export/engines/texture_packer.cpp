@@ -37,7 +37,7 @@ std::string texturePackerText(const EngineSheet& sheet)
         {"size", {{"w", sheet.columns * width}, {"h", sheet.rows * height}}},
         {"scale", "1"},
         {"cellsPerSecond", sheet.cellsPerSecond},
-        {"loop", sheet.effect.timeline.loop},
+        {"loop", sheet.loops},
     };
     // A file's name need not be UTF-8, JSON is.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

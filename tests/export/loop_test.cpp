@@ -1,0 +1,280 @@
+// Loops: which frames are whole turns, what is said where they are not, and the seam where the last cell is followed by the first.
+
+#include "core/export/loop.h"
+#include "tests/helpers.h"
+
+#include "core/export/cell_frames.h"
+#include "core/export/plan.h"
+#include "core/export/sheet.h"
+#include "core/export/sheet_playback.h"
+#include "core/preset/library.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+namespace {
+
+Timeline loopOf(int length)
+{
+    Timeline timeline;
+    timeline.loop = true;
+    timeline.length = length;
+    return timeline;
+}
+
+/// A preset that loops, as little of it as still flows as it does.
+Effect small(Effect effect, int length)
+{
+    effect.timeline.length = length;
+    effect.timeline.stepsPerFrame = 1;
+    effect.emitter.count = std::min(effect.emitter.count, 3000);
+    effect.air.resolution = 16;
+    effect.noise.slices = std::min(effect.noise.slices, 4);
+    effect.noise.resolution = std::min(effect.noise.resolution, 32);
+    effect.output.quality = Quality::Draft;
+    effect.output.supersample = 1;
+    effect.output.background = Background::Transparent;
+    effect.output.width = effect.output.height = 48;
+    return effect;
+}
+
+/// Mean length of the vectors of each cell where there is smoke, as shares of a cell.
+std::vector<double> meanLengths(const PassSheet& sheet, const DataImage& motion, float scale)
+{
+    std::vector<double> means;
+    for (int cell = 0; cell < sheet.grid.cells; ++cell) {
+        const SheetCell at = sheet.grid.cell(cell);
+        double sum = 0.0;
+        double weight = 0.0;
+        for (int y = at.top; y < at.top + at.height; ++y) {
+            for (int x = at.left; x < at.left + at.width; ++x) {
+                const double alpha = sheet.layers.of(PassLayer::Colour).at(x, y).a;
+                const float* vector = motion.values.data() + static_cast<std::ptrdiff_t>(y * motion.width + x) * 3;
+                sum += alpha * std::hypot(static_cast<double>(vector[0]), static_cast<double>(vector[1])) * scale;
+                weight += alpha;
+            }
+        }
+        means.push_back(sum / weight);
+    }
+    return means;
+}
+
+/// How far the picture halfway between two cells is from the frame that is there: root of the mean square.
+double ghost(const SheetPlayback& playback, const SheetGrid& grid, int cell, const Image& truth)
+{
+    double sum = 0.0;
+    for (int y = 0; y < truth.height; ++y) {
+        for (int x = 0; x < truth.width; ++x) {
+            const glm::vec4 there = shown(truth.at(x, y));
+            const glm::vec4 seen = playback.pixel(cell, (cell + 1) % grid.cells, 0.5F, x, y, CellBlending::Motion);
+            sum += static_cast<double>(glm::dot(there - seen, there - seen));
+        }
+    }
+    return std::sqrt(sum / (truth.width * truth.height));
+}
+
+/// All that the files of a flipbook say in words: numbers and pictures left out.
+QString wordsOf(const Effect& effect, const FlipbookOptions& options)
+{
+    QString words;
+    const Result<std::vector<FlipbookFile>> files = encodeFlipbook(effect, options, {});
+    for (const FlipbookFile& file : files.value()) {
+        if (file.path.extension() != ".png") {
+            words += QString::fromUtf8(reinterpret_cast<const char*>(file.bytes.data()), static_cast<qsizetype>(file.bytes.size()));
+        }
+    }
+    words.remove(QRegularExpression(QStringLiteral("base64,[A-Za-z0-9+/=]+")));
+    return words.remove(QRegularExpression(QStringLiteral("[0-9.]+(e-[0-9]+)?")));
+}
+
+} // namespace
+
+class LoopTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void onlyWholeTurnsClose_data()
+    {
+        QTest::addColumn<int>("first");
+        QTest::addColumn<int>("last");
+        QTest::addColumn<int>("step");
+        QTest::addColumn<int>("turn"); // 0: none
+        QTest::newRow("one turn") << 0 << 89 << 1 << 90;
+        QTest::newRow("from elsewhere") << 7 << 96 << 1 << 90;
+        QTest::newRow("every second frame") << 0 << 88 << 2 << 90;
+        QTest::newRow("every second, as they are written") << 0 << 89 << 2 << 90;
+        QTest::newRow("two turns") << 0 << 179 << 1 << 180;
+        QTest::newRow("two turns in steps that divide but them") << 0 << 176 << 4 << 180;
+        QTest::newRow("too few") << 0 << 63 << 1 << 0;
+        QTest::newRow("the first again") << 0 << 90 << 1 << 0;
+        QTest::newRow("steps that divide nothing") << 0 << 89 << 7 << 0;
+        QTest::newRow("one frame") << 5 << 5 << 1 << 0;
+    }
+    void onlyWholeTurnsClose()
+    {
+        QFETCH(int, first);
+        QFETCH(int, last);
+        QFETCH(int, step);
+        QFETCH(int, turn);
+        const FrameRange frames{first, last, step};
+        QCOMPARE(turnOf(loopOf(90), frames).value_or(0), turn);
+        Timeline once = loopOf(90);
+        once.loop = false;
+        QVERIFY(!turnOf(once, frames));
+        QVERIFY(!closedInstead(once, frames));
+        QCOMPARE(closedInstead(loopOf(90), frames).has_value(), turn == 0);
+    }
+
+    void whatIsOfferedClosesAndIsEnough()
+    {
+        for (const int length : {1, 2, 7, 48, 89, 90, 96, 150}) {
+            for (const int step : {1, 2, 3, 7, 40, 200}) {
+                for (const int count : {1, 5, 36, 64, 91}) {
+                    for (const int fewest : {1, 16, 64}) {
+                        const FrameRange asked{3, 3 + (count - 1) * step, step};
+                        const std::optional<FrameRange> offered = closedInstead(loopOf(length), asked, fewest);
+                        if (!offered) {
+                            QVERIFY(turnOf(loopOf(length), asked));
+                            continue;
+                        }
+                        QVERIFY(turnOf(loopOf(length), *offered));
+                        QVERIFY(offered->count() >= fewest);
+                        QCOMPARE(offered->first, asked.first);
+                    }
+                }
+            }
+        }
+    }
+
+    void theNearestRangeIsOffered()
+    {
+        const auto offered = [](const FrameRange& frames, int fewest) { return textOf(closedInstead(loopOf(90), frames, fewest).value()); };
+        QCOMPARE(offered({0, 63, 1}, 9), std::string("0-89"));
+        QCOMPARE(offered({0, 90, 1}, 64), std::string("0-89"));
+        QCOMPARE(offered({0, 89, 7}, 9), std::string("0-84:6"));
+        QCOMPARE(offered({10, 190, 1}, 64), std::string("10-189"));
+    }
+
+    void aCurveClosesWhereItEndsAsItBegins()
+    {
+        FlipbookOptions options;
+        options.frames = {0, 89, 1};
+        const auto turn = [&](std::initializer_list<CurvePoint> points) {
+            options.retime = Curve(points);
+            return turnOf(loopOf(90), options);
+        };
+        QCOMPARE(turn({{0.0F, 0.0F}, {0.3F, 0.6F}, {1.0F, 1.0F}}), std::optional(90));
+        QCOMPARE(turn({{0.0F, 1.0F}, {1.0F, 0.0F}}), std::optional(-90));
+        QCOMPARE(turn({{0.0F, 0.0F}, {0.5F, 1.0F}, {1.0F, 0.0F}}), std::optional(0));
+        QCOMPARE(turn({{0.0F, 0.0F}, {1.0F, 0.5F}}), std::optional<int>());
+    }
+
+    void vectorsAtTheSeamAreThoseOfOtherCells_data()
+    {
+        QTest::addColumn<int>("preset");
+        QTest::addColumn<int>("length");
+        const std::vector<LibraryEntry> presets = builtinPresets();
+        for (std::size_t i = 0; i < presets.size(); ++i) {
+            if (loadPreset(presets[i]).value().preset.effect.timeline.loop) {
+                // Steps of 1 and 2 frames in turn, of which the last is 1 and that at the seam 2; and steps of 2.
+                QTest::newRow((presets[i].id + ", uneven").c_str()) << static_cast<int>(i) << 24;
+                QTest::newRow((presets[i].id + ", even").c_str()) << static_cast<int>(i) << 32;
+            }
+        }
+    }
+    void vectorsAtTheSeamAreThoseOfOtherCells()
+    {
+        QFETCH(int, preset);
+        QFETCH(int, length);
+        const Effect effect = small(loadPreset(builtinPresets()[static_cast<std::size_t>(preset)]).value().preset.effect, length);
+        FlipbookOptions options;
+        options.columns = options.rows = 4;
+        options.frames = {0, length - 1, 1};
+        const CellFrames frames = cellFramesOf(effect, options);
+        QCOMPARE(frames.turn, std::optional(length));
+        PassSheet sheet;
+        const auto shelf = std::make_shared<AirShelf>();
+        QVERIFY(renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, {}, shelf).ok());
+        const PassPictures pictures(sheet, {Pass::Motion}, {});
+        const DataImage motion = pictures.picture(Pass::Motion);
+        const std::vector<double> lengths = meanLengths(sheet, motion, pictures.scales().motion);
+        const auto [least, most] = std::minmax_element(lengths.begin() + 1, lengths.end() - 1);
+        for (const double seam : {lengths.front(), lengths.back()}) {
+            QVERIFY2(seam >= 0.9 * *least && seam <= 1.1 * *most, qPrintable(QStringLiteral("%1 is not from %2 to %3").arg(seam).arg(*least).arg(*most)));
+        }
+        const SheetPlayback playback(sheet, motion, pictures.scales().motion);
+        Simulator simulator(sampled(effect), Simulator::kDefaultCheckpointBytes, shelf);
+        Renderer renderer;
+        double worst = 0.0;
+        double seam = 0.0;
+        for (std::size_t cell = 0; cell < frames.numbers.size(); ++cell) {
+            const bool isSeam = cell + 1 == frames.numbers.size();
+            const int next = isSeam ? length : frames.numbers[cell + 1];
+            if (next - frames.numbers[cell] != 2) {
+                continue;
+            }
+            Image truth;
+            QVERIFY(renderer.render(*simulator.frame(frames.numbers[cell] + 1).value(), sampled(effect), 48, 48, truth).ok());
+            const double seen = ghost(playback, sheet.grid, static_cast<int>(cell), truth);
+            (isSeam ? seam : worst) = std::max(isSeam ? seam : worst, seen);
+        }
+        QVERIFY2(seam > 0.0 && seam <= 1.05 * worst, qPrintable(QStringLiteral("%1 at the seam, %2 elsewhere").arg(seam).arg(worst)));
+    }
+
+    void framesOfALoopKnowTheOneBeforeTheFirst()
+    {
+        // What a farm renders of a turn is what follows it in the next one.
+        const Effect effect = small(loadPreset("steam").value().preset.effect, 24);
+        const auto vectors = [&](int frame) {
+            SequenceOptions options;
+            options.frames = {frame, frame, 1};
+            options.format = ImageFormat::ExrFloat;
+            options.passes = {Pass::Colour, Pass::Motion};
+            return encodeFrame(effect, frame, options);
+        };
+        const auto first = vectors(0);
+        const auto again = vectors(24);
+        QVERIFY(first.ok() && again.ok());
+        const auto pixelsOf = [](const std::vector<std::byte>& bytes) { return std::vector<std::byte>(bytes.end() - 4096, bytes.end()); };
+        QVERIFY(pixelsOf(first.value()) == pixelsOf(again.value()));
+    }
+
+    void everySheetSaysWhetherItLoops_data()
+    {
+        QTest::addColumn<int>("last");
+        QTest::addColumn<bool>("loops");
+        QTest::newRow("one turn") << 19 << true;
+        QTest::newRow("less") << 15 << false;
+        QTest::newRow("the first again") << 20 << false;
+    }
+    void everySheetSaysWhetherItLoops()
+    {
+        QFETCH(int, last);
+        QFETCH(bool, loops);
+        Effect effect = thesisEffect(200);
+        effect.timeline = loopOf(20);
+        effect.output.width = effect.output.height = 8;
+        for (const Engine engine : kAllEngines) {
+            ExportPlan plan;
+            plan.kind = ExportKind::Flipbook;
+            plan.output = "a.png";
+            plan.frames = {0, last, 1};
+            plan.columns = plan.rows = 2;
+            plan.engine = engine;
+            plan.passes = passesFor(engine);
+            // A sheet that does not loop says what one says of smoke that never does.
+            Effect once = effect;
+            once.timeline.loop = false;
+            const QString said = wordsOf(effect, flipbookOf(plan));
+            QCOMPARE(said.contains(QStringLiteral("\"loop\": true")), loops);
+            QCOMPARE(said == wordsOf(once, flipbookOf(plan)), !loops);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(LoopTest)
+#include "loop_test.moc"
