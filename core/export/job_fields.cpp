@@ -241,6 +241,15 @@ Status readDepth(const JsonNode& value, ExportPlan& plan)
     if (value.type != JsonNode::Type::Number || value.number < 0.0 || value.number > 1.0) {
         return Error{ErrorCode::OutOfRange, said("expected a number from 0 to 1"), {}, {}};
     }
+Status readVoxel(const JsonNode& value, ExportPlan& plan)
+{
+    if (value.type != JsonNode::Type::Number || value.number < static_cast<double>(kMinVoxel) || value.number > static_cast<double>(kMaxVoxel)) {
+        return Error{ErrorCode::OutOfRange, said("expected a number from %1 to %2", formatFloat(kMinVoxel), formatFloat(kMaxVoxel)), {}, {}};
+    }
+    plan.voxel = static_cast<float>(value.number);
+    return Done{};
+}
+
     plan.noiseDepth = static_cast<float>(value.number);
     return Done{};
 }
@@ -341,6 +350,9 @@ constexpr JobField kFields[] = {
         [](Json value, Text, To job) { return readDepth(value, job.plan); }},
 };
 
+    {"voxel",
+        [](From job) { return isVolume(job) && job.plan.voxel ? Written(formatFloat(*job.plan.voxel)) : Written(); },
+        [](Json value, Text, To job) { return readVoxel(value, job.plan); }},
 } // namespace
 
 std::span<const JobField> jobFields()

@@ -254,7 +254,10 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     case ExportKind::Video: return plainly(renderVideo(effect, {plan.output, plan.frames, plan.video}, progress, stop));
     case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, progress, stop));
     case ExportKind::Particles: return plainly(dumpSequence(effect, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
-    case ExportKind::Volumes: return plainly(writeVolumes(effect, {plan.output, plan.frames, plan.cells, plan.up.value_or(UpAxis::Z), plan.source}, progress, stop));
+    case ExportKind::Volumes: {
+        const Result<float> voxel = writeVolumes(effect, {plan.output, plan.frames, plan.cells, plan.voxel, plan.up.value_or(UpAxis::Z), plan.source}, progress, stop);
+        return plainly(voxel ? Status(Done{}) : Status(voxel.error()));
+    }
     case ExportKind::Air: {
         const Result<AirGrid> air = writeAir(effect, {plan.output, plan.frames, plan.air, plan.source}, progress, stop);
         return plainly(air ? Status(Done{}) : Status(air.error()));

@@ -47,7 +47,8 @@ struct ExportPlan {
     VideoFormat video = VideoFormat::Mp4;
     ParticleFormat particles = ParticleFormat::Csv;
     AirFormat air = AirFormat::Fga;
-    int cells = VolumeSequenceOptions().longest; ///< of volumes, along their longest edge, kMinVolumeCells to kMaxVolumeCells
+    int cells = VolumeSequenceOptions().longest; ///< of volumes, along the longest edge of the smoke of the timeline, kMinVolumeCells to kMaxVolumeCells
+    std::optional<float> voxel; ///< of volumes, the edge of a cell, m, in place of the one that cells come to; kMinVoxel to kMaxVoxel
     std::optional<UpAxis> up; ///< of volumes, and of particles in a format that has no axes of its own; none: z for volumes, as Blender has it, else y
     int columns = 8; ///< of a flipbook, 1..kMaxSheetCells
     int rows = 8;

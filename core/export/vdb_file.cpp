@@ -1,6 +1,7 @@
 #include "core/export/vdb_file.h"
 
 #include "core/base/hash.h"
+#include "core/base/text.h"
 #include "core/export/byte_writer.h"
 #include "core/rendering/sprite_texture.h"
 #include "core/simulation/simulator.h"
@@ -48,9 +49,13 @@ struct Middle {
     Mask children{kMiddleBits};
     std::vector<Leaf> leaves; ///< by their place
 };
-struct Tree {
+struct Top {
+    glm::ivec3 first{0}; ///< voxel
     Mask children{kTopBits};
     std::vector<Middle> middles; ///< by their place
+};
+struct Tree {
+    std::vector<Top> tops; ///< from the lowest x, then y, then z
     std::int64_t voxels = 0;
     glm::ivec3 low{0}, high{0}; ///< of the voxels
 };
@@ -73,17 +78,17 @@ public:
     }
 
     [[nodiscard]] glm::ivec3 cells() const { return m_up == UpAxis::Z ? glm::ivec3(m_volume.cells.x, m_volume.cells.z, m_volume.cells.y) : m_volume.cells; }
-    /// The middle of voxel (0, 0, 0), m.
-    [[nodiscard]] glm::vec3 origin() const
+    /// The voxel at the corner of the box. What is turned over has voxel -1 where voxel 0 was.
+    [[nodiscard]] glm::ivec3 first() const
     {
-        const glm::vec3 first = m_volume.corner + 0.5F * m_volume.cell;
-        const float last = first.z + m_volume.cell * static_cast<float>(m_volume.cells.z - 1);
-        return m_up == UpAxis::Z ? glm::vec3(first.x, -last, first.y) : first;
+        const glm::ivec3& ours = m_volume.first;
+        return m_up == UpAxis::Z ? glm::ivec3(ours.x, -ours.z - m_volume.cells.z, ours.y) : ours;
     }
     /// Where the numbers of a voxel stand; nothing where it has no smoke, or lies outside of the volume.
     [[nodiscard]] std::optional<std::size_t> at(const glm::ivec3& voxel) const
     {
-        const glm::ivec3 ours = m_up == UpAxis::Z ? glm::ivec3(voxel.x, voxel.z, m_volume.cells.z - 1 - voxel.y) : voxel;
+        const glm::ivec3 inside = voxel - first();
+        const glm::ivec3 ours = m_up == UpAxis::Z ? glm::ivec3(inside.x, inside.z, m_volume.cells.z - 1 - inside.y) : inside;
         for (int axis = 0; axis < 3; ++axis) {
             if (ours[axis] < 0 || ours[axis] >= m_volume.cells[axis]) {
                 return std::nullopt;
@@ -99,56 +104,90 @@ private:
     UpAxis m_up;
 };
 
-/// Calls visit(i, j, k) for all below n, k fastest, as children of nodes are counted.
+/// Calls visit(i, j, k) for all from low to high, k fastest, as children of nodes are counted.
 template <class Visit>
-void forChildren(const glm::ivec3& n, const Visit& visit)
+void forChildren(const glm::ivec3& low, const glm::ivec3& high, const Visit& visit)
 {
-    for (int i = 0; i < n.x; ++i) {
-        for (int j = 0; j < n.y; ++j) {
-            for (int k = 0; k < n.z; ++k) {
+    for (int i = low.x; i <= high.x; ++i) {
+        for (int j = low.y; j <= high.y; ++j) {
+            for (int k = low.z; k <= high.z; ++k) {
                 visit(glm::ivec3(i, j, k));
             }
         }
     }
 }
 
-glm::ivec3 nodesAlong(const glm::ivec3& cells, int bits)
+/// Voxels from low to high.
+struct Box {
+    glm::ivec3 low{0};
+    glm::ivec3 high{0};
+};
+
+/// Calls visit(child) for the children of a node that touch a box.
+/// @param first      voxel of the node
+/// @param bits       log2 of its children along an edge
+/// @param bitsOfEdge log2 of the voxels of a child along an edge
+template <class Visit>
+void forChildrenIn(const Box& box, const glm::ivec3& first, int bits, int bitsOfEdge, const Visit& visit)
 {
-    const int edge = 1 << bits;
-    return (cells + (edge - 1)) / edge;
+    const glm::ivec3 most((1 << bits) - 1);
+    forChildren(glm::max((box.low - first) >> bitsOfEdge, 0), glm::min((box.high - first) >> bitsOfEdge, most), visit);
 }
 
-Tree treeOf(const Placed& placed)
+Leaf leafOf(const Placed& placed, const Box& box, const glm::ivec3& first, Tree& tree)
 {
-    constexpr int kLeafEdge = 1 << kLeafBits;
-    constexpr int kMiddleEdge = 1 << (kLeafBits + kMiddleBits);
-    Tree tree;
-    tree.low = placed.cells();
-    tree.high = glm::ivec3(-1);
-    forChildren(nodesAlong(placed.cells(), kLeafBits + kMiddleBits), [&](const glm::ivec3& middleAt) {
+    Leaf leaf;
+    leaf.first = first;
+    forChildrenIn(box, first, kLeafBits, 0, [&](const glm::ivec3& voxelAt) {
+        const glm::ivec3 voxel = first + voxelAt;
+        if (placed.at(voxel)) {
+            leaf.voxels.set(placeOf(voxelAt, kLeafBits));
+            ++tree.voxels;
+            tree.low = glm::min(tree.low, voxel);
+            tree.high = glm::max(tree.high, voxel);
+        }
+    });
+    return leaf;
+}
+
+Top topOf(const Placed& placed, const Box& box, const glm::ivec3& first, Tree& tree)
+{
+    Top top;
+    top.first = first;
+    forChildrenIn(box, first, kTopBits, kLeafBits + kMiddleBits, [&](const glm::ivec3& middleAt) {
         Middle middle;
         middle.place = placeOf(middleAt, kTopBits);
-        forChildren(glm::ivec3(1 << kMiddleBits), [&](const glm::ivec3& leafAt) {
-            Leaf leaf;
-            leaf.first = middleAt * kMiddleEdge + leafAt * kLeafEdge;
+        const glm::ivec3 middleFirst = first + middleAt * (1 << (kLeafBits + kMiddleBits));
+        forChildrenIn(box, middleFirst, kMiddleBits, kLeafBits, [&](const glm::ivec3& leafAt) {
             const std::int64_t before = tree.voxels;
-            forChildren(glm::ivec3(kLeafEdge), [&](const glm::ivec3& voxelAt) {
-                const glm::ivec3 voxel = leaf.first + voxelAt;
-                if (placed.at(voxel)) {
-                    leaf.voxels.set(placeOf(voxelAt, kLeafBits));
-                    ++tree.voxels;
-                    tree.low = glm::min(tree.low, voxel);
-                    tree.high = glm::max(tree.high, voxel);
-                }
-            });
+            Leaf leaf = leafOf(placed, box, middleFirst + leafAt * (1 << kLeafBits), tree);
             if (tree.voxels > before) {
                 middle.children.set(placeOf(leafAt, kMiddleBits));
                 middle.leaves.push_back(std::move(leaf));
             }
         });
         if (!middle.leaves.empty()) {
-            tree.children.set(middle.place);
-            tree.middles.push_back(std::move(middle));
+            top.children.set(middle.place);
+            top.middles.push_back(std::move(middle));
+        }
+    });
+    return top;
+}
+
+Tree treeOf(const Placed& placed)
+{
+    constexpr int kBits = kLeafBits + kMiddleBits + kTopBits;
+    const Box box{placed.first(), placed.first() + placed.cells() - 1};
+    Tree tree;
+    tree.low = box.high + 1;
+    tree.high = box.low - 1;
+    if (placed.cells() == glm::ivec3(0)) {
+        return tree;
+    }
+    forChildren(box.low >> kBits, box.high >> kBits, [&](const glm::ivec3& topAt) {
+        Top top = topOf(placed, box, topAt * (1 << kBits), tree);
+        if (!top.middles.empty()) {
+            tree.tops.push_back(std::move(top));
         }
     });
     return tree;
@@ -215,11 +254,11 @@ void appendMetadata(std::string& out, const Column& column, const Tree& tree)
     }
 }
 
-/// Index to place: scale, then shift.
-void appendTransform(std::string& out, const glm::dvec3& origin, double cell)
+/// Index to place: scale, then shift. Voxel (0, 0, 0) has the origin as a corner, and lies in the positive directions of it.
+void appendTransform(std::string& out, double cell)
 {
     appendString(out, "UniformScaleTranslateMap");
-    appendDoubles(out, origin);
+    appendDoubles(out, glm::dvec3(0.5 * cell));
     appendDoubles(out, glm::dvec3(cell)); // scale
     appendDoubles(out, glm::dvec3(cell)); // size of a voxel
     appendDoubles(out, glm::dvec3(1.0 / cell));
@@ -240,39 +279,46 @@ void appendTopology(std::string& out, const Column& column, const Tree& tree)
     for (int channel = 0; channel < column.channels; ++channel) {
         appendLittleEndian(out, 0.0F); // what lies outside
     }
-    const bool isEmpty = tree.middles.empty();
     appendLittleEndian(out, std::uint32_t{0}); // tiles
-    appendLittleEndian(out, std::uint32_t{isEmpty ? 0U : 1U});
-    if (isEmpty) {
-        return;
-    }
-    out.append(3 * sizeof(std::int32_t), '\0'); // where the top begins
-    out += tree.children.bytes();
-    out += Mask(kTopBits).bytes();
-    appendNothing(out, kTopBits, column.channels);
-    for (const Middle& middle : tree.middles) {
-        out += middle.children.bytes();
-        out += Mask(kMiddleBits).bytes();
-        appendNothing(out, kMiddleBits, column.channels);
-        for (const Leaf& leaf : middle.leaves) {
-            out += leaf.voxels.bytes();
+    appendLittleEndian(out, static_cast<std::uint32_t>(tree.tops.size()));
+    for (const Top& top : tree.tops) {
+        for (int axis = 0; axis < 3; ++axis) {
+            appendLittleEndian(out, static_cast<std::uint32_t>(top.first[axis]));
+        }
+        out += top.children.bytes();
+        out += Mask(kTopBits).bytes();
+        appendNothing(out, kTopBits, column.channels);
+        for (const Middle& middle : top.middles) {
+            out += middle.children.bytes();
+            out += Mask(kMiddleBits).bytes();
+            appendNothing(out, kMiddleBits, column.channels);
+            for (const Leaf& leaf : middle.leaves) {
+                out += leaf.voxels.bytes();
+            }
         }
     }
 }
 
+void appendLeaf(std::string& out, const Column& column, const Leaf& leaf, const Placed& placed)
+{
+    out += leaf.voxels.bytes();
+    out += kAllValues;
+    forChildren(glm::ivec3(0), glm::ivec3((1 << kLeafBits) - 1), [&](const glm::ivec3& voxelAt) {
+        const std::optional<std::size_t> place = placed.at(leaf.first + voxelAt);
+        const glm::vec3 value = place ? column.at(*place) : glm::vec3(0.0F);
+        for (int channel = 0; channel < column.channels; ++channel) {
+            appendLittleEndian(out, half(value[channel]).bits(), 2);
+        }
+    });
+}
+
 void appendLeaves(std::string& out, const Column& column, const Tree& tree, const Placed& placed)
 {
-    for (const Middle& middle : tree.middles) {
-        for (const Leaf& leaf : middle.leaves) {
-            out += leaf.voxels.bytes();
-            out += kAllValues;
-            forChildren(glm::ivec3(1 << kLeafBits), [&](const glm::ivec3& voxelAt) {
-                const std::optional<std::size_t> place = placed.at(leaf.first + voxelAt);
-                const glm::vec3 value = place ? column.at(*place) : glm::vec3(0.0F);
-                for (int channel = 0; channel < column.channels; ++channel) {
-                    appendLittleEndian(out, half(value[channel]).bits(), 2);
-                }
-            });
+    for (const Top& top : tree.tops) {
+        for (const Middle& middle : top.middles) {
+            for (const Leaf& leaf : middle.leaves) {
+                appendLeaf(out, column, leaf, placed);
+            }
         }
     }
 }
@@ -288,7 +334,7 @@ void appendGrid(std::string& out, const Column& column, const Tree& tree, const 
     places[0] = out.size();
     appendLittleEndian(out, std::uint32_t{0}); // not compressed
     appendMetadata(out, column, tree);
-    appendTransform(out, glm::dvec3(placed.origin()), static_cast<double>(cell));
+    appendTransform(out, static_cast<double>(cell));
     appendTopology(out, column, tree);
     places[1] = out.size();
     appendLeaves(out, column, tree, placed);
@@ -325,10 +371,10 @@ std::string encodeVdb(const Volume& volume, UpAxis up)
     const Placed placed(volume, up);
     const Tree tree = treeOf(placed);
     std::vector<Column> columns{{"density", 1, [&](std::size_t cell) { return glm::vec3(volume.density[cell]); }}};
-    if (!volume.temperature.empty()) {
+    if (volume.hasTemperature) {
         columns.push_back({"temperature", 1, [&](std::size_t cell) { return glm::vec3(volume.temperature[cell]); }});
     }
-    if (!volume.flames.empty()) {
+    if (volume.hasFlames) {
         columns.push_back({"flames", 1, [&](std::size_t cell) { return glm::vec3(volume.flames[cell]); }});
     }
     columns.push_back({"vel", 3, [&](std::size_t cell) { return turned(volume.velocity[cell], up); }});
@@ -351,10 +397,13 @@ std::string encodeVdb(const Volume& volume, UpAxis up)
     return out;
 }
 
-Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (options.longest < kMinVolumeCells || options.longest > kMaxVolumeCells) {
         return Error{ErrorCode::OutOfRange, said("a volume of %1 cells", options.longest), {}, said("Use %1 to %2 cells along the longest edge", kMinVolumeCells, kMaxVolumeCells)};
+    }
+    if (options.voxel && !(*options.voxel >= kMinVoxel && *options.voxel <= kMaxVoxel)) {
+        return Error{ErrorCode::OutOfRange, said("voxels of %1 m", formatFloat(*options.voxel)), {}, said("Use %1 to %2 m", formatFloat(kMinVoxel), formatFloat(kMaxVoxel))};
     }
     const SampledEffect smoke = sampled(effect);
     GreyCounts greys;
@@ -366,10 +415,20 @@ Status writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, 
         greys = texture.value().greys(0);
     }
     Simulator simulator(smoke);
-    return writeNumbered({options.output, options.frames, kVdbEnding, options.source, options.written}, progress, [&](int number) -> Result<std::string> {
+    const Result<float> voxel = options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, smoke, options.longest, progress, stop);
+    if (!voxel) {
+        return voxel;
+    }
+    const NumberedFiles files{options.output, options.frames, kVdbEnding, options.source, options.written};
+    const Status written = writeNumbered(files, progress, [&](int number) -> Result<std::string> {
         const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
-        return frame ? Result<std::string>(encodeVdb(volumeOf(*frame.value(), smoke, options.longest, greys), options.up)) : frame.error();
+        if (!frame) {
+            return frame.error();
+        }
+        const Result<Volume> volume = volumeOf(*frame.value(), smoke, voxel.value(), greys);
+        return volume ? Result<std::string>(encodeVdb(volume.value(), options.up)) : volume.error();
     });
+    return written ? voxel : written.error();
 }
 
 } // namespace fumage

@@ -2,10 +2,12 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/lighting/glow.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -51,6 +53,7 @@ std::vector<Ball> ballsOf(const Frame& frame, const SampledEffect& effect, const
     }
     const float discs = kPi / 3.0F * (appearance.cover.mean / Coverage::kSoftDisc);
     const Particles& p = frame.particles;
+    const glm::vec3 corner = volume.corner();
     std::vector<Ball> balls;
     balls.reserve(appearance.count);
     for (std::size_t i = 0; i < p.capacity; ++i) {
@@ -59,7 +62,7 @@ std::vector<Ball> ballsOf(const Frame& frame, const SampledEffect& effect, const
             continue;
         }
         const float heat = heatOf(frame, i, effect);
-        balls.push_back({(glm::vec3(p.x[i], p.y[i], p.z[i]) - volume.corner) / volume.cell, appearance.radius[i] / volume.cell, mass * discs / (volume.cell * volume.cell), heat,
+        balls.push_back({(glm::vec3(p.x[i], p.y[i], p.z[i]) - corner) / volume.cell, appearance.radius[i] / volume.cell, mass * discs / (volume.cell * volume.cell), heat,
             glowOf(colours, heat, brightest), {p.vx[i], p.vy[i], p.vz[i]}});
     }
     return balls;
@@ -96,8 +99,8 @@ void spread(const std::vector<Ball>& balls, const std::vector<float>& sums, Volu
 {
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
-        constexpr float kMargin = 1.0F; // the one cell of a small ball
-        if (ball.place.z + ball.radius + kMargin < static_cast<float>(begin) || ball.place.z - ball.radius - kMargin > static_cast<float>(end)) {
+        constexpr float kSmall = 1.0F; // the one cell of a small ball
+        if (ball.place.z + ball.radius + kSmall < static_cast<float>(begin) || ball.place.z - ball.radius - kSmall > static_cast<float>(end)) {
             continue;
         }
         const float whole = ball.crossSection / (sums[i] * volume.cell); // cells squared over cells cubed, per metre
@@ -119,34 +122,104 @@ void spread(const std::vector<Ball>& balls, const std::vector<float>& sums, Volu
     }
 }
 
-/// The box around all balls, with a cell of nothing around it.
-void placeBox(const Appearance& appearance, int longest, Volume& volume)
+/// A box around smoke, m.
+struct Bounds {
+    glm::vec3 low{std::numeric_limits<float>::max()};
+    glm::vec3 high{std::numeric_limits<float>::lowest()};
+
+    void add(const Appearance& appearance)
+    {
+        if (appearance.count > 0) {
+            low = glm::min(low, appearance.low - appearance.largestRadius);
+            high = glm::max(high, appearance.high + appearance.largestRadius);
+        }
+    }
+    [[nodiscard]] float longestEdge() const
+    {
+        const glm::vec3 size = high - low;
+        return std::max({size.x, size.y, size.z});
+    }
+};
+
+/// What a box has around the smoke, in all directions: a cell of nothing.
+constexpr int kMargin = 1;
+
+/// The box around all balls.
+Status placeBox(const Frame& frame, const Appearance& appearance, Volume& volume)
 {
-    const glm::vec3 low = appearance.low - appearance.largestRadius;
-    const glm::vec3 size = appearance.high + appearance.largestRadius - low;
-    const float edge = std::max({size.x, size.y, size.z});
-    volume.cell = edge / static_cast<float>(longest - 2);
-    volume.cells = glm::clamp(glm::ivec3(glm::ceil(size / volume.cell)) + 2, glm::ivec3(3), glm::ivec3(longest));
-    volume.corner = low - volume.cell;
+    Bounds bounds;
+    bounds.add(appearance);
+    const glm::dvec3 low = glm::floor(glm::dvec3(bounds.low) / static_cast<double>(volume.cell)) - static_cast<double>(kMargin);
+    const glm::dvec3 past = glm::floor(glm::dvec3(bounds.high) / static_cast<double>(volume.cell)) + static_cast<double>(kMargin + 1);
+    const glm::dvec3 cells = past - low;
+    constexpr double kFarthest = 1e9; // on the lattice, that whole numbers count
+    const bool isNear = std::max({-low.x, -low.y, -low.z, past.x, past.y, past.z}) <= kFarthest;
+    if (!isNear || cells.x * cells.y * cells.z > static_cast<double>(kMaxVolumeSize)) {
+        return Error{ErrorCode::TooLarge, said("the box around the smoke of frame %1 has more than %2 voxels of %3 m", frame.number, kMaxVolumeSize, formatFloat(volume.cell)), {},
+            said("Choose larger voxels")};
+    }
+    volume.first = glm::ivec3(low);
+    volume.cells = glm::ivec3(cells);
+    return Done{};
+}
+
+/// The next number upwards with three digits, more than 0.
+double roundedUp(double number)
+{
+    constexpr double kLeast = 100.0; // of three digits
+    constexpr double kBase = 10.0;
+    double unit = 1.0;
+    while (number / unit >= kLeast * kBase) {
+        unit *= kBase;
+    }
+    double units = 1.0; // of one below 1: powers of ten are exact, their parts are not
+    while (number / unit * units < kLeast) {
+        units *= kBase;
+    }
+    return std::ceil(number / unit * units) * unit / units;
 }
 
 } // namespace
 
-Volume volumeOf(const Frame& frame, const SampledEffect& effect, int longest, const GreyCounts& greys)
+Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int longest, const Progress& progress, const std::stop_token& stop)
+{
+    Bounds bounds;
+    Appearance appearance;
+    const int frames = effect->timeline.length;
+    for (int number = 0; number < frames; ++number) {
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
+        if (!frame) {
+            return frame.error();
+        }
+        findAppearance(*frame.value(), effect, Axes{}, appearance);
+        bounds.add(appearance);
+        progress(Work::Fitting, number + 1, frames);
+    }
+    const float edge = bounds.longestEdge();
+    const int inside = longest - 2 * kMargin - 1; // smoke that is n cells long lies in as many as n + 1
+    return edge > 0.0F ? std::clamp(static_cast<float>(roundedUp(static_cast<double>(edge) / inside)), kMinVoxel, kMaxVoxel) : kVoxelWithoutSmoke;
+}
+
+Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel, const GreyCounts& greys)
 {
     Appearance appearance;
     findAppearance(frame, effect, Axes{}, appearance, greys);
+    const bool glows = effect->light.emission > 0.0F;
     Volume volume;
+    volume.cell = voxel;
+    volume.hasTemperature = effect->air.enabled || glows;
+    volume.hasFlames = glows;
     if (appearance.count == 0) {
         return volume;
     }
-    placeBox(appearance, longest, volume);
+    if (Status status = placeBox(frame, appearance, volume); !status) {
+        return status.error();
+    }
     const std::size_t count = static_cast<std::size_t>(volume.cells.x) * static_cast<std::size_t>(volume.cells.y) * static_cast<std::size_t>(volume.cells.z);
     volume.density.assign(count, 0.0F);
     volume.velocity.assign(count, glm::vec3(0.0F));
-    const bool glows = effect->light.emission > 0.0F;
-    volume.temperature.assign(frame.particles.inAir() || glows ? count : 0, 0.0F);
-    volume.flames.assign(glows ? count : 0, 0.0F);
+    volume.temperature.assign(volume.hasTemperature ? count : 0, 0.0F);
+    volume.flames.assign(volume.hasFlames ? count : 0, 0.0F);
     const std::vector<Ball> balls = ballsOf(frame, effect, appearance, volume);
     std::vector<float> sums(balls.size(), 0.0F);
     parallelFor(balls.size(), [&](std::size_t i) { forCellsOf(balls[i], volume.cells, [&](const glm::ivec3& /*at*/, float share) { sums[i] += share; }); });

@@ -73,6 +73,7 @@ private slots:
         jobs[6].plan.cells = 200;
         jobs[6].plan.up = UpAxis::Y;
         jobs[7].plan.air = AirFormat::Vf;
+        jobs[6].plan.voxel = 0.02F;
 
         for (ExportJob& job : jobs) {
             job.plan.output = withEnding(job.plan.output, fileEnding(job.plan));
@@ -105,7 +106,7 @@ private slots:
         QVERIFY(read[2].plan.video == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
         QVERIFY(read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
         QVERIFY(read[5].plan.particles == ParticleFormat::Ply && read[5].plan.up == UpAxis::Z);
-        QVERIFY(read[6].plan.cells == 200 && read[6].plan.up == UpAxis::Y && !read[6].plan.project);
+        QVERIFY(read[6].plan.cells == 200 && read[6].plan.voxel == 0.02F && read[6].plan.up == UpAxis::Y && !read[6].plan.project);
         QVERIFY(read[7].plan.air == AirFormat::Vf && !read[7].plan.up);
     }
 

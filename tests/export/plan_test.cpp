@@ -235,8 +235,8 @@ private slots:
         const Effect effect = smallEffect();
         ExportPlan plan = planFor(ExportKind::Volumes, u"v.vdb"_qs);
         plan.frames = {6, 6, 1};
-        plan.cells = 16;
-        const auto bytes = [&](UpAxis up) { return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 16), up); };
+        plan.voxel = 0.125F;
+        const auto bytes = [&](UpAxis up) { return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 0.125F).value(), up); };
         constexpr std::size_t kMost = 1U << 24U;
         QVERIFY(runExport(effect, plan, {}).ok());
         QVERIFY(readFile(plan.output, kMost).value() == bytes(UpAxis::Z));

@@ -1,9 +1,11 @@
 // Smoke as volumes: what particles leave in cells, and that files hold it.
+#include "tests/export/vdb_reader.h"
 #include "tests/helpers.h"
 #include "tests/lighting/clouds.h"
 
 #include "core/base/file.h"
 #include "core/export/vdb_file.h"
+#include "core/preset/library.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -38,6 +40,71 @@ Effect plume()
     return effect;
 }
 
+/// The volume of a frame in cells of an edge, m.
+Volume volumeIn(const Frame& frame, const Effect& effect, float voxel)
+{
+    return volumeOf(frame, sampled(effect), voxel).value();
+}
+
+/// Smoke that has gone before its timeline is over.
+Effect burst()
+{
+    Effect effect = thesisEffect(500);
+    effect.emitter.mode = EmissionMode::Burst;
+    effect.emitter.burstDuration = 0.1F;
+    effect.life.initialAlpha = 0.5F;
+    effect.life.fadeRate = 2.0F;
+    effect.light.emission = 3.0F;
+    effect.timeline.length = 24;
+    effect.timeline.loop = false;
+    return effect;
+}
+
+/// Smoke that fills more room with every frame.
+Effect growing()
+{
+    Effect effect = thesisEffect(800);
+    effect.timeline.length = 24;
+    effect.timeline.loop = false;
+    effect.timeline.prewarm = false;
+    return effect;
+}
+
+/// The files of frames, read again.
+class Written {
+public:
+    Written(const Effect& effect, const FrameRange& frames, std::optional<float> voxel = {}, UpAxis up = UpAxis::Z)
+        : m_frames(frames)
+    {
+        VolumeSequenceOptions options;
+        options.output = m_folder.filePath("a_##.vdb").toStdString();
+        options.frames = frames;
+        options.longest = 24;
+        options.voxel = voxel;
+        options.up = up;
+        const Result<float> used = writeVolumes(effect, options, {});
+        if (!used) {
+            qFatal("%s", used.error().text().c_str());
+        }
+        m_voxel = used.value();
+    }
+    [[nodiscard]] std::string bytes(int frame) const
+    {
+        return readFile(m_folder.filePath(QStringLiteral("a_%1.vdb").arg(frame, 2, 10, QLatin1Char('0'))).toStdString(), std::size_t{1} << 28U).value();
+    }
+    [[nodiscard]] std::vector<VdbGrid> grids(int frame) const
+    {
+        const std::string file = bytes(frame);
+        return VdbReader(file).grids();
+    }
+    [[nodiscard]] float voxel() const { return m_voxel; }
+
+private:
+    QTemporaryDir m_folder;
+    FrameRange m_frames;
+    float m_voxel = 0.0F;
+};
+
 } // namespace
 
 class VolumeTest : public QObject {
@@ -52,9 +119,8 @@ private slots:
             places.push_back(3.0F * glm::vec3(unitFloat(streamBits(i, 1)), unitFloat(streamBits(i, 2)), unitFloat(streamBits(i, 3))));
         }
         const Frame frame = cloud(effect, places);
-        for (const int longest : {8, 40, 150}) { // cells far larger and far smaller than particles
-            const Volume volume = volumeOf(frame, sampled(effect), longest);
-            QVERIFY(volume.cells.x <= longest && volume.cells.y <= longest && volume.cells.z <= longest);
+        for (const float voxel : {0.6F, 0.08F, 0.02F}) { // cells far larger and far smaller than particles
+            const Volume volume = volumeIn(frame, effect, voxel);
             QVERIFY(near(crossSection(volume) / crossSectionOfDiscs(places.size()), 1.0, 1e-4));
         }
     }
@@ -63,7 +129,7 @@ private slots:
     {
         // Along a line through the middle: 105 / (96 r) alpha times the integral of (1 - q^2)^2 over 2 r, 16 / 15.
         const Effect effect = evenLook();
-        const Volume volume = volumeOf(cloud(effect, {glm::vec3(0.3F, 1.0F, -2.0F)}), sampled(effect), 64);
+        const Volume volume = volumeIn(cloud(effect, {glm::vec3(0.3F, 1.0F, -2.0F)}), effect, 0.2F / 61.0F);
         double most = 0.0;
         for (int x = 0; x < volume.cells.x; ++x) {
             for (int y = 0; y < volume.cells.y; ++y) {
@@ -80,7 +146,7 @@ private slots:
     void nothingLiesOnTheBordersOfTheBox()
     {
         const Effect effect = plume();
-        const Volume volume = volumeOf(*frameOf(effect, 20), sampled(effect), 48);
+        const Volume volume = volumeIn(*frameOf(effect, 20), effect, 0.1F);
         QVERIFY(volume.count() > 0);
         for (int z = 0; z < volume.cells.z; ++z) {
             for (int y = 0; y < volume.cells.y; ++y) {
@@ -95,14 +161,14 @@ private slots:
     void columnsAreThereWhereTheyMeanSomething()
     {
         Effect effect = plume();
-        const Volume inAir = volumeOf(*frameOf(effect, 20), sampled(effect), 32);
+        const Volume inAir = volumeIn(*frameOf(effect, 20), effect, 0.15F);
         QCOMPARE(inAir.temperature.size(), inAir.count());
         QVERIFY(inAir.flames.empty());
         QVERIFY(*std::max_element(inAir.temperature.begin(), inAir.temperature.end()) > 0.1F);
         effect.air.enabled = false;
-        QVERIFY(volumeOf(*frameOf(effect, 20), sampled(effect), 32).temperature.empty());
+        QVERIFY(volumeIn(*frameOf(effect, 20), effect, 0.15F).temperature.empty());
         effect.light.emission = 2.0F;
-        const Volume fire = volumeOf(*frameOf(effect, 20), sampled(effect), 32);
+        const Volume fire = volumeIn(*frameOf(effect, 20), effect, 0.15F);
         QCOMPARE(fire.flames.size(), fire.count());
         for (std::size_t i = 0; i < fire.count(); ++i) {
             QVERIFY(fire.flames[i] <= fire.density[i] * 1.0001F);
@@ -118,7 +184,7 @@ private slots:
             frame.particles.vy[i] = -2.0F;
             frame.particles.vz[i] = 0.5F;
         }
-        const Volume volume = volumeOf(frame, sampled(effect), 16);
+        const Volume volume = volumeIn(frame, effect, 0.02F);
         for (std::size_t i = 0; i < volume.count(); ++i) {
             if (volume.density[i] > 0.0F) {
                 QVERIFY(glm::distance(volume.velocity[i], glm::vec3(1.0F, -2.0F, 0.5F)) < 1e-5F);
@@ -129,7 +195,7 @@ private slots:
     void nothingIsAVolumeToo()
     {
         const Effect effect = evenLook();
-        const Volume volume = volumeOf(cloud(effect, {}), sampled(effect), 32);
+        const Volume volume = volumeIn(cloud(effect, {}), effect, 0.1F);
         QCOMPARE(volume.count(), std::size_t{0});
         const std::string bytes = encodeVdb(volume, UpAxis::Y);
         QVERIFY(bytes.find("Tree_float_5_4_3_HalfFloat") != std::string::npos);
@@ -142,17 +208,153 @@ private slots:
         options.output = folder.filePath("smoke_##.vdb").toStdString();
         options.frames = {8, 12, 4};
         options.longest = 32;
-        QVERIFY(writeVolumes(plume(), options, {}).ok());
+        const Result<float> voxel = writeVolumes(plume(), options, {});
+        QVERIFY(voxel.ok());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_08.vdb", "smoke_12.vdb"}));
         const auto contents = [&](const char* name) { return readFile(folder.filePath(name).toStdString(), std::size_t{1} << 28U).value(); };
-        const std::string alone = encodeVdb(volumeOf(*frameOf(plume(), 12), sampled(plume()), 32), options.up);
+        const std::string alone = encodeVdb(volumeIn(*frameOf(plume(), 12), plume(), voxel.value()), options.up);
         QVERIFY(contents("smoke_12.vdb") == alone);
         QVERIFY(contents("smoke_08.vdb") != alone);
         QCOMPARE(alone.substr(0, 8), std::string(" BDV\0\0\0\0", 8));
         options.longest = kMaxVolumeCells + 1;
         QCOMPARE(writeVolumes(plume(), options, {}).error().code, ErrorCode::OutOfRange);
+        options.longest = 32;
+        options.voxel = 0.0F;
+        QCOMPARE(writeVolumes(plume(), options, {}).error().code, ErrorCode::OutOfRange);
+        options.voxel = 0.0005F;
+        QCOMPARE(writeVolumes(plume(), options, {}).error().code, ErrorCode::TooLarge);
+    }
+
+    void framesHaveTheSameGridsAndLattice_data()
+    {
+        QTest::addColumn<Effect>("effect");
+        QTest::newRow("plume") << plume();
+        QTest::newRow("burst") << burst();
+        QTest::newRow("growing") << growing();
+        for (const LibraryEntry& preset : builtinPresets()) {
+            Effect effect = loadPreset(preset).value().preset.effect;
+            effect.timeline.length = 24;
+            effect.timeline.stepsPerFrame = 1;
+            effect.emitter.count = 400;
+            effect.air.resolution = 8;
+            QTest::newRow(preset.id.c_str()) << effect;
+        }
+    }
+    void framesHaveTheSameGridsAndLattice()
+    {
+        QFETCH(Effect, effect);
+        const Written whole(effect, {0, 20, 10});
+        const std::vector<VdbGrid> first = whole.grids(0);
+        for (const int frame : {10, 20}) {
+            const std::vector<VdbGrid> grids = whole.grids(frame);
+            QCOMPARE(grids.size(), first.size());
+            for (std::size_t i = 0; i < grids.size(); ++i) {
+                QCOMPARE(grids[i].name, first[i].name);
+                QVERIFY(grids[i].scale == first[i].scale && grids[i].translation == first[i].translation);
+            }
+            // What is written apart, as farms do, is what is written in one go.
+            QVERIFY(Written(effect, {frame, frame, 1}).bytes(frame) == whole.bytes(frame));
+        }
+        QVERIFY(near(first[0].scale[0], static_cast<double>(whole.voxel()), 0.0));
+        QVERIFY(near(first[0].translation[0], 0.5 * first[0].scale[0], 0.0));
+    }
+
+    void framesWithoutSmokeHaveAllGrids()
+    {
+        const std::vector<VdbGrid> before = Written(burst(), {2, 2, 1}).grids(2);
+        const std::vector<VdbGrid> after = Written(burst(), {23, 23, 1}).grids(23);
+        for (const std::vector<VdbGrid>& grids : {before, after}) {
+            QCOMPARE(grids.size(), std::size_t{4});
+            QCOMPARE(grids[1].name, std::string("temperature"));
+            QCOMPARE(grids[2].name, std::string("flames"));
+        }
+        QVERIFY(!before[0].voxels.empty() && after[0].voxels.empty());
+    }
+
+    void theSmokeOfTheTimelineIsAsManyCellsLongAsAsked()
+    {
+        const Effect effect = growing();
+        std::array<int, 3> low{1000, 1000, 1000};
+        std::array<int, 3> high{-1000, -1000, -1000};
+        const Written all(effect, {0, 23, 1});
+        for (int frame = 0; frame < 24; ++frame) {
+            const std::vector<VdbGrid> grids = all.grids(frame);
+            for (const auto& [place, value] : grids[0].voxels) {
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    low[axis] = std::min(low[axis], place[axis]);
+                    high[axis] = std::max(high[axis], place[axis]);
+                }
+            }
+        }
+        const int longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) + 1;
+        QVERIFY2(longest <= 24 && longest >= 20, qPrintable(QString::number(longest)));
+    }
+
+    void voxelsAreAsLargeAsTheyAreAskedFor()
+    {
+        const Written fine(growing(), {20, 20, 1}, 0.125F);
+        QVERIFY(near(fine.grids(20)[0].scale[2], 0.125, 0.0));
+        QVERIFY(near(static_cast<double>(fine.voxel()), 0.125, 0.0));
+    }
+
+    void smokeLiesWhereItsParticlesAre()
+    {
+        const Effect effect = evenLook();
+        for (const glm::vec3 place : {glm::vec3(0.31F, 1.07F, -2.03F), glm::vec3(-7.7F, -0.02F, 0.01F), glm::vec3(409.6F, -409.6F, 3.0F)}) {
+            const Volume volume = volumeIn(cloud(effect, {place}), effect, 0.1F);
+            for (const UpAxis up : kAllUpAxes) {
+                const std::string bytes = encodeVdb(volume, up);
+                const VdbGrid density = VdbReader(bytes).grids()[0];
+                double sum = 0.0;
+                glm::dvec3 middle(0.0);
+                for (const auto& [voxel, value] : density.voxels) {
+                    sum += static_cast<double>(value[0]);
+                    for (int axis = 0; axis < 3; ++axis) {
+                        middle[axis] += static_cast<double>(value[0]) * (voxel[static_cast<std::size_t>(axis)] * density.scale[0] + density.translation[0]);
+                    }
+                }
+                const glm::dvec3 expected(turned(place, up));
+                QVERIFY(sum > 0.0);
+                QVERIFY2(glm::distance(middle / sum, expected) < 0.05, qPrintable(QStringLiteral("%1").arg(glm::distance(middle / sum, expected))));
+            }
+        }
+    }
+
+    void aFileHoldsEveryVoxelWhereverItLies()
+    {
+        Volume volume;
+        volume.first = {-3, -4100, 4090};
+        volume.cells = {9, 11, 13};
+        volume.cell = 0.5F;
+        const std::size_t count = 9 * 11 * 13;
+        for (std::size_t i = 0; i < count; ++i) {
+            volume.density.push_back(i % 3 == 0 ? 0.0F : static_cast<float>(i));
+            volume.velocity.emplace_back(static_cast<float>(i % 7), -1.0F, 2.0F);
+        }
+        for (const UpAxis up : kAllUpAxes) {
+            const std::string bytes = encodeVdb(volume, up);
+            const VdbGrid density = VdbReader(bytes).grids()[0];
+            std::size_t i = 0;
+            std::size_t seen = 0;
+            for (int z = 0; z < 13; ++z) {
+                for (int y = 0; y < 11; ++y) {
+                    for (int x = 0; x < 9; ++x, ++i) {
+                        const glm::ivec3 at = volume.first + glm::ivec3(x, y, z);
+                        const std::array<int, 3> place = up == UpAxis::Y ? std::array{at.x, at.y, at.z} : std::array{at.x, -at.z - 1, at.y};
+                        const auto found = density.voxels.find(place);
+                        QCOMPARE(found != density.voxels.end(), volume.density[i] > 0.0F);
+                        if (found != density.voxels.end()) {
+                            QCOMPARE(found->second[0], volume.density[i]);
+                            ++seen;
+                        }
+                    }
+                }
+            }
+            QCOMPARE(density.voxels.size(), seen);
+        }
     }
 };
 
+Q_DECLARE_METATYPE(fumage::Effect)
 QTEST_APPLESS_MAIN(VolumeTest)
 #include "volume_test.moc"
