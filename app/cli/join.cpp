@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/file_choice.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/playing_options.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
@@ -19,6 +20,7 @@ struct JoinOptions {
     std::string frames;
     std::string output;
     std::string grid;
+    PlayingOptions playing;
 };
 
 Status joinToVideo(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
@@ -27,12 +29,20 @@ Status joinToVideo(const JoinOptions& options, const NamedPreset& named, const F
     if (!choice) {
         return choice.error();
     }
-    ProgressBar bar("Joining");
-    const VideoOptions video{choice.value().file, frames, choice.value().format};
-    if (Status status = withinMemory([&] { return joinVideo(named.preset.effect, video, source, bar.listener(), interruption()); }); !status) {
+    ExportPlan plan;
+    plan.kind = ExportKind::Video;
+    plan.output = choice.value().file;
+    plan.video = choice.value().format;
+    plan.frames = frames;
+    if (Status status = options.playing.applyTo(plan); !status) {
         return status;
     }
-    tellWritten(1, video.output, video.output);
+    warnOf(named.preset.effect, plan);
+    ProgressBar bar("Joining");
+    if (Status status = withinMemory([&] { return joinVideo(named.preset.effect, videoOf(plan), source, bar.listener(), interruption()); }); !status) {
+        return status;
+    }
+    tellWritten(1, plan.output, plan.output);
     return Done{};
 }
 
@@ -47,6 +57,7 @@ Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, cons
     if (Status status = chooseOutput(options.output, {}, named.name, plan); !status) {
         return status;
     }
+    warnOf(named.preset.effect, plan);
     ProgressBar bar("Joining");
     FlipbookOptions flipbook = flipbookOf(plan);
     flipbook.preset = formatPreset(named.preset);
@@ -112,6 +123,7 @@ void addJoin(CLI::App& program, Action& action)
     command->add_option("-f,--frames", options->frames, "Frames: 0-119 or 0-119:2")->required()->type_name("RANGE");
     command->add_option("--grid", options->grid, "Make a flipbook with these columns and rows: 8 or 8x4. Default: a video")->type_name("GRID");
     command->add_option("-o,--output", options->output, "File to write. In a folder, and by default, the preset's name")->type_name("FILE");
+    options->playing.addTo(*command);
     command->footer("The preset is the one that the frames were rendered of: it has their size and rate, the exposure, the view and the background.\n"
                     "What comes out is what video and flipbook render, but for the rounding of half floats. Farms join frames this way when all of them are there.\n"
                     "Examples:\n"

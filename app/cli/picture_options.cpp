@@ -6,6 +6,7 @@
 #include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/output_name.h"
+#include "core/export/remarks.h"
 
 #include <array>
 #include <span>
@@ -133,6 +134,13 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
     return Done{};
 }
 
+void warnOf(const Effect& effect, const ExportPlan& plan)
+{
+    for (const Message& remark : remarksOn(effect, plan)) {
+        warn(remark.text());
+    }
+}
+
 Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
 {
     if (job.plan.output == kStandardStream) {
@@ -143,6 +151,7 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
+    warnOf(job.effect, job.plan);
     return exportWithBar(job.plan, [&](const Progress& progress) { return runExport(job.effect, job.plan, progress, interruption()); });
 }
 

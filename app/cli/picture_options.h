@@ -52,6 +52,9 @@ struct PictureOptions {
 /// @param name       what the file is called where only a folder is named
 [[nodiscard]] Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan);
 
+/// Says what an export does otherwise than one may expect of it; see remarksOn().
+void warnOf(const Effect& effect, const ExportPlan& plan);
+
 /// Does a job with a bar of progress that can be interrupted, and says what was written.
 /// @return the flipbook, where that is what was made
 [[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);

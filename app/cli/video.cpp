@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/playing_options.h"
 
 #include "core/base/path.h"
 #include "core/export/output_name.h"
@@ -19,6 +20,11 @@ std::vector<std::string> formatNames()
     }
     return names;
 }
+
+struct VideoArguments {
+    PictureOptions picture;
+    PlayingOptions playing;
+};
 
 /// Fills in the file of a plan for a video, and what it is.
 Status chooseVideo(const PictureOptions& options, const std::string& name, ExportPlan& plan)
@@ -44,14 +50,18 @@ Status chooseVideo(const PictureOptions& options, const std::string& name, Expor
     return Done{};
 }
 
-Status video(const PictureOptions& options)
+Status video(const VideoArguments& arguments)
 {
+    const PictureOptions& options = arguments.picture;
     return options.effect.forEach(options.output, [&](const NamedPreset& named) -> Status {
         Result<PictureJob> job = options.jobWithoutOutput(named);
         if (!job) {
             return job.error();
         }
         job.value().plan.kind = ExportKind::Video;
+        if (Status status = arguments.playing.applyTo(job.value().plan); !status) {
+            return status;
+        }
         if (Status status = chooseVideo(options, named.name, job.value().plan); !status) {
             return status;
         }
@@ -64,15 +74,19 @@ Status video(const PictureOptions& options)
 
 void addVideo(CLI::App& program, Action& action)
 {
-    auto options = std::make_shared<PictureOptions>();
+    auto arguments = std::make_shared<VideoArguments>();
+    PictureOptions* const options = &arguments->picture;
     CLI::App* command = program.add_subcommand("video", "Render frames of a preset into a video, with ffmpeg");
     options->addTo(*command, "File to write. In a folder, and by default, the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
     command->add_option("--format", options->format, "mp4 (H.264), webm (VP9 with alpha), mov (ProRes 4444 with alpha), gif, apng (with alpha). Default: by the ending of the file")->check(CLI::IsMember(formatNames()));
+    arguments->playing.addTo(*command);
     command->footer("Needs ffmpeg on the search path; FUMAGE_FFMPEG names another program. mp4 and gif have no transparency: the smoke is in front of output.background_colour.\n"
+                    "gif has no more than 50 pictures a second: of more, one of two or three frames is in it. mp4 has even edges: of odd ones, the last column or row is there twice.\n"
                     "Examples:\n"
                     "  fumage-cli video campfire --size 720 --output fire.mp4\n"
+                    "  fumage-cli video explosion --set timeline.frame_rate=24 --rate 23.976 --output boom.mov\n"
                     "  fumage-cli video chimney --set timeline.loop=true --output smoke.webm");
-    command->callback([options, &action] { action = [options] { return video(*options); }; });
+    command->callback([arguments, &action] { action = [arguments] { return video(*arguments); }; });
 }
 
 } // namespace fumage::cli

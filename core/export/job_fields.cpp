@@ -163,6 +163,11 @@ bool isVolume(const ExportJob& job)
     return job.plan.kind == ExportKind::Volumes;
 }
 
+bool isVideo(const ExportJob& job)
+{
+    return job.plan.kind == ExportKind::Video;
+}
+
 /// Whether its files are frames as pictures.
 bool isOfFrames(const ExportJob& job)
 {
@@ -236,11 +241,14 @@ Status readUp(const JsonNode& value, ExportPlan& plan)
     return status;
 }
 
-Status readDepth(const JsonNode& value, ExportPlan& plan)
+Status readRate(const JsonNode& value, ExportPlan& plan)
 {
-    if (value.type != JsonNode::Type::Number || value.number < 0.0 || value.number > 1.0) {
-        return Error{ErrorCode::OutOfRange, said("expected a number from 0 to 1"), {}, {}};
-    }
+    FrameRate rate;
+    Status status = readAs(value, parseFrameRate, rate);
+    plan.rate = status ? std::optional(rate) : plan.rate;
+    return status;
+}
+
 Status readVoxel(const JsonNode& value, ExportPlan& plan)
 {
     if (value.type != JsonNode::Type::Number || value.number < static_cast<double>(kMinVoxel) || value.number > static_cast<double>(kMaxVoxel)) {
@@ -250,6 +258,11 @@ Status readVoxel(const JsonNode& value, ExportPlan& plan)
     return Done{};
 }
 
+Status readDepth(const JsonNode& value, ExportPlan& plan)
+{
+    if (value.type != JsonNode::Type::Number || value.number < 0.0 || value.number > 1.0) {
+        return Error{ErrorCode::OutOfRange, said("expected a number from 0 to 1"), {}, {}};
+    }
     plan.noiseDepth = static_cast<float>(value.number);
     return Done{};
 }
@@ -291,6 +304,12 @@ constexpr JobField kFields[] = {
     {"format",
         [](From job) { return jsonText(formatOf(job.plan)); },
         [](Json value, Text, To job) { return readFormat(value, job.plan); }},
+    {"frame_rate",
+        [](From job) { return isVideo(job) && job.plan.rate ? jsonText(textOf(*job.plan.rate)) : Written(); },
+        [](Json value, Text, To job) { return readRate(value, job.plan); }},
+    {"repeat",
+        [](From job) { return isVideo(job) ? jsonText(nameOf(job.plan.repeat)) : Written(); },
+        [](Json value, Text, To job) { return readAs(value, named<Repeat, kRepeats>, job.plan.repeat); }},
     {"columns",
         [](From job) { return isFlipbook(job) ? Written(std::to_string(job.plan.columns)) : Written(); },
         [](Json value, Text, To job) { return readWhole(value, 1, kMaxSheetCells, job.plan.columns); }},
@@ -339,6 +358,9 @@ constexpr JobField kFields[] = {
     {"cells",
         [](From job) { return isVolume(job) ? Written(std::to_string(job.plan.cells)) : Written(); },
         [](Json value, Text, To job) { return readWhole(value, kMinVolumeCells, kMaxVolumeCells, job.plan.cells); }},
+    {"voxel",
+        [](From job) { return isVolume(job) && job.plan.voxel ? Written(formatFloat(*job.plan.voxel)) : Written(); },
+        [](Json value, Text, To job) { return readVoxel(value, job.plan); }},
     {"up",
         [](From job) { return job.plan.up && !isPicture(job.plan.kind) ? jsonText(nameOf(*job.plan.up)) : Written(); },
         [](Json value, Text, To job) { return readUp(value, job.plan); }},
@@ -350,9 +372,6 @@ constexpr JobField kFields[] = {
         [](Json value, Text, To job) { return readDepth(value, job.plan); }},
 };
 
-    {"voxel",
-        [](From job) { return isVolume(job) && job.plan.voxel ? Written(formatFloat(*job.plan.voxel)) : Written(); },
-        [](Json value, Text, To job) { return readVoxel(value, job.plan); }},
 } // namespace
 
 std::span<const JobField> jobFields()

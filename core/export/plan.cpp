@@ -190,6 +190,11 @@ FlipbookOptions flipbookOf(const ExportPlan& plan)
     return options;
 }
 
+VideoOptions videoOf(const ExportPlan& plan)
+{
+    return {plan.output, plan.frames, plan.video, plan.repeat, plan.rate};
+}
+
 Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     FlipbookOptions options = flipbookOf(plan);
@@ -251,7 +256,7 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     case ExportKind::Sequence:
     case ExportKind::Picture: return plainly(renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
-    case ExportKind::Video: return plainly(renderVideo(effect, {plan.output, plan.frames, plan.video}, progress, stop));
+    case ExportKind::Video: return plainly(renderVideo(effect, videoOf(plan), progress, stop));
     case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, progress, stop));
     case ExportKind::Particles: return plainly(dumpSequence(effect, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
     case ExportKind::Volumes: {

@@ -45,6 +45,8 @@ struct ExportPlan {
     FrameRange frames; ///< of one picture: the first
     ImageFormat format = ImageFormat::Png8;
     VideoFormat video = VideoFormat::Mp4;
+    Repeat repeat = Repeat::Auto; ///< of a video that says how often it is played
+    std::optional<FrameRate> rate; ///< of a video, at which the timeline's frames are played; none: the timeline's
     ParticleFormat particles = ParticleFormat::Csv;
     AirFormat air = AirFormat::Fga;
     int cells = VolumeSequenceOptions().longest; ///< of volumes, along the longest edge of the smoke of the timeline, kMinVolumeCells to kMaxVolumeCells
@@ -82,6 +84,9 @@ struct ExportPlan {
 
 /// What a plan for a flipbook asks for, with all of its frames.
 [[nodiscard]] FlipbookOptions flipbookOf(const ExportPlan& plan);
+
+/// What a plan for a video asks for.
+[[nodiscard]] VideoOptions videoOf(const ExportPlan& plan);
 
 /// The output of an effect with the size of the pictures, or cells, of a plan: for powers of two the nearest, by their ratio.
 /// @error OutOfRange where columns and rows make that impossible

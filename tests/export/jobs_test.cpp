@@ -65,15 +65,17 @@ private slots:
         jobs[2].plan.recording.manifest = "films.manifest.json"; // none is written of them
         jobs[2].plan.video = VideoFormat::WebM;
         jobs[2].plan.fitCamera = true;
+        jobs[2].plan.repeat = Repeat::Once;
+        jobs[2].plan.rate = FrameRate{24000, 1001};
         jobs[4].plan.noiseSize = 48;
         jobs[4].plan.noiseDepth = 0.3F;
         jobs[4].plan.format = ImageFormat::Tga;
         jobs[5].plan.particles = ParticleFormat::Ply;
         jobs[5].plan.up = UpAxis::Z;
         jobs[6].plan.cells = 200;
+        jobs[6].plan.voxel = 0.02F;
         jobs[6].plan.up = UpAxis::Y;
         jobs[7].plan.air = AirFormat::Vf;
-        jobs[6].plan.voxel = 0.02F;
 
         for (ExportJob& job : jobs) {
             job.plan.output = withEnding(job.plan.output, fileEnding(job.plan));
@@ -106,6 +108,7 @@ private slots:
         QVERIFY(read[2].plan.video == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
         QVERIFY(read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
         QVERIFY(read[5].plan.particles == ParticleFormat::Ply && read[5].plan.up == UpAxis::Z);
+        QVERIFY(read[2].plan.repeat == Repeat::Once && read[2].plan.rate == jobs[2].plan.rate && !read[0].plan.rate);
         QVERIFY(read[6].plan.cells == 200 && read[6].plan.voxel == 0.02F && read[6].plan.up == UpAxis::Y && !read[6].plan.project);
         QVERIFY(read[7].plan.air == AirFormat::Vf && !read[7].plan.up);
     }

@@ -9,7 +9,12 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QProcess>
 #include <QTemporaryDir>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -30,6 +35,30 @@ Effect smallSmoke()
 std::string contentsOf(const QString& path)
 {
     return readFile(path.toStdString(), std::size_t{1} << 26U).value();
+}
+
+/// A program that is installed, done to its end.
+std::optional<QByteArray> said(const QString& program, const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program, arguments);
+    const bool done = process.waitForStarted() && process.waitForFinished(60000) && process.exitCode() == 0;
+    return done ? std::optional(process.readAllStandardOutput()) : std::nullopt;
+}
+
+bool isThere(const QString& program)
+{
+    return said(program, {QStringLiteral("-version")}).has_value();
+}
+
+/// How long the pictures of a GIF are shown, hundredths of a second.
+std::vector<int> delaysOf(const std::string& gif)
+{
+    std::vector<int> delays;
+    for (std::size_t at = gif.find("\x21\xF9\x04"); at != std::string::npos; at = gif.find("\x21\xF9\x04", at + 1)) {
+        delays.push_back(static_cast<unsigned char>(gif[at + 4]) + 256 * static_cast<unsigned char>(gif[at + 5]));
+    }
+    return delays;
 }
 
 } // namespace
@@ -151,6 +180,146 @@ private slots:
         plan.source = plan.output;
         QCOMPARE(runExport(smallSmoke(), plan, {}).error().code, ErrorCode::WouldOverwrite);
         QVERIFY(!exportBytes(smallSmoke(), plan).ok());
+    }
+
+    void ratesAreReadAsTheyAreMeant_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("frames");
+        QTest::addColumn<int>("seconds");
+        QTest::newRow("whole") << "24" << 24 << 1;
+        QTest::newRow("film on television") << "23.976" << 24000 << 1001;
+        QTest::newRow("rounded") << "23.98" << 24000 << 1001;
+        QTest::newRow("television") << "29.97" << 30000 << 1001;
+        QTest::newRow("twice") << "59.94" << 60000 << 1001;
+        QTest::newRow("half") << "12.5" << 25 << 2;
+        QTest::newRow("fraction") << "30000/1001" << 30000 << 1001;
+    }
+    void ratesAreReadAsTheyAreMeant()
+    {
+        QFETCH(QString, text);
+        QFETCH(int, frames);
+        QFETCH(int, seconds);
+        const Result<FrameRate> rate = parseFrameRate(text.toStdString());
+        QVERIFY(rate.ok());
+        QVERIFY((rate.value() == FrameRate{frames, seconds}));
+        QVERIFY(parseFrameRate(textOf(rate.value())).value() == rate.value());
+    }
+
+    void whatIsNoRateIsRefused()
+    {
+        for (const char* text : {"", "0", "-24", "nan", "inf", "241", "1/2", "24/0", "24000/1001/2", "24 fps", "99999999999999999999/1"}) {
+            QVERIFY2(!parseFrameRate(text).ok(), text);
+        }
+    }
+
+    void theProgramHearsTheRateAndHowOftenItIsPlayed()
+    {
+        pretend("for last; do :; done; echo \"$@\" > \"$0.arguments\"; cat > \"${last#file:}\"");
+        Effect effect = smallSmoke();
+        for (const bool loop : {false, true}) {
+            effect.timeline.loop = loop;
+            effect.timeline.length = 4;
+            for (const VideoFormat format : kAllVideoFormats) {
+                for (const Repeat repeat : {Repeat::Auto, Repeat::Once, Repeat::Forever}) {
+                    for (const int last : {2, 3}) { // of which one is no whole turn
+                        const VideoOptions options{output(fileEnding(format)), {0, last, 1}, format, repeat, FrameRate{24000, 1001}};
+                        QVERIFY(renderVideo(effect, options, {}).ok());
+                        const std::string arguments = contentsOf(m_folder->filePath("ffmpeg.arguments"));
+                        QVERIFY(arguments.find("-framerate 24000/1001 ") != std::string::npos);
+                        const bool forever = repeat == Repeat::Forever || (repeat == Repeat::Auto && loop && last == 3);
+                        QCOMPARE(arguments.find(forever ? "-loop 0 " : "-loop -1 ") != std::string::npos, format == VideoFormat::Gif);
+                        QCOMPARE(arguments.find(forever ? "-plays 0 " : "-plays 1 ") != std::string::npos, format == VideoFormat::Apng);
+                    }
+                }
+            }
+        }
+    }
+
+    void noPictureOfAGifIsTooShortForBrowsers()
+    {
+        if (!isThere(QStringLiteral("ffmpeg"))) {
+            QSKIP("ffmpeg is not installed");
+        }
+        Effect effect = smallSmoke();
+        for (const int rate : {24, 25, 30, 48, 50, 51, 60, 75, 90, 100, 120, 144, 240}) {
+            for (const int step : {1, 2}) {
+                effect.timeline.frameRate = rate;
+                const VideoOptions options{output(".gif"), {0, 47, step}, VideoFormat::Gif};
+                QVERIFY(renderVideo(effect, options, {}).ok());
+                const std::vector<int> delays = delaysOf(contentsOf(QString::fromStdString(options.output.string())));
+                QCOMPARE(delays.size(), static_cast<std::size_t>(framesOf(effect, options).count()));
+                QVERIFY(*std::min_element(delays.begin(), delays.end()) >= 2);
+                const double wanted = 100.0 * 48.0 / rate;
+                const double longest = 100.0 * framesOf(effect, options).step / rate; // of a picture
+                QVERIFY(near(std::accumulate(delays.begin(), delays.end(), 0.0), wanted, longest + 2.0));
+            }
+        }
+    }
+
+    void aLoopStaysOneInAGifWherePicturesAreLeftOut()
+    {
+        Effect effect = smallSmoke();
+        effect.timeline.frameRate = 120;
+        const VideoOptions options{output(".gif"), {0, 99, 1}, VideoFormat::Gif};
+        QCOMPARE(framesOf(effect, options).step, 4); // 3 would do, but does not divide 100
+        const VideoOptions mp4{output(".mp4"), {0, 99, 1}, VideoFormat::Mp4};
+        QCOMPARE(framesOf(effect, mp4).step, 1);
+    }
+
+    void framesOfProResSayWhatTheirColoursAre()
+    {
+        if (!isThere(QStringLiteral("ffprobe")) || !isThere(QStringLiteral("ffmpeg"))) {
+            QSKIP("ffmpeg is not installed");
+        }
+        for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime}) {
+            const VideoOptions options{output(fileEnding(format)), {0, 1, 1}, format};
+            QVERIFY(renderVideo(smallSmoke(), options, {}).ok());
+            const auto facts = said(QStringLiteral("ffprobe"),
+                {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-show_entries"), QStringLiteral("frame=color_space,color_primaries"), QString::fromStdString(options.output.string())});
+            QVERIFY(facts);
+            QVERIFY2(facts->count("color_space=bt709") == 2 && facts->count("color_primaries=bt709") == 2, facts->constData());
+        }
+    }
+
+    void oddEdgesAreNeverBlack_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::newRow("65x63") << 65 << 63;
+        QTest::newRow("161x121") << 161 << 121;
+        QTest::newRow("64x63") << 64 << 63;
+        QTest::newRow("1x1") << 1 << 1;
+    }
+    void oddEdgesAreNeverBlack()
+    {
+        if (!isThere(QStringLiteral("ffmpeg"))) {
+            QSKIP("ffmpeg is not installed");
+        }
+        QFETCH(int, width);
+        QFETCH(int, height);
+        Effect effect = smallSmoke();
+        effect.output.width = width;
+        effect.output.height = height;
+        effect.output.background = Background::Colour;
+        for (const glm::vec3 colour : {glm::vec3(1.0F), glm::vec3(0.05F, 0.1F, 0.18F)}) {
+            effect.output.backgroundColour = colour;
+            for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Apng}) {
+                const VideoOptions options{output(fileEnding(format)), {0, 0, 1}, format};
+                const Status status = renderVideo(effect, options, {});
+                QVERIFY2(status.ok(), status.ok() ? "" : status.error().text().c_str());
+                const auto raw = said(QStringLiteral("ffmpeg"),
+                    {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-i"), QString::fromStdString(options.output.string()), QStringLiteral("-f"), QStringLiteral("rawvideo"), QStringLiteral("-pix_fmt"),
+                        QStringLiteral("rgb24"), QStringLiteral("-")});
+                const auto [wide, high] = sizeOf(effect.output, format);
+                QVERIFY(raw && raw->size() == qsizetype{3} * wide * high);
+                const auto at = [&](int x, int y, int channel) { return static_cast<int>(static_cast<unsigned char>((*raw)[(qsizetype{y} * wide + x) * 3 + channel])); };
+                for (int channel = 0; channel < 3; ++channel) {
+                    // The corners are background; the one that may have been added is as the one that was there.
+                    QVERIFY2(std::abs(at(wide - 1, high - 1, channel) - at(0, 0, channel)) <= 6, qPrintable(QStringLiteral("%1: %2 beside %3").arg(static_cast<int>(format)).arg(at(wide - 1, high - 1, channel)).arg(at(0, 0, channel))));
+                }
+            }
+        }
     }
 
 private:
