@@ -31,6 +31,13 @@ if [ -n "$boxes" ]; then
     printf '%s\n%s\n' 'texts of files are shown by MessageBox, which takes nothing for HTML:' "$boxes"
     failed=1
 fi
+# What fills templates is written as their language has it: TemplateFacts lets nothing else in, and templates have no other way to ask.
+fillers=$(grep -rln 'kainjow' core ui app --include='*.h' --include='*.cpp' | grep -v '^core/export/templates/template_facts.cpp$' || true)
+raw=$(grep -rn -e '{{{' -e '{{ *&' resources/engines resources/farm || true)
+if [ -n "$fillers$raw" ]; then
+    printf '%s\n%s%s\n' 'names from outside become code only by core/export/templates:' "$fillers" "$raw"
+    failed=1
+fi
 forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'base stands below everything'
 forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
 forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'

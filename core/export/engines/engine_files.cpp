@@ -60,14 +60,14 @@ std::vector<std::string> makeEngineFiles(Engine engine, const EngineSheet& sheet
     };
     switch (engine) {
     case Engine::Generic: break;
-    case Engine::Unity: return {sheetText("unity_editor", TextKind::Code, sheet)};
-    case Engine::Unreal: return {sheetText("unreal_import", TextKind::Code, sheet)};
-    case Engine::Godot: return withImports("godot_import", {sheetText("godot_scene", TextKind::Code, sheet), sheetText("godot_shader", TextKind::Code, sheet)});
-    case Engine::Godot3: return withImports("godot3_import", {sheetText("godot3_scene", TextKind::Code, sheet), sheetText("godot3_shader", TextKind::Code, sheet)});
-    case Engine::Effekseer: return {sheetText("effekseer_project", TextKind::Markup, sheet)};
+    case Engine::Unity: return {sheetText("unity_editor", sheet)};
+    case Engine::Unreal: return {sheetText("unreal_import", sheet)};
+    case Engine::Godot: return withImports("godot_import", {sheetText("godot_scene", sheet), sheetText("godot_shader", sheet)});
+    case Engine::Godot3: return withImports("godot3_import", {sheetText("godot3_scene", sheet), sheetText("godot3_shader", sheet)});
+    case Engine::Effekseer: return {sheetText("effekseer_project", sheet)};
     case Engine::Pixi: return {texturePackerText(sheet)};
-    case Engine::Defold: return {sheetText("defold_tilesource", TextKind::Code, sheet)};
-    case Engine::Web: return {sheetText("web_page", TextKind::Markup, sheet)};
+    case Engine::Defold: return {sheetText("defold_tilesource", sheet)};
+    case Engine::Web: return {sheetText("web_page", sheet)};
     }
     return {};
 }

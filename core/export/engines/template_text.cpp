@@ -1,16 +1,14 @@
 #include "core/export/engines/template_text.h"
 
-#include "core/base/embedded_file.h"
-#include "core/base/text.h"
+#include "core/export/templates/template_facts.h"
 #include "core/rendering/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cctype>
-#include <iterator>
+#include <utility>
 
 #include <glm/geometric.hpp>
-#include <kainjow/mustache.hpp>
 
 namespace fumage {
 
@@ -19,80 +17,44 @@ extern const std::size_t kEngineTemplatesCount;
 
 namespace {
 
-using kainjow::mustache::data;
-using kainjow::mustache::mustache;
-
-/// Between double quotes and in comments of one line.
-std::string escapedForCode(const std::string& text)
-{
-    std::string out;
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < ' ') {
-            continue;
-        }
-        if (c == '"' || c == '\\') {
-            out += '\\';
-        }
-        out += c;
-    }
-    return out;
-}
-
-/// A name that programs take for one: letters, digits and underscores, with a letter first.
-std::string identifier(const std::string& text)
-{
-    std::string out;
-    std::transform(text.begin(), text.end(), std::back_inserter(out), [](unsigned char c) { return c < 128 && std::isalnum(c) != 0 ? static_cast<char>(c) : '_'; });
-    return out.empty() || std::isalpha(static_cast<unsigned char>(out[0])) == 0 ? "sheet_" + out : out;
-}
-
-std::string base64(std::span<const std::byte> bytes)
-{
-    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t three = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            three = three << 8U | (j < count ? std::to_integer<std::uint32_t>(bytes[i + j]) : 0U);
-        }
-        for (std::size_t j = 0; j < 4; ++j) {
-            out += j <= count ? kDigits[three >> (18U - 6U * j) & 63U] : '=';
-        }
-    }
-    return out;
-}
-
-std::string number(double value)
-{
-    return formatFloat(static_cast<float>(value));
-}
+constexpr std::array<std::pair<std::string_view, Language>, 11> kLanguages{{
+    {"unity_editor", Language::CSharp},
+    {"unreal_import", Language::Python},
+    {"godot_scene", Language::Godot},
+    {"godot_shader", Language::Godot},
+    {"godot_import", Language::Godot},
+    {"godot3_scene", Language::Godot},
+    {"godot3_shader", Language::Godot},
+    {"godot3_import", Language::Godot},
+    {"effekseer_project", Language::Xml},
+    {"defold_tilesource", Language::Protobuf},
+    {"web_page", Language::Html},
+}};
 
 /// What a picture is to an engine that imports it.
-data pictureFacts(const EnginePicture& picture)
+TemplateFacts pictureFacts(Language language, const EnginePicture& picture)
 {
-    data facts;
-    facts.set("file", picture.file.filename().string());
-    facts.set("srgb", picture.isSrgb);
-    facts.set("linear", !picture.isSrgb);
-    facts.set("exact", picture.isExact);
+    TemplateFacts facts(language);
+    facts.text("file", picture.file.filename().string());
+    facts.flag("srgb", picture.isSrgb);
+    facts.flag("linear", !picture.isSrgb);
+    facts.flag("exact", picture.isExact);
     return facts;
 }
 
 /// "a.r": the channel that a direction's light lies in.
-void addChannels(const PassStyle& style, data& facts)
+void addChannels(const PassStyle& style, TemplateFacts& facts)
 {
     const auto maps = channelsOf(style.layout);
     for (std::size_t map = 0; map < maps.size(); ++map) {
         for (std::size_t i = 0; i < 4; ++i) {
-            facts.set("channel_" + std::string(nameOf(maps[map][i])), std::string(map == 0 ? "a." : "b.") + "rgba"[i]);
+            facts.word("channel_" + std::string(nameOf(maps[map][i])), std::string(map == 0 ? "a." : "b.") + "rgba"[i]);
         }
     }
 }
 
 /// How large a cell is in the world, m, and where its middle lies, seen from the emitter.
-void addPlace(const Effect& effect, data& facts)
+void addPlace(const Effect& effect, TemplateFacts& facts)
 {
     const View view = makeView(effect.camera, 0.0F, effect.output.width, effect.output.height);
     const glm::vec3 looked = effect.camera.mode == CameraMode::Orbit ? effect.camera.target : effect.emitter.position;
@@ -100,98 +62,113 @@ void addPlace(const Effect& effect, data& facts)
     const glm::vec3 middle = view.eye + depth * view.forward - effect.emitter.position;
     const float width = static_cast<float>(view.width) / view.focal * depth;
     const float height = static_cast<float>(view.height) / view.focal * depth;
-    facts.set("metres_wide", number(width));
-    facts.set("metres_high", number(height));
-    facts.set("half_metres", number(0.5F * std::max(width, height)));
-    facts.set("metres", number(std::max(width, height)));
-    facts.set("middle_x", number(middle.x));
-    facts.set("middle_y", number(middle.y));
-    facts.set("middle_z", number(middle.z));
+    facts.number("metres_wide", width);
+    facts.number("metres_high", height);
+    facts.number("half_metres", 0.5F * std::max(width, height));
+    facts.number("metres", std::max(width, height));
+    facts.number("middle_x", middle.x);
+    facts.number("middle_y", middle.y);
+    facts.number("middle_z", middle.z);
 }
 
-void addPictures(const EngineSheet& sheet, data& facts)
+void addPictures(const EngineSheet& sheet, TemplateFacts& facts)
 {
-    data list = data::type::list;
+    std::vector<TemplateFacts> list;
     int index = 2; // resources of a Godot scene: the shader is the first
+    PassSet passes;
     for (const EnginePicture& picture : sheet.pictures) {
-        data each = pictureFacts(picture);
-        each.set("index", std::to_string(index));
-        // Megabytes, made only for the template that asks for them.
-        each.set("bytes", data(kainjow::mustache::lambda([bytes = picture.bytes](const std::string&) { return base64(bytes); })));
+        TemplateFacts each = pictureFacts(facts.language(), picture);
+        each.number("index", index);
+        each.bytes("bytes", picture.bytes);
         if (picture.pass) {
             const std::string key = fileNameOf(*picture.pass);
-            each.set(key, true);
-            facts.set("has_" + key, true);
-            facts.set("index_" + key, std::to_string(index));
-            facts.set("file_" + key, picture.file.filename().string());
+            each.flag(key, true);
+            facts.flag("has_" + key, true);
+            facts.number("index_" + key, index);
+            facts.text("file_" + key, picture.file.filename().string());
+            passes.add(*picture.pass);
         }
-        list << each;
+        list.push_back(std::move(each));
         ++index;
     }
-    facts.set("pictures", list);
+    facts.list("pictures", std::move(list));
+    const bool lit = passes.has(Pass::SixWayA) && passes.has(Pass::SixWayB);
+    facts.flag("six_way", lit);
+    facts.flag("unlit", !lit);
 }
 
-data factsOf(const EngineSheet& sheet)
+void addGrid(const EngineSheet& sheet, TemplateFacts& facts)
 {
-    const std::string stem = sheet.pictures.front().file.stem().string();
     const Output& cell = sheet.effect.output;
     const int cells = sheet.columns * sheet.rows;
-    data facts;
-    facts.set("name", stem);
-    facts.set("id", identifier(stem));
-    facts.set("columns", std::to_string(sheet.columns));
-    facts.set("rows", std::to_string(sheet.rows));
-    facts.set("cells", std::to_string(cells));
-    facts.set("last_cell", std::to_string(cells - 1));
-    facts.set("cell_width", std::to_string(cell.width));
-    facts.set("cell_height", std::to_string(cell.height));
-    facts.set("largest_edge", std::to_string(std::max(cell.width * sheet.columns, cell.height * sheet.rows)));
-    facts.set("cells_per_second", number(sheet.cellsPerSecond));
-    facts.set("whole_cells_per_second", std::to_string(std::max(1, static_cast<int>(sheet.cellsPerSecond + 0.5)))); // Defold takes no other
-    facts.set("seconds", number(cells / sheet.cellsPerSecond));
+    facts.number("columns", sheet.columns);
+    facts.number("rows", sheet.rows);
+    facts.number("cells", cells);
+    facts.number("last_cell", cells - 1);
+    facts.number("cell_width", cell.width);
+    facts.number("cell_height", cell.height);
+    facts.number("largest_edge", std::max(cell.width * sheet.columns, cell.height * sheet.rows));
+}
+
+void addTime(const EngineSheet& sheet, TemplateFacts& facts)
+{
+    const int cells = sheet.columns * sheet.rows;
+    facts.number("cells_per_second", sheet.cellsPerSecond);
+    facts.number("whole_cells_per_second", std::max(1, static_cast<int>(sheet.cellsPerSecond + 0.5))); // Defold takes no other
+    facts.number("seconds", cells / sheet.cellsPerSecond);
     // Effekseer counts in sixtieths of a second.
     const int sixtieths = std::max(1, static_cast<int>(60.0 / sheet.cellsPerSecond + 0.5));
-    facts.set("sixtieths", std::to_string(sixtieths));
-    facts.set("life_sixtieths", std::to_string(sixtieths * cells));
-    facts.set("loop", sheet.loops);
-    facts.set("once", !sheet.loops);
-    facts.set("motion_scale", number(sheet.scales.motion));
-    facts.set("motion_right", sheet.style.vectors == VectorSigns::Unity ? "1.0" : "-1.0");
-    facts.set("signs", std::string(nameOf(sheet.style.vectors)));
-    facts.set("layout", std::string(nameOf(sheet.style.layout)));
-    facts.set("light_scale", number(sheet.scales.light));
+    facts.number("sixtieths", sixtieths);
+    facts.number("life_sixtieths", sixtieths * cells);
+    facts.flag("loop", sheet.loops);
+    facts.flag("once", !sheet.loops);
+}
+
+TemplateFacts factsOf(Language language, const EngineSheet& sheet)
+{
+    const std::string stem = sheet.pictures.front().file.stem().string();
+    TemplateFacts facts(language);
+    facts.text("name", stem);
+    facts.label("label", stem);
+    facts.identifier("id", stem);
+    addGrid(sheet, facts);
+    addTime(sheet, facts);
+    facts.number("motion_scale", sheet.scales.motion);
+    facts.word("motion_right", sheet.style.vectors == VectorSigns::Unity ? "1.0" : "-1.0");
+    facts.word("signs", nameOf(sheet.style.vectors));
+    facts.word("layout", nameOf(sheet.style.layout));
+    facts.number("light_scale", sheet.scales.light);
     addPictures(sheet, facts);
-    const bool lit = facts.get("has_sixway_a") != nullptr && facts.get("has_sixway_b") != nullptr;
-    facts.set("six_way", lit);
-    facts.set("unlit", !lit);
-    facts.set("resources", std::to_string(sheet.pictures.size() + 5)); // shader, material, quad and process, and the scene itself
+    facts.number("resources", static_cast<int>(sheet.pictures.size()) + 5); // shader, material, quad and process, and the scene itself
     addChannels(sheet.style, facts);
     addPlace(sheet.effect, facts);
     return facts;
 }
 
-std::string filled(std::string_view name, TextKind kind, const data& facts)
+std::string filled(std::string_view name, const TemplateFacts& facts)
 {
     const EmbeddedFile* const found = findEmbedded({kEngineTemplates, kEngineTemplatesCount}, name);
     assert(found != nullptr);
-    mustache text{std::string(found->contents)};
-    if (kind == TextKind::Code) {
-        text.set_custom_escape(escapedForCode);
-    }
-    assert(text.is_valid());
-    return text.render(facts);
+    return facts.fill(*found);
 }
 
 } // namespace
 
-std::string sheetText(std::string_view name, TextKind kind, const EngineSheet& sheet)
+Language languageOfTemplate(std::string_view name)
 {
-    return filled(name, kind, factsOf(sheet));
+    const auto found = std::find_if(kLanguages.begin(), kLanguages.end(), [&](const auto& each) { return each.first == name; });
+    assert(found != kLanguages.end());
+    return found->second;
+}
+
+std::string sheetText(std::string_view name, const EngineSheet& sheet)
+{
+    return filled(name, factsOf(languageOfTemplate(name), sheet));
 }
 
 std::string importText(std::string_view name, const EnginePicture& picture)
 {
-    return filled(name, TextKind::Code, pictureFacts(picture));
+    return filled(name, pictureFacts(languageOfTemplate(name), picture));
 }
 
 } // namespace fumage

@@ -1,16 +1,13 @@
 #include "core/export/farm/farm.h"
 
-#include "core/base/embedded_file.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/farm/chunk.h"
-#include "core/preset/json_tree.h"
+#include "core/export/templates/template_facts.h"
 
 #include <algorithm>
 #include <cassert>
-#include <span>
-
-#include <kainjow/mustache.hpp>
+#include <utility>
 
 namespace fumage {
 
@@ -19,44 +16,23 @@ extern const std::size_t kFarmTemplatesCount;
 
 namespace {
 
-using kainjow::mustache::data;
-using kainjow::mustache::mustache;
-
 using Words = std::vector<std::string>;
 
-/// A word that a shell takes as it is.
 std::string shellQuoted(const std::string& word)
 {
-    std::string out = "'";
-    for (const char c : word) {
-        out += c == '\'' ? "'\\''" : std::string(1, c);
-    }
-    return out + "'";
+    return written(Language::Shell, word);
 }
 
-/// Words of a command line between spaces, each quoted.
-template <class Quote>
-std::string joined(const Words& words, const Quote& quote, const char* between)
-{
-    std::string out;
-    for (const std::string& word : words) {
-        out += (out.empty() ? "" : between) + quote(word);
-    }
-    return out;
-}
-
-/// A name on one line without what ends comments, quotes and options of a line.
-std::string plainly(const std::string& name)
+/// A job's name, which is only shown.
+std::string shownName(const FarmJob& job)
 {
     constexpr std::size_t kMostBytes = 100; // Open Job Description takes 128 letters
-    std::string out = printable(name);
-    std::replace_if(
-        out.begin(), out.end(), [](char c) { return std::string_view("\"'\\%{}<>*/").find(c) != std::string_view::npos; }, '_');
-    std::size_t end = std::min(out.size(), kMostBytes);
-    while (end < out.size() && (static_cast<unsigned char>(out[end]) & 0xc0U) == 0x80U) {
+    const std::string& name = job.name;
+    std::size_t end = std::min(name.size(), kMostBytes);
+    while (end < name.size() && (static_cast<unsigned char>(name[end]) & 0xc0U) == 0x80U) {
         --end; // not within a letter
     }
-    return out.substr(0, end);
+    return name.substr(0, end);
 }
 
 /// A name that no option is mistaken for.
@@ -80,22 +56,33 @@ Words joinWordsIn(const std::string& folder, const FarmJob& job)
     return words;
 }
 
-/// Which characters of names a farm has no way to write.
-Status checkNames(Farm farm, const FarmJob& job)
+/// What a farm has no way to write in a name; empty: it can write it.
+std::string_view unwritable(Farm farm, std::string_view name)
 {
-    const auto has = [&](std::string_view text) { return job.folder.generic_string().find(text) != std::string::npos || job.name.find(text) != std::string::npos || job.output.find(text) != std::string::npos; };
     std::vector<std::string_view> refused{std::string_view("\0", 1)};
     switch (farm) {
     case Farm::Slurm:
     case Farm::Flamenco: break;
     case Farm::OpenJd: refused = {"{{", "}}"}; break;
-    case Farm::Deadline: refused = {"\"", "<", ">", "\n", "\r", "\\"}; break;
+    case Farm::Deadline: refused = {"\"", "<", ">", "\\"}; break;
     }
-    const auto found = std::find_if(refused.begin(), refused.end(), has);
-    if (found == refused.end()) {
-        return Done{};
+    const auto found = std::find_if(refused.begin(), refused.end(), [&](std::string_view text) { return name.find(text) != std::string_view::npos; });
+    if (found == refused.end() && farm == Farm::Deadline && !isOneLine(name)) {
+        return "\n"; // or another of those that are not seen
     }
-    return Error{ErrorCode::OutOfRange, said("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), inQuotes(*found)), (job.folder / pathFrom(job.output)).string(), said("Choose another name or folder")};
+    return found == refused.end() ? std::string_view() : *found;
+}
+
+Status checkNames(Farm farm, const FarmJob& job)
+{
+    for (const std::string& name : {job.folder.generic_string(), job.name, job.output}) {
+        const std::string_view found = unwritable(farm, name);
+        if (!found.empty()) {
+            const std::string what = found == "\n" ? "control characters" : inQuotes(found);
+            return Error{ErrorCode::OutOfRange, said("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), what), (job.folder / pathFrom(job.output)).string(), said("Choose another name or folder")};
+        }
+    }
+    return Done{};
 }
 
 /// One of the farm's files.
@@ -104,44 +91,59 @@ std::filesystem::path fileOf(const FarmJob& job, std::string_view ending)
     return job.folder / pathFrom(job.name + std::string(ending));
 }
 
-data commonFacts(const FarmJob& job)
+TemplateFacts commonFacts(Language language, const FarmJob& job)
 {
-    data facts;
-    facts.set("name", plainly(job.name));
-    facts.set("first", std::to_string(job.frames.first));
-    facts.set("last", std::to_string(job.frames.last));
-    facts.set("step", std::to_string(job.frames.step));
-    facts.set("stepped", job.frames.step > 1);
-    facts.set("frames", textOf(job.frames));
-    facts.set("count", std::to_string(job.frames.count()));
-    facts.set("last_place", std::to_string(job.frames.count() - 1));
-    facts.set("per_task", std::to_string(job.perTask));
-    facts.set("last_task", std::to_string(taskCount(job.frames, job.perTask) - 1));
-    facts.set("joins", !job.joinWords.empty());
+    TemplateFacts facts(language);
+    facts.label("name", shownName(job));
+    facts.number("first", job.frames.first);
+    facts.number("last", job.frames.last);
+    facts.number("step", job.frames.step);
+    facts.flag("stepped", job.frames.step > 1);
+    facts.word("frames", textOf(job.frames));
+    facts.number("count", job.frames.count());
+    facts.number("last_place", job.frames.count() - 1);
+    facts.number("per_task", job.perTask);
+    facts.number("last_task", taskCount(job.frames, job.perTask) - 1);
+    facts.flag("joins", !job.joinWords.empty());
     return facts;
 }
 
-std::string filled(std::string_view name, const data& facts)
+/// The words of a command line, each as "word".
+template <class Describe>
+void addWords(const std::string& key, const Words& words, TemplateFacts& facts, const Describe& describe)
+{
+    std::vector<TemplateFacts> list;
+    for (const std::string& word : words) {
+        list.emplace_back(facts.language());
+        list.back().text("word", word);
+        describe(word, list.back());
+    }
+    facts.list(key, std::move(list));
+}
+
+void addWords(const std::string& key, const Words& words, TemplateFacts& facts)
+{
+    addWords(key, words, facts, [](const std::string&, TemplateFacts&) {});
+}
+
+std::string filled(std::string_view name, const TemplateFacts& facts)
 {
     const EmbeddedFile* const found = findEmbedded({kFarmTemplates, kFarmTemplatesCount}, name);
     assert(found != nullptr);
-    mustache text{std::string(found->contents)};
-    text.set_custom_escape([](const std::string& value) { return value; }); // what is put in is quoted already
-    assert(text.is_valid());
-    return text.render(facts);
+    return facts.fill(*found);
 }
 
 FarmFiles slurmFiles(const FarmJob& job)
 {
-    data facts = commonFacts(job);
-    facts.set("folder", shellQuoted(job.folder.string()));
+    TemplateFacts facts = commonFacts(Language::Shell, job);
+    facts.text("folder", job.folder.string());
     Words before = renderWordsOf(job, {}, "./");
     const auto frames = std::find(before.begin(), before.end(), "--frames") + 1;
     const Words after(frames + 1, before.end());
     before.erase(frames, before.end());
-    facts.set("before_frames", joined(before, shellQuoted, " "));
-    facts.set("after_frames", joined(after, shellQuoted, " "));
-    facts.set("join", joined(job.joinWords, shellQuoted, " "));
+    addWords("before_frames", before, facts);
+    addWords("after_frames", after, facts);
+    addWords("join", job.joinWords, facts);
     const std::filesystem::path script = fileOf(job, ".slurm.sh");
     FarmFiles made{{{script, filled("slurm", facts)}}, "sbatch " + shellQuoted(script.string())};
     if (!job.joinWords.empty()) {
@@ -155,44 +157,54 @@ FarmFiles slurmFiles(const FarmJob& job)
 FarmFiles openJdFiles(const FarmJob& job)
 {
     const std::string folder = "{{Param.Folder}}/";
-    data facts = commonFacts(job);
-    facts.set("quoted_name", quoteJson(plainly(job.name)));
+    TemplateFacts facts = commonFacts(Language::Json, job);
     Words words = renderWordsOf(job, "{{Task.Param.Frame}}", folder);
     words.insert(words.end(), {"--progress", "openjd"});
-    facts.set("render", joined(words, quoteJson, ", "));
-    facts.set("join", joined(joinWordsIn(folder, job), quoteJson, ", "));
+    addWords("render", words, facts);
+    addWords("join", joinWordsIn(folder, job), facts);
     const std::filesystem::path path = fileOf(job, ".openjd.json");
     return {{{path, filled("openjd", facts)}}, "openjd run " + shellQuoted(path.string()) + " -p Folder=" + shellQuoted(job.folder.string())};
 }
 
 FarmFiles flamencoFiles(const FarmJob& job)
 {
-    const auto inFolder = [](const std::string& word) { return word.starts_with("./") ? "settings.folder + " + quoteJson(word.substr(1)) : quoteJson(word); };
-    const auto listed = [&](const Words& words) { return joined(
-                                                      words, [&](const std::string& word) { return word.empty() ? std::string("frames") : inFolder(word); }, ", "); };
-    data facts = commonFacts(job);
-    facts.set("quoted_name", quoteJson(plainly(job.name)));
-    facts.set("folder", quoteJson(job.folder.string()));
-    facts.set("render", listed(renderWordsOf(job, {}, "./")));
-    facts.set("join", listed(job.joinWords));
+    // The frames of a task are a variable of the script, and so is the folder.
+    const auto describe = [](const std::string& word, TemplateFacts& each) {
+        each.flag("is_frames", word.empty());
+        each.flag("in_folder", word.starts_with("./"));
+        each.text("word", word.starts_with("./") ? word.substr(1) : word);
+    };
+    TemplateFacts facts = commonFacts(Language::JavaScript, job);
+    facts.text("folder", job.folder.string());
+    addWords("render", renderWordsOf(job, {}, "./"), facts, describe);
+    addWords("join", job.joinWords, facts, describe);
     const std::filesystem::path path = fileOf(job, ".flamenco.js");
     return {{{path, filled("flamenco", facts)}}, "Copy " + shellQuoted(path.string()) + " to the folder \"scripts\" of the Flamenco Manager and choose the job type there"};
 }
 
+/// The files that Deadline reads: lines "key=value".
+TemplateFacts deadlineFacts(const FarmJob& job)
+{
+    const auto describe = [](const std::string& word, TemplateFacts& each) { each.flag("quoted", word.find_first_of(" '") != std::string::npos); };
+    const std::string folder = (job.folder / "").generic_string(); // Deadline takes a backslash for itself
+    const std::string steps = job.frames.step > 1 ? ":" + std::to_string(job.frames.step) : std::string();
+    TemplateFacts facts = commonFacts(Language::KeyValue, job);
+    facts.text("start", job.folder.generic_string());
+    addWords("render", renderWordsOf(job, "<STARTFRAME>-<ENDFRAME>" + steps, folder), facts, describe);
+    addWords("join", joinWordsIn(folder, job), facts, describe);
+    return facts;
+}
+
 FarmFiles deadlineFiles(const FarmJob& job)
 {
-    const auto quoted = [](const std::string& word) { return word.find_first_of(" \t'") == std::string::npos ? word : "<QUOTE>" + word + "<QUOTE>"; };
-    const std::string folder = (job.folder / "").generic_string(); // Deadline takes a backslash for itself
-    data facts = commonFacts(job);
-    facts.set("folder", shellQuoted(job.folder.generic_string()));
-    facts.set("start", job.folder.generic_string());
-    facts.set("render", joined(renderWordsOf(job, "<STARTFRAME>-<ENDFRAME>" + (job.frames.step > 1 ? ":" + std::to_string(job.frames.step) : std::string()), folder), quoted, " "));
-    facts.set("join", joined(joinWordsIn(folder, job), quoted, " "));
-    facts.set("job_file", shellQuoted(fromHere(job.name + ".deadline.job")));
-    facts.set("plugin_file", shellQuoted(fromHere(job.name + ".deadline.plugin")));
-    facts.set("join_job_file", shellQuoted(fromHere(job.name + ".join.deadline.job")));
-    facts.set("join_plugin_file", shellQuoted(fromHere(job.name + ".join.deadline.plugin")));
-    FarmFiles made{{{fileOf(job, ".deadline.sh"), filled("deadline_submit", facts)}, {fileOf(job, ".deadline.job"), filled("deadline_job", facts)}, {fileOf(job, ".deadline.plugin"), filled("deadline_plugin", facts)}},
+    const TemplateFacts facts = deadlineFacts(job);
+    TemplateFacts script = commonFacts(Language::Shell, job);
+    script.text("folder", job.folder.generic_string());
+    script.text("job_file", fromHere(job.name + ".deadline.job"));
+    script.text("plugin_file", fromHere(job.name + ".deadline.plugin"));
+    script.text("join_job_file", fromHere(job.name + ".join.deadline.job"));
+    script.text("join_plugin_file", fromHere(job.name + ".join.deadline.plugin"));
+    FarmFiles made{{{fileOf(job, ".deadline.sh"), filled("deadline_submit", script)}, {fileOf(job, ".deadline.job"), filled("deadline_job", facts)}, {fileOf(job, ".deadline.plugin"), filled("deadline_plugin", facts)}},
         "bash " + shellQuoted(fileOf(job, ".deadline.sh").string())};
     if (!job.joinWords.empty()) {
         made.files.push_back({fileOf(job, ".join.deadline.job"), filled("deadline_join_job", facts)});
