@@ -141,6 +141,34 @@ private slots:
         }
     }
 
+    /// What Effekseer's loader reads without asking whether it is there (Core.LoadFromXml of 1.7 and 1.8), and what it takes for granted.
+    void effekseersProjectHasAllThatItsLoaderReads()
+    {
+        const Sheet sheet(Engine::Effekseer);
+        sheet.write();
+        const std::string text = sheet.text("smoke_4x2.efkproj");
+        QVERIFY(text.starts_with("<?xml ")); // the document has two children, this and the project; with another it is not loaded
+        QXmlStreamReader xml(QByteArray::fromStdString(text));
+        QMap<QString, QString> top;
+        QVERIFY(xml.readNextStartElement() && xml.name() == QStringLiteral("EffekseerProject"));
+        while (xml.readNextStartElement()) {
+            const QString key = xml.name().toString();
+            top[key] = key == QStringLiteral("Root") ? QString() : xml.readElementText();
+            if (key == QStringLiteral("Root")) {
+                xml.skipCurrentElement();
+            }
+        }
+        QVERIFY(!xml.hasError());
+        QVERIFY(top.contains(QStringLiteral("Root"))); // else nothing is loaded
+        QCOMPARE(top[QStringLiteral("StartFrame")], QStringLiteral("0")); // the editor's timeline, in sixtieths
+        QCOMPARE(top[QStringLiteral("EndFrame")], QStringLiteral("32")); // 8 cells of 4
+        QCOMPARE(top[QStringLiteral("IsLoop")], QStringLiteral("True")); // as bool.Parse() reads it
+        QCOMPARE(top[QStringLiteral("Version")], QStringLiteral("3")); // below it the texture is taken from where it stood before version 3
+        while (!xml.atEnd()) {
+            QVERIFY(xml.readNext() != QXmlStreamReader::Comment);
+        }
+    }
+
     void aSceneSaysHowManyResourcesItHas()
     {
         for (const Engine engine : {Engine::Godot, Engine::Godot3}) {
