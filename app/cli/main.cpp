@@ -2,15 +2,16 @@
 #include "app/cli/number_options.h"
 #include "app/cli/system.h"
 
+#include "core/base/caught.h"
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
 #include "core/base/text.h"
 #include "core/version.h"
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -165,11 +166,10 @@ int main(int argc, char** argv)
 {
     try {
         return run(argc, argv);
-    } catch (const std::bad_alloc&) {
+    } catch (const std::bad_alloc&) { // there may be none left for a message that is put together
         std::cerr << "fumage-cli: not enough memory. Use fewer particles or a smaller picture\n";
         return fumage::cli::kTryAgain;
-    } catch (const std::exception& error) {
-        std::cerr << "fumage-cli: " << error.what() << '\n';
+    } catch (...) {
+        return report(fumage::caughtError());
     }
-    return fumage::cli::kFailure;
 }

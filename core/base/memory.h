@@ -1,21 +1,20 @@
 #pragma once
 
-#include "core/base/result.h"
-
-#include <new>
+#include "core/base/caught.h"
 
 namespace fumage {
 
-/// Runs work whose size a user decides, and makes an error of memory that runs out: exceptions do not cross the border of a library or of a thread.
+/// Runs work whose size a user decides, and makes an error of memory that runs out, and of all else that is thrown:
+/// exceptions do not cross the border of a library or of a thread.
 /// @param work returns a Result
-/// @error OutOfMemory
+/// @error those of caughtError()
 template <class Work>
 auto withinMemory(const Work& work) -> decltype(work())
 {
     try {
         return work();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::OutOfMemory, said("there is not enough memory"), {}, said("Use a smaller picture or fewer particles")};
+    } catch (...) {
+        return caughtError();
     }
 }
 

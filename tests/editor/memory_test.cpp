@@ -150,7 +150,8 @@ private slots:
                 }
                 ++done;
             },
-            [](int) { return false; }, [&] { ++exhausted; });
+            [&](int, const Error& why) { exhausted += why.code == ErrorCode::OutOfMemory ? 1 : 0; },
+            [](int) { return false; });
         job.post(1);
         QTRY_COMPARE(exhausted.load(), 1);
         job.post(2);

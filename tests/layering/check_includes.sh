@@ -38,6 +38,15 @@ if [ -n "$fillers$raw" ]; then
     printf '%s\n%s%s\n' 'names from outside become code only by core/export/templates:' "$fillers" "$raw"
     failed=1
 fi
+search() { # <pattern> <files that may> <why>
+    local found
+    found=$(grep -rnP "$1" ui --include='*.h' --include='*.cpp' | grep -vP "^($2)" || true)
+    if [ -n "$found" ]; then
+        printf '%s\n%s\n' "$3:" "$found"
+        failed=1
+    fi
+}
+search '#include <(thread|future)>|\bQThread\b|QtConcurrent' 'ui/work/' 'threads of the editor are of ui/work, where nothing that is thrown ends the program'
 forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'base stands below everything'
 forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
 forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'

@@ -77,8 +77,8 @@ void Recovery::save()
         const std::lock_guard lock(m_files);
         if (!stop.stop_requested()) {
             tell([this, copy = writeCopy(path, origin, preset)] { note(copy); });
-        }
-    });
+        } },
+        [this](const Error& why) { note(why); });
 }
 
 void Recovery::note(const Status& copy)

@@ -97,19 +97,26 @@ void ExportCheck::goOn()
         m_job.forget();
         return;
     }
-    m_job.ask([this, wanted = m_wanted.front()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
-        QElapsedTimer sinceNews;
-        const auto report = [&](Work, int done, int total) {
-            if (sinceNews.isValid() && sinceNews.elapsed() < kNewsEachMs) {
-                return;
-            }
-            sinceNews.start();
-            tell([this, id = wanted.id, done, total] { emit marked(id, {CheckState::Running, done, total, tr("Verifying: %1 of %2").arg(done).arg(total)}); });
-        };
-        Result<std::vector<CheckedFile>> checked = std::vector<CheckedFile>();
-        runBehindOthers([&] { checked = checkExport(wanted.job->plan, report, stop); });
-        tell([this, mark = checked ? markOf(checked.value()) : CheckMark{.state = CheckState::Failed, .told = fumage::ui::told(checked.error())}] { end(mark); });
-    });
+    m_job.ask(
+        [this, wanted = m_wanted.front()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
+            QElapsedTimer sinceNews;
+            const auto report = [&](Work, int done, int total) {
+                if (sinceNews.isValid() && sinceNews.elapsed() < kNewsEachMs) {
+                    return;
+                }
+                sinceNews.start();
+                tell([this, id = wanted.id, done, total] {
+                    emit marked(id, {CheckState::Running, done, total, tr("Verifying: %1 of %2").arg(done).arg(total)});
+                });
+            };
+            Result<std::vector<CheckedFile>> checked = std::vector<CheckedFile>();
+            runBehindOthers([&] { checked = checkExport(wanted.job->plan, report, stop); });
+            tell([this,
+                     mark = checked ? markOf(checked.value())
+                                    : CheckMark{.state = CheckState::Failed,
+                                        .told = fumage::ui::told(checked.error())}] { end(mark); });
+        },
+        [this](const Error& why) { end({.state = CheckState::Failed, .told = fumage::ui::told(why)}); });
 }
 
 void ExportCheck::end(const CheckMark& mark)

@@ -24,9 +24,13 @@ void ExportEntry::enter(ExportJob job, std::optional<OnClash> answered)
 void ExportEntry::look()
 {
     m_others = m_queue.activeJobs();
-    m_search.ask([this, plan = m_job.plan, others = m_others](const AnswerJob::Tell& tell, const std::stop_token&) {
-        tell([this, clash = findClash(plan, others)] { take(clash); });
-    });
+    m_search.ask([this, plan = m_job.plan, others = m_others](const AnswerJob::Tell& tell,
+                     const std::stop_token&) { tell([this, clash = findClash(plan, others)] { take(clash); }); },
+        [this](const Error& why) {
+            m_isBusy = false;
+            emit refused(told(why));
+            emit ended();
+        });
 }
 
 void ExportEntry::take(const ExportClash& clash)

@@ -31,11 +31,10 @@ void ExportWorker::start(std::shared_ptr<const ExportJob> job)
         };
         Result<std::optional<Flipbook>> result = std::optional<Flipbook>();
         runBehindOthers([&] { result = runJob(*job, report, stop); });
-        QMetaObject::invokeMethod(
-            this, [this, result] { end(result); }, Qt::QueuedConnection);
+        endSoon(result);
     };
     try {
-        m_thread = std::jthread(work);
+        m_thread = GuardedThread(work, [this](const Error& why) { endSoon(why); });
     } catch (const std::system_error&) {
         end(Error{ErrorCode::OutOfMemory, said("the export cannot be started: there are not enough memory or threads"), {}, said("Close other programs")});
     }
@@ -61,7 +60,13 @@ void ExportWorker::tell(Work work, int done, int total)
 
 void ExportWorker::cancel()
 {
-    m_thread.request_stop();
+    m_thread.requestStop();
+}
+
+void ExportWorker::endSoon(const Result<std::optional<Flipbook>>& result)
+{
+    QMetaObject::invokeMethod(
+        this, [this, result] { end(result); }, Qt::QueuedConnection);
 }
 
 void ExportWorker::end(const Result<std::optional<Flipbook>>& result)

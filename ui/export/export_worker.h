@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/work/guarded_thread.h"
+
 #include "core/export/jobs.h"
 
 #include <QElapsedTimer>
@@ -7,7 +9,6 @@
 #include <QString>
 
 #include <memory>
-#include <thread>
 
 namespace fumage::ui {
 
@@ -37,12 +38,14 @@ signals:
 private:
     [[nodiscard]] static QString complaint(const CutOff& cut);
     void tell(Work work, int done, int total);
+    /// On the thread of the work.
+    void endSoon(const Result<std::optional<Flipbook>>& result);
     void end(const Result<std::optional<Flipbook>>& result);
 
     std::shared_ptr<const ExportJob> m_job; ///< null: none runs
     QElapsedTimer m_timer; ///< since the first picture was begun
     bool m_hasBegun = false; ///< whether a picture is done
-    std::jthread m_thread;
+    GuardedThread m_thread;
 };
 
 } // namespace fumage::ui

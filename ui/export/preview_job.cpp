@@ -30,8 +30,8 @@ void PreviewJob::start(const Effect& effect, const ExportPlan& plan)
             tell([this, made = preview.value()] { emit ready(made); });
         } else if (preview.error().code != ErrorCode::Cancelled) {
             tell([this, message = told(preview.error())] { emit failed(message); });
-        }
-    });
+        } },
+        [this](const Error& why) { emit failed(told(why)); });
 }
 
 } // namespace fumage::ui

@@ -31,10 +31,15 @@ Status writeList(const QString& path, const ExportJobs& jobs, FileAccess access)
 QueueFile::QueueFile(const QDir& folder, QObject* parent)
     : QObject(parent)
     , m_file(makeOwnFile(folder))
-    , m_writer(std::make_unique<LatestJob<ExportJobs>>([this](const ExportJobs& jobs, const std::stop_token&) {
-        QMetaObject::invokeMethod(
-            this, [this, status = keepAt(m_file.path, jobs)] { report(status); }, Qt::QueuedConnection);
-    }))
+    , m_writer(std::make_unique<LatestJob<ExportJobs>>(
+          [this](const ExportJobs& jobs, const std::stop_token&) {
+              QMetaObject::invokeMethod(
+                  this, [this, status = keepAt(m_file.path, jobs)] { report(status); }, Qt::QueuedConnection);
+          },
+          [this](const ExportJobs&, const Error& why) {
+              QMetaObject::invokeMethod(
+                  this, [this, why] { report(why); }, Qt::QueuedConnection);
+          }))
 {
 }
 

@@ -25,8 +25,8 @@ void SheetSearch::start(const Effect& effect, const ExportPlan& plan, std::int64
             tell([this, best = bestOf(rated.value())] { emit found(best); });
         } else if (rated.error().code != ErrorCode::Cancelled) {
             tell([this, message = told(rated.error())] { emit failed(message); });
-        }
-    });
+        } },
+        [this](const Error& why) { emit failed(told(why)); });
 }
 
 } // namespace fumage::ui

@@ -39,9 +39,11 @@ void StartCheck::goOn()
         m_job.forget();
         return;
     }
-    m_job.ask([this, job = m_wanted.front().job, others = m_others()](const AnswerJob::Tell& tell, const std::stop_token&) {
-        tell([this, others, apart = filesOf(others).check(*job)] { end(others, apart); });
-    });
+    m_job.ask(
+        [this, job = m_wanted.front().job, others = m_others()](const AnswerJob::Tell& tell, const std::stop_token&) {
+            tell([this, others, apart = filesOf(others).check(*job)] { end(others, apart); });
+        },
+        [this](const Error& why) { end(m_others(), why); });
 }
 
 void StartCheck::end(const ExportJobs& asked, const Status& apart)

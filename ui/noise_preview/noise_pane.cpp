@@ -1,5 +1,6 @@
 #include "ui/noise_preview/noise_pane.h"
 
+#include "ui/document/text.h"
 #include "ui/face/icons.h"
 
 #include <QComboBox>
@@ -89,6 +90,7 @@ void NoisePane::connectParts()
     connect(&m_clock, &QTimer::timeout, this, &NoisePane::advance);
     connect(&m_worker, &NoiseWorker::ready, this, &NoisePane::receive);
     connect(&m_worker, &NoiseWorker::exhausted, this, [this] { m_facts->setText(tr("There is not enough memory for this texture.")); });
+    connect(&m_worker, &NoiseWorker::failed, this, [this](const Error& why) { m_facts->setText(told(why)); });
     connect(&m_document, &Document::effectChanged, this, &NoisePane::refresh);
     connect(m_channel, &QComboBox::currentIndexChanged, this, &NoisePane::refresh);
     connect(m_plain, &QToolButton::toggled, this, &NoisePane::refresh);

@@ -105,10 +105,10 @@ NoiseWorker::NoiseWorker(QObject* parent)
                       this, [this, picture = std::move(picture)] { emit ready(picture); }, Qt::QueuedConnection);
               }
           },
-          [](const NoiseRequest&) { return true; },
-          [this] {
+          [this](const NoiseRequest&, const Error& why) {
               QMetaObject::invokeMethod(
-                  this, [this] { emit exhausted(); }, Qt::QueuedConnection);
+                  this, [this, why] { why.code == ErrorCode::OutOfMemory ? emit exhausted() : emit failed(why); },
+                  Qt::QueuedConnection);
           })
 {
 }

@@ -63,6 +63,8 @@ signals:
     void ready(fumage::ui::NoisePicturePtr picture);
     /// Memory ran out: the picture that was being made does not come.
     void exhausted();
+    /// The picture cannot be made.
+    void failed(const fumage::Error& why);
 
 private:
     LatestJob<NoiseRequest> m_job;

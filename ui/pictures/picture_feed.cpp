@@ -140,6 +140,7 @@ bool PictureFeed::isWanted(const Picture& picture) const
     return picture.revision == m_wanted.revision && picture.frame == m_wanted.frame;
 }
 
+        connect(m_otherWorker.get(), &PictureWorker::failed, this, &PictureFeed::failed);
 Haste PictureFeed::usualHaste() const
 {
     if (m_moving) {

@@ -16,13 +16,16 @@ PictureWorker::PictureWorker(std::shared_ptr<AirShelf> shelf, QObject* parent)
                       this, [this, why = *m_studio.trouble()] { emit failed(why); }, Qt::QueuedConnection);
               }
           },
-          // Hasty pictures are never given up: a hand that moves all the time would not see one.
-          [](const PictureRequest& request) { return request.haste == Haste::None || request.haste == Haste::Settling; },
-          [this] {
+          [this](const PictureRequest&, const Error& why) {
               m_shelf->clear(); // what it holds may be half done, and takes memory
               m_studio = newStudio();
               QMetaObject::invokeMethod(
-                  this, [this] { emit exhausted(); }, Qt::QueuedConnection);
+                  this, [this, why] { why.code == ErrorCode::OutOfMemory ? emit exhausted() : emit failed(why); },
+                  Qt::QueuedConnection);
+          },
+          // Hasty pictures are never given up: a hand that moves all the time would not see one.
+          [](const PictureRequest& request) {
+              return request.haste == Haste::None || request.haste == Haste::Settling;
           })
 {
 }

@@ -15,15 +15,24 @@ constexpr qint64 kSendMs = 50;
 
 LibraryPreset readEntry(const LibraryEntry& entry)
 {
-    Result<PresetReading> reading = loadPreset(entry);
-    return reading ? LibraryPreset{entry, std::move(reading).value().preset, {}} : LibraryPreset{entry, {}, told(reading.error())};
+    LibraryPreset read{entry, {}, {}};
+    const auto fail = [&](const Error& why) { read.trouble = told(why); };
+    // One that cannot be read costs no other.
+    runGuarded(
+        [&] {
+            Result<PresetReading> reading = loadPreset(entry);
+            reading ? static_cast<void>(read.preset = std::move(reading).value().preset) : fail(reading.error());
+        },
+        fail);
+    return read;
 }
 
 } // namespace
 
 LibraryReader::LibraryReader(QObject* parent)
     : QObject(parent)
-    , m_job([this](quint64 number, const std::stop_token& stop) { work(number, stop); })
+    , m_job([this](quint64 number, const std::stop_token& stop) { work(number, stop); },
+          [this](quint64 number, const Error& why) { send(number, {{{}, {}, told(why)}}, true); })
 {
 }
 

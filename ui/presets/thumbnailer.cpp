@@ -61,13 +61,13 @@ bool showsSomething(const QImage& image)
 Thumbnailer::Thumbnailer(std::optional<ThumbnailStore> store, QObject* parent)
     : QObject(parent)
     , m_store(std::move(store))
-    , m_thread([this](const std::stop_token& stop) { run(stop); })
+    , m_thread([this](const std::stop_token& stop) { run(stop); }, &Thumbnailer::complain)
 {
 }
 
 Thumbnailer::~Thumbnailer()
 {
-    m_thread.request_stop();
+    m_thread.requestStop();
 }
 
 void Thumbnailer::request(const QString& name, const Effect& effect, int edge)
@@ -94,21 +94,23 @@ QImage Thumbnailer::pictureOf(const Job& job, const std::stop_token& stop) const
     if (!image.isNull()) {
         return image;
     }
-    try {
-        image = renderThumbnail(job.effect, job.edge, stop);
-    } catch (const std::bad_alloc&) {
-        return {}; // the list shows it without a picture
-    }
+    image = renderThumbnail(job.effect, job.edge, stop);
     if (m_store && !image.isNull()) {
         m_store->put(job.effect, job.edge, image);
     }
     return image;
 }
 
+/// What has no picture is shown without one: nobody has to be told in the middle of something else.
+void Thumbnailer::complain(const Error& why)
+{
+    qWarning("A thumbnail cannot be made: %s", why.text().c_str());
+}
+
 void Thumbnailer::run(const std::stop_token& stop)
 {
     if (m_store) {
-        m_store->prune();
+        runGuarded([this] { m_store->prune(); }, &Thumbnailer::complain);
     }
     while (!stop.stop_requested()) {
         Job job;
@@ -120,7 +122,8 @@ void Thumbnailer::run(const std::stop_token& stop)
             job = std::move(m_jobs.front());
             m_jobs.pop_front();
         }
-        const QImage image = pictureOf(job, stop);
+        QImage image;
+        runGuarded([&] { image = pictureOf(job, stop); }, &Thumbnailer::complain);
         if (!image.isNull()) {
             QMetaObject::invokeMethod(
                 this, [this, name = job.name, image] { emit ready(name, image); }, Qt::QueuedConnection);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/presets/thumbnail_store.h"
+#include "ui/work/guarded_thread.h"
 
 #include <QImage>
 #include <QObject>
@@ -9,7 +10,6 @@
 #include <deque>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace fumage::ui {
 
@@ -37,6 +37,7 @@ private:
         Effect effect;
         int edge = 0;
     };
+    static void complain(const Error& why);
     void run(const std::stop_token& stop);
     [[nodiscard]] QImage pictureOf(const Job& job, const std::stop_token& stop) const;
 
@@ -45,7 +46,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::deque<Job> m_jobs;
-    std::jthread m_thread;
+    GuardedThread m_thread; ///< last: ends before what it uses
 };
 
 /// A small picture of an effect at its most telling frame, over the dark of the viewport.

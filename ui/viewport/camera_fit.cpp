@@ -15,7 +15,8 @@ constexpr int kShownMs = 8000;
 
 CameraFit::CameraFit(Document& document)
     : m_document(document)
-    , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); })
+    , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); },
+          [this](const Request& request, const Error& why) { tell(request, [this, why] { end(why); }); })
 {
     connect(&m_document, &Document::effectChanged, this, [this] {
         if (m_running) {
@@ -42,27 +43,29 @@ void CameraFit::post()
     m_job.post({m_document.effect(), ++m_number});
 }
 
+void CameraFit::tell(const Request& request, std::function<void()> news)
+{
+    QMetaObject::invokeMethod(
+        this, [this, number = request.number, news = std::move(news)] {
+            if (m_running && number == m_number) {
+                news();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
 void CameraFit::work(const Request& request, const std::stop_token& stop)
 {
-    const auto onThisThread = [this, number = request.number](auto what) {
-        QMetaObject::invokeMethod(
-            this, [this, number, what] {
-                if (m_running && number == m_number) {
-                    what();
-                }
-            },
-            Qt::QueuedConnection);
-    };
     constexpr int kPercent = 100;
     int told = -1;
     const auto report = [&](int done, int total) {
         if (const int percent = kPercent * done / total; percent > told) {
             told = percent;
-            onThisThread([this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
+            tell(request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
     const Result<Camera> camera = fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, report, stop);
-    onThisThread([this, camera] { end(camera); });
+    tell(request, [this, camera] { end(camera); });
 }
 
 void CameraFit::end(const Result<Camera>& camera)

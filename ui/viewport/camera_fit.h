@@ -31,6 +31,8 @@ private:
         int number = 0;
     };
     void post();
+    /// Has something called on this object's thread, unless something newer has been asked for by then.
+    void tell(const Request& request, std::function<void()> news);
     void work(const Request& request, const std::stop_token& stop);
     void end(const Result<Camera>& camera);
 

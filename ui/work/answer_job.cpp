@@ -4,26 +4,26 @@ namespace fumage::ui {
 
 AnswerJob::AnswerJob(QObject* parent)
     : QObject(parent)
-    , m_job([this](const Request& request, const std::stop_token& stop) { answer(request, stop); })
+    , m_job([this](const Request& request, const std::stop_token& stop) { answer(request, stop); },
+          [this](const Request& request, const Error& why) {
+              tellerOf(request)([failed = request.failed, why] { failed(why); });
+          })
 {
 }
 
-void AnswerJob::ask(Work work)
+void AnswerJob::ask(Work work, Failed failed)
 {
-    m_job.post({++m_number, std::move(work)});
+    m_job.post({++m_number, std::move(work), std::move(failed)});
 }
 
 void AnswerJob::forget()
 {
-    m_job.post({++m_number, {}});
+    m_job.post({++m_number, {}, {}});
 }
 
-void AnswerJob::answer(const Request& request, const std::stop_token& stop)
+AnswerJob::Tell AnswerJob::tellerOf(const Request& request)
 {
-    if (!request.work) {
-        return;
-    }
-    const auto tell = [this, number = request.number](std::function<void()> news) {
+    return [this, number = request.number](std::function<void()> news) {
         const auto unlessOld = [this, number, news = std::move(news)] {
             if (number == m_number) {
                 news();
@@ -31,7 +31,13 @@ void AnswerJob::answer(const Request& request, const std::stop_token& stop)
         };
         QMetaObject::invokeMethod(this, unlessOld, Qt::QueuedConnection);
     };
-    request.work(tell, stop);
+}
+
+void AnswerJob::answer(const Request& request, const std::stop_token& stop)
+{
+    if (request.work) {
+        request.work(tellerOf(request), stop);
+    }
 }
 
 } // namespace fumage::ui

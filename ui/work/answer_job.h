@@ -15,9 +15,13 @@ public:
     /// Runs on the thread of its own; should end early when stop is requested.
     using Work = std::function<void(const Tell& tell, const std::stop_token& stop)>;
 
+    /// Work threw something: no more news come of it. On the thread that the job lives on, where nothing else has been
+    /// asked until then.
+    using Failed = std::function<void(const Error& why)>;
+
     explicit AnswerJob(QObject* parent = nullptr);
 
-    void ask(Work work);
+    void ask(Work work, Failed failed);
     /// Nothing more comes of what was asked for.
     void forget();
 
@@ -25,7 +29,9 @@ private:
     struct Request {
         quint64 number = 0;
         Work work; ///< none: rest
+        Failed failed;
     };
+    [[nodiscard]] Tell tellerOf(const Request& request);
     void answer(const Request& request, const std::stop_token& stop);
 
     quint64 m_number = 0; ///< of what was asked last

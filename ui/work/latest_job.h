@@ -1,12 +1,12 @@
 #pragma once
 
+#include "ui/work/guarded_thread.h"
+
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
 namespace fumage::ui {
 
@@ -19,20 +19,20 @@ public:
     /// Whether work on a request may be given up when a newer one comes.
     using MayStop = std::function<bool(const Request&)>;
 
-    /// Memory ran out; on the thread.
-    using Exhausted = std::function<void()>;
+    /// Work threw something: nothing comes of the request. On the thread, which goes on with the next.
+    using Failed = std::function<void(const Request&, const Error&)>;
 
-    explicit LatestJob(
-        Work work, MayStop mayStop = [](const Request&) { return true; }, Exhausted exhausted = [] {})
+    LatestJob(
+        Work work, Failed failed, MayStop mayStop = [](const Request&) { return true; })
         : m_work(std::move(work))
+        , m_failed(std::move(failed))
         , m_mayStop(std::move(mayStop))
-        , m_exhausted(std::move(exhausted))
-        , m_thread([this](const std::stop_token& stop) { run(stop); })
+        , m_thread([this](const std::stop_token& stop) { run(stop); }, [](const Error&) {})
     {
     }
     ~LatestJob()
     {
-        m_thread.request_stop();
+        m_thread.requestStop();
         const std::lock_guard lock(m_mutex);
         m_running.request_stop();
     }
@@ -71,23 +71,20 @@ private:
     void run(const std::stop_token& stop)
     {
         while (const std::optional<Assignment> assignment = take(stop)) {
-            try {
-                m_work(assignment->request, assignment->stop);
-            } catch (const std::bad_alloc&) {
-                m_exhausted();
-            }
+            runGuarded([&] { m_work(assignment->request, assignment->stop); },
+                [&](const Error& why) { m_failed(assignment->request, why); });
         }
     }
 
     Work m_work;
+    Failed m_failed;
     MayStop m_mayStop;
-    Exhausted m_exhausted;
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::optional<Request> m_waiting;
     std::stop_source m_running;
     bool m_runningMayStop = false;
-    std::jthread m_thread; ///< last: ends before what it uses
+    GuardedThread m_thread; ///< last: ends before what it uses
 };
 
 } // namespace fumage::ui
