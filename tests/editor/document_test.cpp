@@ -3,15 +3,11 @@
 #include "tests/parameter_rows.h"
 
 #include "ui/document/document.h"
-#include "ui/document/recovery.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 #include "core/effect/variation.h"
 #include "core/preset/library.h"
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -269,181 +265,12 @@ private slots:
         QVERIFY(parameter.get(document.effect()) == parameter.get(other));
     }
 
-    void unsavedWorkIsOnDiskAMomentAfterAChange()
-    {
-        QTemporaryDir folder;
-        Document document;
-        Recovery recovery(document, QDir(folder.path()));
-        document.edit(knownParameter("motion.gravity"), 7.0F);
-        QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 1);
-        QVERIFY(isNothing(Recovery::find(QDir(folder.path())))); // its program is running
-        document.undoStack()->undo();
-        QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 0);
-    }
-
-    void aCopyThatIsBeingWrittenDoesNotOutliveItsWork()
-    {
-        const QTemporaryDir folder;
-        for (int round = 0; round < 50; ++round) {
-            {
-                Document document;
-                Recovery recovery(document, QDir(folder.path()));
-                document.edit(knownParameter("motion.gravity"), 7.0F);
-                recovery.save();
-                while (round % 2 == 1 && QDir(folder.path()).entryList({u"*.origin"_q}).isEmpty()) {
-                    // what is written first is not there yet
-                }
-                document.undoStack()->undo();
-            }
-            QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList());
-        }
-    }
-
-    void aCopyStaysUntilTheWorkThatAdoptedItIsSaved()
-    {
-        const LeftFolder folder;
-        Document document;
-        {
-            Recovery recovery(document, folder.dir());
-            Recovery::Leftovers left = Recovery::find(folder.dir());
-            QCOMPARE(left.works.size(), std::size_t{1});
-            recovery.adopt(std::move(left.works[0]));
-            QCOMPARE(document.effect().motion.gravity, 7.0F);
-            QVERIFY(document.isModified());
-            QVERIFY(isNothing(Recovery::find(folder.dir()))); // its program is running
-            QCoreApplication::processEvents();
-            QVERIFY(folder.names().contains(u"left.json"_q));
-            QVERIFY(document.save(folder.dir().filePath(u"../saved"_q)).ok());
-            QVERIFY(!folder.names().contains(u"left.json"_q));
-        }
-        QVERIFY(folder.names().isEmpty());
-    }
-
-    void aProgramThatIsKilledWhileItTakesOverWorkLeavesIt()
-    {
-        const LeftFolder folder;
-        QFile lock(folder.dir().filePath(u"left.lock"_q));
-        QVERIFY(lock.open(QIODevice::WriteOnly)); // made, and nothing in it yet
-        lock.close();
-        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
-    }
-
-    void aProgramThatIsKilledAfterItAdoptedWorkLeavesItAgain()
-    {
-        const LeftFolder folder;
-        adoptAndDie(folder.dir());
-        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
-    }
-
-    void workThatEndsProgramsIsNotOpenedAThirdTime()
-    {
-        const LeftFolder folder;
-        adoptAndDie(folder.dir());
-        adoptAndDie(folder.dir());
-        const Recovery::Leftovers left = Recovery::find(folder.dir());
-        QVERIFY(left.works.empty());
-        QCOMPARE(left.dangerous, QStringList{folder.dir().filePath(u"left.json"_q)});
-        QVERIFY(folder.names().contains(u"left.json"_q));
-    }
-
-    void workThatWasShownMayBeOpenedAgain()
-    {
-        const LeftFolder folder;
-        for (int i = 0; i < 3; ++i) {
-            adoptAndDie(folder.dir(), true);
-        }
-        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
-    }
-
-    void copiesAreForTheUserAlone()
-    {
-        const QTemporaryDir parent;
-        const QDir folder(parent.filePath(u"recovery"_q));
-        Document document;
-        Recovery recovery(document, folder);
-        document.edit(knownParameter("motion.gravity"), 7.0F);
-        const QSignalSpy written(&recovery, &Recovery::written);
-        recovery.save();
-        QTRY_COMPARE(written.count(), 1);
-        const auto others = QFileDevice::ReadGroup | QFileDevice::WriteGroup | QFileDevice::ExeGroup | QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
-        QVERIFY(!(QFile::permissions(folder.path()) & others));
-        const QFileInfoList copies = folder.entryInfoList({u"*.json*"_q}, QDir::Files);
-        QCOMPARE(copies.size(), 2); // the copy and the path of its document
-        for (const QFileInfo& copy : copies) {
-            QVERIFY(!(copy.permissions() & others));
-        }
-    }
-
-    void aBrokenCopyStaysAndIsMentioned()
-    {
-        const LeftFolder folder;
-        QFile file(folder.dir().filePath(u"left.json"_q));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("{ half a fi");
-        file.close();
-        const Recovery::Leftovers left = Recovery::find(folder.dir());
-        QVERIFY(left.works.empty());
-        QCOMPARE(left.unreadable, QStringList{file.fileName()});
-        QVERIFY(file.exists());
-    }
-
-    void locksOfSessionsThatWereKilledAreClearedAway()
-    {
-        const QTemporaryDir folder;
-        const pid_t session = fork();
-        if (session == 0) {
-            Document document;
-            const Recovery recovery(document, QDir(folder.path()));
-            _exit(0);
-        }
-        waitpid(session, nullptr, 0);
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
-        QVERIFY(isNothing(Recovery::find(QDir(folder.path()))));
-        QVERIFY(QDir(folder.path()).isEmpty());
-    }
-
     void documentNamesMakeFileNames()
     {
         QCOMPARE(fileNameOf(u"Smoke 2"_q), u"Smoke 2"_q);
         QCOMPARE(fileNameOf(u"../../etc/passwd"_q), u"-.-..-etc-passwd"_q);
         QCOMPARE(fileNameOf(u"a\nb"_q), u"a-b"_q);
         QVERIFY(fileNameOf(QString(100000, QChar(0x6c34))).toUtf8().size() < 250);
-    }
-
-private:
-    /// A folder with a copy that has no program.
-    class LeftFolder {
-    public:
-        LeftFolder()
-        {
-            Preset preset;
-            preset.effect.motion.gravity = 7.0F;
-            dir().mkpath(u"."_q);
-            static_cast<void>(writePresetFile(dir().filePath(u"left.json"_q).toStdString(), preset));
-        }
-        [[nodiscard]] QDir dir() const { return QDir(m_parent.filePath(u"recovery"_q)); }
-        [[nodiscard]] QStringList names() const { return dir().entryList(QDir::Files | QDir::Hidden); }
-
-    private:
-        QTemporaryDir m_parent;
-    };
-
-    static bool isNothing(const Recovery::Leftovers& left) { return left.works.empty() && left.unreadable.isEmpty() && left.dangerous.isEmpty(); }
-
-    static void adoptAndDie(const QDir& folder, bool shown = false)
-    {
-        const pid_t program = fork();
-        if (program == 0) {
-            Document document;
-            Recovery recovery(document, folder);
-            Recovery::Leftovers left = Recovery::find(folder);
-            recovery.adopt(std::move(left.works.at(0)));
-            if (shown) {
-                recovery.proveHarmless();
-            }
-            _exit(0);
-        }
-        waitpid(program, nullptr, 0);
     }
 };
 

@@ -101,8 +101,11 @@ void Document::loadUnsaved(const Preset& work, const QString& path)
         load(work, path, true);
         return;
     }
-    load(original.value().preset, path);
+    // Never for a moment a document that is saved: the copy of the work would be taken from the disk.
+    load(original.value().preset, path, true);
     replaceEffect(work.effect, tr("Unsaved work"));
+    m_unsavedFromStart = false;
+    emit titleChanged();
 }
 
 Status Document::save(const QString& path)

@@ -1,0 +1,262 @@
+// Copies of unsaved work: when they come, who has them, and that none is lost on the way.
+#include "editor_helpers.h"
+
+#include "ui/document/recovery.h"
+
+#include "core/effect/known_parameter.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace fumage;
+using namespace fumage::tests;
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void unsavedWorkIsOnDiskAMomentAfterAChange()
+    {
+        QTemporaryDir folder;
+        Document document;
+        Recovery recovery(document, QDir(folder.path()));
+        document.edit(knownParameter("motion.gravity"), 7.0F);
+        QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 1);
+        QVERIFY(isNothing(Recovery::find(QDir(folder.path())))); // its program is running
+        document.undoStack()->undo();
+        QTRY_COMPARE(QDir(folder.path()).entryList({u"*.json"_q}).size(), 0);
+    }
+
+    void aCopyThatIsBeingWrittenDoesNotOutliveItsWork()
+    {
+        const QTemporaryDir folder;
+        for (int round = 0; round < 50; ++round) {
+            {
+                Document document;
+                Recovery recovery(document, QDir(folder.path()));
+                document.edit(knownParameter("motion.gravity"), 7.0F);
+                recovery.save();
+                while (round % 2 == 1 && QDir(folder.path()).entryList({u"*.origin"_q}).isEmpty()) {
+                    // what is written first is not there yet
+                }
+                document.undoStack()->undo();
+            }
+            QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList());
+        }
+    }
+
+    void aCopyStaysUntilTheWorkThatAdoptedItIsSaved()
+    {
+        const LeftFolder folder;
+        Document document;
+        {
+            Recovery recovery(document, folder.dir());
+            Recovery::Leftovers left = Recovery::find(folder.dir());
+            QCOMPARE(left.works.size(), std::size_t{1});
+            recovery.adopt(std::move(left.works[0]));
+            QCOMPARE(document.effect().motion.gravity, 7.0F);
+            QVERIFY(document.isModified());
+            QVERIFY(isNothing(Recovery::find(folder.dir()))); // its program is running
+            QCoreApplication::processEvents();
+            QVERIFY(folder.names().contains(u"left.json"_q));
+            QVERIFY(document.save(folder.dir().filePath(u"../saved"_q)).ok());
+            QVERIFY(!folder.names().contains(u"left.json"_q));
+        }
+        QVERIFY(folder.names().isEmpty());
+    }
+
+    void aProgramThatIsKilledWhileItTakesOverWorkLeavesIt()
+    {
+        const LeftFolder folder;
+        QFile lock(folder.dir().filePath(u"left.lock"_q));
+        QVERIFY(lock.open(QIODevice::WriteOnly)); // made, and nothing in it yet
+        lock.close();
+        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
+    }
+
+    void aProgramThatIsKilledAfterItAdoptedWorkLeavesItAgain()
+    {
+        const LeftFolder folder;
+        adoptAndDie(folder.dir());
+        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
+    }
+
+    void workThatEndsProgramsIsNotOpenedAThirdTime()
+    {
+        const LeftFolder folder;
+        adoptAndDie(folder.dir());
+        adoptAndDie(folder.dir());
+        const Recovery::Leftovers left = Recovery::find(folder.dir());
+        QVERIFY(left.works.empty());
+        QCOMPARE(left.dangerous, QStringList{folder.dir().filePath(u"left.json"_q)});
+        QVERIFY(folder.names().contains(u"left.json"_q));
+    }
+
+    void workThatWasShownMayBeOpenedAgain()
+    {
+        const LeftFolder folder;
+        for (int i = 0; i < 3; ++i) {
+            adoptAndDie(folder.dir(), true);
+        }
+        QCOMPARE(Recovery::find(folder.dir()).works.size(), std::size_t{1});
+    }
+
+    void copiesAreForTheUserAlone()
+    {
+        const QTemporaryDir parent;
+        const QDir folder(parent.filePath(u"recovery"_q));
+        Document document;
+        Recovery recovery(document, folder);
+        document.edit(knownParameter("motion.gravity"), 7.0F);
+        const QSignalSpy written(&recovery, &Recovery::written);
+        recovery.save();
+        QTRY_COMPARE(written.count(), 1);
+        const auto others = QFileDevice::ReadGroup | QFileDevice::WriteGroup | QFileDevice::ExeGroup
+            | QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
+        QVERIFY(!(QFile::permissions(folder.path()) & others));
+        const QFileInfoList copies = folder.entryInfoList({u"*.json*"_q}, QDir::Files);
+        QCOMPARE(copies.size(), 2); // the copy and the path of its document
+        for (const QFileInfo& copy : copies) {
+            QVERIFY(!(copy.permissions() & others));
+        }
+    }
+
+    void aBrokenCopyStaysAndIsMentioned()
+    {
+        const LeftFolder folder;
+        QFile file(folder.dir().filePath(u"left.json"_q));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{ half a fi");
+        file.close();
+        const Recovery::Leftovers left = Recovery::find(folder.dir());
+        QVERIFY(left.works.empty());
+        QCOMPARE(left.unreadable, QStringList{file.fileName()});
+        QVERIFY(file.exists());
+    }
+
+    void locksOfSessionsThatWereKilledAreClearedAway()
+    {
+        const QTemporaryDir folder;
+        const pid_t session = fork();
+        if (session == 0) {
+            Document document;
+            const Recovery recovery(document, QDir(folder.path()));
+            _exit(0);
+        }
+        waitpid(session, nullptr, 0);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+        QVERIFY(isNothing(Recovery::find(QDir(folder.path()))));
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void aCopyIsOnTheDiskAllTheWhileThatItIsAdopted_data() { addOrigins(); }
+    void aCopyIsOnTheDiskAllTheWhileThatItIsAdopted()
+    {
+        const LeftFolder folder(kOrigins.value(QString::fromLatin1(QTest::currentDataTag())));
+        Document document;
+        Recovery recovery(document, folder.dir());
+        int looks = 0;
+        int missing = 0;
+        const auto look = [&] {
+            ++looks;
+            missing += folder.names().contains(u"left.json"_q) && folder.names().contains(u"left.json.trial"_q) ? 0 : 1;
+        };
+        // They hear of it after the recovery has.
+        connect(&document, &Document::titleChanged, &document, look);
+        connect(&document, &Document::loaded, &document, look);
+        connect(&document, &Document::effectChanged, &document, look);
+        Recovery::Leftovers left = Recovery::find(folder.dir());
+        recovery.adopt(std::move(left.works.at(0)));
+        QCOMPARE(document.effect().motion.gravity, 7.0F);
+        QVERIFY(document.isModified());
+        QVERIFY(looks >= 2);
+        QCOMPARE(missing, 0);
+        QSignalSpy written(&recovery, &Recovery::written);
+        QTRY_COMPARE(written.count(), 1); // the copy is written anew in its place
+        look();
+        QCOMPARE(missing, 0);
+    }
+
+    void aProgramThatIsKilledAsSoonAsItHasAdoptedWorkLeavesIt_data() { addOrigins(); }
+    void aProgramThatIsKilledAsSoonAsItHasAdoptedWorkLeavesIt()
+    {
+        const LeftFolder folder(kOrigins.value(QString::fromLatin1(QTest::currentDataTag())));
+        adoptAndDie(folder.dir());
+        Recovery::Leftovers left = Recovery::find(folder.dir());
+        QCOMPARE(left.works.size(), std::size_t{1});
+        QCOMPARE(left.works[0].preset.effect.motion.gravity, 7.0F);
+        QCOMPARE(left.works[0].originalPath, folder.origin());
+        left = {};
+        adoptAndDie(folder.dir());
+        QCOMPARE(Recovery::find(folder.dir()).dangerous.size(), 1); // it is counted, too
+    }
+
+private:
+    /// Where the work came from that a copy was made of.
+    enum class Origin {
+        None,
+        File,
+        GoneFile
+    };
+    inline static const QMap<QString, Origin> kOrigins{{u"without a file"_q, Origin::None},
+        {u"with a file"_q, Origin::File}, {u"with a file that is gone"_q, Origin::GoneFile}};
+    static void addOrigins()
+    {
+        QTest::addColumn<int>("none");
+        for (const QString& name : kOrigins.keys()) {
+            QTest::newRow(qPrintable(name)) << 0;
+        }
+    }
+
+    /// A folder with a copy that has no program.
+    class LeftFolder {
+    public:
+        explicit LeftFolder(Origin origin = Origin::None)
+        {
+            Preset preset;
+            if (origin == Origin::File) {
+                static_cast<void>(writePresetFile(m_parent.filePath(u"mine.json"_q).toStdString(), preset));
+            }
+            m_origin = origin == Origin::None ? QString() : m_parent.filePath(u"mine.json"_q);
+            preset.effect.motion.gravity = 7.0F;
+            dir().mkpath(u"."_q);
+            static_cast<void>(writePresetFile(dir().filePath(u"left.json"_q).toStdString(), preset));
+            QFile file(dir().filePath(u"left.json.origin"_q));
+            if (file.open(QIODevice::WriteOnly)) {
+                file.write(m_origin.toUtf8());
+            }
+        }
+        [[nodiscard]] QDir dir() const { return QDir(m_parent.filePath(u"recovery"_q)); }
+        /// The path of the work's document; empty: it had none.
+        [[nodiscard]] QString origin() const { return m_origin; }
+        [[nodiscard]] QStringList names() const { return dir().entryList(QDir::Files | QDir::Hidden); }
+
+    private:
+        QTemporaryDir m_parent;
+        QString m_origin;
+    };
+
+    static bool isNothing(const Recovery::Leftovers& left)
+    {
+        return left.works.empty() && left.unreadable.isEmpty() && left.dangerous.isEmpty();
+    }
+
+    static void adoptAndDie(const QDir& folder, bool shown = false)
+    {
+        const pid_t program = fork();
+        if (program == 0) {
+            Document document;
+            Recovery recovery(document, folder);
+            Recovery::Leftovers left = Recovery::find(folder);
+            recovery.adopt(std::move(left.works.at(0)));
+            if (shown) {
+                recovery.proveHarmless();
+            }
+            _exit(0);
+        }
+        waitpid(program, nullptr, 0);
+    }
+};
+
+FUMAGE_TEST_MAIN(RecoveryTest)
+#include "recovery_test.moc"
