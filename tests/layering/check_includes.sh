@@ -47,6 +47,11 @@ search() { # <pattern> <files that may> <why>
     fi
 }
 search '#include <(thread|future)>|\bQThread\b|QtConcurrent' 'ui/work/' 'threads of the editor are of ui/work, where nothing that is thrown ends the program'
+# A literal, a choice of two, or what makes plain text of anything.
+literal='tr\("([^"\\]|\\.)*"\)'
+plain="($literal|[^()]* \? $literal : $literal|(plainToolTip|titledToolTip|toolTipOf)\(.*\))"
+search "(setToolTip|setWhatsThis|setStatusTip)\((?!$plain\);)|QToolTip::showText\((?!.*plainToolTip|.*,\$)|(ToolTip|WhatsThis|StatusTip)Role(?!: return plainToolTip\()" 'ui/face/plain_text' 'tool tips are literals, or go through plain_text.h'
+search 'Qt::RichText|Qt::AutoText|Qt::MarkdownText|setHtml|insertHtml|setMarkdown' 'ui/face/plain_text|ui/shell/help' 'only the help is HTML'
 forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'base stands below everything'
 forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
 forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'

@@ -36,9 +36,9 @@ Document::Document(QObject* parent)
 QString Document::displayName() const
 {
     if (!m_path.isEmpty()) {
-        return QFileInfo(m_path).completeBaseName();
+        return onOneLine(nameOfFile(m_path));
     }
-    return m_preset.name.empty() ? tr("Untitled") : shortened(toQString(m_preset.name));
+    return m_preset.name.empty() ? tr("Untitled") : shortened(onOneLine(toQString(m_preset.name)));
 }
 
 bool Document::isModified() const
@@ -112,7 +112,7 @@ Status Document::save(const QString& path)
 {
     Preset preset = m_preset;
     if (preset.name.empty() || path != m_path) {
-        preset.name = QFileInfo(path).completeBaseName().toStdString();
+        preset.name = nameOfFile(path).toStdString();
     }
     clearLeftovers(toPath(QFileInfo(path).path())); // of programs that were killed while they saved here
     if (Status status = writePresetFile(toPath(path), preset); !status) {

@@ -1,5 +1,7 @@
 #include "ui/document/text.h"
 
+#include "core/base/text.h"
+
 #include <QCoreApplication>
 
 namespace fumage::ui {
@@ -14,9 +16,22 @@ QString told(const Error& error)
     return told(error.whole());
 }
 
+QString onOneLine(const QString& text)
+{
+    return toQString(printable(text.toStdString()));
+}
+
 QString shortened(const QString& text, qsizetype longest)
 {
     return text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026);
+}
+
+QString nameOfFile(const QString& path)
+{
+    const QString file = path.mid(path.lastIndexOf(QLatin1Char('/')) + 1);
+    const QString ending = QStringLiteral(".json");
+    return file.endsWith(ending, Qt::CaseInsensitive) && file.size() > ending.size() ? file.chopped(ending.size())
+                                                                                     : file;
 }
 
 QString fileNameOf(const QString& name)

@@ -31,8 +31,16 @@ namespace fumage::ui {
 [[nodiscard]] QString told(const Message& message);
 [[nodiscard]] QString told(const Error& error);
 
+/// A name that steers nothing where it is shown on one line: control characters and what turns the direction of writing
+/// are question marks.
+[[nodiscard]] QString onOneLine(const QString& text);
+
 /// The beginning of a text that is too long to be shown.
 [[nodiscard]] QString shortened(const QString& text, qsizetype longest = 80);
+
+/// The name of a document by its file: without the folder and without the ending of a preset; other dots are part of
+/// it.
+[[nodiscard]] QString nameOfFile(const QString& path);
 
 /// The name of a document as that of a file: in the folder that is meant, seen, and not too long.
 [[nodiscard]] QString fileNameOf(const QString& name);

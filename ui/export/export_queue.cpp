@@ -2,6 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_clash.h"
+#include "ui/face/plain_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,13 @@ namespace {
 
 /// More of those that are done are forgotten, the oldest first.
 constexpr int kMostEnded = 100;
+
+/// Where it goes, and how it stands.
+QString tipOf(const QueuedExport& one)
+{
+    const QString place = QDir::toNativeSeparators(fromPath(one.job->plan.output));
+    return QStringLiteral("%1\n%2").arg(place, wholeTextOf(one, QStringLiteral("\n")));
+}
 
 } // namespace
 
@@ -55,7 +63,7 @@ QVariant ExportQueue::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole: return toQString(one.job->name);
-    case Qt::ToolTipRole: return QStringLiteral("%1\n%2").arg(QDir::toNativeSeparators(fromPath(one.job->plan.output)), wholeTextOf(one, QStringLiteral("\n")));
+    case Qt::ToolTipRole: return plainToolTip(tipOf(one));
     case Qt::AccessibleTextRole: return QStringLiteral("%1, %2").arg(toQString(one.job->name), wholeTextOf(one, QStringLiteral(", ")));
     case StateRole: return static_cast<int>(one.state);
     case ShareRole: return shareOf(one);

@@ -1,5 +1,7 @@
 #include "ui/export/number_box.h"
 
+#include "ui/face/plain_text.h"
+
 #include <QSpinBox>
 
 namespace fumage::ui {
@@ -9,7 +11,7 @@ QSpinBox* makeNumberBox(const QString& name, const QString& spoken, int least, i
     auto* field = new QSpinBox(parent);
     field->setObjectName(name);
     field->setAccessibleName(spoken);
-    field->setToolTip(spoken);
+    field->setToolTip(plainToolTip(spoken));
     field->setRange(least, most);
     return field;
 }

@@ -1,6 +1,7 @@
 #include "ui/export/pack_row.h"
 
 #include "ui/document/text.h"
+#include "ui/face/plain_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -44,7 +45,7 @@ PackRow::PackRow(int number, QWidget* parent)
         m_channels[i] = new QComboBox(this);
         m_channels[i]->setObjectName(prefix + QStringLiteral("channel%1").arg(i));
         m_channels[i]->setAccessibleName(letters[i]);
-        m_channels[i]->setToolTip(letters[i]);
+        m_channels[i]->setToolTip(plainToolTip(letters[i]));
         m_channels[i]->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         m_channels[i]->setMinimumContentsLength(6);
         channels->addWidget(m_channels[i], 1);

@@ -145,7 +145,11 @@ void QueuePanel::showInFolder(int row) const
 
 void QueuePanel::saveList()
 {
-    const QString file = m_askForFile(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Save the list of exports"), .start = QStringLiteral("exports.json")});
+    const QString file = m_askForFile(this,
+        {.purpose = FileQuestion::Purpose::Save,
+            .title = tr("Save the list of exports"),
+            .start = QStringLiteral("exports.json"),
+            .ending = QStringLiteral("json")});
     if (file.isEmpty()) {
         return;
     }

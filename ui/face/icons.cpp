@@ -1,5 +1,7 @@
 #include "ui/face/icons.h"
 
+#include "ui/face/plain_text.h"
+
 #include <QFile>
 #include <QGuiApplication>
 #include <QIconEngine>
@@ -75,7 +77,7 @@ QToolButton* makeIconButton(QWidget* parent, const QString& name, const QString&
     auto* button = new QToolButton(parent);
     button->setObjectName(name);
     button->setAccessibleName(tip);
-    button->setToolTip(tip);
+    button->setToolTip(plainToolTip(tip));
     button->setIcon(themedIcon(icon));
     button->setAutoRaise(true);
     return button;

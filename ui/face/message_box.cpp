@@ -33,7 +33,9 @@ void MessageBox::warn(QWidget* parent, const QString& title, const QString& text
 
 bool MessageBox::ask(QWidget* parent, const QString& title, const QString& text)
 {
-    return MessageBox(QStringLiteral("questionBox"), Question, title, text, Yes | No, parent).exec() == Yes;
+    MessageBox box(QStringLiteral("questionBox"), Question, title, text, Yes | No, parent);
+    box.setDefaultButton(No); // what cannot be undone is not done by a Return that comes too early
+    return box.exec() == Yes;
 }
 
 } // namespace fumage::ui

@@ -78,7 +78,10 @@ void NumberField::commitText()
     m_value = m_scale.whole ? std::round(inside) : inside;
     showValue();
     if (inside != *number) {
-        QToolTip::showText(mapToGlobal(QPoint(0, height())), (inside < *number ? tr("%1 is the largest.") : tr("%1 is the smallest.")).arg(formatNumber(m_value, m_scale.unit)), this);
+        QToolTip::showText(mapToGlobal(QPoint(0, height())),
+            plainToolTip((inside < *number ? tr("%1 is the largest.") : tr("%1 is the smallest."))
+                             .arg(formatNumber(m_value, m_scale.unit))),
+            this);
     }
     emit edited(m_value, true);
 }

@@ -40,7 +40,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_label->setObjectName(toQString(parameter.key) + QStringLiteral(".label"));
     m_label->setProperty("role", QStringLiteral("parameter"));
-    m_label->setToolTip(m_editor->toolTip());
+    m_label->setToolTip(toolTipOf(parameter));
     m_label->setBuddy(m_editor);
     m_label->installEventFilter(this);
     auto* layout = new QBoxLayout(isTall(parameter) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight, this);

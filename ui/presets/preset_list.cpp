@@ -107,7 +107,8 @@ void PresetList::add(const LibraryPreset& shelf)
         return;
     }
     constexpr qsizetype kLongestTip = 400;
-    item->setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(shortened(nameOf(shelf)).toHtmlEscaped(), shortened(textOf(shelf, preset.description), kLongestTip).toHtmlEscaped()));
+    const QString description = shortened(textOf(shelf, preset.description), kLongestTip);
+    item->setToolTip(titledToolTip(shortened(nameOf(shelf)), description));
     QPixmap blank(m_edge, m_edge);
     blank.fill(QColor(30, 34, 40));
     item->setIcon(blank);

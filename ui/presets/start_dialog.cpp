@@ -1,9 +1,9 @@
 #include "ui/presets/start_dialog.h"
 
+#include "ui/document/text.h"
 #include "ui/face/plain_text.h"
 
 #include <QCheckBox>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -14,6 +14,20 @@ namespace fumage::ui {
 namespace {
 
 constexpr int kThumbnail = 128;
+
+/// The files of last time, by their names.
+QListWidget* makeRecent(const QStringList& paths, QWidget* parent)
+{
+    auto* files = new QListWidget(parent);
+    files->setObjectName(QStringLiteral("startRecent"));
+    files->setAccessibleName(StartDialog::tr("Recent files"));
+    for (const QString& path : paths) {
+        auto* item = new QListWidgetItem(onOneLine(nameOfFile(path)), files);
+        item->setToolTip(plainToolTip(path));
+        item->setData(Qt::UserRole, path);
+    }
+    return files;
+}
 
 QLabel* makeTitle(const QString& text, QWidget* parent)
 {
@@ -31,14 +45,7 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     setObjectName(QStringLiteral("startDialog"));
     setWindowTitle(tr("Begin with a smoke"));
     auto* list = new PresetList(kThumbnail, this);
-    auto* files = new QListWidget(this);
-    files->setObjectName(QStringLiteral("startRecent"));
-    files->setAccessibleName(tr("Recent files"));
-    for (const QString& path : recentFiles) {
-        auto* item = new QListWidgetItem(QFileInfo(path).completeBaseName(), files);
-        item->setToolTip(plainToolTip(path));
-        item->setData(Qt::UserRole, path);
-    }
+    QListWidget* files = makeRecent(recentFiles, this);
     auto* open = new QPushButton(tr("Open a file…"), this);
     open->setObjectName(QStringLiteral("startOpen"));
     auto* empty = new QPushButton(tr("The default smoke"), this);

@@ -1,6 +1,7 @@
 #include "ui/shell/action_table.h"
 
 #include "ui/face/icons.h"
+#include "ui/face/plain_text.h"
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -99,7 +100,7 @@ QAction* makeAction(const ActionSpec& spec, QObject* parent)
     }
     const QString plain = plainText(spec.text);
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? plain : QStringLiteral("%1 (%2)").arg(plain, keys));
+    action->setToolTip(plainToolTip(keys.isEmpty() ? plain : QStringLiteral("%1 (%2)").arg(plain, keys)));
     return action;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/shell/edit_actions.h"
 
+#include "ui/face/plain_text.h"
 #include "ui/shell/action_table.h"
 
 #include "core/effect/variation.h"
@@ -39,8 +40,10 @@ void EditActions::nameUndo()
     const QUndoStack& stack = *m_document.undoStack();
     m_actions.get("edit.undo").setEnabled(stack.canUndo());
     m_actions.get("edit.redo").setEnabled(stack.canRedo());
-    m_actions.get("edit.undo").setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText()) : tr("&Undo"));
-    m_actions.get("edit.redo").setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText()) : tr("&Redo"));
+    m_actions.get("edit.undo")
+        .setText(stack.canUndo() ? tr("&Undo %1").arg(plainMenuText(stack.undoText())) : tr("&Undo"));
+    m_actions.get("edit.redo")
+        .setText(stack.canRedo() ? tr("&Redo %1").arg(plainMenuText(stack.redoText())) : tr("&Redo"));
 }
 
 void EditActions::randomise()

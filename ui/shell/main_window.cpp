@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/queue_panel.h"
+#include "ui/face/plain_text.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/start_dialog.h"
@@ -222,7 +223,7 @@ void MainWindow::begin()
 void MainWindow::showTitle()
 {
     setWindowFilePath(m_document.filePath());
-    setWindowTitle(QStringLiteral("%1[*] — Fumage").arg(m_document.displayName()));
+    setWindowTitle(QStringLiteral("%1[*] — Fumage").arg(plainTitle(m_document.displayName())));
     setWindowModified(m_document.isModified());
 }
 

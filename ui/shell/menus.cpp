@@ -89,7 +89,8 @@ void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)
     const auto fill = [&] {
         menu.clear();
         for (const QString& path : settings.recentFiles()) {
-            QAction* action = menu.addAction(QFileInfo(path).fileName(), &files, [&files, path] { files.openFile(path); });
+            QAction* action = menu.addAction(
+                plainMenuText(QFileInfo(path).fileName()), &files, [&files, path] { files.openFile(path); });
             action->setToolTip(plainToolTip(path));
             action->setData(path);
         }

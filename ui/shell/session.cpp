@@ -1,5 +1,6 @@
 #include "ui/shell/session.h"
 
+#include "ui/face/plain_text.h"
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
@@ -41,6 +42,7 @@ Session::Session(AskForFile askForFile, AskForChoice askForChoice, QObject* pare
     computeInBackground();
     ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
     qApp->installEventFilter(new KeyGuard(this));
+    qApp->installEventFilter(new PlainLabels(this));
 }
 
 Session::~Session()
