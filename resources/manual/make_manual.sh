@@ -49,6 +49,6 @@ others=("${subcommands[@]/#/$name-}")
 [ "$name" != fumage ] || others=(fumage-cli)
 page "$name" "$what" "$(references "${others[@]}")"
 for subcommand in "${subcommands[@]}"; do
-    sentence=$("$program" "$subcommand" --help | head -1)
+    sentence=$("$program" "$subcommand" --help | sed -n 1p)
     page "$name-$subcommand" "${sentence,}" "$(references "$name")" "$subcommand"
 done

@@ -13,7 +13,7 @@ open_editor() { # <theme: 1 dark, 2 light> <preset>
     printf '[face]\ntheme=%s\n[start]\nshown=false\n' "$1" > "$home/fumage/fumage.ini"
     "$editor" "$2" &
     pid=$!
-    window=$(timeout 20 sh -c 'until xdotool search --onlyvisible --name "Fumage" 2>/dev/null | head -1 | grep .; do sleep 0.2; done')
+    window=$(timeout 20 sh -c 'until xdotool search --onlyvisible --name "Fumage" 2>/dev/null | sed -n 1p | grep .; do sleep 0.2; done')
     xdotool windowsize "$window" 1920 1056 windowmove "$window" 0 0
     sleep 2
 }

@@ -65,7 +65,7 @@ if [ -n "$pc" ]; then
         cat "$work/log"
         exit 1
     fi
-    readelf -d "$work/smoke" | grep -q 'NEEDED.*libfumage\.so\.[0-9]' || { echo "the shared library has no version in its name"; exit 1; }
+    readelf -d "$work/smoke" | grep 'NEEDED.*libfumage\.so\.[0-9]' > /dev/null || { echo "the shared library has no version in its name"; exit 1; }
     strangers=$(nm -D --defined-only "$library/libfumage.so" | awk '$2 != "A" && $3 !~ /^fumage_/')
     [ -z "$strangers" ] || { echo "the shared library exports what is nobody's business: $strangers"; exit 1; }
 fi

@@ -24,9 +24,9 @@ for name in fumage fumage-cli libfumage-dev; do
     [ -f "$root/usr/share/doc/$name/copyright" ] || fail "$name has no licence"
 done
 # The programs know every library that they load, and one that no display needs loads no Qt.
-dpkg-deb --field "$(package fumage)" Depends | grep -q libqt6widgets6 || fail "the editor does not depend on Qt"
-dpkg-deb --field "$(package fumage-cli)" Depends | grep -q 'libpng16-16.*libtbb12\|libtbb12.*libpng16-16' || fail "the command line's dependencies are not found"
-if dpkg-deb --field "$(package fumage-cli)" Depends | grep -q qt; then
+dpkg-deb --field "$(package fumage)" Depends | grep libqt6widgets6 > /dev/null || fail "the editor does not depend on Qt"
+dpkg-deb --field "$(package fumage-cli)" Depends | grep 'libpng16-16.*libtbb12\|libtbb12.*libpng16-16' > /dev/null || fail "the command line's dependencies are not found"
+if dpkg-deb --field "$(package fumage-cli)" Depends | grep qt > /dev/null; then
     fail "the command line depends on Qt"
 fi
 for program in fumage fumage-cli; do
@@ -43,7 +43,7 @@ mkdir "$root/home" "$root/work"
 clean=(env -i HOME="$root/home" XDG_RUNTIME_DIR="$root/home" LANG=C.UTF-8 PATH="$root/usr/bin:/usr/bin:/bin")
 cd "$root/work"
 "${clean[@]}" fumage-cli render campfire --frames 20 --size 64 --output fire.png > /dev/null
-file fire.png | grep -q 'PNG image data, 64 x 64' || fail "no picture was rendered"
+file fire.png | grep 'PNG image data, 64 x 64' > /dev/null || fail "no picture was rendered"
 [ "$(readelf -h "$root/usr/bin/fumage-cli" | grep -c 'Advanced Micro Devices X86-64\|AArch64')" -eq 1 ] || fail "what machine is this for?"
 
 echo "-- manual"
@@ -69,7 +69,7 @@ appstreamcli validate --no-net "$share"/metainfo/*.metainfo.xml > "$root/appstre
 XDG_DATA_HOME=$root/home XDG_DATA_DIRS=$share update-mime-database "$share/mime"
 grep -q ':application/x-fumage-preset+json:\*.fumage.json$' "$share/mime/globs2" || fail "the MIME type has no glob"
 for size in 16 24 32 48 64 128 256 512; do
-    file "$share/icons/hicolor/${size}x$size/apps/fumage.png" | grep -q "PNG image data, $size x $size" || fail "no icon of $size pixels"
+    file "$share/icons/hicolor/${size}x$size/apps/fumage.png" | grep "PNG image data, $size x $size" > /dev/null || fail "no icon of $size pixels"
 done
 [ -f "$share/icons/hicolor/scalable/apps/fumage.svg" ] || fail "no scalable icon"
 

@@ -6,7 +6,7 @@ editor=$!
 trap 'kill $editor 2> /dev/null || true' EXIT
 for ((i = 0; i < 600; i++)); do
     kill -0 $editor 2> /dev/null || { echo "the editor ended before its window was there"; exit 1; }
-    window=$(xdotool search --onlyvisible --pid $editor --name "$(basename "$2" .json)" 2> /dev/null | head -1 || true)
+    window=$(xdotool search --onlyvisible --pid $editor --name "$(basename "$2" .json)" 2> /dev/null | sed -n 1p || true)
     [ -n "$window" ] && break
     sleep 0.1
 done
