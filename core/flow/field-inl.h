@@ -213,8 +213,8 @@ HWY_INLINE AirThere<V> airAt(const AirField& field, float reach, const LanePlace
     const Vec3<V> wind = broadcast(d, field.wind);
     there.velocity = there.velocity - wind;
     if (!hn::AllTrue(d, hn::Eq(at.outside2, hn::Zero(d)))) {
-        const V near = hn::Max(hn::Zero(d), 1.0F - hn::Sqrt(at.outside2) * (field.grid.cell / reach));
-        fadeOut<kSlopes>(near * near, there);
+        const V closeness = hn::Max(hn::Zero(d), 1.0F - hn::Sqrt(at.outside2) * (field.grid.cell / reach));
+        fadeOut<kSlopes>(closeness * closeness, there);
     }
     there.velocity = wind + there.velocity;
     return there;

@@ -32,7 +32,7 @@ MultigridAxis makeAxis(std::vector<float> width, Border low, Border high)
     const std::size_t n = axis.width.size();
     axis.cells = static_cast<int>(n);
     const std::size_t room = n + 2 * kAirLanes;
-    for (AirColumn* column : {&axis.below, &axis.above, &axis.own, &axis.share, &axis.near, &axis.beside}) {
+    for (AirColumn* column : {&axis.below, &axis.above, &axis.own, &axis.share, &axis.within, &axis.beside}) {
         column->assign(room, 0.0F);
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -58,14 +58,14 @@ void linkAxis(MultigridAxis& fine, const MultigridAxis& coarse, Border low, Bord
         const bool isLower = i % 2 == 0;
         const bool atBorder = isLower ? parent == 0 : parent + 1 == coarse.width.size();
         if (offset == 0.0F) {
-            fine.near[i] = 1.0F;
+            fine.within[i] = 1.0F;
         } else if (atBorder) {
             const bool isOpen = (isLower ? low : high) == Border::Open;
-            fine.near[i] = isOpen ? 1.0F - offset / (0.5F * all) : 1.0F;
+            fine.within[i] = isOpen ? 1.0F - offset / (0.5F * all) : 1.0F;
         } else {
             const float neighbour = coarse.width[isLower ? parent - 1 : parent + 1];
             fine.beside[i] = offset / (0.5F * (all + neighbour));
-            fine.near[i] = 1.0F - fine.beside[i];
+            fine.within[i] = 1.0F - fine.beside[i];
         }
     }
 }

@@ -15,7 +15,7 @@ struct MultigridAxis {
     AirColumn above; ///< weight of p[i + 1] - p[i]; 0 at a border
     AirColumn own; ///< weight of -p[i]: both, and on an open border that of the face, where p is 0
     AirColumn share; ///< of a cell's width in that of its coarse one
-    AirColumn near; ///< weight of a coarse cell in the interpolated value of each of its own
+    AirColumn within; ///< weight of a coarse cell in the interpolated value of each of its own
     AirColumn beside; ///< and of that one's neighbour, on the side of the fine cell
 };
 

@@ -179,14 +179,14 @@ void restrictPlane(const MultigridLevel& fine, const AirColumn& pressure, const 
 /// The coarse cell that a fine one lies in, and the one beside it on the fine one's side; its own where there is none, with a weight of 0.
 struct CoarseCells {
     CoarseCells(const MultigridAxis& fine, int index, int cells)
-        : near(fine.near[static_cast<std::size_t>(index)])
+        : within(fine.within[static_cast<std::size_t>(index)])
         , beside(fine.beside[static_cast<std::size_t>(index)])
         , own(index / 2)
         , other(std::clamp(index % 2 == 0 ? own - 1 : own + 1, 0, cells - 1))
     {
     }
 
-    float near, beside;
+    float within, beside;
     int own, other;
 };
 
@@ -197,9 +197,9 @@ HWY_INLINE void mixRow(const MultigridLevel& fine, const MultigridLevel& coarse,
     const CoarseCells y(fine.axis[1], j, coarse.layout.cells.y);
     const auto from = [&](int own, int other, std::size_t i) HWY_ATTR { return hn::Load(d, coarse.pressure.data() + coarse.layout.at(0, own, other) + i); };
     for (std::size_t i = 0; i < static_cast<std::size_t>(coarse.layout.cells.x); i += hn::Lanes(d)) {
-        const V near = z.near * from(y.own, z.own, i) + z.beside * from(y.own, z.other, i);
-        const V beside = z.near * from(y.other, z.own, i) + z.beside * from(y.other, z.other, i);
-        hn::Store(y.near * near + y.beside * beside, d, row + i);
+        const V within = z.within * from(y.own, z.own, i) + z.beside * from(y.own, z.other, i);
+        const V beside = z.within * from(y.other, z.own, i) + z.beside * from(y.other, z.other, i);
+        hn::Store(y.within * within + y.beside * beside, d, row + i);
     }
 }
 
@@ -207,17 +207,17 @@ HWY_INLINE void mixRow(const MultigridLevel& fine, const MultigridLevel& coarse,
 HWY_INLINE void addRow(const MultigridLevel& fine, const MultigridLevel& coarse, const float* HWY_RESTRICT row, float* HWY_RESTRICT p)
 {
     const D d;
-    const float* HWY_RESTRICT near = fine.axis[0].near.data();
+    const float* HWY_RESTRICT within = fine.axis[0].within.data();
     const float* HWY_RESTRICT beside = fine.axis[0].beside.data();
     // Two fine cells a coarse one; a last vector of them may reach beyond the row, so it goes through memory of its own.
     HWY_ALIGN float fineRow[2 * kRowRoom];
     for (std::size_t i = 0; i < static_cast<std::size_t>(coarse.layout.cells.x); i += hn::Lanes(d)) {
-        V nearEven, nearOdd, besideEven, besideOdd;
-        hn::LoadInterleaved2(d, near + 2 * i, nearEven, nearOdd);
+        V withinEven, withinOdd, besideEven, besideOdd;
+        hn::LoadInterleaved2(d, within + 2 * i, withinEven, withinOdd);
         hn::LoadInterleaved2(d, beside + 2 * i, besideEven, besideOdd);
         const V own = hn::Load(d, row + i);
-        const V even = nearEven * own + besideEven * hn::LoadU(d, row + i - 1);
-        const V odd = nearOdd * own + besideOdd * hn::LoadU(d, row + i + 1);
+        const V even = withinEven * own + besideEven * hn::LoadU(d, row + i - 1);
+        const V odd = withinOdd * own + besideOdd * hn::LoadU(d, row + i + 1);
         hn::StoreInterleaved2(even, odd, d, fineRow + 2 * i);
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(fine.layout.cells.x); i += hn::Lanes(d)) {

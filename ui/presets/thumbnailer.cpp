@@ -27,13 +27,13 @@ int tellingFrame(const Effect& effect)
 
 QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop)
 {
-    Effect small = thinned(sampled(effect), kParticles);
-    small.output.width = edge;
-    small.output.height = edge;
-    small.air.resolution = std::min(small.air.resolution, kAirCells);
+    Effect preview = thinned(sampled(effect), kParticles);
+    preview.output.width = edge;
+    preview.output.height = edge;
+    preview.air.resolution = std::min(preview.air.resolution, kAirCells);
     PictureRequest request;
-    request.effect = std::make_shared<const Effect>(small);
-    request.frame = tellingFrame(small);
+    request.effect = std::make_shared<const Effect>(preview);
+    request.frame = tellingFrame(preview);
     request.width = edge;
     request.height = edge;
     const PicturePtr picture = Studio().make(request, stop);
