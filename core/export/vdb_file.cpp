@@ -406,13 +406,9 @@ Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& op
         return Error{ErrorCode::OutOfRange, said("voxels of %1 m", formatFloat(*options.voxel)), {}, said("Use %1 to %2 m", formatFloat(kMinVoxel), formatFloat(kMaxVoxel))};
     }
     const SampledEffect smoke = sampled(effect);
-    GreyCounts greys;
-    if (smoke->look.texture > 0.0F) {
-        const Result<SpriteTexture> texture = SpriteTexture::bake(smoke->noise, stop);
-        if (!texture) {
-            return texture.error();
-        }
-        greys = texture.value().greys(0);
+    const Result<GreyCounts> greys = greysShown(smoke, stop);
+    if (!greys) {
+        return greys.error();
     }
     Simulator simulator(smoke);
     const Result<float> voxel = options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, smoke, options.longest, progress, stop);
@@ -425,7 +421,7 @@ Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& op
         if (!frame) {
             return frame.error();
         }
-        const Result<Volume> volume = volumeOf(*frame.value(), smoke, voxel.value(), greys);
+        const Result<Volume> volume = volumeOf(*frame.value(), smoke, voxel.value(), greys.value());
         return volume ? Result<std::string>(encodeVdb(volume.value(), options.up)) : volume.error();
     });
     return written ? voxel : written.error();

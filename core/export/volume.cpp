@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/lighting/glow.h"
+#include "core/rendering/sprite_texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,6 +199,12 @@ Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int lo
     const float edge = bounds.longestEdge();
     const int inside = longest - 2 * kMargin - 1; // smoke that is n cells long lies in as many as n + 1
     return edge > 0.0F ? std::clamp(static_cast<float>(roundedUp(static_cast<double>(edge) / inside)), kMinVoxel, kMaxVoxel) : kVoxelWithoutSmoke;
+}
+
+Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel)
+{
+    const Result<GreyCounts> greys = greysShown(effect);
+    return greys ? volumeOf(frame, effect, voxel, greys.value()) : greys.error();
 }
 
 Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel, const GreyCounts& greys)

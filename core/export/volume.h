@@ -43,10 +43,11 @@ inline constexpr std::int64_t kMaxVolumeSize = std::int64_t{kMaxVolumeCells} * k
 /// soft disc, see Coverage): seen from any side it takes c alpha pi r^2, as the sprites and shadows of pictures do (see lightSmoke()). Shares are scaled so that
 /// each particle leaves all of it, however small it is beside a cell.
 /// @param voxel edge of a cell, kMinVoxel to kMaxVoxel, m
-/// @param greys of the texture that particles show; without any it is as if there were no texture
 /// @error TooLarge before allocating, where the box around the smoke has more than kMaxVolumeSize cells
 /// O(cells that particles cover). The same bits for any thread count and instruction set.
-[[nodiscard]] Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel, const GreyCounts& greys = {});
+[[nodiscard]] Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel);
+/// The same for many frames, with greysShown() of the effect found before.
+[[nodiscard]] Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel, const GreyCounts& greys);
 
 /// The edge of cells, m, of which the smoke of a whole timeline has so many along the longest edge of the box around it, rounded up to three digits: the same
 /// whichever frames are written, so that those of several programs fit together. Of a timeline without smoke it is kVoxelWithoutSmoke.

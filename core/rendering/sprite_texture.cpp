@@ -118,4 +118,13 @@ Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_to
     return texture;
 }
 
+Result<GreyCounts> greysShown(const Effect& effect, const std::stop_token& stop)
+{
+    if (effect.look.texture == 0.0F) {
+        return GreyCounts{};
+    }
+    const Result<SpriteTexture> texture = SpriteTexture::bake(effect.noise, stop);
+    return texture ? Result<GreyCounts>(texture.value().greys(0)) : texture.error();
+}
+
 } // namespace fumage

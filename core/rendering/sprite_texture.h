@@ -61,4 +61,9 @@ private:
     std::vector<AlignedArray<std::uint32_t>> m_levels;
 };
 
+/// The greys that sprites of an effect show, for what they cover; none are counted where they show no texture.
+/// @error Cancelled
+/// As SpriteTexture::bake().
+[[nodiscard]] Result<GreyCounts> greysShown(const Effect& effect, const std::stop_token& stop = {});
+
 } // namespace fumage
