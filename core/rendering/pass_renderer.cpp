@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <glm/vec2.hpp>
+
 namespace fumage {
 
 namespace {
@@ -32,17 +34,44 @@ Effect asThermometer(const Effect& effect)
     return thermometer;
 }
 
+/// Where particles of another turn of a loop are, each in the slot that it has in this one: in every turn slots are counted on.
+/// @param laps steps by which births are numbered higher there
+/// @param room where they are put, if they lie elsewhere
+const Particles* inTheSameSlots(const Frame& other, std::int64_t laps, Particles& room)
+{
+    const Schedule& schedule = other.model->schedule();
+    const Particles& from = other.particles;
+    const auto slots = static_cast<std::int64_t>(from.capacity);
+    if (schedule.loopSteps == 0 || slots == 0) {
+        return &from;
+    }
+    const std::int64_t births = laps / schedule.loopSteps * schedule.birthsPerPeriod;
+    const std::int64_t shift = (births % slots + slots) % slots;
+    if (shift == 0) {
+        return &from;
+    }
+    room.reset(from.capacity);
+    const auto turn = [&](const auto& column, auto& out) { std::rotate_copy(column.begin(), column.begin() + shift, column.begin() + slots, out.begin()); };
+    turn(from.x, room.x);
+    turn(from.y, room.y);
+    turn(from.z, room.z);
+    turn(from.key, room.key);
+    turn(from.birthStep, room.birthStep);
+    return &room;
+}
+
 /// @param frames how many frames later it is shown, less than 0: earlier
-OtherMoment momentOf(const Frame& now, const Frame* other, int frames, const Effect& effect, int width, int height)
+/// @param room   where its particles are put, if they have other slots than now
+OtherMoment momentOf(const Frame& now, const Frame* other, int frames, const Effect& effect, const glm::ivec2& size, Particles& room)
 {
     OtherMoment moment;
     if (other == nullptr) {
         return moment;
     }
-    moment.particles = &other->particles;
     // Where the loop starts again the numbers go back: the camera and the births are those of the turn that goes on.
-    moment.view = makeView(effect.camera, secondsOf(effect.timeline, now.number + frames), width, height);
+    moment.view = makeView(effect.camera, secondsOf(effect.timeline, now.number + frames), size.x, size.y);
     moment.laps = static_cast<std::int32_t>(other->step - (now.step + frames * now.model->schedule().stepsPerFrame));
+    moment.particles = inTheSameSlots(*other, moment.laps, room);
     return moment;
 }
 
@@ -114,8 +143,9 @@ void PassRenderer::fillColours(const FrameAmongOthers& frames, const SampledEffe
         job.below = &layer(PassLayer::LeftBottomFront);
     }
     if (needsLayer(passes, PassLayer::Motion)) {
-        job.previous = momentOf(*frames.now, frames.previous, -frames.sincePrevious, effect, batch.view.width, batch.view.height);
-        job.next = momentOf(*frames.now, frames.next, frames.untilNext, effect, batch.view.width, batch.view.height);
+        const glm::ivec2 size(batch.view.width, batch.view.height);
+        job.previous = momentOf(*frames.now, frames.previous, -frames.sincePrevious, effect, size, m_previous);
+        job.next = momentOf(*frames.now, frames.next, frames.untilNext, effect, size, m_next);
         job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect->timeline.frameRate);
         job.motion = &layer(PassLayer::Motion);
     }

@@ -47,6 +47,8 @@ private:
     LightGrid m_even; ///< the light of the frame, but for the sun, which is everywhere
     std::array<SpriteLayer, kPassLayers> m_layers;
     PassImages m_large;
+    Particles m_previous; ///< those of other turns of a loop, in the slots of this one
+    Particles m_next;
 };
 
 } // namespace fumage
