@@ -201,6 +201,35 @@ std::string formatJobs(std::span<const ExportJob> jobs)
     return "{\n  \"format\": " + quoteJson(kJobsFormat) + ",\n  \"version\": " + std::to_string(kJobsVersion) + ",\n  \"jobs\": [" + list + "\n  ]\n}\n";
 }
 
+std::string formatPlan(const ExportPlan& plan)
+{
+    const ExportJob job{{}, {}, plan};
+    std::string out;
+    for (const JobField& field : jobFields()) {
+        if (const std::optional<std::string> value = field.written(job)) {
+            out += (out.empty() ? "{" : ", ") + quoteJson(field.key) + ": " + *value;
+        }
+    }
+    return out + "}";
+}
+
+std::optional<ExportPlan> parsePlan(std::string_view json)
+{
+    const Result<JsonNode> root = parseJsonOf({}, json);
+    if (!root || root.value().type != JsonNode::Type::Object) {
+        return std::nullopt;
+    }
+    ExportJob job;
+    job.plan.project = Preset();
+    for (const JobField& field : jobFields()) {
+        if (const JsonNode* value = root.value().find(field.key)) {
+            ExportJob with = job;
+            job = field.read(*value, json, with) ? with : job;
+        }
+    }
+    return job.plan;
+}
+
 Result<JobsReading> parseJobs(std::string_view json, const std::string& place)
 {
     return withinMemory([&]() -> Result<JobsReading> { return Reader(json, place).read(); });

@@ -3,6 +3,8 @@
 #include "core/base/file.h"
 #include "core/export/jobs.h"
 
+#include <optional>
+
 namespace fumage {
 
 inline constexpr std::string_view kJobsFormat = "fumage-jobs";
@@ -35,5 +37,11 @@ struct JobsReading {
 /// Writes formatJobs(), whole or not at all.
 /// @error TooLarge where readJobsFile() would not read it; those of writeFileAtomically()
 [[nodiscard]] Status writeJobsFile(const std::filesystem::path& path, std::span<const ExportJob> jobs, FileAccess access = FileAccess::Usual);
+
+/// A plan alone, as one of the objects of formatJobs() without a preset: what a program remembers.
+[[nodiscard]] std::string formatPlan(const ExportPlan& plan);
+/// Reads what formatPlan() writes, also of other versions: lines that this one does not know, or finds wrong, are left out. The file names nothing that is read.
+/// @return none: it is no such text
+[[nodiscard]] std::optional<ExportPlan> parsePlan(std::string_view json);
 
 } // namespace fumage

@@ -334,10 +334,6 @@
         <translation>Brustexturens storlek</translation>
     </message>
     <message>
-        <source>Cells along the longest edge</source>
-        <translation>Celler längs den längsta sidan</translation>
-    </message>
-    <message>
         <source>as in the effect</source>
         <translation>som i effekten</translation>
     </message>
@@ -366,12 +362,60 @@
         <translation>Storlek</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celler</translation>
+        <source>Voxels along the longest edge of the smoke of the whole timeline</source>
+        <translation>Voxlar längs den längsta sidan av röken på hela tidslinjen</translation>
     </message>
     <message>
-        <source>Up</source>
-        <translation>Uppåt</translation>
+        <source>Frame rate</source>
+        <translation>Bildfrekvens</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Upprepning</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxlar</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>Voxelstorlek</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Axel uppåt</translation>
+    </message>
+    <message>
+        <source>Frames a second at which the video plays; the frames stay the same</source>
+        <translation>Bildrutor per sekund som videon spelas med; bildrutorna förblir desamma</translation>
+    </message>
+    <message>
+        <source>As the timeline</source>
+        <translation>Som tidslinjen</translation>
+    </message>
+    <message>
+        <source>For ever if the frames close a loop</source>
+        <translation>För alltid om bildrutorna sluter en slinga</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>En gång</translation>
+    </message>
+    <message>
+        <source>For ever</source>
+        <translation>För alltid</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel; all frames have the same</source>
+        <translation>En voxels sida; alla bildrutor har samma</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>by their number</source>
+        <translation>efter antalet</translation>
     </message>
 </context>
 <context>
@@ -641,18 +685,6 @@
 <context>
     <name>fumage::ui::ExportDialog</name>
     <message>
-        <source>First frame</source>
-        <translation>Första bildrutan</translation>
-    </message>
-    <message>
-        <source>Last frame</source>
-        <translation>Sista bildrutan</translation>
-    </message>
-    <message>
-        <source>Every so many frames</source>
-        <translation>Var så många bildrutor</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportera</translation>
     </message>
@@ -663,10 +695,6 @@
     <message>
         <source>Show in folder</source>
         <translation>Visa i mappen</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Vad</translation>
     </message>
     <message>
         <source>Image sequence</source>
@@ -699,14 +727,6 @@
     <message>
         <source>Choose…</source>
         <translation>Välj…</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>till</translation>
-    </message>
-    <message>
-        <source>every</source>
-        <translation>var</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -761,24 +781,12 @@
         <translation>%1 bildrutor fyller inte %2 rutor: välj fler bildrutor eller färre kolumner och rader.</translation>
     </message>
     <message>
-        <source>%1, %2 × %3 pixels, and how it is to be played beside it</source>
-        <translation>%1, %2 × %3 bildpunkter, och bredvid den en fil om hur den spelas</translation>
-    </message>
-    <message>
-        <source>There is a file %1 already.</source>
-        <translation>Det finns redan en fil %1.</translation>
-    </message>
-    <message>
         <source>%1 of the files are there already; the first is %2.</source>
         <translation>%1 av filerna finns redan; den första är %2.</translation>
     </message>
     <message>
         <source>Overwrite</source>
         <translation>Skriv över</translation>
-    </message>
-    <message>
-        <source>Number on</source>
-        <translation>Numrera vidare</translation>
     </message>
     <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
@@ -852,12 +860,56 @@
         <source>No air carries this smoke: switch it on in the group Air.</source>
         <translation>Ingen luft bär denna rök: slå på den i gruppen Luft.</translation>
     </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Spara som %1</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 finns redan.</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bildruta</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4</source>
+        <translation>%1, %2 × %3 bildpunkter, och %4</translation>
+    </message>
+    <message>
+        <source>Use %1 × %2 cells</source>
+        <translation>Använd %1 × %2 rutor</translation>
+    </message>
+    <message>
+        <source>Use frames %1</source>
+        <translation>Använd bildrutorna %1</translation>
+    </message>
+    <message>
+        <source>Cell width</source>
+        <translation>Rutans bredd</translation>
+    </message>
+    <message>
+        <source>Cell height</source>
+        <translation>Rutans höjd</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportProgress</name>
     <message>
         <source>Done: %1</source>
         <translation>Klart: %1</translation>
+    </message>
+    <message>
+        <source>Fit the camera</source>
+        <translation>Anpassa kameran</translation>
+    </message>
+    <message>
+        <source>Exports again, from where all smoke is seen</source>
+        <translation>Exporterar igen, därifrån all rök syns</translation>
     </message>
 </context>
 <context>
@@ -926,12 +978,12 @@
         <translation>underkant</translation>
     </message>
     <message>
-        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted, or move it back to %4 m.</source>
-        <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas, eller flytta den bakåt till %4 m.</translation>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera, or move it back to %4 m.</source>
+        <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3. Anpassa kameran, eller flytta den bakåt till %4 m.</translation>
     </message>
     <message>
-        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
-        <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3: låt kameran anpassas.</translation>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.</source>
+        <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3. Anpassa kameran.</translation>
     </message>
 </context>
 <context>
@@ -977,32 +1029,16 @@
         <translation>En bild av vart röken rör sig, så att en motor flyttar den mellan rutorna</translation>
     </message>
     <message>
-        <source>Beside the colour</source>
-        <translation>Utöver färgen</translation>
+        <source>Extra maps</source>
+        <translation>Extra kartor</translation>
     </message>
     <message>
-        <source>Columns × rows</source>
-        <translation>Kolumner × rader</translation>
+        <source>Grid</source>
+        <translation>Rutnät</translation>
     </message>
 </context>
 <context>
     <name>fumage::ui::FlipbookExtras</name>
-    <message>
-        <source>Leave out empty frames</source>
-        <translation>Utelämna tomma bildrutor</translation>
-    </message>
-    <message>
-        <source>Sides that are powers of two</source>
-        <translation>Sidor som är tvåpotenser</translation>
-    </message>
-    <message>
-        <source>Choose the frames by a curve</source>
-        <translation>Välj bildrutorna med en kurva</translation>
-    </message>
-    <message>
-        <source>Add a packed picture</source>
-        <translation>Lägg till en packad bild</translation>
-    </message>
     <message>
         <source>More</source>
         <translation>Mer</translation>
@@ -1030,6 +1066,22 @@
     <message>
         <source>Frames without smoke at the beginning and the end have no cells</source>
         <translation>Bildrutor utan rök i början och slutet får inga celler</translation>
+    </message>
+    <message>
+        <source>Trim empty frames</source>
+        <translation>Beskär tomma bildrutor</translation>
+    </message>
+    <message>
+        <source>Power-of-two sheet</source>
+        <translation>Ark med tvåpotenser</translation>
+    </message>
+    <message>
+        <source>Retime with a curve</source>
+        <translation>Ändra tiden med en kurva</translation>
+    </message>
+    <message>
+        <source>Add channel-packed texture</source>
+        <translation>Lägg till kanalpackad textur</translation>
     </message>
 </context>
 <context>
@@ -1393,10 +1445,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>%1 frames do not fill %2 cells</source>
         <translation>%1 bildrutor fyller inte %2 rutor</translation>
-    </message>
-    <message>
-        <source>Choose more frames or fewer columns and rows</source>
-        <translation>Välj fler bildrutor eller färre kolumner och rader</translation>
     </message>
     <message>
         <source>a flipbook of %1 x %2 pixels</source>
@@ -2153,6 +2201,58 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>this is not written as a stream</source>
         <translation>detta skrivs inte som en ström</translation>
+    </message>
+    <message>
+        <source>Choose more frames or fewer columns and rows, such as %1x%2</source>
+        <translation>Välj fler bildrutor eller färre kolumner och rader, till exempel %1x%2</translation>
+    </message>
+    <message>
+        <source>the frame rate %1 is not understood</source>
+        <translation>bildfrekvensen %1 förstås inte</translation>
+    </message>
+    <message>
+        <source>Write 24, 23.976 or 24000/1001, from 1 to %1 frames a second</source>
+        <translation>Skriv 24, 23.976 eller 24000/1001, från 1 till %1 bildrutor per sekund</translation>
+    </message>
+    <message>
+        <source>expected a number from %1 to %2</source>
+        <translation>ett tal från %1 till %2 väntades</translation>
+    </message>
+    <message>
+        <source>frames %1 are no whole turn of the loop of %2 frames, so they are played once: frames %3 close it</source>
+        <translation>bildrutorna %1 är inget helt varv av slingan på %2 bildrutor, så de spelas en gång: bildrutorna %3 sluter den</translation>
+    </message>
+    <message>
+        <source>frames %1 are no whole turn of the loop of %2 frames, so they are played once</source>
+        <translation>bildrutorna %1 är inget helt varv av slingan på %2 bildrutor, så de spelas en gång</translation>
+    </message>
+    <message>
+        <source>the curve of the frames does not end where it begins, so they are played once</source>
+        <translation>kurvan för bildrutorna slutar inte där den börjar, så de spelas en gång</translation>
+    </message>
+    <message>
+        <source>one frame of %1 is in the GIF: more than 50 pictures a second play slowly in browsers</source>
+        <translation>en bildruta av %1 är med i GIF-filen: fler än 50 bilder per sekund spelas långsamt i webbläsare</translation>
+    </message>
+    <message>
+        <source>H.264 has even edges: the video is %1 x %2 pixels, the last column or row twice</source>
+        <translation>H.264 har jämna sidor: videon är %1 x %2 bildpunkter, med sista kolumnen eller raden två gånger</translation>
+    </message>
+    <message>
+        <source>voxels of %1 m</source>
+        <translation>voxlar på %1 m</translation>
+    </message>
+    <message>
+        <source>Use %1 to %2 m</source>
+        <translation>Använd %1 till %2 m</translation>
+    </message>
+    <message>
+        <source>the box around the smoke of frame %1 has more than %2 voxels of %3 m</source>
+        <translation>lådan runt röken i bildruta %1 har fler än %2 voxlar på %3 m</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels</source>
+        <translation>Välj större voxlar</translation>
     </message>
 </context>
 <context>
@@ -3802,14 +3902,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Anpassa kameran till röken i alla bildrutor</translation>
     </message>
     <message>
-        <source>Pictures carry the preset</source>
-        <translation>Bilderna bär förinställningen</translation>
-    </message>
-    <message>
-        <source>Manifest, to verify the files by</source>
-        <translation>Manifest att kontrollera filerna mot</translation>
-    </message>
-    <message>
         <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
         <translation>Bilderna tas därifrån all rök syns och fyller dem; vyn förblir som den är</translation>
     </message>
@@ -3820,6 +3912,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>A file beside the others with what each of them shows: Verify, in the panel Exports, and fumage-cli verify then find those that are missing, broken or changed</source>
         <translation>En fil bredvid de andra med vad var och en av dem visar: Kontrollera, i panelen Exporter, och fumage-cli verify hittar sedan dem som saknas, är trasiga eller har ändrats</translation>
+    </message>
+    <message>
+        <source>Embed the preset in pictures</source>
+        <translation>Bädda in förinställningen i bilder</translation>
+    </message>
+    <message>
+        <source>Write a manifest of checksums</source>
+        <translation>Skriv ett manifest med kontrollsummor</translation>
     </message>
 </context>
 <context>
@@ -4132,12 +4232,12 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>%1 rutor i sekunden, visas i %2 × %3 bildpunkter</translation>
     </message>
     <message>
-        <source>Play it as the engine will</source>
-        <translation>Spela upp som motorn gör</translation>
-    </message>
-    <message>
         <source>Preview</source>
         <translation>Förhandsvisning</translation>
+    </message>
+    <message>
+        <source>Play as in the engine</source>
+        <translation>Spela som i motorn</translation>
     </message>
 </context>
 <context>
@@ -4252,6 +4352,41 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Verify: look whether the files are as they were written, where an export has a manifest</source>
         <translation>Kontrollera: se efter om filerna är som de skrevs, där en export har ett manifest</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::RangeRow</name>
+    <message>
+        <source>Frame</source>
+        <translation>Bildruta</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Första bildrutan</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Sista bildrutan</translation>
+    </message>
+    <message>
+        <source>Every so many frames</source>
+        <translation>Var så många bildrutor</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>till</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>var</translation>
+    </message>
+    <message>
+        <source>the frame on the screen</source>
+        <translation>bildrutan på skärmen</translation>
+    </message>
+    <message>
+        <source>frame %1 is on the screen</source>
+        <translation>bildruta %1 visas på skärmen</translation>
     </message>
 </context>
 <context>
@@ -4378,14 +4513,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Vad flipbokens alla bilder får ta där, som BC7</translation>
     </message>
     <message>
-        <source> MB</source>
-        <translation> MB</translation>
-    </message>
-    <message>
-        <source>Best sheet within</source>
-        <translation>Bästa ark inom</translation>
-    </message>
-    <message>
         <source>Cancelled: the flipbook has changed.</source>
         <translation>Avbrutet: flipboken har ändrats.</translation>
     </message>
@@ -4398,16 +4525,24 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Provar ark…</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>Sök</translation>
-    </message>
-    <message>
         <source>Tries columns, rows and sizes of cells, and takes those that play nearest to the animation</source>
         <translation>Provar kolumner, rader och cellstorlekar och tar dem som spelas närmast animationen</translation>
     </message>
     <message>
         <source>%1 × %2 cells of %3 × %4 pixels, %5: %6 dB</source>
         <translation>%1 × %2 celler om %3 × %4 bildpunkter, %5: %6 dB</translation>
+    </message>
+    <message>
+        <source> MiB</source>
+        <translation> MiB</translation>
+    </message>
+    <message>
+        <source>Fit to a memory budget</source>
+        <translation>Anpassa till en minnesbudget</translation>
+    </message>
+    <message>
+        <source>Optimise</source>
+        <translation>Optimera</translation>
     </message>
 </context>
 <context>

@@ -334,10 +334,6 @@
         <translation>噪声纹理的大小</translation>
     </message>
     <message>
-        <source>Cells along the longest edge</source>
-        <translation>沿最长边的单元数</translation>
-    </message>
-    <message>
         <source>as in the effect</source>
         <translation>与效果相同</translation>
     </message>
@@ -366,12 +362,60 @@
         <translation>大小</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>单元数</translation>
+        <source>Voxels along the longest edge of the smoke of the whole timeline</source>
+        <translation>整个时间轴的烟沿最长边的体素数</translation>
     </message>
     <message>
-        <source>Up</source>
-        <translation>朝上</translation>
+        <source>Frame rate</source>
+        <translation>帧率</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>重复</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>体素数</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>体素大小</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>向上轴</translation>
+    </message>
+    <message>
+        <source>Frames a second at which the video plays; the frames stay the same</source>
+        <translation>视频每秒播放的帧数；各帧保持不变</translation>
+    </message>
+    <message>
+        <source>As the timeline</source>
+        <translation>与时间轴相同</translation>
+    </message>
+    <message>
+        <source>For ever if the frames close a loop</source>
+        <translation>若各帧构成循环则一直重复</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>一次</translation>
+    </message>
+    <message>
+        <source>For ever</source>
+        <translation>一直重复</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel; all frames have the same</source>
+        <translation>体素的边长；所有帧都相同</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>by their number</source>
+        <translation>按体素数</translation>
     </message>
 </context>
 <context>
@@ -641,18 +685,6 @@
 <context>
     <name>fumage::ui::ExportDialog</name>
     <message>
-        <source>First frame</source>
-        <translation>第一帧</translation>
-    </message>
-    <message>
-        <source>Last frame</source>
-        <translation>最后一帧</translation>
-    </message>
-    <message>
-        <source>Every so many frames</source>
-        <translation>每隔多少帧</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>导出</translation>
     </message>
@@ -663,10 +695,6 @@
     <message>
         <source>Show in folder</source>
         <translation>在文件夹中显示</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>内容</translation>
     </message>
     <message>
         <source>Image sequence</source>
@@ -699,14 +727,6 @@
     <message>
         <source>Choose…</source>
         <translation>选择…</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>到</translation>
-    </message>
-    <message>
-        <source>every</source>
-        <translation>每</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -761,24 +781,12 @@
         <translation>%1 帧无法填满 %2 个格子：请选择更多帧，或减少列数和行数。</translation>
     </message>
     <message>
-        <source>%1, %2 × %3 pixels, and how it is to be played beside it</source>
-        <translation>%1，%2 × %3 像素，旁边附有播放说明文件</translation>
-    </message>
-    <message>
-        <source>There is a file %1 already.</source>
-        <translation>文件 %1 已经存在。</translation>
-    </message>
-    <message>
         <source>%1 of the files are there already; the first is %2.</source>
         <translation>其中 %1 个文件已经存在；第一个是 %2。</translation>
     </message>
     <message>
         <source>Overwrite</source>
         <translation>覆盖</translation>
-    </message>
-    <message>
-        <source>Number on</source>
-        <translation>换用下一个编号</translation>
     </message>
     <message>
         <source>%1, %2 × %3 pixels, and %4 more files</source>
@@ -852,12 +860,56 @@
         <source>No air carries this smoke: switch it on in the group Air.</source>
         <translation>此烟雾没有空气承载：请在“空气”组中启用。</translation>
     </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>另存为 %1</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 已存在。</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4</source>
+        <translation>%1，%2 × %3 像素，以及 %4</translation>
+    </message>
+    <message>
+        <source>Use %1 × %2 cells</source>
+        <translation>使用 %1 × %2 个单元格</translation>
+    </message>
+    <message>
+        <source>Use frames %1</source>
+        <translation>使用帧 %1</translation>
+    </message>
+    <message>
+        <source>Cell width</source>
+        <translation>单元格宽度</translation>
+    </message>
+    <message>
+        <source>Cell height</source>
+        <translation>单元格高度</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportProgress</name>
     <message>
         <source>Done: %1</source>
         <translation>完成：%1</translation>
+    </message>
+    <message>
+        <source>Fit the camera</source>
+        <translation>让摄像机适应烟雾</translation>
+    </message>
+    <message>
+        <source>Exports again, from where all smoke is seen</source>
+        <translation>从能看到全部烟的位置重新导出</translation>
     </message>
 </context>
 <context>
@@ -926,12 +978,12 @@
         <translation>下</translation>
     </message>
     <message>
-        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted, or move it back to %4 m.</source>
-        <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应，或将其后移到 %4 米。</translation>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera, or move it back to %4 m.</source>
+        <translation>第 %2 至 %3 帧的烟雾在单元格边缘（%1）被截断。请让摄像机适应烟雾，或将其后移至 %4 米。</translation>
     </message>
     <message>
-        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.</source>
-        <translation>烟雾在单元格边缘（%1）被截断，第 %2 到 %3 帧：请让摄像机自动适应。</translation>
+        <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.</source>
+        <translation>第 %2 至 %3 帧的烟雾在单元格边缘（%1）被截断。请让摄像机适应烟雾。</translation>
     </message>
 </context>
 <context>
@@ -977,32 +1029,16 @@
         <translation>一张记录烟雾去向的图片，引擎可以在两格之间移动它</translation>
     </message>
     <message>
-        <source>Beside the colour</source>
-        <translation>除颜色外</translation>
+        <source>Extra maps</source>
+        <translation>附加贴图</translation>
     </message>
     <message>
-        <source>Columns × rows</source>
-        <translation>列 × 行</translation>
+        <source>Grid</source>
+        <translation>网格</translation>
     </message>
 </context>
 <context>
     <name>fumage::ui::FlipbookExtras</name>
-    <message>
-        <source>Leave out empty frames</source>
-        <translation>去掉空帧</translation>
-    </message>
-    <message>
-        <source>Sides that are powers of two</source>
-        <translation>边长为 2 的幂</translation>
-    </message>
-    <message>
-        <source>Choose the frames by a curve</source>
-        <translation>用曲线选择帧</translation>
-    </message>
-    <message>
-        <source>Add a packed picture</source>
-        <translation>添加打包图片</translation>
-    </message>
     <message>
         <source>More</source>
         <translation>更多</translation>
@@ -1030,6 +1066,22 @@
     <message>
         <source>Frames without smoke at the beginning and the end have no cells</source>
         <translation>开头和结尾没有烟雾的帧不占单元格</translation>
+    </message>
+    <message>
+        <source>Trim empty frames</source>
+        <translation>裁去空帧</translation>
+    </message>
+    <message>
+        <source>Power-of-two sheet</source>
+        <translation>边长为 2 的幂的图集</translation>
+    </message>
+    <message>
+        <source>Retime with a curve</source>
+        <translation>用曲线重映射时间</translation>
+    </message>
+    <message>
+        <source>Add channel-packed texture</source>
+        <translation>添加通道打包纹理</translation>
     </message>
 </context>
 <context>
@@ -1393,10 +1445,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>%1 frames do not fill %2 cells</source>
         <translation>%1 帧填不满 %2 格</translation>
-    </message>
-    <message>
-        <source>Choose more frames or fewer columns and rows</source>
-        <translation>请选择更多帧，或更少的列和行</translation>
     </message>
     <message>
         <source>a flipbook of %1 x %2 pixels</source>
@@ -2153,6 +2201,58 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>this is not written as a stream</source>
         <translation>此内容不能以流的形式写出</translation>
+    </message>
+    <message>
+        <source>Choose more frames or fewer columns and rows, such as %1x%2</source>
+        <translation>请选择更多帧，或更少的列和行，例如 %1x%2</translation>
+    </message>
+    <message>
+        <source>the frame rate %1 is not understood</source>
+        <translation>无法理解帧率 %1</translation>
+    </message>
+    <message>
+        <source>Write 24, 23.976 or 24000/1001, from 1 to %1 frames a second</source>
+        <translation>请写成 24、23.976 或 24000/1001，每秒 1 至 %1 帧</translation>
+    </message>
+    <message>
+        <source>expected a number from %1 to %2</source>
+        <translation>应为 %1 到 %2 的数</translation>
+    </message>
+    <message>
+        <source>frames %1 are no whole turn of the loop of %2 frames, so they are played once: frames %3 close it</source>
+        <translation>帧 %1 不是 %2 帧循环的完整一圈，因此只播放一次：帧 %3 可使其首尾相接</translation>
+    </message>
+    <message>
+        <source>frames %1 are no whole turn of the loop of %2 frames, so they are played once</source>
+        <translation>帧 %1 不是 %2 帧循环的完整一圈，因此只播放一次</translation>
+    </message>
+    <message>
+        <source>the curve of the frames does not end where it begins, so they are played once</source>
+        <translation>帧的曲线没有回到起点，因此只播放一次</translation>
+    </message>
+    <message>
+        <source>one frame of %1 is in the GIF: more than 50 pictures a second play slowly in browsers</source>
+        <translation>GIF 中每 %1 帧只取一帧：每秒超过 50 张图在浏览器中会播放得很慢</translation>
+    </message>
+    <message>
+        <source>H.264 has even edges: the video is %1 x %2 pixels, the last column or row twice</source>
+        <translation>H.264 的边长必须为偶数：视频为 %1 x %2 像素，最后一列或一行重复一次</translation>
+    </message>
+    <message>
+        <source>voxels of %1 m</source>
+        <translation>%1 米的体素</translation>
+    </message>
+    <message>
+        <source>Use %1 to %2 m</source>
+        <translation>请使用 %1 到 %2 米</translation>
+    </message>
+    <message>
+        <source>the box around the smoke of frame %1 has more than %2 voxels of %3 m</source>
+        <translation>第 %1 帧的烟的包围盒超过 %2 个边长 %3 米的体素</translation>
+    </message>
+    <message>
+        <source>Choose larger voxels</source>
+        <translation>请选择更大的体素</translation>
     </message>
 </context>
 <context>
@@ -3802,14 +3902,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>使摄像机适应所有帧的烟雾</translation>
     </message>
     <message>
-        <source>Pictures carry the preset</source>
-        <translation>图片携带预设</translation>
-    </message>
-    <message>
-        <source>Manifest, to verify the files by</source>
-        <translation>清单，用于校验文件</translation>
-    </message>
-    <message>
         <source>Pictures are taken from where all smoke is seen and fills them; the view stays as it is</source>
         <translation>从能看到全部烟雾并使其充满画面的位置拍摄；视图保持不变</translation>
     </message>
@@ -3820,6 +3912,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>A file beside the others with what each of them shows: Verify, in the panel Exports, and fumage-cli verify then find those that are missing, broken or changed</source>
         <translation>在其他文件旁写出一个文件，记录它们各自显示的内容：之后“导出”面板中的“校验”和 fumage-cli verify 可找出缺失、损坏或改变的文件</translation>
+    </message>
+    <message>
+        <source>Embed the preset in pictures</source>
+        <translation>将预设嵌入图片</translation>
+    </message>
+    <message>
+        <source>Write a manifest of checksums</source>
+        <translation>写出含校验和的清单</translation>
     </message>
 </context>
 <context>
@@ -4132,12 +4232,12 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>每秒 %1 个单元，以 %2 × %3 像素显示</translation>
     </message>
     <message>
-        <source>Play it as the engine will</source>
-        <translation>像引擎那样播放</translation>
-    </message>
-    <message>
         <source>Preview</source>
         <translation>预览</translation>
+    </message>
+    <message>
+        <source>Play as in the engine</source>
+        <translation>像在引擎中一样播放</translation>
     </message>
 </context>
 <context>
@@ -4252,6 +4352,41 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Verify: look whether the files are as they were written, where an export has a manifest</source>
         <translation>校验：查看文件是否与写出时一致；导出须有清单</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::RangeRow</name>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>首帧</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>末帧</translation>
+    </message>
+    <message>
+        <source>Every so many frames</source>
+        <translation>每隔多少帧</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>每</translation>
+    </message>
+    <message>
+        <source>the frame on the screen</source>
+        <translation>屏幕上的帧</translation>
+    </message>
+    <message>
+        <source>frame %1 is on the screen</source>
+        <translation>屏幕上是第 %1 帧</translation>
     </message>
 </context>
 <context>
@@ -4378,14 +4513,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>序列帧图集的所有图片以 BC7 格式最多占用的显存</translation>
     </message>
     <message>
-        <source> MB</source>
-        <translation> MB</translation>
-    </message>
-    <message>
-        <source>Best sheet within</source>
-        <translation>最佳图集，不超过</translation>
-    </message>
-    <message>
         <source>Cancelled: the flipbook has changed.</source>
         <translation>已取消：序列帧图集已更改。</translation>
     </message>
@@ -4398,16 +4525,24 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>正在尝试图集…</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>查找</translation>
-    </message>
-    <message>
         <source>Tries columns, rows and sizes of cells, and takes those that play nearest to the animation</source>
         <translation>尝试不同的列数、行数和单元格大小，并选用播放效果最接近动画的一组</translation>
     </message>
     <message>
         <source>%1 × %2 cells of %3 × %4 pixels, %5: %6 dB</source>
         <translation>%1 × %2 个单元格，每格 %3 × %4 像素，%5：%6 dB</translation>
+    </message>
+    <message>
+        <source> MiB</source>
+        <translation> MiB</translation>
+    </message>
+    <message>
+        <source>Fit to a memory budget</source>
+        <translation>适应内存预算</translation>
+    </message>
+    <message>
+        <source>Optimise</source>
+        <translation>优化</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/export/job_file.h"
 #include "core/export/packing.h"
 #include "core/export/sheet_playback.h"
 
@@ -339,7 +340,7 @@ private slots:
         const ExportPlan plain = m_dialog->plan();
         find->click();
         QCOMPARE(find->text(), u"Cancel"_q);
-        QTRY_VERIFY_WITH_TIMEOUT(find->text() == u"Find"_q, kEndMs);
+        QTRY_VERIFY_WITH_TIMEOUT(find->text() == u"Optimise"_q, kEndMs);
         const QString said = child<QLabel>(u"export.findSheet.state"_q)->text();
         QVERIFY2(said.contains(u"dB"_q), qPrintable(said));
         const ExportPlan plan = m_dialog->plan();
@@ -349,7 +350,7 @@ private slots:
         // A larger budget is not bound by what the smaller one has left of the cells.
         child<QDoubleSpinBox>(u"export.budget"_q)->setValue(100.0);
         find->click();
-        QTRY_VERIFY_WITH_TIMEOUT(find->text() == u"Find"_q, kEndMs);
+        QTRY_VERIFY_WITH_TIMEOUT(find->text() == u"Optimise"_q, kEndMs);
         QCOMPARE(m_document->effect().output.width, before.output.width);
         m_document->undoStack()->undo();
         m_document->undoStack()->undo();
@@ -366,7 +367,7 @@ private slots:
             QCOMPARE(find->text(), u"Cancel"_q);
             const Output before = m_document->effect().output;
             change();
-            QCOMPARE(find->text(), u"Find"_q);
+            QCOMPARE(find->text(), u"Optimise"_q);
             QVERIFY2(state->text().startsWith(u"Cancelled"_q), qPrintable(state->text()));
             QVERIFY(m_document->effect().output == before);
         }
@@ -494,6 +495,171 @@ private slots:
         QCOMPARE(child<QScrollArea>(u"export.scroll"_q)->verticalScrollBar()->maximum(), 0);
     }
 
+    void aSinglePictureIsTheFrameOnTheScreen()
+    {
+        m_player->setFrame(56);
+        m_dialog->setKind(ExportKind::Picture);
+        auto* frame = child<QSpinBox>(u"export.frame"_q);
+        const auto* shown = child<QLabel>(u"export.frame.shown"_q);
+        QVERIFY(frame->isVisible() && !child<QSpinBox>(u"export.last"_q)->isVisible());
+        QCOMPARE(m_dialog->plan().frames.first, 56);
+        QVERIFY(shown->text().contains(u"on the screen"_q));
+        m_player->setFrame(57);
+        QCOMPARE(m_dialog->plan().frames.first, 57);
+        frame->setValue(12);
+        QCOMPARE(m_dialog->plan().frames.first, 12);
+        QVERIFY2(shown->text().contains(u"57"_q), qPrintable(shown->text()));
+        m_dialog->close();
+        m_player->setFrame(58);
+        m_dialog->show();
+        QCOMPARE(m_dialog->plan().frames.first, 58);
+        m_dialog->setKind(ExportKind::Sequence);
+        QCOMPARE(m_dialog->plan().frames.last, 99);
+    }
+
+    void whatWasChosenIsThereInTheNextProgram()
+    {
+        // A choice of each kind of field.
+        m_dialog->setKind(ExportKind::Video);
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(3);
+        child<QComboBox>(u"export.rate"_q)->setCurrentIndex(1);
+        child<QComboBox>(u"export.repeat"_q)->setCurrentIndex(2);
+        m_dialog->setKind(ExportKind::Volumes);
+        child<QSpinBox>(u"export.cells"_q)->setValue(77);
+        child<QDoubleSpinBox>(u"export.voxel"_q)->setValue(0.02);
+        child<QComboBox>(u"export.up"_q)->setCurrentIndex(1);
+        m_dialog->setKind(ExportKind::NoiseTexture);
+        child<QSpinBox>(u"export.noiseSize"_q)->setValue(96);
+        m_dialog->setKind(ExportKind::Particles);
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(2);
+        m_dialog->setKind(ExportKind::Air);
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
+        m_dialog->setKind(ExportKind::Flipbook);
+        child<QComboBox>(u"export.format"_q)->setCurrentIndex(1);
+        child<QComboBox>(u"export.engine"_q)->setCurrentText(u"Unity"_q);
+        child<QCheckBox>(u"export.sixWay"_q)->click();
+        child<QSpinBox>(u"export.columns"_q)->setValue(4);
+        child<QSpinBox>(u"export.rows"_q)->setValue(5);
+        for (const char* box : {"export.trim", "export.powerOfTwo", "export.retimes", "export.fit", "export.carries", "export.manifest"}) {
+            child<QCheckBox>(QLatin1String(box))->click();
+        }
+        child<QPushButton>(u"export.addPack"_q)->click();
+        child<QComboBox>(u"export.pack1.size"_q)->setCurrentIndex(2);
+        child<QComboBox>(u"export.pack1.channel3"_q)->setCurrentText(u"motion.r"_q);
+        const QStringList before = remembered(*m_dialog);
+        ExportDialog again(
+            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; }, nullptr);
+        QVERIFY(remembered(again) != before);
+        std::vector<ExportPlan> plans;
+        for (const QString& text : before) {
+            plans.push_back(parsePlan(text.toStdString()).value());
+        }
+        again.take(plans);
+        QCOMPARE(remembered(again), before);
+        QCOMPARE(again.plan().engine, Engine::Unity);
+        QVERIFY(!again.plan().passes.has(Pass::SixWayA) && again.plan().passes.has(Pass::Motion));
+    }
+
+    void aTextThatIsNoneOfItsChoicesIsLeftAlone()
+    {
+        for (const char* text : {"", "[]", "nonsense", "{\"kind\": 3}", "{\"kind\": \"flipbook\", \"columns\": -5, \"later\": [1]}"}) {
+            if (const std::optional<ExportPlan> plan = parsePlan(text)) {
+                m_dialog->take(std::array{*plan});
+                QCOMPARE(m_dialog->plan().columns, ExportPlan().columns);
+            }
+        }
+    }
+
+    void aGridThatItsFramesDoNotFillIsReplacedByOneThatTheyDo()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        auto* offer = child<QPushButton>(u"export.offer"_q);
+        QVERIFY(!offer->isVisible());
+        for (const int frames : {1, 2, 3, 10, 48, 60, 63}) {
+            child<QSpinBox>(u"export.columns"_q)->setValue(8);
+            child<QSpinBox>(u"export.rows"_q)->setValue(8);
+            child<QSpinBox>(u"export.last"_q)->setValue(frames - 1);
+            QVERIFY(offer->isVisible() && !child<QPushButton>(u"export.begin"_q)->isEnabled());
+            offer->click();
+            QVERIFY(!offer->isVisible() && child<QPushButton>(u"export.begin"_q)->isEnabled());
+            const ExportPlan plan = m_dialog->plan();
+            QVERIFY(plan.columns * plan.rows <= frames && plan.columns * plan.rows > frames - 8);
+        }
+        QCOMPARE((gridWithin(60, 8, 8)), (std::array{7, 8}));
+        QCOMPARE((gridWithin(60, 8, 8, true)), (std::array{4, 8}));
+        QCOMPARE((gridWithin(1000, 16, 4)), (std::array{16, 4}));
+    }
+
+    void framesThatCloseTheLoopAreOffered()
+    {
+        m_document->edit({{&knownParameter("timeline.loop"), true}, {&knownParameter("timeline.length"), 90}}, u"loop"_q);
+        m_dialog->setKind(ExportKind::Flipbook);
+        child<QSpinBox>(u"export.last"_q)->setValue(63);
+        auto* offer = child<QPushButton>(u"export.offer"_q);
+        QVERIFY(offer->isVisible());
+        QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"played once"_q), qPrintable(child<QLabel>(u"export.files"_q)->text()));
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+        offer->click();
+        QCOMPARE(child<QSpinBox>(u"export.last"_q)->value(), 89);
+        QVERIFY(!offer->isVisible());
+    }
+
+    void theButtonsStayWhereTheyAreFromKindToKind()
+    {
+        const auto placeOf = [this](const QString& name) {
+            const auto* button = child<QPushButton>(name);
+            return button->mapToGlobal(QPoint());
+        };
+        QTest::qWait(0);
+        const QPoint begin = placeOf(u"export.begin"_q);
+        const QPoint close = placeOf(u"export.close"_q);
+        const QSize size = m_dialog->size();
+        for (std::size_t kind = 0; kind < kExportKinds; ++kind) {
+            m_dialog->setKind(static_cast<ExportKind>(kind));
+            QCoreApplication::processEvents();
+            QCOMPARE(m_dialog->size(), size);
+            QCOMPARE(placeOf(u"export.begin"_q), begin);
+            QCOMPARE(placeOf(u"export.close"_q), close);
+            QCOMPARE(child<QScrollArea>(u"export.scroll"_q)->verticalScrollBar()->maximum(), 0);
+        }
+    }
+
+    void onlyWhatHasTransparencyAsksForATransparentBackground()
+    {
+        m_dialog->setKind(ExportKind::Video);
+        const auto isShown = [this](const QString& name) { return child<QWidget>(name + u".row"_q)->isVisible(); };
+        for (const VideoFormat format : kAllVideoFormats) {
+            child<QComboBox>(u"export.format"_q)->setCurrentIndex(static_cast<int>(format));
+            QCOMPARE(isShown(u"output.background"_q), hasAlpha(format));
+            QCOMPARE(isShown(u"output.background_colour"_q), !hasAlpha(format));
+            QCOMPARE(child<QComboBox>(u"export.repeat"_q)->isVisible(), saysHowOften(format));
+        }
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture}) {
+            m_dialog->setKind(kind);
+            QVERIFY(isShown(u"output.background"_q));
+        }
+    }
+
+    void whatBecameOfAnExportIsForgottenWithItsKind()
+    {
+        typePath(u"/proc/nowhere/smoke.png"_q);
+        QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->rowCount(), 1, kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(m_queue->at(0).state, ExportState::Failed, kEndMs);
+        QVERIFY(!child<QLabel>(u"export.state"_q)->text().isEmpty());
+        m_dialog->setKind(ExportKind::Picture);
+        QVERIFY(child<QLabel>(u"export.state"_q)->text().isEmpty());
+    }
+
+    void cellsAreCalledCells()
+    {
+        const auto* label = child<QLabel>(u"output.width.label"_q);
+        m_dialog->setKind(ExportKind::Flipbook);
+        QVERIFY(label->text().contains(u"Cell width"_q));
+        m_dialog->setKind(ExportKind::Sequence);
+        QVERIFY(!label->text().contains(u"Cell"_q));
+    }
+
     void whatCannotBeWrittenCannotBeBegun()
     {
         const auto* begin = child<QPushButton>(u"export.begin"_q);
@@ -508,6 +674,17 @@ private slots:
     }
 
 private:
+    /// What a program remembers of a dialog.
+    static QStringList remembered(const ExportDialog& dialog)
+    {
+        QStringList texts;
+        for (ExportPlan plan : dialog.choices()) {
+            plan.frames = {};
+            texts << QString::fromStdString(formatPlan(plan));
+        }
+        return texts;
+    }
+
     /// A flipbook of smoke that is simulated at once, with the button that looks for its sheet, for 0.1 MB.
     QPushButton* findableSheet()
     {

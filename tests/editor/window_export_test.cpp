@@ -88,10 +88,48 @@ private slots:
         QCOMPARE(QImage(m_folder.filePath(u"book.png"_q)).size(), QSize(4 * 128, 2 * 128));
         QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
         QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
-        childOf<QCheckBox>(*dialog, u"export.fit"_q)->setChecked(true);
-        m_chosenAnswer = 0; // overwrite
-        exportAndWait(*begin);
+        auto* fit = childOf<QPushButton>(*dialog, u"export.fitNow"_q);
+        QVERIFY(fit->isVisible());
+        m_chosenAnswer = kOverwrite;
+        exportAndWait(*fit);
+        QVERIFY(childOf<QCheckBox>(*dialog, u"export.fit"_q)->isChecked());
+        QVERIFY(!fit->isVisible());
         QVERIFY(!childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q));
+    }
+
+    void theDialogHasTheKeysOfTheWindow()
+    {
+        QDialog* dialog = openExport();
+        for (const char* id : {"file.quit", "file.save", "edit.undo", "edit.redo"}) {
+            const auto* action = m_window->findChild<QAction*>(QLatin1String(id));
+            QVERIFY2(dialog->actions().contains(const_cast<QAction*>(action)), id);
+        }
+        m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
+        dialog->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(dialog));
+        QTest::keyClick(dialog, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(m_window->document().effect().motion.gravity, smallPreset().effect.motion.gravity);
+    }
+
+    void anEngineIsThreeClicksAwayInTheNextProgram()
+    {
+        {
+            QDialog* dialog = openExport();
+            auto* kind = childOf<QComboBox>(*dialog, u"export.kind"_q);
+            kind->setCurrentIndex(kind->findText(u"Flipbook"_q));
+            childOf<QComboBox>(*dialog, u"export.engine"_q)->setCurrentText(u"Unity"_q);
+            childOf<QCheckBox>(*dialog, u"export.sixWay"_q)->setChecked(false);
+            dialog->close();
+        }
+        MainWindow* next = m_session->openWindow();
+        QVERIFY(QTest::qWaitForWindowExposed(next));
+        next->findChild<QAction*>(u"file.export"_q)->trigger();
+        auto* dialog = next->findChild<QDialog*>(u"exportDialog"_q);
+        QCOMPARE(childOf<QComboBox>(*dialog, u"export.kind"_q)->currentText(), u"Flipbook"_q);
+        QCOMPARE(childOf<QComboBox>(*dialog, u"export.engine"_q)->currentText(), u"Unity"_q);
+        QVERIFY(!childOf<QCheckBox>(*dialog, u"export.sixWay"_q)->isChecked());
+        QVERIFY(childOf<QCheckBox>(*dialog, u"export.motion"_q)->isChecked());
+        QVERIFY(next->close());
     }
 
     void anExportIsCancelled()
@@ -182,8 +220,9 @@ private slots:
         exportAndWait(*begin);
         QTRY_VERIFY(dock->isVisible());
         QCOMPARE(m_window->viewport().size(), before);
+        QVERIFY(!childOf<QDockWidget>(*m_window, u"dock.presets"_q)->visibleRegion().isEmpty()); // which it does not displace
         dock->hide();
-        m_chosenAnswer = 0;
+        m_chosenAnswer = kOverwrite;
         exportAndWait(*begin);
         QVERIFY(!dock->isVisible()); // the user has put it away
     }
@@ -193,7 +232,7 @@ private slots:
         const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 3);
         exportAndWait(*childOf<QPushButton>(*dialog, u"export.begin"_q));
         m_window->document().edit(knownParameter("motion.gravity"), 2.0F);
-        m_chosenAnswer = 1; // number on
+        m_chosenAnswer = kSaveAs;
         trigger("file.exportAgain");
         QTRY_COMPARE_WITH_TIMEOUT(stateOf(1), ExportState::Done, 60000);
         QCOMPARE(queue().at(1).job->preset.effect.motion.gravity, 2.0F);
@@ -213,10 +252,11 @@ private slots:
         QTest::mouseClick(begin, Qt::LeftButton); // and is cancelled
         QTRY_COMPARE(m_choiceQuestions.size(), 1);
         QVERIFY(m_choiceQuestions[0].text.contains(first));
+        QCOMPARE(m_choiceQuestions[0].answers.front(), u"Save as a-2_##.png"_q); // Return loses nothing
         QTRY_VERIFY(begin->isEnabled());
         QCOMPARE(queue().rowCount(), 0);
         QCOMPARE(QFileInfo(first).size(), 0);
-        m_chosenAnswer = 0;
+        m_chosenAnswer = kOverwrite;
         exportAndWait(*begin);
         QVERIFY(QFileInfo(first).size() > 0);
     }
@@ -227,7 +267,7 @@ private slots:
         auto* begin = childOf<QPushButton>(*dialog, u"export.begin"_q);
         exportAndWait(*begin);
         QVERIFY(m_choiceQuestions.isEmpty());
-        m_chosenAnswer = 1;
+        m_chosenAnswer = kSaveAs;
         exportAndWait(*begin);
         exportAndWait(*begin);
         QCOMPARE(m_choiceQuestions.size(), 2);
@@ -253,7 +293,7 @@ private slots:
         QTest::mouseClick(verify, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(said(), u"2 of 4 files are not as they were written: a_04.png is broken, a_06.png is missing"_q, 60000);
         // Exported again, with the manifest that was asked for, it is right, and nobody has looked at it yet.
-        m_chosenAnswer = 0;
+        m_chosenAnswer = kOverwrite;
         trigger("file.exportAgain");
         QTRY_COMPARE_WITH_TIMEOUT(stateOf(1), ExportState::Done, 60000);
         QCOMPARE(queue().at(0).check.state, CheckState::None);
@@ -265,7 +305,7 @@ private slots:
     {
         const QDialog* dialog = fillSequence(u"a_##.png"_q, 3, 3);
         exportAndWait(*childOf<QPushButton>(*dialog, u"export.begin"_q));
-        m_chosenAnswer = 1;
+        m_chosenAnswer = kSaveAs;
         for (int i = 0; i < 3; ++i) {
             trigger("file.exportAgain");
             QTRY_COMPARE_WITH_TIMEOUT(stateOf(i + 1), ExportState::Done, 60000);
@@ -298,6 +338,9 @@ private slots:
     }
 
 private:
+    static constexpr int kSaveAs = 0; ///< answers
+    static constexpr int kOverwrite = 1;
+
     /// Begins a sequence from frame 0 and waits for its first file.
     void beginSequence(const QString& name, int last)
     {

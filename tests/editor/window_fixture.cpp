@@ -42,6 +42,7 @@ void WindowFixture::init()
         return static_cast<int>(m_chosenAnswer < 0 ? question.answers.size() - 1 : m_chosenAnswer);
     };
     m_session = std::make_unique<Session>(chooseFile, choose);
+    m_session->settings().setList(u"exports/choices"_q, {}); // of the test before
     m_window = m_session->openWindow();
     m_window->player().pause();
     m_window->document().load(smallPreset(), {});

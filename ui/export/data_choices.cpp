@@ -1,16 +1,25 @@
 #include "ui/export/data_choices.h"
 
+#include "ui/document/text.h"
 #include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
 
 #include "core/noise/texture.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLocale>
 #include <QSpinBox>
 
 namespace fumage::ui {
 
 namespace {
+
+/// Those of film, television and screens.
+constexpr std::array kRates{FrameRate{24000, 1001}, FrameRate{24, 1}, FrameRate{25, 1}, FrameRate{30000, 1001}, FrameRate{30, 1}, FrameRate{50, 1}, FrameRate{60000, 1001}, FrameRate{60, 1}};
 
 /// Whether a plan's files have axes that one may choose.
 bool hasUpAxis(const ExportPlan& plan)
@@ -22,25 +31,63 @@ bool hasUpAxis(const ExportPlan& plan)
 
 DataChoices::DataChoices(QWidget* parent)
     : QWidget(parent)
+    , m_rate(new QComboBox(this))
+    , m_repeat(new QComboBox(this))
     , m_noiseSize(makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
-    , m_cells(makeNumberBox(QStringLiteral("export.cells"), tr("Cells along the longest edge"), kMinVolumeCells, kMaxVolumeCells, this))
+    , m_cells(makeNumberBox(QStringLiteral("export.cells"), tr("Voxels along the longest edge of the smoke of the whole timeline"), kMinVolumeCells, kMaxVolumeCells, this))
+    , m_voxel(new QDoubleSpinBox(this))
     , m_up(new QComboBox(this))
 {
     m_noiseSize->setSpecialValueText(tr("as in the effect"));
     m_noiseSize->setSuffix(tr(" pixels"));
-    m_cells->setValue(ExportPlan().cells);
     m_up->setObjectName(QStringLiteral("export.up"));
     m_up->setAccessibleName(tr("Axis that points up"));
     m_up->addItems({tr("As usual for the format"), tr("y, as in Houdini and Maya"), tr("z, as in Blender")});
+    buildVideo();
+    buildVolumes();
     auto* form = new LabelledForm(this);
     form->setContentsMargins({});
+    form->add(tr("Frame rate"), m_rate);
+    form->add(tr("Repeat"), m_repeat);
     form->add(tr("Size"), m_noiseSize);
-    form->add(tr("Cells"), m_cells);
-    form->add(tr("Up"), m_up);
+    form->add(tr("Voxels"), m_cells);
+    form->add(tr("Voxel size"), m_voxel);
+    form->add(tr("Up axis"), m_up);
     m_form = form;
     connect(m_noiseSize, &QSpinBox::valueChanged, this, &DataChoices::changed);
     connect(m_cells, &QSpinBox::valueChanged, this, &DataChoices::changed);
-    connect(m_up, &QComboBox::currentIndexChanged, this, &DataChoices::changed);
+    connect(m_voxel, &QDoubleSpinBox::valueChanged, this, &DataChoices::changed);
+    for (QComboBox* choice : {m_rate, m_repeat, m_up}) {
+        connect(choice, &QComboBox::currentIndexChanged, this, &DataChoices::changed);
+    }
+}
+
+void DataChoices::buildVideo()
+{
+    m_rate->setObjectName(QStringLiteral("export.rate"));
+    m_rate->setAccessibleName(tr("Frame rate"));
+    m_rate->setToolTip(tr("Frames a second at which the video plays; the frames stay the same"));
+    m_rate->addItem(tr("As the timeline"));
+    for (const FrameRate& rate : kRates) {
+        m_rate->addItem(QLocale().toString(rate.perSecond(), 'g', 5), toQString(textOf(rate)));
+    }
+    m_repeat->setObjectName(QStringLiteral("export.repeat"));
+    m_repeat->setAccessibleName(tr("Repeat"));
+    m_repeat->addItems({tr("For ever if the frames close a loop"), tr("Once"), tr("For ever")});
+}
+
+void DataChoices::buildVolumes()
+{
+    constexpr int kDecimals = 4;
+    m_cells->setValue(ExportPlan().cells);
+    m_voxel->setObjectName(QStringLiteral("export.voxel"));
+    m_voxel->setAccessibleName(tr("Voxel size"));
+    m_voxel->setToolTip(tr("Edge of a voxel; all frames have the same"));
+    m_voxel->setDecimals(kDecimals);
+    m_voxel->setRange(0.0, static_cast<double>(kMaxVoxel));
+    m_voxel->setSingleStep(0.01);
+    m_voxel->setSuffix(tr(" m"));
+    m_voxel->setSpecialValueText(tr("by their number"));
 }
 
 void DataChoices::showRow(QWidget* field, bool shown)
@@ -51,17 +98,42 @@ void DataChoices::showRow(QWidget* field, bool shown)
 
 void DataChoices::follow(const ExportPlan& plan)
 {
+    const bool isVideo = plan.kind == ExportKind::Video;
+    showRow(m_rate, isVideo);
+    showRow(m_repeat, isVideo && saysHowOften(plan.video));
     showRow(m_noiseSize, plan.kind == ExportKind::NoiseTexture);
     showRow(m_cells, plan.kind == ExportKind::Volumes);
+    m_cells->setEnabled(!plan.voxel);
+    showRow(m_voxel, plan.kind == ExportKind::Volumes);
     showRow(m_up, hasUpAxis(plan));
-    setVisible(plan.kind == ExportKind::NoiseTexture || hasUpAxis(plan));
+    setVisible(isVideo || plan.kind == ExportKind::NoiseTexture || hasUpAxis(plan));
 }
 
 void DataChoices::applyTo(ExportPlan& plan) const
 {
     plan.noiseSize = m_noiseSize->value();
     plan.cells = m_cells->value();
+    plan.voxel = m_voxel->value() > 0.0 ? std::optional(static_cast<float>(m_voxel->value())) : std::nullopt;
+    plan.rate = m_rate->currentIndex() > 0 ? std::optional(kRates[static_cast<std::size_t>(m_rate->currentIndex()) - 1]) : std::nullopt;
+    plan.repeat = static_cast<Repeat>(m_repeat->currentIndex());
     plan.up = m_up->currentIndex() == 0 ? std::nullopt : std::optional(kAllUpAxes[static_cast<std::size_t>(m_up->currentIndex()) - 1]);
+}
+
+void DataChoices::take(const ExportPlan& plan)
+{
+    switch (plan.kind) {
+    case ExportKind::NoiseTexture: m_noiseSize->setValue(plan.noiseSize); break;
+    case ExportKind::Video:
+        m_rate->setCurrentIndex(plan.rate ? std::max(0, m_rate->findData(toQString(textOf(*plan.rate)))) : 0);
+        m_repeat->setCurrentIndex(static_cast<int>(plan.repeat));
+        break;
+    case ExportKind::Volumes:
+        m_cells->setValue(plan.cells);
+        m_voxel->setValue(static_cast<double>(plan.voxel.value_or(0.0F)));
+        m_up->setCurrentIndex(plan.up ? 1 + static_cast<int>(*plan.up) : 0);
+        break;
+    default: break;
+    }
 }
 
 } // namespace fumage::ui

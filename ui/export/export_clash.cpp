@@ -81,28 +81,34 @@ ExportClash findClash(const ExportPlan& plan, const ExportJobs& others)
 
 namespace {
 
+/// The answer that leaves what is there alone.
+QString saveAs(const ExportPlan& free)
+{
+    return ExportDialog::tr("Save as %1").arg(shortened(fromPath(free.output.filename()), 40));
+}
+
 OnClash askAboutFiles(QWidget* parent, const AskForChoice& ask, const ExportClash& clash)
 {
     const QString first = QDir::toNativeSeparators(clash.first);
-    const QString text = clash.there == 1 ? ExportDialog::tr("There is a file %1 already.").arg(first)
+    const QString text = clash.there == 1 ? ExportDialog::tr("%1 already exists.").arg(first)
                                           : ExportDialog::tr("%1 of the files are there already; the first is %2.").arg(clash.there).arg(first);
     const int answer = ask(parent,
         {.name = QStringLiteral("exportClashBox"),
             .title = ExportDialog::tr("Export"),
             .text = text,
-            .answers = {ExportDialog::tr("Overwrite"), ExportDialog::tr("Number on"), ExportDialog::tr("Cancel")}});
-    constexpr std::array kAnswers{OnClash::Overwrite, OnClash::NumberOn, OnClash::Cancel};
+            .answers = {saveAs(clash.free), ExportDialog::tr("Overwrite"), ExportDialog::tr("Cancel")}}); // Return loses nothing
+    constexpr std::array kAnswers{OnClash::NumberOn, OnClash::Overwrite, OnClash::Cancel};
     return kAnswers[static_cast<std::size_t>(answer)];
 }
 
 /// Two exports of the queue never write one file, whatever the user would make of it.
-OnClash askAboutQueue(QWidget* parent, const AskForChoice& ask, const Error& clash)
+OnClash askAboutQueue(QWidget* parent, const AskForChoice& ask, const ExportClash& clash)
 {
     const int answer = ask(parent,
         {.name = QStringLiteral("exportQueuedBox"),
             .title = ExportDialog::tr("Export"),
-            .text = told(clash),
-            .answers = {ExportDialog::tr("Number on"), ExportDialog::tr("Cancel")}});
+            .text = told(clash.apart.error()),
+            .answers = {saveAs(clash.free), ExportDialog::tr("Cancel")}});
     return answer == 0 ? OnClash::NumberOn : OnClash::Cancel;
 }
 
@@ -114,7 +120,7 @@ std::optional<ExportPlan> settled(QWidget* parent, const AskForChoice& ask, cons
         return plan;
     }
     if (!clash.apart && answered != OnClash::NumberOn) {
-        answered = askAboutQueue(parent, ask, clash.apart.error());
+        answered = askAboutQueue(parent, ask, clash);
     } else if (!answered) {
         answered = askAboutFiles(parent, ask, clash);
     }

@@ -4,19 +4,17 @@
 #include "ui/export/data_choices.h"
 #include "ui/export/export_formats.h"
 #include "ui/export/export_progress.h"
-#include "ui/export/export_summary.h"
 #include "ui/export/flipbook_choices.h"
 #include "ui/export/labelled_form.h"
-#include "ui/export/number_box.h"
+#include "ui/export/output_rows.h"
 #include "ui/export/picture_choices.h"
 #include "ui/export/preview_pane.h"
-#include "ui/panels/parameter_row.h"
+#include "ui/export/range_row.h"
+#include "ui/export/summary_row.h"
 
 #include "core/effect/known_parameter.h"
-#include "core/effect/parameter_table.h"
 
 #include <algorithm>
-#include <array>
 
 #include <QComboBox>
 #include <QDesktopServices>
@@ -28,26 +26,10 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QUrl>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
-
-namespace {
-
-/// The parameters that an export asks about.
-constexpr std::array kParameters{
-    &knownParameter("timeline.loop"),
-    &knownParameter("output.width"),
-    &knownParameter("output.height"),
-    &knownParameter("output.quality"),
-    &knownParameter("output.supersample"),
-    &knownParameter("output.background"),
-    &knownParameter("output.background_colour"),
-};
-
-} // namespace
 
 ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent)
     : QDialog(parent)
@@ -61,14 +43,13 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     , m_format(new QComboBox(this))
     , m_scroll(new QScrollArea(this))
     , m_path(new QLineEdit(this))
-    , m_first(makeNumberBox(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame, this))
-    , m_last(makeNumberBox(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame, this))
-    , m_step(makeNumberBox(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame, this))
+    , m_range(new RangeRow(player, this))
     , m_data(new DataChoices(this))
     , m_flipbook(new FlipbookChoices(this))
     , m_preview(new PreviewPane(this))
     , m_pictures(new PictureChoices(this))
-    , m_files(new QLabel(this))
+    , m_output(new OutputRows(document, locks, this))
+    , m_summary(new SummaryRow(this))
     , m_progress(new ExportProgress(queue, this))
     , m_export(new QPushButton(tr("Export"), this))
     , m_cancel(new QPushButton(tr("Cancel"), this))
@@ -77,7 +58,7 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
     m_kind->setObjectName(QStringLiteral("export.kind"));
-    m_kind->setAccessibleName(tr("What"));
+    m_kind->setAccessibleName(tr("Type"));
     for (std::size_t each = 0; each < kExportKinds; ++each) {
         m_kind->addItem(kindName(static_cast<ExportKind>(each)));
     }
@@ -103,9 +84,11 @@ void ExportDialog::connectPlan()
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::followFormat);
     connect(m_path, &QLineEdit::textEdited, this, &ExportDialog::takePath);
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::followPlan);
-    for (QSpinBox* field : {m_first, m_last, m_step}) {
-        connect(field, &QSpinBox::valueChanged, this, &ExportDialog::followPlan);
-    }
+    connect(m_range, &RangeRow::changed, this, &ExportDialog::followPlan);
+    connect(m_summary, &SummaryRow::taken, this, [this](const ExportOffer& offer) {
+        m_range->setFrames(offer.frames);
+        m_flipbook->setGrid(offer.columns, offer.rows);
+    });
     connect(m_data, &DataChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::cellsChosen, this, [this](int width, int height) {
@@ -117,49 +100,36 @@ void ExportDialog::connectPlan()
     connect(&m_document, &Document::loaded, this, [this] { m_pathIsSuggested = true; });
 }
 
-QHBoxLayout* ExportDialog::makeRange()
+QHBoxLayout* ExportDialog::makePlace()
 {
-    auto* range = new QHBoxLayout;
-    range->setSpacing(8);
-    range->addWidget(m_first);
-    range->addWidget(new QLabel(tr("to"), this));
-    range->addWidget(m_last);
-    range->addWidget(new QLabel(tr("every"), this));
-    range->addWidget(m_step);
-    range->addStretch();
-    return range;
-}
-
-void ExportDialog::buildForm()
-{
-    auto* form = new LabelledForm;
-    form->add(tr("What"), m_kind);
-    form->add(tr("Format"), m_format);
     auto* place = new QHBoxLayout;
     place->setSpacing(8);
     auto* choose = new QPushButton(tr("Choose…"), this);
     choose->setObjectName(QStringLiteral("export.choose"));
     place->addWidget(m_path, 1);
     place->addWidget(choose);
-    form->add(tr("File"), place);
-    form->add(tr("Frames"), makeRange());
+    connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
+    return place;
+}
+
+void ExportDialog::buildForm()
+{
+    auto* form = new LabelledForm;
+    form->add(tr("Type"), m_kind);
+    form->add(tr("Format"), m_format);
+    form->add(tr("File"), makePlace());
+    form->add(tr("Frames"), m_range);
     form->addRow(m_flipbook);
-    form->addRow(QString(), m_pictures);
     form->addRow(m_data);
+    form->add(QString(), m_pictures);
+    m_form = form;
     auto* content = new QWidget;
     auto* box = new QVBoxLayout(content);
     box->setContentsMargins({});
     box->addLayout(form);
-    for (const Parameter* parameter : kParameters) {
-        m_rows.push_back(new ParameterRow(*parameter, m_document, m_locks, this));
-        box->addWidget(m_rows.back());
-    }
+    box->addWidget(m_output);
     box->addWidget(m_preview);
-    m_files->setObjectName(QStringLiteral("export.files"));
-    m_files->setProperty("role", QStringLiteral("secondary"));
-    m_files->setWordWrap(true);
-    m_files->setTextFormat(Qt::PlainText);
-    box->addWidget(m_files);
+    box->addWidget(m_summary);
     box->addStretch();
     m_scroll->setObjectName(QStringLiteral("export.scroll"));
     m_scroll->setWidget(content);
@@ -167,7 +137,6 @@ void ExportDialog::buildForm()
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     static_cast<QVBoxLayout*>(layout())->addWidget(m_scroll, 1);
-    connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
 }
 
 void ExportDialog::buildProgress()
@@ -204,6 +173,10 @@ void ExportDialog::connectButtons()
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
     connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
+    connect(m_progress, &ExportProgress::fitRequested, this, [this] {
+        m_pictures->setFitsCamera(true);
+        begin();
+    });
 }
 
 ExportKind ExportDialog::kind() const
@@ -216,24 +189,57 @@ void ExportDialog::setKind(ExportKind kind)
     m_kind->setCurrentIndex(static_cast<int>(kind));
 }
 
-ExportPlan ExportDialog::plan() const
+std::vector<ExportPlan> ExportDialog::choices() const
+{
+    std::vector<ExportPlan> all{choiceOf(kind())};
+    for (std::size_t each = 0; each < kExportKinds; ++each) {
+        if (static_cast<ExportKind>(each) != kind()) {
+            all.push_back(choiceOf(static_cast<ExportKind>(each)));
+        }
+    }
+    return all;
+}
+
+void ExportDialog::take(std::span<const ExportPlan> choices)
+{
+    for (const ExportPlan& plan : choices) {
+        m_formats[placeOfFormat(plan.kind)] = formatOf(plan);
+        if (plan.kind == ExportKind::Flipbook) {
+            m_flipbook->take(plan);
+        }
+        m_data->take(plan);
+        m_pictures->take(plan);
+    }
+    if (!choices.empty()) {
+        m_formats[placeOfFormat(choices.front().kind)] = formatOf(choices.front());
+        setKind(choices.front().kind);
+        followKind(); // it may be the one that it was, in another format
+    }
+}
+
+std::size_t ExportDialog::placeOfFormat(ExportKind kind)
+{
+    return static_cast<std::size_t>(isImage(kind) ? ExportKind::Sequence : kind);
+}
+
+ExportPlan ExportDialog::choiceOf(ExportKind kind) const
 {
     ExportPlan plan;
-    plan.kind = kind();
-    plan.frames = {m_first->value(), m_last->value(), m_step->value()};
+    plan.kind = kind;
+    plan.frames = m_range->frames(kind);
     plan.source = toPath(m_document.filePath());
     m_data->applyTo(plan);
-    const int format = std::max(0, m_format->currentIndex());
-    switch (kind()) {
-    case ExportKind::Particles: plan.particles = static_cast<ParticleFormat>(format); break;
-    case ExportKind::Video: plan.video = static_cast<VideoFormat>(format); break;
-    case ExportKind::Air: plan.air = static_cast<AirFormat>(format); break;
-    case ExportKind::Volumes: break; // there is one
-    default: plan.format = static_cast<ImageFormat>(format); break;
-    }
-    if (kind() == ExportKind::Flipbook) {
+    setFormat(plan, m_formats[placeOfFormat(kind)]);
+    if (kind == ExportKind::Flipbook) {
         m_flipbook->applyTo(plan);
     }
+    m_pictures->applyTo(plan, m_document.preset());
+    return plan;
+}
+
+ExportPlan ExportDialog::plan() const
+{
+    ExportPlan plan = choiceOf(kind());
     if (!m_path->text().trimmed().isEmpty()) {
         plan.output = withEnding(toPath(m_path->text()), fileEnding(plan));
     }
@@ -246,10 +252,9 @@ void ExportDialog::followKind()
     const QSignalBlocker blocker(m_format);
     m_format->clear();
     m_format->addItems(formatsOf(kind()));
-    if (isImage(kind())) {
-        m_format->setCurrentIndex(m_imageFormat);
-    }
+    m_format->setCurrentIndex(m_formats[placeOfFormat(kind())]);
     m_pathIsSuggested = true;
+    forgetDone();
     followPlan();
     if (isVisible()) {
         fitScreen();
@@ -258,9 +263,7 @@ void ExportDialog::followKind()
 
 void ExportDialog::followFormat()
 {
-    if (isImage(kind())) {
-        m_imageFormat = m_format->currentIndex();
-    }
+    m_formats[placeOfFormat(kind())] = m_format->currentIndex();
     const QString path = withEndingOf(plan(), m_path->text());
     if (path.compare(m_path->text(), Qt::CaseInsensitive) != 0) {
         m_path->setText(path);
@@ -283,33 +286,40 @@ void ExportDialog::followPlan()
     if (!isVisible()) {
         return;
     }
-    const bool picture = isPicture(kind());
-    const bool onColour = kind() == ExportKind::Video && !hasAlpha(plan().video);
-    m_pictures->follow(plan());
-    for (ParameterRow* row : m_rows) {
-        row->sync();
-        const bool isBehind = onColour && &row->parameter() == &knownParameter("output.background_colour");
-        row->setVisible(picture && (isBehind || fumage::isVisible(row->parameter(), m_document.effect())));
-    }
-    m_first->setEnabled(kind() != ExportKind::NoiseTexture);
-    const bool many = isNumbered(kind()) || kind() == ExportKind::Flipbook || kind() == ExportKind::Video;
-    m_last->setEnabled(many);
-    m_step->setEnabled(many);
-    m_flipbook->setVisible(kind() == ExportKind::Flipbook);
     m_flipbook->follow(m_document.effect());
-    m_data->follow(plan());
+    showRowsOf(plan());
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
         m_path->setText(suggestedPath(plan(), m_document));
     }
     const ExportPlan now = plan();
-    m_files->setText(summaryOf(now, m_document.effect()));
-    m_preview->setVisible(kind() == ExportKind::Flipbook);
+    m_summary->follow(now, m_document.effect());
     if (kind() == ExportKind::Flipbook) {
         m_flipbook->followPlan(m_document.effect(), now);
         m_preview->follow(m_document.effect(), now);
     }
     m_export->setEnabled(!m_entry.isBusy() && isPossible(now, m_document.effect()));
+}
+
+void ExportDialog::showRowsOf(const ExportPlan& plan)
+{
+    const bool isFlipbook = plan.kind == ExportKind::Flipbook;
+    m_output->follow(plan);
+    m_range->follow(plan.kind);
+    m_form->setRowVisible(m_range, RangeRow::isAskedOf(plan.kind));
+    static_cast<QLabel*>(m_form->labelForField(m_range))->setText(plan.kind == ExportKind::Picture ? tr("Frame") : tr("Frames"));
+    m_flipbook->setVisible(isFlipbook);
+    m_preview->setVisible(isFlipbook);
+    m_data->follow(plan);
+    m_pictures->follow(plan);
+    m_form->setRowVisible(m_pictures, isPicture(plan.kind));
+}
+
+void ExportDialog::forgetDone()
+{
+    if (const QueuedExport* last = m_progress->followed(); last == nullptr || !last->isActive()) {
+        m_progress->follow(0);
+    }
 }
 
 void ExportDialog::followProgress()
@@ -333,6 +343,7 @@ void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::option
     }
     m_progress->follow(id);
     emit added(plan);
+    emit chosen();
 }
 
 void ExportDialog::browse()
@@ -354,26 +365,39 @@ void ExportDialog::showEvent(QShowEvent* event)
 {
     QDialog::showEvent(event);
     if (const QueuedExport* last = m_progress->followed(); last == nullptr || !last->isActive()) {
-        m_first->setValue(m_player.first());
-        m_last->setValue(m_player.last());
-        m_progress->follow(0);
+        m_range->takePlayed();
+        forgetDone();
     }
     followPlan();
+    m_highest = contentHeight();
+    ExportPlan highest = plan();
+    highest.kind = ExportKind::Flipbook;
+    showRowsOf(highest);
+    m_highest = std::max(m_highest, contentHeight());
+    showRowsOf(plan());
     fitScreen();
     emit shownChanged(true);
+}
+
+int ExportDialog::contentHeight() const
+{
+    m_scroll->widget()->layout()->activate();
+    return m_scroll->widget()->sizeHint().height();
 }
 
 void ExportDialog::fitScreen()
 {
     constexpr QSize kMargin(32 + 16, 48); // of the layout with a scroll bar; of the window
     const QSize content = m_scroll->widget()->minimumSizeHint();
-    const int wanted = sizeHint().height() - m_scroll->sizeHint().height() + m_scroll->widget()->sizeHint().height();
+    const int around = sizeHint().height() - m_scroll->sizeHint().height();
+    const int wanted = around + std::max(m_highest, contentHeight()); // the buttons stay where they are from kind to kind
     resize(std::max(width(), content.width() + kMargin.width()), std::min(wanted, screen()->availableGeometry().height() - kMargin.height()));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)
 {
     QDialog::hideEvent(event);
+    emit chosen();
     emit shownChanged(false);
 }
 

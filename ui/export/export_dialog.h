@@ -9,24 +9,28 @@
 
 #include <QDialog>
 
+#include <array>
+#include <span>
 #include <vector>
 
 class QComboBox;
+class QFormLayout;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QScrollArea;
-class QSpinBox;
 
 namespace fumage::ui {
 
 class DataChoices;
 class ExportProgress;
 class FlipbookChoices;
+class OutputRows;
 class PictureChoices;
 class PreviewPane;
-class ParameterRow;
+class RangeRow;
+class SummaryRow;
 
 /// What is to be written and where: adds it to the queue of exports. Does not block the window it belongs to. Size and background are parameters of the document.
 class ExportDialog : public QDialog {
@@ -39,6 +43,10 @@ public:
 
     [[nodiscard]] ExportPlan plan() const;
     void setKind(ExportKind kind);
+    /// What is chosen, for each kind; that of the kind that is shown is the first.
+    [[nodiscard]] std::vector<ExportPlan> choices() const;
+    /// Shows choices that are remembered, but for frames and files.
+    void take(std::span<const ExportPlan> choices);
     /// Whether an export is on its way into the queue: its files are looked for.
     [[nodiscard]] bool isEntering() const { return m_entry.isBusy(); }
 
@@ -47,6 +55,8 @@ signals:
     void shownChanged(bool shown);
     /// To the queue.
     void added(const fumage::ExportPlan& plan);
+    /// It is closed, or an export has begun, with choices that are worth remembering.
+    void chosen();
     /// None is on its way into the queue any more.
     void entryEnded();
 
@@ -55,13 +65,18 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    [[nodiscard]] QHBoxLayout* makeRange();
+    [[nodiscard]] QHBoxLayout* makePlace();
     void buildForm();
     void buildProgress();
     void connectPlan();
     void connectButtons();
-    /// As high as its contents, as far as the screen allows.
+    /// As high as its contents, and as those of the highest kind, as far as the screen allows.
     void fitScreen();
+    [[nodiscard]] int contentHeight() const;
+    /// Shows what a plan asks about.
+    void showRowsOf(const ExportPlan& plan);
+    /// What has become of the last export is told no more, unless it is still on its way.
+    void forgetDone();
     void followKind();
     void followFormat();
     /// A person has named the file; its ending may name another format.
@@ -74,6 +89,9 @@ private:
     void browse();
     void showInFolder();
     [[nodiscard]] ExportKind kind() const;
+    /// What is chosen for a kind, without its file.
+    [[nodiscard]] ExportPlan choiceOf(ExportKind kind) const;
+    [[nodiscard]] static std::size_t placeOfFormat(ExportKind kind);
 
     Document& m_document;
     Player& m_player;
@@ -85,21 +103,21 @@ private:
     QComboBox* m_format;
     QScrollArea* m_scroll; ///< a small screen may not hold it all
     QLineEdit* m_path;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
-    QSpinBox* m_step;
+    RangeRow* m_range;
     DataChoices* m_data;
     FlipbookChoices* m_flipbook;
     PreviewPane* m_preview;
     PictureChoices* m_pictures;
-    QLabel* m_files;
+    OutputRows* m_output;
+    SummaryRow* m_summary;
     ExportProgress* m_progress;
     QPushButton* m_export;
     QPushButton* m_cancel;
     QPushButton* m_show;
-    std::vector<ParameterRow*> m_rows;
+    QFormLayout* m_form = nullptr;
+    int m_highest = 0; ///< of the contents of all kinds, pixels
     bool m_pathIsSuggested = true;
-    int m_imageFormat = 0; ///< that was chosen last, for any kind of picture
+    std::array<int, kExportKinds> m_formats{}; ///< that were chosen last; those of all images in one place
 };
 
 } // namespace fumage::ui

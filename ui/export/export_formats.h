@@ -20,4 +20,8 @@ namespace fumage::ui {
 /// The same path for another format: its ending goes, where it is one that exports have, and the plan's comes.
 [[nodiscard]] QString withEndingOf(const ExportPlan& plan, const QString& path);
 
+/// Which of formatsOf() its kind a plan has.
+[[nodiscard]] int formatOf(const ExportPlan& plan);
+void setFormat(ExportPlan& plan, int format);
+
 } // namespace fumage::ui

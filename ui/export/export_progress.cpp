@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -14,6 +15,7 @@ ExportProgress::ExportProgress(const ExportQueue& queue, QWidget* parent)
     , m_queue(queue)
     , m_bar(new QProgressBar(this))
     , m_state(new QLabel(this))
+    , m_fit(new QPushButton(tr("Fit the camera"), this))
 {
     m_bar->setObjectName(QStringLiteral("export.progress"));
     m_bar->hide();
@@ -21,10 +23,15 @@ ExportProgress::ExportProgress(const ExportQueue& queue, QWidget* parent)
     m_state->setWordWrap(true);
     m_state->setTextFormat(Qt::PlainText);
     m_state->hide();
+    m_fit->setObjectName(QStringLiteral("export.fitNow"));
+    m_fit->setToolTip(tr("Exports again, from where all smoke is seen"));
+    m_fit->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_bar);
     layout->addWidget(m_state);
+    layout->addWidget(m_fit, 0, Qt::AlignLeft);
+    connect(m_fit, &QPushButton::clicked, this, &ExportProgress::fitRequested);
     connect(&queue, &ExportQueue::changed, this, [this](quint64 id) {
         if (const QueuedExport* one = followed(); one != nullptr && id == m_id) {
             show(*one);
@@ -49,6 +56,7 @@ void ExportProgress::show(const QueuedExport& one)
     if (one.state == ExportState::Done) {
         const QString file = tr("Done: %1").arg(QDir::toNativeSeparators(fromPath(firstFile(one.job->plan))));
         say(one.remark.isEmpty() ? file : file + QLatin1Char('\n') + one.remark);
+        m_fit->setVisible(!one.remark.isEmpty() && !one.job->plan.fitCamera); // what is remarked is smoke that is cut off
     } else {
         say(one.told);
     }
@@ -60,6 +68,7 @@ void ExportProgress::show(const QueuedExport& one)
 void ExportProgress::say(const QString& text)
 {
     m_bar->hide();
+    m_fit->hide();
     m_state->setText(text);
     m_state->setVisible(!text.isEmpty());
 }

@@ -6,6 +6,7 @@
 
 class QLabel;
 class QProgressBar;
+class QPushButton;
 
 namespace fumage::ui {
 
@@ -27,6 +28,8 @@ public:
 signals:
     /// Its state, or how far it is.
     void changed();
+    /// Smoke was cut off: the camera is to be fitted to it.
+    void fitRequested();
 
 private:
     void show(const QueuedExport& one);
@@ -35,6 +38,7 @@ private:
     quint64 m_id = 0;
     QProgressBar* m_bar;
     QLabel* m_state;
+    QPushButton* m_fit;
 };
 
 } // namespace fumage::ui

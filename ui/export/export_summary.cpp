@@ -1,6 +1,8 @@
 #include "ui/export/export_summary.h"
 
 #include "core/export/engines/engine_files.h"
+#include "core/export/loop.h"
+#include "core/export/remarks.h"
 #include "core/export/sheet_playback.h"
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
@@ -33,10 +35,29 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
     const int height = cell.height * plan.rows;
     const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
     const QString files = more > 1 ? ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(width).arg(height).arg(more)
-                                   : ExportDialog::tr("%1, %2 × %3 pixels, and how it is to be played beside it").arg(first).arg(width).arg(height);
+                                   : ExportDialog::tr("%1, %2 × %3 pixels, and %4").arg(first).arg(width).arg(height).arg(fromPath(filesOf(flipbookOf(plan)).back().filename()));
     const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height);
     const QLocale locale;
     return files + QLatin1Char('\n') + ExportDialog::tr("On the graphics card: %1 as BC7, %2 uncompressed").arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
+}
+
+/// The files of a plan that is possible.
+QString filesTold(const ExportPlan& plan, const Effect& effect)
+{
+    QString first = fromPath(firstFile(plan).filename());
+    if (isNumbered(plan.kind) && plan.frames.count() > 1) {
+        return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, fromPath(lastFile(plan).filename()));
+    }
+    if (plan.kind == ExportKind::Video) {
+        const std::array<int, 2> size = sizeOf(effect.output, plan.video);
+        const double rate = plan.rate.value_or(FrameRate{effect.timeline.frameRate, 1}).perSecond();
+        const double seconds = static_cast<double>(plan.frames.count()) * plan.frames.step / rate;
+        return ExportDialog::tr("%1, %2 × %3 pixels, %4 s").arg(first).arg(size[0]).arg(size[1]).arg(QLocale().toString(seconds, 'f', 1));
+    }
+    if (plan.kind == ExportKind::Flipbook) {
+        return flipbookSummary(plan, outputFor(effect, plan).value()); // it is possible
+    }
+    return first;
 }
 
 } // namespace
@@ -64,19 +85,29 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
     if (!isPossible(plan, effect)) {
         return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
     }
-    QString first = fromPath(firstFile(plan).filename());
-    if (isNumbered(plan.kind) && plan.frames.count() > 1) {
-        return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, fromPath(lastFile(plan).filename()));
+    QString summary = filesTold(plan, effect);
+    for (const Message& remark : remarksOn(effect, plan)) {
+        const QString text = told(remark);
+        summary += QLatin1Char('\n') + text.left(1).toUpper() + text.mid(1) + QLatin1Char('.');
     }
-    const Output& output = effect.output;
-    if (plan.kind == ExportKind::Video) {
-        const double seconds = static_cast<double>(plan.frames.count()) * plan.frames.step / effect.timeline.frameRate;
-        return ExportDialog::tr("%1, %2 × %3 pixels, %4 s").arg(first).arg(output.width).arg(output.height).arg(QLocale().toString(seconds, 'f', 1));
+    return summary;
+}
+
+std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect)
+{
+    if (plan.frames.first > plan.frames.last) {
+        return std::nullopt;
     }
-    if (plan.kind == ExportKind::Flipbook) {
-        return flipbookSummary(plan, outputFor(effect, plan).value()); // it is possible
+    const int cells = plan.kind == ExportKind::Flipbook ? plan.columns * plan.rows : 1;
+    if (plan.frames.count() < cells) {
+        const auto [columns, rows] = gridWithin(plan.frames.count(), plan.columns, plan.rows, plan.powerOfTwo);
+        return ExportOffer{ExportDialog::tr("Use %1 × %2 cells").arg(columns).arg(rows), plan.frames, columns, rows};
     }
-    return first;
+    const std::optional<FrameRange> whole = closedInstead(effect.timeline, plan.frames, cells);
+    if (!whole || remarksOn(effect, plan).empty()) {
+        return std::nullopt;
+    }
+    return ExportOffer{ExportDialog::tr("Use frames %1").arg(toQString(textOf(*whole))), *whole, plan.columns, plan.rows};
 }
 
 bool haveSameCells(const ExportPlan& a, const ExportPlan& b)

@@ -89,8 +89,8 @@ QString ExportWorker::complaint(const CutOff& cut)
             edges << name;
         }
     }
-    const QString what = cut.distance > 0.0F ? tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted, or move it back to %4 m.")
-                                             : tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3: let the camera be fitted.");
+    const QString what = cut.distance > 0.0F ? tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera, or move it back to %4 m.")
+                                             : tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.");
     const QString told = what.arg(edges.join(QStringLiteral(", "))).arg(cut.firstFrame).arg(cut.lastFrame);
     return cut.distance > 0.0F ? told.arg(QLocale().toString(cut.distance, 'g', 3)) : told;
 }

@@ -5,6 +5,8 @@
 #include "ui/export/labelled_form.h"
 #include "ui/export/number_box.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -55,15 +57,15 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     auto* form = new LabelledForm(this);
     form->setContentsMargins({});
     form->add(tr("For"), m_engine);
-    form->add(tr("Beside the colour"), sideBySide({m_sixWay, m_motion}));
-    form->add(tr("Columns × rows"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
+    form->add(tr("Extra maps"), sideBySide({m_sixWay, m_motion}));
+    form->add(tr("Grid"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
     form->addRow(m_extras);
     connect(m_engine, &QComboBox::currentIndexChanged, this, &FlipbookChoices::followEngine);
     connect(m_sixWay, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_motion, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_columns, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
     connect(m_rows, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
-    connect(m_extras, &FlipbookExtras::sheetChosen, this, &FlipbookChoices::take);
+    connect(m_extras, &FlipbookExtras::sheetChosen, this, &FlipbookChoices::takeSheet);
     connect(m_extras, &FlipbookExtras::changed, this, &FlipbookChoices::changed);
     connect(m_extras, &FlipbookExtras::resized, this, &FlipbookChoices::resized);
 }
@@ -102,16 +104,30 @@ void FlipbookChoices::applyTo(ExportPlan& plan) const
     m_extras->applyTo(plan);
 }
 
-void FlipbookChoices::take(const SheetCandidate& sheet)
+void FlipbookChoices::setGrid(int columns, int rows)
 {
     {
-        const QSignalBlocker columns(m_columns);
-        const QSignalBlocker rows(m_rows);
-        m_columns->setValue(sheet.columns);
-        m_rows->setValue(sheet.rows);
+        const QSignalBlocker one(m_columns);
+        const QSignalBlocker other(m_rows);
+        m_columns->setValue(columns);
+        m_rows->setValue(rows);
     }
-    emit cellsChosen(sheet.width, sheet.height);
     emit changed();
+}
+
+void FlipbookChoices::takeSheet(const SheetCandidate& sheet)
+{
+    emit cellsChosen(sheet.width, sheet.height);
+    setGrid(sheet.columns, sheet.rows);
+}
+
+void FlipbookChoices::take(const ExportPlan& plan)
+{
+    m_engine->setCurrentIndex(static_cast<int>(std::ranges::find(kAllEngines, plan.engine) - kAllEngines.begin()));
+    m_sixWay->setChecked(plan.passes.has(Pass::SixWayA));
+    m_motion->setChecked(plan.passes.has(Pass::Motion));
+    m_extras->take(plan);
+    setGrid(plan.columns, plan.rows);
 }
 
 void FlipbookChoices::follow(const Effect& effect)

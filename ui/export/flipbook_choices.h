@@ -25,6 +25,9 @@ public:
     void followPlan(const Effect& effect, const ExportPlan& plan);
     /// Writes them into a plan, whose format says how light is stored.
     void applyTo(ExportPlan& plan) const;
+    /// Shows what a plan that is remembered says.
+    void take(const ExportPlan& plan);
+    void setGrid(int columns, int rows);
 
 signals:
     void changed();
@@ -35,7 +38,7 @@ signals:
 
 private:
     void followEngine();
-    void take(const SheetCandidate& sheet);
+    void takeSheet(const SheetCandidate& sheet);
     [[nodiscard]] Engine engine() const;
 
     QComboBox* m_engine;

@@ -1,5 +1,6 @@
 #include "ui/export/flipbook_extras.h"
 
+#include "ui/export/labelled_form.h"
 #include "ui/export/pack_row.h"
 #include "ui/export/sheet_finder.h"
 #include "ui/panels/curve_editor.h"
@@ -17,12 +18,12 @@ FlipbookExtras::FlipbookExtras(QWidget* parent)
     : QWidget(parent)
     , m_more(new QToolButton(this))
     , m_content(new QWidget(this))
-    , m_trim(new QCheckBox(tr("Leave out empty frames"), this))
-    , m_powerOfTwo(new QCheckBox(tr("Sides that are powers of two"), this))
-    , m_retimes(new QCheckBox(tr("Choose the frames by a curve"), this))
+    , m_trim(new QCheckBox(tr("Trim empty frames"), this))
+    , m_powerOfTwo(new QCheckBox(tr("Power-of-two sheet"), this))
+    , m_retimes(new QCheckBox(tr("Retime with a curve"), this))
     , m_curve(new CurveArea(this))
     , m_finder(new SheetFinder(this))
-    , m_add(new QPushButton(tr("Add a packed picture"), this))
+    , m_add(new QPushButton(tr("Add channel-packed texture"), this))
 {
     m_more->setObjectName(QStringLiteral("export.more"));
     m_more->setText(tr("More"));
@@ -60,7 +61,7 @@ FlipbookExtras::FlipbookExtras(QWidget* parent)
 void FlipbookExtras::build()
 {
     auto* content = new QVBoxLayout(m_content);
-    content->setContentsMargins({});
+    content->setContentsMargins(LabelledForm::kFieldLeft, 0, 0, 0); // below the fields of other rows
     content->addWidget(m_trim);
     content->addWidget(m_powerOfTwo);
     content->addWidget(m_retimes);
@@ -83,7 +84,7 @@ void FlipbookExtras::setOpen(bool open)
     emit resized();
 }
 
-void FlipbookExtras::addPack()
+PackRow* FlipbookExtras::addPack()
 {
     auto* row = new PackRow(++m_packsEver, this);
     m_packs.push_back(row);
@@ -93,6 +94,23 @@ void FlipbookExtras::addPack()
     m_add->setEnabled(m_packs.size() < kMostPackedPictures);
     emit changed();
     emit resized();
+    return row;
+}
+
+void FlipbookExtras::take(const ExportPlan& plan)
+{
+    m_trim->setChecked(plan.trim);
+    m_powerOfTwo->setChecked(plan.powerOfTwo);
+    if (plan.retime) {
+        m_curve->setCurve(*plan.retime);
+    }
+    m_retimes->setChecked(plan.retime.has_value());
+    while (!m_packs.empty()) {
+        removePack(m_packs.back());
+    }
+    for (const PackedPicture& pack : plan.packs) {
+        addPack()->take(pack);
+    }
 }
 
 void FlipbookExtras::removePack(PackRow* row)

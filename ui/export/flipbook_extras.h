@@ -30,6 +30,8 @@ public:
     void followPlan(const Effect& effect, const ExportPlan& plan);
     /// Writes them into a plan, whether they are folded away or not.
     void applyTo(ExportPlan& plan) const;
+    /// Shows what a plan that is remembered says.
+    void take(const ExportPlan& plan);
 
 signals:
     void changed();
@@ -42,7 +44,7 @@ private:
     void build();
     [[nodiscard]] QVBoxLayout* makePacks();
     void setOpen(bool open);
-    void addPack();
+    PackRow* addPack();
     void removePack(PackRow* row);
 
     QToolButton* m_more;

@@ -15,8 +15,11 @@ public:
         : QFormLayout(parent)
     {
         setLabelAlignment(Qt::AlignLeft);
-        setHorizontalSpacing(4);
+        setHorizontalSpacing(kGap);
     }
+
+    static constexpr int kGap = 4; ///< between a label and its field, pixels
+    static constexpr int kFieldLeft = ParameterRow::kLabelWidth + kGap; ///< where fields begin
 
     /// @param content a widget or a layout
     /// @return the label

@@ -88,4 +88,16 @@ PackedPicture PackRow::pack() const
     return out;
 }
 
+void PackRow::take(const PackedPicture& pack)
+{
+    m_name->setText(toQString(pack.name));
+    const auto divisor = std::ranges::find(kDivisors, pack.divisor);
+    m_size->setCurrentIndex(divisor == kDivisors.end() ? 0 : static_cast<int>(divisor - kDivisors.begin()));
+    const std::vector<PackedChannel> all = allChannels();
+    for (std::size_t i = 0; i < m_channels.size(); ++i) {
+        const auto found = i < pack.channels.size() ? std::ranges::find(all, pack.channels[i]) : all.end();
+        m_channels[i]->setCurrentIndex(found == all.end() ? 0 : 1 + static_cast<int>(found - all.begin()));
+    }
+}
+
 } // namespace fumage::ui

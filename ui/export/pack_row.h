@@ -21,6 +21,8 @@ public:
 
     /// Channels that are left open before others are 0.
     [[nodiscard]] PackedPicture pack() const;
+    /// Shows one that is remembered.
+    void take(const PackedPicture& pack);
 
 signals:
     void changed();

@@ -10,8 +10,8 @@ namespace fumage::ui {
 PictureChoices::PictureChoices(QWidget* parent)
     : QWidget(parent)
     , m_fit(new QCheckBox(tr("Fit the camera to the smoke of all frames"), this))
-    , m_carries(new QCheckBox(tr("Pictures carry the preset"), this))
-    , m_manifest(new QCheckBox(tr("Manifest, to verify the files by"), this))
+    , m_carries(new QCheckBox(tr("Embed the preset in pictures"), this))
+    , m_manifest(new QCheckBox(tr("Write a manifest of checksums"), this))
 {
     m_fit->setObjectName(QStringLiteral("export.fit"));
     m_fit->setToolTip(tr("Pictures are taken from where all smoke is seen and fills them; the view stays as it is"));
@@ -40,9 +40,25 @@ void PictureChoices::applyTo(ExportPlan& plan, const Preset& preset) const
     if (m_carries->isChecked()) {
         plan.project = preset;
     }
-    if (m_manifest->isChecked() && canBeRecorded(plan.kind) && !plan.output.empty()) {
+    if (m_manifest->isChecked() && canBeRecorded(plan.kind)) {
         plan.recording.manifest = manifestBeside(plan.output);
     }
+}
+
+void PictureChoices::take(const ExportPlan& plan)
+{
+    if (isPicture(plan.kind)) {
+        m_fit->setChecked(plan.fitCamera);
+        m_carries->setChecked(plan.project.has_value());
+    }
+    if (canBeRecorded(plan.kind)) {
+        m_manifest->setChecked(!plan.recording.manifest.empty());
+    }
+}
+
+void PictureChoices::setFitsCamera(bool fits)
+{
+    m_fit->setChecked(fits);
 }
 
 } // namespace fumage::ui

@@ -20,6 +20,9 @@ public:
     /// Writes them into a plan, whose kind and output are set.
     /// @param preset that pictures carry
     void applyTo(ExportPlan& plan, const Preset& preset) const;
+    /// Shows what a plan that is remembered says.
+    void take(const ExportPlan& plan);
+    void setFitsCamera(bool fits);
 
 private:
     QCheckBox* m_fit;

@@ -42,7 +42,7 @@ void SheetFinder::build()
     m_budget->setToolTip(tr("What all pictures of the flipbook may take there, as BC7"));
     m_budget->setRange(kLeast, kMost);
     m_budget->setDecimals(1);
-    m_budget->setSuffix(tr(" MB"));
+    m_budget->setSuffix(tr(" MiB"));
     m_budget->setValue(kUsual);
     m_find->setObjectName(QStringLiteral("export.findSheet"));
     m_find->setAutoDefault(false);
@@ -51,7 +51,7 @@ void SheetFinder::build()
     m_state->setWordWrap(true);
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(new QLabel(tr("Best sheet within"), this));
+    row->addWidget(new QLabel(tr("Fit to a memory budget"), this));
     row->addWidget(m_budget);
     row->addWidget(m_find);
     row->addStretch();
@@ -95,7 +95,7 @@ void SheetFinder::end(const QString& said)
 {
     m_isSearching = false;
     m_search.stop();
-    m_find->setText(tr("Find"));
+    m_find->setText(tr("Optimise"));
     m_find->setToolTip(tr("Tries columns, rows and sizes of cells, and takes those that play nearest to the animation"));
     m_state->setText(said);
     m_state->setVisible(!said.isEmpty());

@@ -33,7 +33,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, Document& document, Locks
     : QWidget(parent)
     , m_document(document)
     , m_locks(locks)
-    , m_label(new QLabel(labelOf(parameter), this))
+    , m_name(labelOf(parameter))
+    , m_label(new QLabel(m_name, this))
     , m_editor(makeEditor(parameter, this))
 {
     setObjectName(toQString(parameter.key) + QStringLiteral(".row"));
@@ -87,11 +88,22 @@ void ParameterRow::showState()
         return;
     }
     m_state = state;
-    m_label->setText((state.changed ? QStringLiteral("• ") : QString()) + labelOf(parameter()));
+    showName();
     showLock(state.locked);
     m_label->setProperty("changed", state.changed);
     m_label->style()->unpolish(m_label);
     m_label->style()->polish(m_label);
+}
+
+void ParameterRow::setName(const QString& name)
+{
+    m_name = name.isEmpty() ? labelOf(parameter()) : name;
+    showName();
+}
+
+void ParameterRow::showName()
+{
+    m_label->setText((m_state.changed ? QStringLiteral("• ") : QString()) + m_name);
 }
 
 void ParameterRow::showLock(bool locked)

@@ -24,6 +24,8 @@ public:
 
     /// Shows what the document holds.
     void sync();
+    /// Another name than the parameter's, where it means something of its own; empty: the parameter's.
+    void setName(const QString& name);
     /// Puts something before all objectNames, where the same parameter has another row elsewhere.
     void prefixNames(const QString& prefix);
     /// Whether the document differs from the preset here.
@@ -44,12 +46,14 @@ private:
     };
     void edit(const Value& value, bool finished);
     void showState();
+    void showName();
     void showLock(bool locked);
     void copy(bool asAssignment) const;
     void paste();
 
     Document& m_document;
     Locks& m_locks;
+    QString m_name; ///< what the label says
     QLabel* m_label;
     QToolButton* m_lock = nullptr; ///< the mark of a lock, inside the label; null until there was one
     ParameterEditor* m_editor;

@@ -137,6 +137,18 @@ void Docks::showQueue()
     bringToFront(*m_queue);
 }
 
+void Docks::addQueue()
+{
+    const QList<QDockWidget*> beside = m_window.tabifiedDockWidgets(m_queue.get());
+    m_queue->show();
+    // A dock that is shown comes to the front of its tabs.
+    for (QDockWidget* dock : beside) {
+        if (dock == m_presets.get()) {
+            dock->raise();
+        }
+    }
+}
+
 void Docks::searchParameters()
 {
     bringToFront(*m_parameters);

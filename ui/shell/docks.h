@@ -39,6 +39,8 @@ public:
     void arrange();
     void showVariations();
     void showQueue();
+    /// Shows that it is there, and leaves the panel in front that is.
+    void addQueue();
     void searchParameters();
     /// Goes to the editor of a parameter.
     void showParameter(const QString& key);

@@ -3,6 +3,9 @@
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/shell/action_table.h"
+#include "ui/shell/settings.h"
+
+#include "core/export/job_file.h"
 
 #include <algorithm>
 
@@ -11,6 +14,8 @@
 namespace fumage::ui {
 
 namespace {
+
+const QString kChoices = QStringLiteral("exports/choices");
 
 /// Puts a dialog right of a window, as far as the screen goes: what is framed in the middle stays in sight.
 void placeBeside(const QWidget& window, QWidget& dialog)
@@ -22,14 +27,16 @@ void placeBeside(const QWidget& window, QWidget& dialog)
 
 } // namespace
 
-ExportDesk::ExportDesk(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window)
+ExportDesk::ExportDesk(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, Settings& settings, QWidget* window)
     : m_queue(queue)
     , m_document(document)
     , m_player(player)
     , m_locks(locks)
+    , m_actions(actions)
     , m_frame(actions.get("view.frame"))
     , m_askForFile(askForFile)
     , m_askForChoice(askForChoice)
+    , m_settings(settings)
     , m_window(window)
     , m_again(queue, askForChoice, window)
 {
@@ -48,17 +55,43 @@ ExportDesk::ExportDesk(ExportQueue& queue, Document& document, Player& player, L
 
 ExportDesk::~ExportDesk() = default;
 
+void ExportDesk::makeDialog()
+{
+    m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_queue, m_askForFile, m_askForChoice, m_window);
+    std::vector<ExportPlan> choices;
+    for (const QString& text : m_settings.list(kChoices, {})) {
+        if (const std::optional<ExportPlan> plan = parsePlan(text.toStdString())) {
+            choices.push_back(*plan);
+        }
+    }
+    m_dialog->take(choices);
+    // A window of its own has the keys of its actions alone.
+    for (const char* id : {"file.quit", "file.save", "edit.undo", "edit.redo"}) {
+        m_dialog->addAction(&m_actions.get(id));
+    }
+    connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnClash.reset(); });
+    connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
+    connect(m_dialog.get(), &ExportDialog::entryEnded, this, &ExportDesk::rest);
+    connect(m_dialog.get(), &ExportDialog::chosen, this, &ExportDesk::rememberChoices);
+    connect(m_dialog.get(), &ExportDialog::added, this, [this](const ExportPlan& plan) {
+        m_last = plan;
+        emit added();
+    });
+}
+
+void ExportDesk::rememberChoices()
+{
+    QStringList texts;
+    for (const ExportPlan& plan : m_dialog->choices()) {
+        texts << toQString(formatPlan(plan));
+    }
+    m_settings.setList(kChoices, texts);
+}
+
 ExportDialog& ExportDesk::openDialog()
 {
     if (m_dialog == nullptr) {
-        m_dialog = std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_queue, m_askForFile, m_askForChoice, m_window);
-        connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnClash.reset(); });
-        connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
-        connect(m_dialog.get(), &ExportDialog::entryEnded, this, &ExportDesk::rest);
-        connect(m_dialog.get(), &ExportDialog::added, this, [this](const ExportPlan& plan) {
-            m_last = plan;
-            emit added();
-        });
+        makeDialog();
     }
     const bool wasOpen = m_dialog->isVisible();
     m_dialog->show();

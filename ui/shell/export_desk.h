@@ -16,6 +16,7 @@ namespace fumage::ui {
 
 class ActionSet;
 class ExportDialog;
+class Settings;
 
 /// The exports of one window: the dialog that adds them to the program's queue, and the news of the queue for those who look at neither.
 class ExportDesk : public QObject {
@@ -24,7 +25,7 @@ class ExportDesk : public QObject {
 public:
     /// @param askForFile for the names of files
     /// @param window parent of the dialog
-    ExportDesk(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, QWidget* window);
+    ExportDesk(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, Settings& settings, QWidget* window);
     ~ExportDesk() override;
 
     ExportDialog& openDialog();
@@ -44,6 +45,8 @@ signals:
     void rested();
 
 private:
+    void makeDialog();
+    void rememberChoices();
     void rest();
     void tell(quint64 id);
 
@@ -51,9 +54,11 @@ private:
     Document& m_document;
     Player& m_player;
     Locks& m_locks;
+    const ActionSet& m_actions;
     QAction& m_frame; ///< the exported frame in the picture, shown while the dialog is open
     const AskForFile& m_askForFile;
     const AskForChoice& m_askForChoice;
+    Settings& m_settings; ///< remember what was chosen in the dialog
     QWidget* m_window;
     std::optional<ExportPlan> m_last; ///< that was added to the queue
     std::optional<OnClash> m_againOnClash; ///< what was answered last time, until the dialog is seen

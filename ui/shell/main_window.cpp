@@ -51,7 +51,7 @@ MainWindow::MainWindow(Session& session)
     , m_editActions(m_actions, m_document, m_locks)
     , m_viewActions(m_actions, m_document, *m_viewport, *this)
     , m_comparison(m_document, *m_viewport, m_actions)
-    , m_exports(session.exports(), m_document, m_player, m_locks, m_actions, session.askForFile(), session.askForChoice(), this)
+    , m_exports(session.exports(), m_document, m_player, m_locks, m_actions, session.askForFile(), session.askForChoice(), session.settings(), this)
     , m_drops(*this, m_files, m_docks.browser().list())
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -170,10 +170,10 @@ void MainWindow::connectExports()
     connect(&m_docks.queuePanel(), &QueuePanel::againRequested, &m_exports, &ExportDesk::exportAgain);
     connect(&m_docks.queuePanel(), &QueuePanel::failed, &m_ear, [this](const QString& message) { notify(message); });
     connect(&m_exports, &ExportDesk::added, &m_docks, [this] {
-        // The panel comes by itself once; where it is then is up to the user.
+        // The panel comes by itself once, behind the one that is there; where it is then is up to the user.
         if (!m_session.settings().knowsQueue()) {
             m_session.settings().setKnowsQueue(true);
-            m_docks.showQueue();
+            m_docks.addQueue();
         }
     });
 }

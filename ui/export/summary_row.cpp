@@ -1,0 +1,39 @@
+#include "ui/export/summary_row.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace fumage::ui {
+
+SummaryRow::SummaryRow(QWidget* parent)
+    : QWidget(parent)
+    , m_files(new QLabel(this))
+    , m_offer(new QPushButton(this))
+{
+    m_files->setObjectName(QStringLiteral("export.files"));
+    m_files->setProperty("role", QStringLiteral("secondary"));
+    m_files->setWordWrap(true);
+    m_files->setTextFormat(Qt::PlainText);
+    m_offer->setObjectName(QStringLiteral("export.offer"));
+    m_offer->hide();
+    auto* box = new QVBoxLayout(this);
+    box->setContentsMargins({});
+    box->addWidget(m_files);
+    box->addWidget(m_offer, 0, Qt::AlignLeft);
+    connect(m_offer, &QPushButton::clicked, this, [this] {
+        if (m_offered) {
+            emit taken(ExportOffer(*m_offered)); // a copy: it becomes another while its parts are taken
+        }
+    });
+}
+
+void SummaryRow::follow(const ExportPlan& plan, const Effect& effect)
+{
+    m_files->setText(summaryOf(plan, effect));
+    m_offered = offerFor(plan, effect);
+    m_offer->setText(m_offered ? m_offered->text : QString());
+    m_offer->setVisible(m_offered.has_value());
+}
+
+} // namespace fumage::ui
