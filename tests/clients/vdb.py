@@ -64,8 +64,24 @@ def check(cli, folder, preset, up):
     print(f"{preset}, {up} up: {density.activeVoxelCount()} voxels of {cell:.4f} m, {path.stat().st_size / 2**20:.1f} MiB, smoke {whole:.5f} of what particles hold")
 
 
+def check_sequence(cli, folder):
+    """Frames of a burst, the last without smoke, have the same grids in the same places, also where they are written apart."""
+    burst = ["--set", "emitter.mode=burst", "--set", "emitter.count=500", "--set", "life.fade_rate=2", "--set", "light.emission=3", "--set", "timeline.length=60"]
+    run(cli, "volume", "thesis-2012", "--frames", "0-50:10", "--cells", 32, "--output", folder / "whole_##.vdb", *burst)
+    run(cli, "volume", "thesis-2012", "--frame", 50, "--cells", 32, "--output", folder / "apart_50.vdb", *burst)
+    assert (folder / "whole_50.vdb").read_bytes() == (folder / "apart_50.vdb").read_bytes()
+    seen = set()
+    for number in range(0, 60, 10):
+        grids = vdb.readAll(str(folder / f"whole_{number:02}.vdb"))[0]
+        seen.add(tuple(sorted((grid.name, grid.transform.voxelSize(), grid.transform.indexToWorld((0, 0, 0))) for grid in grids)))
+    assert len(seen) == 1 and len(seen.pop()) == 4, seen
+    assert not any(True for _ in grids[0].citerOnValues())
+    print("a sequence: the same grids in the same voxels, with smoke and without")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
+        check_sequence(sys.argv[1], pathlib.Path(folder))
         for preset in PRESETS:
             for up in "zy":
                 check(sys.argv[1], pathlib.Path(folder), preset, up)
