@@ -21,6 +21,30 @@ Error interrupted()
     return {ErrorCode::Cancelled, said("interrupted"), {}, {}};
 }
 
+/// Whoever reads standard output.
+enum class Reader {
+    Stays, ///< to the end; it is a failure where it does not
+    MayLeave, ///< as `head` does, which has had enough of a list
+};
+
+Status writeAll(std::string_view text, Reader reader)
+{
+    while (!text.empty()) {
+        const Transferred part = writeSome(text);
+        if (part.isInterrupted) {
+            return interrupted();
+        }
+        if (part.isUnread && reader == Reader::MayLeave) {
+            return Done{};
+        }
+        if (!part.failure.empty()) {
+            return Error{ErrorCode::WriteFailed, said("standard output cannot be written: %1", part.failure), {}, {}};
+        }
+        text.remove_prefix(part.count);
+    }
+    return Done{};
+}
+
 } // namespace
 
 void beQuiet()
@@ -88,22 +112,12 @@ Result<std::string> readStandardInput(std::size_t mostBytes)
 
 Status print(std::string_view text)
 {
-    while (!text.empty()) {
-        const Transferred part = writeSome(text);
-        if (part.isInterrupted) {
-            return interrupted();
-        }
-        if (!part.failure.empty()) {
-            return Error{ErrorCode::WriteFailed, said("standard output cannot be written: %1", part.failure), {}, {}};
-        }
-        text.remove_prefix(part.count);
-    }
-    return Done{};
+    return writeAll(text, Reader::MayLeave);
 }
 
 Status print(std::span<const std::byte> bytes)
 {
-    return print(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    return writeAll(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()), Reader::Stays);
 }
 
 Status writeOutput(const std::string& path, std::string_view text)

@@ -39,7 +39,8 @@ void tellWritten(const std::filesystem::path& output, const FrameRange& frames, 
 /// @error TooLarge, ReadFailed, Cancelled
 [[nodiscard]] Result<std::string> readStandardInput(std::size_t mostBytes);
 
-/// Writes to standard output; ends early when the user interrupts, even where nobody reads.
+/// Writes to standard output; ends early when the user interrupts, even where nobody reads. Text may be left by its reader in the middle, as `head` does:
+/// that is no failure. Bytes may not.
 /// @error WriteFailed, Cancelled
 [[nodiscard]] Status print(std::string_view text);
 [[nodiscard]] Status print(std::span<const std::byte> bytes);

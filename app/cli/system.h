@@ -34,6 +34,7 @@ private:
 struct Transferred {
     std::size_t count = 0; ///< bytes; 0 of reading: nothing follows
     bool isInterrupted = false; ///< the user did not want to wait longer
+    bool isUnread = false; ///< whoever read has gone, which is a failure too
     std::string failure; ///< in the system's words; empty where there was none
 };
 

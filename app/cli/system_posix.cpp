@@ -36,13 +36,33 @@ Transferred whenReady(int descriptor, short event, const Act& act)
     while (waitFor(descriptor, event)) {
         const ssize_t count = act();
         if (count >= 0) {
-            return {static_cast<std::size_t>(count), false, {}};
+            return {static_cast<std::size_t>(count), false, false, {}};
         }
         if (errno != EINTR && errno != EAGAIN) {
-            return {0, false, std::strerror(errno)};
+            return {0, false, errno == EPIPE, std::strerror(errno)};
         }
     }
-    return {0, true, {}};
+    return {0, true, false, {}};
+}
+
+/// Writes to standard output; where nobody reads any more it fails with EPIPE instead of ending the program.
+ssize_t writeWithoutSignal(std::span<const char> bytes)
+{
+    sigset_t pipe;
+    sigset_t before;
+    sigemptyset(&pipe);
+    sigaddset(&pipe, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe, &before);
+    const ssize_t count = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+    const int failure = errno;
+    sigset_t pending;
+    if (count < 0 && failure == EPIPE && sigpending(&pending) == 0 && sigismember(&pending, SIGPIPE) == 1) {
+        int number = 0;
+        sigwait(&pipe, &number);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    errno = failure;
+    return count;
 }
 
 } // namespace
@@ -72,7 +92,7 @@ Transferred readSome(std::span<char> room)
 Transferred writeSome(std::span<const char> bytes)
 {
     // A pipe that can be written takes this much without making us wait for its reader.
-    return whenReady(STDOUT_FILENO, POLLOUT, [&] { return ::write(STDOUT_FILENO, bytes.data(), std::min<std::size_t>(bytes.size(), PIPE_BUF)); });
+    return whenReady(STDOUT_FILENO, POLLOUT, [&] { return writeWithoutSignal(bytes.first(std::min<std::size_t>(bytes.size(), PIPE_BUF))); });
 }
 
 } // namespace fumage::cli

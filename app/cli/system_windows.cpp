@@ -53,7 +53,7 @@ Transferred unlessInterrupted(std::function<Transferred()> act)
     const std::stop_token stop = interruption();
     while (::WaitForSingleObject(thread.get(), kLookMs) == WAIT_TIMEOUT) {
         if (stop.stop_requested()) {
-            return {0, true, {}};
+            return {0, true, false, {}};
         }
     }
     return transfer->result;
@@ -107,7 +107,7 @@ Transferred readSome(std::span<char> room)
         const bool isRead = ::ReadFile(::GetStdHandle(STD_INPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
         const DWORD failure = isRead ? ERROR_SUCCESS : ::GetLastError();
         const bool isEnd = failure == ERROR_BROKEN_PIPE || failure == ERROR_HANDLE_EOF; // whoever wrote has ended
-        return {count, failure == ERROR_OPERATION_ABORTED, isRead || isEnd ? std::string() : systemText(failure)};
+        return {count, failure == ERROR_OPERATION_ABORTED, false, isRead || isEnd ? std::string() : systemText(failure)};
     });
     std::copy_n(buffer->data(), result.count, room.data());
     return result;
@@ -119,7 +119,8 @@ Transferred writeSome(std::span<const char> bytes)
     return unlessInterrupted([buffer]() -> Transferred {
         DWORD count = 0;
         const bool isWritten = ::WriteFile(::GetStdHandle(STD_OUTPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
-        return {count, false, isWritten ? std::string() : systemText(::GetLastError())};
+        const DWORD failure = isWritten ? ERROR_SUCCESS : ::GetLastError();
+        return {count, false, failure == ERROR_BROKEN_PIPE || failure == ERROR_NO_DATA, isWritten ? std::string() : systemText(failure)};
     });
 }
 

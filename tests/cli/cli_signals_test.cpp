@@ -48,6 +48,40 @@ private slots:
         ::close(ends[0]);
     }
 
+    void aReaderThatLeavesAListEarlyIsNoFailure_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("help") << QStringList{"--help"};
+        QTest::newRow("presets") << QStringList{"presets"};
+        QTest::newRow("presets as JSON") << QStringList{"presets", "--json"};
+        QTest::newRow("a preset") << QStringList{"presets", "--show", "default"};
+        QTest::newRow("parameters") << QStringList{"parameters"};
+        QTest::newRow("parameters as Markdown") << QStringList{"parameters", "--markdown"};
+        QTest::newRow("schema") << QStringList{"schema"};
+        QTest::newRow("bash") << QStringList{"completions", "bash"};
+        QTest::newRow("info") << QStringList{"info", "default"};
+
+        // The commands as the help lists them, up to the next empty line.
+        const QString help = QString::fromUtf8(run({"--help"}).out);
+        const QString commands = help.section("Subcommands:\n", 1).section("\n\n", 0, 0);
+        const QStringList lines = commands.split('\n');
+        QVERIFY(lines.size() > 10);
+        for (const QString& line : lines) {
+            const QString command = line.section(' ', 0, 0, QString::SectionSkipEmpty);
+            QTest::newRow(qPrintable("help of " + command)) << QStringList{command, "--help"};
+        }
+    }
+    void aReaderThatLeavesAListEarlyIsNoFailure()
+    {
+        QFETCH(QStringList, words);
+        QCOMPARE(exitCodeOf(start(words, outputThatNobodyReads())), 0);
+    }
+
+    void aReaderThatLeavesAPictureEarlyIsAFailure()
+    {
+        QCOMPARE(exitCodeOf(start(QStringList{"render", "thesis-2012", "-f", "1", "-o", "-"} + kSmall, outputThatNobodyReads())), 75);
+    }
+
     void theSecondInterruptionEndsAtOnce()
     {
         // A blocked dump takes a moment to see the first; where the machine is slow the second may come too late.
@@ -99,6 +133,20 @@ private slots:
     }
 
 private:
+    /// The end of a pipe to write into, whose other end is closed. It stays open until the test ends.
+    static int outputThatNobodyReads()
+    {
+        static const int output = [] {
+            int ends[2];
+            if (::pipe(ends) != 0) {
+                qFatal("there is no pipe");
+            }
+            ::close(ends[0]);
+            return ends[1];
+        }();
+        return output;
+    }
+
     static void signalNumbers()
     {
         QTest::addColumn<int>("number");
