@@ -93,7 +93,7 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
     return job;
 }
 
-FarmJob jobOf(const FarmOptions& options, const Effect& seen, const ExportPlan& plan)
+FarmJob jobOf(const FarmOptions& options, Farm farm, const Effect& seen, const ExportPlan& plan)
 {
     FarmJob job;
     job.folder = std::filesystem::absolute(plan.output).lexically_normal().parent_path();
@@ -103,7 +103,7 @@ FarmJob jobOf(const FarmOptions& options, const Effect& seen, const ExportPlan& 
         job.output = job.name + "_####" + std::string(fileEnding(plan.format)); // a task of one frame must not name it otherwise than others do
     }
     job.frames = plan.frames;
-    job.perTask = options.chunk > 0 ? std::min(options.chunk, plan.frames.count()) : framesPerTask(farmCost(seen), plan.frames);
+    job.perTask = options.chunk > 0 ? std::min(options.chunk, plan.frames.count()) : std::min(framesPerTask(farmCost(seen), plan.frames), mostPerTask(farm));
     job.renderWords = renderWordsOf(options, seen, plan);
     job.joinWords = joinWordsOf(options, job);
     return job;
@@ -135,8 +135,8 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named)
     if (!seen) {
         return seen.error();
     }
-    const FarmJob job = jobOf(options, seen.value(), plan);
     const auto* const farm = std::ranges::find(kAllFarms, options.farm, [](Farm each) { return nameOf(each); });
+    const FarmJob job = jobOf(options, *farm, seen.value(), plan);
     const Result<FarmFiles> made = makeFarmFiles(*farm, job);
     if (!made) {
         return made.error();

@@ -185,6 +185,19 @@ private slots:
     }
     void farmsRefuseWhatCannotWork() { isRefusedAsTheRowSays(); }
 
+    void openJobDescriptionGetsNoLongerTasksThanItTakes()
+    {
+        const QTemporaryDir folder;
+        const QStringList words{"farm", "thesis-2012", "--for", "openjd", "-f", "0-9999", "--set", "output.width=4", "--set", "output.height=4", "-o", "a_##.png"};
+        const Outcome refused = runIn(folder, words + QStringList{"--chunk", "151"});
+        QVERIFY2(refused.code == 3 && refused.error.contains("150"), refused.error);
+        QVERIFY(!QFile::exists(folder.filePath("a.openjd.json")));
+        const Outcome chosen = runIn(folder, words);
+        QVERIFY2(chosen.code == 0, chosen.error);
+        const int perTask = chosen.error.trimmed().split(' ').last().toInt();
+        QVERIFY2(perTask >= 1 && perTask <= 150, chosen.error);
+    }
+
     void aFarmNeverOverwritesThePresetThatItIsMadeOf()
     {
         const QTemporaryDir folder;

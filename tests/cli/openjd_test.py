@@ -32,7 +32,7 @@ def formatted(text, values):
 def parameters(template, folder, given):
     values = {}
     for each in template["parameterDefinitions"]:
-        only(each, "name", "type", "objectType", "dataFlow", "default", "description", "minValue")
+        only(each, "name", "type", "objectType", "dataFlow", "default", "description", "minValue", "maxValue")
         assert re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]{0,63}", each["name"]), each["name"]
         value = given.get(each["name"], each.get("default"))
         if each["type"] == "PATH":
@@ -40,7 +40,7 @@ def parameters(template, folder, given):
             assert not pathlib.PurePath(each["default"]).is_absolute(), "defaults of paths are relative to the template"
             value = folder / value
         elif each["type"] == "INT":
-            assert int(value) >= each.get("minValue", int(value)), each
+            assert each.get("minValue", int(value)) <= int(value) <= each.get("maxValue", int(value)), each
         else:
             assert each["type"] == "STRING", each
         values["Param." + each["name"]] = value
@@ -105,14 +105,16 @@ def run_template(path, given):
     return tasks
 
 
-def check(cli, frames, chunk, tasks):
+def check(cli, frames, chunk, tasks, submitted=None):
+    """@param submitted other frames than those that the template was written for"""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name) / "it's a \"farm\" é"
         output = folder / "smoke_####.exr"
         subprocess.run([cli, "farm", "thesis-2012", *SMALL, "--for", "openjd", "--frames", frames, "--chunk", str(chunk), "--then", "flipbook", "--grid", "3x2", "--output", str(output)],
             check=True, capture_output=True)
-        ran = run_template(folder / "smoke.openjd.json", {"Program": cli})
+        ran = run_template(folder / "smoke.openjd.json", {"Program": cli, **({"Frames": submitted} if submitted else {})})
         assert ran == tasks, (ran, tasks)
+        frames = submitted or frames
         subprocess.run([cli, "verify", str(folder), "--frames", frames], check=True, stdout=subprocess.PIPE)
         assert (folder / "smoke.sheet.png").exists() and (folder / "smoke.sheet.flipbook.json").exists()
         whole = pathlib.Path(name) / "whole"
@@ -126,6 +128,7 @@ def main():
     cli = sys.argv[1]
     check(cli, "0-9", 4, 3)
     check(cli, "3-17:2", 3, 3)
+    check(cli, "0-9", 4, 2, submitted="2-8")
 
 
 if __name__ == "__main__":

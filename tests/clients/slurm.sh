@@ -3,7 +3,7 @@
 #   slurm.sh <fumage-cli> [log folder]
 # Needs slurmctld, slurmd and slurm-client (22.05 of Debian 12), python3, and to be root. No munge, no systemd: controller and daemon listen on the
 # loopback, in a folder of their own, and are ended by their process ids. What must hold: tasks that were lost are done again, all frames are there,
-# a task that ended with "try again" is tried again, `verify` finds nothing, the joined sheet is there, and every frame has the same bytes as one process gives it.
+# a task that ended with "try again" or was killed is tried again, `verify` finds nothing, the joined sheet is there, and every frame has the same bytes as one process gives it.
 set -euo pipefail
 cli=$(realpath "$1")
 work=$(mktemp -d)
@@ -66,7 +66,7 @@ wait_for() {
         sleep 0.1
     done
 }
-is_up() { sinfo -h -o %T | grep -qE '^(idle|mixed|allocated)$'; }
+is_up() { sinfo -h -o %T | grep -E '^(idle|mixed|allocated)$' > /dev/null; }
 frames_there() { find "$work/frames" -name '*.exr' | wc -l; }
 is_over() { [ -z "$(squeue -h)" ]; }
 
@@ -81,8 +81,8 @@ processes_of_tasks() {
     for environment in /proc/[0-9]*/environ; do
         process=${environment#/proc/}
         process=${process%/environ}
-        if [ "$process" != "$daemon" ] && tr '\0' '\n' < "$environment" 2> /dev/null | grep -qx "SLURM_CONF=$SLURM_CONF" &&
-            { [ "$(cat "/proc/$process/comm")" = slurmstepd ] || tr '\0' '\n' < "$environment" 2> /dev/null | grep -q '^SLURM_ARRAY_JOB_ID='; }; then
+        if [ "$process" != "$daemon" ] && tr '\0' '\n' < "$environment" 2> /dev/null | grep -x "SLURM_CONF=$SLURM_CONF" > /dev/null &&
+            { [ "$(cat "/proc/$process/comm")" = slurmstepd ] || tr '\0' '\n' < "$environment" 2> /dev/null | grep '^SLURM_ARRAY_JOB_ID=' > /dev/null; }; then
             echo "$process"
         fi
     done 2> /dev/null
@@ -100,12 +100,17 @@ kill_machine() {
     ((${#tasks[@]} > 0)) || { echo "no task was running"; exit 1; }
 }
 
-# The program, but the first time that frames 16 to 23 are asked for there is no room on the disk, and the first time that 48 to 55 are, it gets no
-# farther than the middle.
+# The program, but the first time that frames 16 to 23 are asked for there is no room on the disk, the first time that 32 to 39 are, it is killed as the
+# kernel kills what has taken all memory, and the first time that 48 to 55 are, it gets no farther than the middle.
 cat > "$FUMAGE_CLI" << FLAKY
 #!/bin/bash
 if [[ " \$* " == *" 16-23 "* ]] && mkdir "$work/failed" 2> /dev/null; then
     exit 75
+fi
+if [[ " \$* " == *" 32-39 "* ]] && mkdir "$work/killed" 2> /dev/null; then
+    "$cli" "\$@" &
+    kill -9 \$!
+    kill -9 \$\$
 fi
 if [[ " \$* " == *" 48-55 "* ]] && mkdir "$work/begun" 2> /dev/null; then
     "$cli" "\${@/48-55/48-51}"
@@ -130,11 +135,12 @@ kill_machine
 start_daemon
 wait_for 60 "the daemon" is_up
 wait_for 500 "the jobs" is_over
-grep -oE 'requeu[a-z]*.*' "$logs/slurmctld.log" | sort | uniq -c | head -5 || true
+grep -oE 'requeu[a-z]*.*' "$logs/slurmctld.log" | sort | uniq -c | sed -n 1,5p || true
 "$cli" verify "$work/frames" --frames 0-119
 ls "$work"/frames/smoke.*.manifest.json | wc -l | sed 's/$/ parts of the manifest/'
 test -s "$work/frames/smoke.sheet.png"
 test -d "$work/failed"
+test -d "$work/killed"
 "$cli" --quiet render "$work/frames/smoke.fumage.json" --frames 0-119 --format exr --manifest --output "$work/whole/smoke_####.exr"
 for frame in "$work"/whole/*.exr; do
     cmp "$frame" "$work/frames/$(basename "$frame")"

@@ -183,6 +183,140 @@ private slots:
         }
     }
 
+    void slurmTriesAgainWhatMayWorkAnotherTime_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("dies");
+        QTest::addColumn<int>("restarts");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<bool>("isTriedAgain");
+        for (const char* file : {"烟.slurm.sh", "join.slurm.sh"}) {
+            const auto row = [&](const char* name, const char* dies, int restarts, int code, bool isTriedAgain) {
+                QTest::newRow(qPrintable(QString("%1 %2").arg(QString::fromUtf8(file), name))) << QString::fromUtf8(file) << dies << restarts << code << isTriedAgain;
+            };
+            row("killed", "kill -9 $$", 0, 137, true);
+            row("killed, the third time", "kill -9 $$", 2, 137, true);
+            row("killed, too often", "kill -9 $$", 3, 137, false);
+            row("no memory", "exit 75", 0, 75, true);
+            row("interrupted", "exit 130", 0, 130, true);
+            row("wrong", "exit 3", 0, 3, false);
+            row("done", "exit 0", 0, 0, false);
+        }
+    }
+    void slurmTriesAgainWhatMayWorkAnotherTime()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, dies);
+        QFETCH(int, restarts);
+        const QTemporaryDir folder;
+        const auto program = [&](const QString& name, const QString& does) {
+            QFile script(folder.filePath(name));
+            QVERIFY(script.open(QIODevice::WriteOnly));
+            script.write(("#!/bin/bash\n" + does + "\n").toUtf8());
+            script.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+        };
+        program("dies", dies);
+        program("scontrol", "echo \"$@\" > '" + folder.filePath("said") + "'");
+        FarmJob job = someJob();
+        job.folder = folder.path().toStdString();
+        const FarmFile script = fileThatEnds(makeFarmFiles(Farm::Slurm, job).value(), file.toStdString());
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("PATH", folder.path() + ":" + environment.value("PATH"));
+        environment.insert("FUMAGE_CLI", folder.filePath("dies"));
+        environment.insert("SLURM_ARRAY_TASK_ID", "2");
+        environment.insert("SLURM_ARRAY_JOB_ID", "7");
+        environment.insert("SLURM_JOB_ID", "8");
+        environment.insert("SLURM_RESTART_COUNT", QString::number(restarts));
+        QProcess shell;
+        shell.setProcessEnvironment(environment);
+        shell.start("bash", {"-c", QString::fromStdString(script.contents)});
+        QVERIFY(shell.waitForFinished());
+        QTEST(shell.exitCode(), "code");
+        QFile said(folder.filePath("said"));
+        QTEST(said.exists(), "isTriedAgain");
+        if (said.open(QIODevice::ReadOnly)) {
+            QCOMPARE(said.readAll().trimmed(), QByteArray(file == "join.slurm.sh" ? "requeue 8" : "requeue 7_2"));
+        }
+    }
+
+    void slurmTasksTakeTheCoresThatTheyWereGiven_data()
+    {
+        QTest::addColumn<QString>("aTask");
+        QTest::addColumn<QString>("onNode");
+        QTest::addColumn<QString>("threads");
+        QTest::newRow("asked for") << "4"
+                                   << "16"
+                                   << "4";
+        QTest::newRow("not asked for") << ""
+                                       << "1"
+                                       << "1";
+        QTest::newRow("Slurm says nothing") << ""
+                                            << ""
+                                            << "0";
+    }
+    void slurmTasksTakeTheCoresThatTheyWereGiven()
+    {
+        QFETCH(QString, aTask);
+        QFETCH(QString, onNode);
+        QFETCH(QString, threads);
+        FarmJob job = someJob();
+        job.folder = "/";
+        const FarmFiles files = makeFarmFiles(Farm::Slurm, job).value();
+        for (const FarmFile& file : files.files) {
+            QProcessEnvironment environment;
+            environment.insert("PATH", "/usr/bin:/bin");
+            environment.insert("FUMAGE_CLI", "/bin/echo");
+            environment.insert("SLURM_ARRAY_TASK_ID", "2");
+            if (!aTask.isEmpty()) {
+                environment.insert("SLURM_CPUS_PER_TASK", aTask);
+            }
+            if (!onNode.isEmpty()) {
+                environment.insert("SLURM_CPUS_ON_NODE", onNode);
+            }
+            QProcess shell;
+            shell.setProcessEnvironment(environment);
+            shell.start("bash", {"-c", QString::fromStdString(file.contents)});
+            QVERIFY(shell.waitForFinished());
+            const QByteArray out = shell.readAllStandardOutput();
+            QVERIFY2(out.startsWith(("--threads " + threads + ' ').toUtf8()), out);
+        }
+    }
+
+    void joiningDoesNotWaitForTasksThatFailed()
+    {
+        // A task that failed for good would keep it in the queue for ever; it says itself which frames are missing.
+        const std::string submit = makeFarmFiles(Farm::Slurm, someJob()).value().submit;
+        QVERIFY2(submit.starts_with("sbatch --dependency=afterany:$(sbatch --parsable "), submit.c_str());
+    }
+
+    void openJdJoinsTheFramesThatAreAskedForOnSubmission()
+    {
+        FarmJob job = someJob();
+        job.joinWords.insert(job.joinWords.end(), {"--frames", textOf(job.frames)});
+        const FarmFiles files = makeFarmFiles(Farm::OpenJd, job).value();
+        const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(files.files.at(0).contents)).object();
+        const QJsonArray words = root["steps"][1]["script"]["actions"]["onRun"]["args"].toArray();
+        QVERIFY(words.contains("{{Param.Frames}}"));
+        QVERIFY(!words.contains(QString::fromStdString(textOf(job.frames))));
+    }
+
+    void noFarmGetsLongerTasksThanItTakes()
+    {
+        FarmJob job = someJob();
+        for (const Farm farm : kAllFarms) {
+            job.folder = "/mnt/show";
+            job.perTask = std::min(mostPerTask(farm), 100'000);
+            QVERIFY(makeFarmFiles(farm, job).ok());
+            if (mostPerTask(farm) < 100'000) {
+                job.perTask = mostPerTask(farm) + 1;
+                const Result<FarmFiles> made = makeFarmFiles(farm, job);
+                QVERIFY(!made.ok());
+                QVERIFY2(made.error().text().find(std::to_string(mostPerTask(farm))) != std::string::npos, made.error().text().c_str());
+            }
+        }
+        QVERIFY(mostPerTask(Farm::OpenJd) <= 150);
+    }
+
     void linesOfFilesStayLines()
     {
         FarmJob job = someJob();

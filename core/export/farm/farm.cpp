@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace fumage {
@@ -15,6 +16,9 @@ extern const EmbeddedFile kFarmTemplates[];
 extern const std::size_t kFarmTemplatesCount;
 
 namespace {
+
+/// What AWS Deadline Cloud takes.
+constexpr int kMostInOpenJdChunk = 150;
 
 using Words = std::vector<std::string>;
 
@@ -149,7 +153,7 @@ FarmFiles slurmFiles(const FarmJob& job)
     if (!job.joinWords.empty()) {
         const std::filesystem::path join = fileOf(job, ".join.slurm.sh");
         made.files.push_back({join, filled("slurm_join", facts)});
-        made.submit = "sbatch --dependency=afterok:$(sbatch --parsable " + shellQuoted(script.string()) + ") " + shellQuoted(join.string());
+        made.submit = "sbatch --dependency=afterany:$(sbatch --parsable " + shellQuoted(script.string()) + ") " + shellQuoted(join.string());
     }
     return made;
 }
@@ -161,7 +165,12 @@ FarmFiles openJdFiles(const FarmJob& job)
     Words words = renderWordsOf(job, "{{Task.Param.Frame}}", folder);
     words.insert(words.end(), {"--progress", "openjd"});
     addWords("render", words, facts);
-    addWords("join", joinWordsIn(folder, job), facts);
+    Words join = joinWordsIn(folder, job);
+    if (const auto option = std::ranges::find(join, "--frames"); option != join.end()) {
+        *(option + 1) = "{{Param.Frames}}"; // those that are rendered, also where other frames are asked for when the job is submitted
+    }
+    addWords("join", join, facts);
+    facts.number("most_per_task", kMostInOpenJdChunk);
     const std::filesystem::path path = fileOf(job, ".openjd.json");
     return {{{path, filled("openjd", facts)}}, "openjd run " + shellQuoted(path.string()) + " -p Folder=" + shellQuoted(job.folder.string())};
 }
@@ -231,8 +240,16 @@ std::string presetFileOf(const FarmJob& job)
     return job.name + ".fumage.json";
 }
 
+int mostPerTask(Farm farm)
+{
+    return farm == Farm::OpenJd ? kMostInOpenJdChunk : std::numeric_limits<int>::max();
+}
+
 Result<FarmFiles> makeFarmFiles(Farm farm, const FarmJob& job)
 {
+    if (job.perTask > mostPerTask(farm)) {
+        return Error{ErrorCode::OutOfRange, said("a task of %1 has at most %2 frames", std::string(nameOf(farm)), mostPerTask(farm)), {}, said("Choose fewer frames a task")};
+    }
     if (Status status = checkNames(farm, job); !status) {
         return status.error();
     }

@@ -34,6 +34,9 @@ struct FarmJob {
     std::vector<std::string> joinWords; ///< a command of fumage-cli when all frames are there, with paths from the folder; empty: none
 };
 
+/// Most frames that a farm takes as one task.
+[[nodiscard]] int mostPerTask(Farm farm);
+
 /// The preset's file, from the folder.
 [[nodiscard]] std::string presetFileOf(const FarmJob& job);
 
@@ -49,7 +52,7 @@ struct FarmFiles {
 };
 
 /// Writes the templates of resources/farm for a job. Names are quoted as each format asks for.
-/// @error OutOfRange where a name has characters that the farm has no way to write
+/// @error OutOfRange where a name has characters that the farm has no way to write, and where there are more frames a task than it takes
 [[nodiscard]] Result<FarmFiles> makeFarmFiles(Farm farm, const FarmJob& job);
 
 } // namespace fumage
