@@ -19,7 +19,7 @@ expect() { # <exit code> <text>...
     done
 }
 
-for each in bash dirname grep; do
+for each in bash dirname grep mkdir ln touch ls cat chmod; do
     ln -s "$(command -v $each)" "$machine/$each"
 done
 tool id 'echo 1000'
@@ -41,3 +41,32 @@ expect 0
 echo "-- no cmake"
 rm "$machine/cmake"
 expect 1 'needs cmake, which is not here'
+
+# A tree of its own, in which cmake builds a program that says its words.
+tree=$machine/tree
+mkdir "$tree"
+cp "$source/dev" "$tree"
+touch "$tree/CMakePresets.json"
+tool cmake '
+case $* in
+"--preset "*) mkdir -p "build/$2"; touch "build/$2/build.ninja" "build/$2/CMakeCache.txt" ;;
+"--build --preset "*)
+    mkdir -p "build/$3/bin"
+    printf "#!/bin/bash\necho $3 \"\$@\"\nmkdir -p out/demo\ntouch out/demo/picture.png\n" > "build/$3/bin/fumage-cli"
+    chmod +x "build/$3/bin/fumage-cli"
+    ;;
+esac'
+says() { # <text> <command>...
+    local text=$1 output
+    shift
+    output=$(cd "$tree" && env -i PATH="$machine" "$machine/bash" -c "$*" 2>&1) || { echo "$* failed: $output"; exit 1; }
+    [[ $output == *"$text"* ]] || { echo "$* does not say '$text': $output"; exit 1; }
+}
+echo "-- the programs are where the README says, whatever was built"
+says 'build/bin/fumage-cli presets' ./dev run
+says 'package presets' build/bin/fumage-cli presets
+says '' ./dev build
+says 'release presets' build/bin/fumage-cli presets
+says 'release render' ./dev run
+says '' ./dev build debug
+says 'release presets' build/bin/fumage-cli presets
