@@ -6,6 +6,7 @@
 #define FUMAGE_FUMAGE_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #if defined(_WIN32) && defined(FUMAGE_BUILDS_LIBRARY)
 #define FUMAGE_API __declspec(dllexport)
@@ -25,9 +26,9 @@ typedef struct fumage_smoke fumage_smoke;
 /* What is fixed when a smoke starts; all zero for what the preset says. */
 typedef struct fumage_options {
     int steps_per_second; /* 1 to 240, best as many as the game has; 0: those of the preset */
-    int most_particles; /* alive at once, 1 to 4000000; 0: as many as the preset has */
+    int most_particles; /* alive at once, 1 to 4000000, for which births are thinned; 0: as many as the preset has */
     int most_steps_at_once; /* in one fumage_step(), time beyond them is let go; 0: 8 */
-    double budget_ms; /* that a step may take, kept by thinning births, with which two runs differ; 0: none */
+    double budget_ms; /* that a step may take, kept by thinning births, with which two runs differ; see fumage_is_over_budget(); 0: none */
 } fumage_options;
 
 /* "0.1.0". */
@@ -40,21 +41,30 @@ FUMAGE_API fumage_smoke* fumage_create_from_json(const char* json, const fumage_
 /* The same from a built-in preset ("campfire"), one of the user's folder, or a file. */
 FUMAGE_API fumage_smoke* fumage_create_from_name(const char* name, const fumage_options* options);
 
+/* The same two, with parameters that are set before the smoke starts, also those that are fixed afterwards: texts as "air.resolution=24", "air.enabled=off"
+ * or "emitter.count=20000", the last followed by NULL; settings may itself be NULL. Values out of their range are brought into it. */
+FUMAGE_API fumage_smoke* fumage_create_from_json_with(const char* json, const char* const* settings, const fumage_options* options);
+FUMAGE_API fumage_smoke* fumage_create_from_name_with(const char* name, const char* const* settings, const fumage_options* options);
+
+/* How many threads all smokes of the process use inside, 1 or more; 0: as many as the machine has. Results are the same. Not while another thread is in a
+ * function of this library. Gives 0 or -1. */
+FUMAGE_API int fumage_limit_threads(int threads);
+
 /* Ends a smoke; NULL is allowed. */
 FUMAGE_API void fumage_destroy(fumage_smoke* smoke);
 
 /* What the last call that could fail has to say, in English, UTF-8; NULL where it was well. Valid until the next call with this handle. */
 FUMAGE_API const char* fumage_error(const fumage_smoke* smoke);
 
-/* Lets time pass, in seconds. Gives how many steps were made of it, or -1. */
+/* Lets time pass, in seconds, 0 or more. Gives how many steps were made of it, or -1. */
 FUMAGE_API int fumage_step(fumage_smoke* smoke, double seconds);
 
 /* Sets a parameter from the next step on, by the key and the text that `fumage-cli parameters` tells: ("motion.wind", "1.5").
  * Gives 0, 1 where the value was brought into its range, or -1. */
 FUMAGE_API int fumage_set(fumage_smoke* smoke, const char* key, const char* value);
 
-/* Moves the emitter: it goes there in a straight line during the next step. normal has any length but 0; velocity is what particles take along at birth,
- * NULL for none. Each is three numbers. Gives 0 or -1. */
+/* Moves the emitter: it goes there in a straight line during the next step. normal has any length but 0; velocity is what particles take along at birth.
+ * Each is three numbers. NULL leaves position and normal as they are, and is no velocity. Gives 0 or -1. */
 FUMAGE_API int fumage_set_emitter(fumage_smoke* smoke, const float* position, const float* normal, const float* velocity);
 
 /* The same at once: nothing is born on the way. */
@@ -62,6 +72,12 @@ FUMAGE_API int fumage_place_emitter(fumage_smoke* smoke, const float* position, 
 
 /* The share of particles that are born, 0 (none: the smoke goes out) to 1. */
 FUMAGE_API void fumage_set_share(fumage_smoke* smoke, float share);
+
+/* The share of particles that are born now: of fumage_set_share(), and of what the budget and most_particles leave. 0 for a handle that did not start. */
+FUMAGE_API float fumage_share(const fumage_smoke* smoke);
+
+/* 1 where the budget cannot be kept however few particles are born, as where air alone takes longer: coarser air (air.resolution) or none would help. Else 0. */
+FUMAGE_API int fumage_is_over_budget(const fumage_smoke* smoke);
 
 /* A preset of bursts bursts again. */
 FUMAGE_API void fumage_burst(fumage_smoke* smoke);
@@ -80,6 +96,19 @@ FUMAGE_API const float* fumage_radius(fumage_smoke* smoke);
 
 /* Four numbers a slot: linear red, green and blue before light, and opacity in the middle, 0 to 1. */
 FUMAGE_API const float* fumage_colour(fumage_smoke* smoke);
+
+/* One number a slot: seconds since birth, and the share of its life that has passed, 0 to 1. */
+FUMAGE_API const float* fumage_age(fumage_smoke* smoke);
+FUMAGE_API const float* fumage_life(fumage_smoke* smoke);
+
+/* Velocity without the turbulence that carries particles, m/s. */
+FUMAGE_API const float* fumage_velocity_x(fumage_smoke* smoke);
+FUMAGE_API const float* fumage_velocity_y(fumage_smoke* smoke);
+FUMAGE_API const float* fumage_velocity_z(fumage_smoke* smoke);
+
+/* The number of each slot's particle, its own as long as it lives and never given again; FUMAGE_NOBODY where nobody lives. */
+#define FUMAGE_NOBODY UINT64_MAX
+FUMAGE_API const uint64_t* fumage_id(fumage_smoke* smoke);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,6 @@
 #include "core/fumage.h"
 
+#include "core/base/parallel.h"
 #include "core/effect/value.h"
 #include "core/live/live_simulation.h"
 #include "core/preset/library.h"
@@ -7,6 +8,7 @@
 #include "core/version.h"
 
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -68,10 +70,26 @@ int resultOf(fumage_smoke& smoke, const Status& status)
     return -1;
 }
 
-Result<LiveSimulation> started(const Result<PresetReading>& reading, const fumage_options* options)
+/// Sets what is to be set before the smoke starts.
+/// @param settings "key=value", the last followed by nullptr
+Status applySettings(Effect& effect, const char* const* settings)
+{
+    for (; settings != nullptr && *settings != nullptr; ++settings) {
+        if (const Result<bool> clamped = applyAssignment(effect, *settings); !clamped) {
+            return clamped.error();
+        }
+    }
+    return Done{};
+}
+
+Result<LiveSimulation> started(Result<PresetReading> reading, const char* const* settings, const fumage_options* options)
 {
     if (!reading) {
         return reading.error();
+    }
+    Effect effect = std::move(reading).value().preset.effect;
+    if (Status status = applySettings(effect, settings); !status) {
+        return status.error();
     }
     LiveOptions live;
     if (options != nullptr) {
@@ -80,19 +98,19 @@ Result<LiveSimulation> started(const Result<PresetReading>& reading, const fumag
         live.mostStepsAtOnce = options->most_steps_at_once == 0 ? live.mostStepsAtOnce : options->most_steps_at_once;
         live.budgetMs = options->budget_ms;
     }
-    return LiveSimulation::start(reading.value().preset.effect, live);
+    return LiveSimulation::start(effect, live);
 }
 
 /// @param read gives the preset
 template <class Read>
-fumage_smoke* create(const char* text, const fumage_options* options, const Read& read) noexcept
+fumage_smoke* create(const char* text, const char* const* settings, const fumage_options* options, const Read& read) noexcept
 {
     auto* const smoke = new (std::nothrow) fumage_smoke; // fumage_destroy() deletes it: C owns no unique_ptr
     if (smoke == nullptr) {
         return nullptr;
     }
     guarded(*smoke, 0, [&] {
-        Result<LiveSimulation> made = started(read(std::string(text == nullptr ? "" : text)), options);
+        Result<LiveSimulation> made = started(read(std::string(text == nullptr ? "" : text)), settings, options);
         if (made) {
             smoke->simulation.emplace(std::move(made).value());
         } else {
@@ -122,13 +140,20 @@ int moveEmitter(fumage_smoke* smoke, Move move, const float* position, const flo
 }
 
 /// A column of numbers, or NULL.
-template <class Column>
-const float* numbers(fumage_smoke* smoke, const Column& column) noexcept
+template <class Number = float, class Column>
+const Number* numbers(fumage_smoke* smoke, const Column& column) noexcept
 {
     if (smoke == nullptr || !smoke->simulation) {
         return nullptr;
     }
-    return guarded<const float*>(*smoke, nullptr, [&] { return column(*smoke->simulation); });
+    return guarded<const Number*>(*smoke, nullptr, [&] { return column(*smoke->simulation); });
+}
+
+/// How many threads the process may use; nothing: all there are.
+std::unique_ptr<ThreadLimit>& threadLimit()
+{
+    static std::unique_ptr<ThreadLimit> limit;
+    return limit;
 }
 
 } // namespace
@@ -140,12 +165,36 @@ const char* fumage_version(void)
 
 fumage_smoke* fumage_create_from_json(const char* json, const fumage_options* options)
 {
-    return create(json, options, [](const std::string& text) { return parsePreset(text); });
+    return fumage_create_from_json_with(json, nullptr, options);
 }
 
 fumage_smoke* fumage_create_from_name(const char* name, const fumage_options* options)
 {
-    return create(name, options, [](const std::string& text) { return loadPreset(text); });
+    return fumage_create_from_name_with(name, nullptr, options);
+}
+
+fumage_smoke* fumage_create_from_json_with(const char* json, const char* const* settings, const fumage_options* options)
+{
+    return create(json, settings, options, [](const std::string& text) { return parsePreset(text); });
+}
+
+fumage_smoke* fumage_create_from_name_with(const char* name, const char* const* settings, const fumage_options* options)
+{
+    return create(name, settings, options, [](const std::string& text) { return loadPreset(text); });
+}
+
+int fumage_limit_threads(int threads)
+{
+    if (threads < 0) {
+        return -1;
+    }
+    try {
+        threadLimit().reset(); // of two the smaller holds
+        threadLimit() = threads == 0 ? nullptr : std::make_unique<ThreadLimit>(threads);
+        return 0;
+    } catch (...) {
+        return -1;
+    }
 }
 
 void fumage_destroy(fumage_smoke* smoke)
@@ -205,6 +254,16 @@ void fumage_set_share(fumage_smoke* smoke, float share)
     }
 }
 
+float fumage_share(const fumage_smoke* smoke)
+{
+    return smoke == nullptr || !smoke->simulation ? 0.0F : smoke->simulation->share();
+}
+
+int fumage_is_over_budget(const fumage_smoke* smoke)
+{
+    return smoke != nullptr && smoke->simulation && smoke->simulation->isOverBudget() ? 1 : 0;
+}
+
 void fumage_burst(fumage_smoke* smoke)
 {
     if (smoke != nullptr && smoke->simulation) {
@@ -245,4 +304,34 @@ const float* fumage_radius(fumage_smoke* smoke)
 const float* fumage_colour(fumage_smoke* smoke)
 {
     return numbers(smoke, [](LiveSimulation& simulation) { return &simulation.colours().front().x; });
+}
+
+const float* fumage_age(fumage_smoke* smoke)
+{
+    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.ages().data(); });
+}
+
+const float* fumage_life(fumage_smoke* smoke)
+{
+    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.appearance().life.data(); });
+}
+
+const float* fumage_velocity_x(fumage_smoke* smoke)
+{
+    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().vx.data(); });
+}
+
+const float* fumage_velocity_y(fumage_smoke* smoke)
+{
+    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().vy.data(); });
+}
+
+const float* fumage_velocity_z(fumage_smoke* smoke)
+{
+    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().vz.data(); });
+}
+
+const uint64_t* fumage_id(fumage_smoke* smoke)
+{
+    return numbers<uint64_t>(smoke, [](LiveSimulation& simulation) { return simulation.ids().data(); });
 }

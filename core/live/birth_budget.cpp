@@ -62,6 +62,7 @@ float BirthBudget::observe(const StepTimes& times, std::size_t living, std::size
     const double left = std::max(0.0, m_seconds / m_longest - m_air);
     const double allowed = m_perParticle > 0.0 ? left / (m_perParticle * static_cast<double>(full)) : 1.0;
     const auto most = static_cast<float>(std::min(allowed, 2.0));
+    m_isHopeless = most < kLeastShare;
     if (most < m_share) {
         m_share = std::max(kLeastShare, most);
     } else if (most > kRoom * m_share) {

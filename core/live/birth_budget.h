@@ -32,6 +32,9 @@ public:
 
     [[nodiscard]] float share() const { return m_share; }
 
+    /// Whether births at kLeastShare would still be too many, as where air alone takes longer than the budget: it is not kept then, and fewer particles would not help.
+    [[nodiscard]] bool isHopeless() const { return m_isHopeless; }
+
     /// Some smoke is left whatever it takes: air that alone takes longer than the budget would otherwise end it.
     static constexpr float kLeastShare = 0.05F;
 
@@ -45,6 +48,7 @@ private:
     double m_longest = 1.25; ///< what 99 of 100 steps take at most, over what is expected; a guess at first
     bool m_wasLong = false; ///< whether the last step was longer than those
     float m_share = 1.0F;
+    bool m_isHopeless = false;
 };
 
 } // namespace fumage

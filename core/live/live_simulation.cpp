@@ -140,6 +140,9 @@ Result<int> LiveSimulation::step(double seconds)
     if (!(seconds >= 0.0) || !std::isfinite(seconds)) {
         return Error{ErrorCode::OutOfRange, said("time that goes back, or is no number, is not possible"), {}, said("Pass the seconds since the last step, 0 or more")};
     }
+    // More than a year is let go in any case, and would end in infinities.
+    constexpr double kLongest = 4e7; // s
+    seconds = std::min(seconds, kLongest);
     // A game's 1/60 as a float is a hair away from a step: without this there would now and then be none, and two the next time.
     constexpr double kRoundingOfFloats = 1e-6;
     const double before = m_saved;
@@ -279,7 +282,15 @@ void LiveSimulation::setShare(float share)
 
 float LiveSimulation::share() const
 {
-    return m_share * (m_budget ? m_budget->share() : 1.0F);
+    return m_share * std::min(m_budget ? m_budget->share() : 1.0F, placesShare());
+}
+
+float LiveSimulation::placesShare() const
+{
+    const auto places = static_cast<double>(m_frame.particles.capacity);
+    const auto wanted = static_cast<double>(m_model->schedule().capacity());
+    constexpr double kRounding = 1.0; // of births to whole ones
+    return places < wanted ? static_cast<float>(std::max(0.5, places - kRounding) / wanted) : 1.0F;
 }
 
 const Appearance& LiveSimulation::appearance()
@@ -289,6 +300,26 @@ const Appearance& LiveSimulation::appearance()
         m_appearanceIsNew = true;
     }
     return m_appearance;
+}
+
+std::span<const float> LiveSimulation::ages()
+{
+    const Particles& particles = m_frame.particles;
+    m_ages.resize(particles.capacity);
+    for (std::size_t slot = 0; slot < m_ages.size(); ++slot) {
+        m_ages[slot] = particles.birthStep[slot] == Particles::kUnborn ? 0.0F : std::max(0.0F, lifecycle(m_frame, slot).age);
+    }
+    return m_ages;
+}
+
+std::span<const std::uint64_t> LiveSimulation::ids()
+{
+    m_ids.assign(m_frame.particles.capacity, kNobody);
+    const SlotRing ring(m_frame.particles);
+    for (std::int64_t index = m_first; index < m_next; ++index) {
+        m_ids[ring.slotOf(index)] = static_cast<std::uint64_t>(index);
+    }
+    return m_ids;
 }
 
 std::span<const glm::vec4> LiveSimulation::colours()

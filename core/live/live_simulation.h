@@ -7,7 +7,9 @@
 #include "core/live/emitter_pose.h"
 #include "core/live/live_air.h"
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,7 +22,7 @@ namespace fumage {
 /// What is fixed when a simulation starts.
 struct LiveOptions {
     int stepsPerSecond = 0; ///< in place of the effect's, 1 to 240, best as many as the game has; 0: those of the effect
-    int mostParticles = 0; ///< alive at once, up to kMaxParticles; memory is taken for all of them. 0: as many as the effect has at the start
+    int mostParticles = 0; ///< alive at once, up to kMaxParticles; memory is taken for all of them, and births are thinned so that they suffice. 0: as many as the effect has at the start
     double budgetMs = 0.0; ///< that a step of the simulation may take, kept by thinning births; 0: none. With one, two runs differ
     int mostStepsAtOnce = 8; ///< in one call of step(), 1 or more: time beyond it is let go, so that a game that has stood still does not race
     std::function<double()> clock{}; ///< that the budget is measured with, s from any start on, asked three times a step; empty: the machine's. Throws nothing
@@ -78,8 +80,10 @@ public:
     [[nodiscard]] const Effect& effect() const { return m_effect; }
     /// Where the emitter is or is going.
     [[nodiscard]] const EmitterPose& emitter() const { return m_target; }
-    /// The share of births now, of setShare() and the budget together.
+    /// The share of births now: of setShare(), and of what the budget and the places leave.
     [[nodiscard]] float share() const;
+    /// Whether the budget cannot be kept by thinning births: the air alone takes too long, or a few particles do. Coarser air or a larger budget would help.
+    [[nodiscard]] bool isOverBudget() const { return m_budget && m_budget->isHopeless(); }
     /// Seconds a step.
     [[nodiscard]] double stepSeconds() const { return m_stepSeconds; }
     /// Time that is saved up and no step yet: how far the particles are behind the game, s.
@@ -93,6 +97,12 @@ public:
     [[nodiscard]] const Appearance& appearance();
     /// Colour of each slot before light, linear, and its opacity: look.colour and its gradient, and appearance().alpha.
     [[nodiscard]] std::span<const glm::vec4> colours();
+    /// Seconds since the birth of each slot's particle, 0 where nobody lives. Found on the first call after a step.
+    [[nodiscard]] std::span<const float> ages();
+    /// The number of each slot's particle, counted from the first that was born: it stays a particle's own as long as it lives, and is never given again.
+    /// kNobody where nobody lives. Found on the first call after a step.
+    [[nodiscard]] std::span<const std::uint64_t> ids();
+    static constexpr std::uint64_t kNobody = std::numeric_limits<std::uint64_t>::max();
     /// What Renderer::render() takes, together with sampledEffect(); changed by the next step.
     [[nodiscard]] const Frame& frame() const { return m_frame; }
     /// The effect that frame() was made of: with its quality worked in, and the emitter where it is.
@@ -106,6 +116,8 @@ private:
     void stepOnce(const EmitterPose& pose);
     void bury(std::int64_t step);
     [[nodiscard]] std::int64_t countBirths();
+    /// The share of births with which no more live at once than there are places: those who come evenly are fewer, instead of none for a while.
+    [[nodiscard]] float placesShare() const;
     void moveParticles(const StepConstants& constants, const EmitterPose& pose, std::int64_t births);
 
     Effect m_effect; ///< as it was set
@@ -129,6 +141,8 @@ private:
     bool m_coloursAreNew = false;
     Appearance m_appearance;
     std::vector<glm::vec4> m_colours;
+    std::vector<float> m_ages;
+    std::vector<std::uint64_t> m_ids;
 };
 
 } // namespace fumage

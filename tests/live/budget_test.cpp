@@ -149,6 +149,20 @@ private slots:
         QVERIFY(share > 0.99F);
     }
 
+    void aBudgetThatCannotBeKeptSaysSo()
+    {
+        BirthBudget budget(kBudget);
+        const auto after = [&](int steps, double air, double living) {
+            for (int step = 0; step < steps; ++step) {
+                (void)budget.observe({air, kEach * living}, static_cast<std::size_t>(living), 10000);
+            }
+            return budget.isHopeless();
+        };
+        QVERIFY(!after(100, 0.0, 800.0));
+        QVERIFY(after(100, 5.0 * kBudget, 800.0)); // air alone takes longer
+        QVERIFY(!after(200, 0.1 * kBudget, 500.0));
+    }
+
     void theSameTimesHaveTheSameBits()
     {
         Thinned first;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 #include <QtTest/QtTest>
 
@@ -76,6 +77,68 @@ private slots:
         QVERIFY(fumage_x(smoke.get())[0] > 2.0F);
     }
 
+    void whatIsFixedLaterCanBeSetBeforeItStarts()
+    {
+        const char* const settings[] = {"air.enabled=on", "air.resolution=16", "emitter.count=500", nullptr};
+        const Smoke smoke(fumage_create_from_name_with("thesis-2012", settings, nullptr), &fumage_destroy);
+        QVERIFY2(fumage_error(smoke.get()) == nullptr, fumage_error(smoke.get()));
+        QVERIFY(fumage_slots(smoke.get()) < 600);
+        QCOMPARE(fumage_set(smoke.get(), "air.resolution", "24"), -1); // it has begun
+        QCOMPARE(fumage_step(smoke.get(), 0.1) > 0, true);
+        QCOMPARE(fumage_set(smoke.get(), "air.resolution", "16"), 0); // as it is
+        const char* const wrong[] = {"air.resolutin=16", nullptr};
+        const Smoke none(fumage_create_from_name_with("thesis-2012", wrong, nullptr), &fumage_destroy);
+        QVERIFY2(QByteArray(fumage_error(none.get())).contains("air.resolution"), fumage_error(none.get()));
+        QCOMPARE(fumage_step(none.get(), 0.1), -1);
+        const Smoke plain(fumage_create_from_json_with("{\"format\":\"fumage-preset\",\"version\":1}", settings, nullptr), &fumage_destroy);
+        QVERIFY2(fumage_error(plain.get()) == nullptr, fumage_error(plain.get()));
+    }
+
+    void itsColumnsAreOfTheSameParticles()
+    {
+        const fumage_options options{60, 2000, 0, 0.0};
+        const Smoke smoke = named("thesis-2012", &options);
+        QVERIFY(fumage_step(smoke.get(), 1.0 / 60.0) == 1);
+        for (int i = 0; i < 30; ++i) {
+            QCOMPARE(fumage_step(smoke.get(), 1.0 / 60.0), 1);
+        }
+        std::size_t living = 0;
+        for (std::size_t i = 0; i < fumage_slots(smoke.get()); ++i) {
+            const bool lives = fumage_id(smoke.get())[i] != FUMAGE_NOBODY;
+            living += lives ? 1 : 0;
+            QVERIFY(fumage_age(smoke.get())[i] >= 0.0F && fumage_age(smoke.get())[i] < 31.5F / 60.0F);
+            QVERIFY(fumage_life(smoke.get())[i] >= 0.0F && fumage_life(smoke.get())[i] <= 1.0F);
+            QVERIFY(std::isfinite(fumage_velocity_x(smoke.get())[i] + fumage_velocity_y(smoke.get())[i] + fumage_velocity_z(smoke.get())[i]));
+            QVERIFY(lives || fumage_radius(smoke.get())[i] == 0.0F);
+        }
+        QCOMPARE(living, fumage_living(smoke.get()));
+        QVERIFY(fumage_share(smoke.get()) > 0.0F && fumage_share(smoke.get()) <= 1.0F);
+        QCOMPARE(fumage_is_over_budget(smoke.get()), 0);
+    }
+
+    void anyNumberOfThreadsGivesTheSameBits()
+    {
+        std::vector<float> places[2];
+        for (const int threads : {1, 0}) {
+            QCOMPARE(fumage_limit_threads(threads), 0);
+            const Smoke smoke = named("thesis-2012");
+            QVERIFY(fumage_step(smoke.get(), 0.1) > 0);
+            places[threads].assign(fumage_x(smoke.get()), fumage_x(smoke.get()) + fumage_slots(smoke.get()));
+        }
+        QCOMPARE(places[0], places[1]);
+        QCOMPARE(fumage_limit_threads(-1), -1);
+    }
+
+    void anEndlessTimeIsNoEndOfTheSmoke()
+    {
+        const Smoke smoke = named("thesis-2012");
+        QCOMPARE(fumage_step(smoke.get(), 1e308), 8);
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(fumage_step(smoke.get(), 0.1) >= 0);
+        }
+        QVERIFY(fumage_error(smoke.get()) == nullptr);
+    }
+
     void whatDoesNotStartSaysWhyAndDoesNothing()
     {
         const fumage_options wrong{1000, 0, 0, 0.0};
@@ -87,7 +150,8 @@ private slots:
             QCOMPARE(fumage_step(smoke.get(), 1.0), -1);
             QCOMPARE(fumage_set(smoke.get(), "motion.wind", "1"), -1);
             QCOMPARE(fumage_slots(smoke.get()), std::size_t(0));
-            QVERIFY(fumage_x(smoke.get()) == nullptr && fumage_colour(smoke.get()) == nullptr);
+            QVERIFY(fumage_x(smoke.get()) == nullptr && fumage_colour(smoke.get()) == nullptr && fumage_id(smoke.get()) == nullptr && fumage_age(smoke.get()) == nullptr);
+            QVERIFY(fumage_share(smoke.get()) == 0.0F && fumage_is_over_budget(smoke.get()) == 0);
             fumage_burst(smoke.get());
             QCOMPARE(QByteArray(fumage_error(smoke.get())), why);
         }

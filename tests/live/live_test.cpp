@@ -3,6 +3,7 @@
 #include "core/simulation/advance.h"
 
 #include <random>
+#include <set>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -194,6 +195,57 @@ private slots:
         }
     }
 
+    void fewerPlacesThinTheBirthsEvenly_data()
+    {
+        QTest::addColumn<int>("places");
+        for (const int places : {1, 7, 100, 499, 1000, 1999}) {
+            QTest::newRow(std::to_string(places).c_str()) << places;
+        }
+    }
+    void fewerPlacesThinTheBirthsEvenly()
+    {
+        QFETCH(int, places);
+        const Effect effect = standing(2000);
+        LiveSimulation live = started(effect, {.mostParticles = places});
+        const std::int64_t life = live.sampledEffect()->emitter.count > 0 ? makeSchedule(live.sampledEffect()).lifetimeSteps : 0;
+        const double rate = static_cast<double>(places) / static_cast<double>(life);
+        double born = 0.0;
+        for (std::int64_t step = 0; step < 3 * life; ++step) {
+            go(live, 1);
+            const std::span<const std::uint64_t> ids = live.ids();
+            for (const std::uint64_t id : ids) {
+                born = id == LiveSimulation::kNobody ? born : std::max(born, static_cast<double>(id) + 1.0);
+            }
+            // As many as a steady stream has given until now: no step is without where a rate has one for it, and none has many.
+            const double steady = rate * static_cast<double>(step + 1);
+            QVERIFY2(std::abs(born - steady) <= 2.0 + 0.01 * steady + 3.0 * steady / places, qPrintable(QString("%1 instead of %2").arg(born).arg(steady)));
+            QVERIFY(live.living() <= static_cast<std::size_t>(places));
+        }
+        QVERIFY(static_cast<double>(live.living()) >= 0.95 * places - 2.0);
+    }
+
+    void particlesKeepTheirNumberAndTheirAgeGrows()
+    {
+        LiveSimulation live = started(windy(500), {.mostParticles = 300});
+        go(live, 30);
+        const std::vector<std::uint64_t> before(live.ids().begin(), live.ids().end());
+        const std::vector<float> young(live.ages().begin(), live.ages().end());
+        go(live, 5);
+        QCOMPARE(live.ids().size(), before.size());
+        std::set<std::uint64_t> seen;
+        for (std::size_t slot = 0; slot < before.size(); ++slot) {
+            const std::uint64_t id = live.ids()[slot];
+            const bool lives = live.particles().birthStep[slot] != Particles::kUnborn;
+            QCOMPARE(id != LiveSimulation::kNobody, lives);
+            QVERIFY(!lives || seen.insert(id).second);
+            if (lives && id == before[slot]) {
+                QVERIFY(near(static_cast<double>(live.ages()[slot] - young[slot]), 5.0 * kDt, 1e-5));
+            }
+            QVERIFY(lives || live.ages()[slot] == 0.0F);
+        }
+        QCOMPARE(seen.size(), live.living());
+    }
+
     void aBurstComesOnceAndAgainWhenAsked()
     {
         Effect effect = standing(600);
@@ -233,6 +285,27 @@ private slots:
         }
         QCOMPARE(live.step(10.0).value(), 4); // a game that has stood still
         QVERIFY(live.saved() < kDt);
+    }
+
+    void howeverLongATimeIsItIsLetGoAndTheNextStepIsAsEver_data()
+    {
+        QTest::addColumn<double>("seconds");
+        for (const double seconds : {1e6, 1e9, 1e12, 1e15, 1e19, 1e300, 1e308, std::numeric_limits<double>::max()}) {
+            QTest::newRow(qPrintable(QString::number(seconds))) << seconds;
+        }
+    }
+    void howeverLongATimeIsItIsLetGoAndTheNextStepIsAsEver()
+    {
+        QFETCH(double, seconds);
+        LiveSimulation live = started(windy(60), {.mostStepsAtOnce = 4});
+        QVERIFY(live.setEmitter({{1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {}}).ok());
+        QCOMPARE(live.step(seconds).value(), 4);
+        QVERIFY(live.saved() >= 0.0 && live.saved() <= kDt);
+        QVERIFY(isFinite(live.particles()));
+        for (int i = 0; i < 10; ++i) {
+            const int steps = live.step(kDt).value();
+            QVERIFY2(steps >= 0 && steps <= 2, qPrintable(QString::number(steps)));
+        }
     }
 
     void aRendererTakesItsFrames()
