@@ -31,6 +31,8 @@ class Listener(http.server.BaseHTTPRequestHandler):
         self.send_response(404 if contents is None else 200)
         self.send_header("Content-Type", kind)
         self.send_header("Content-Length", str(len(contents or b"")))
+        self.send_header("Cross-Origin-Opener-Policy", "same-origin")
+        self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
         self.end_headers()
         self.wfile.write(contents or b"")
 
@@ -43,10 +45,10 @@ class Listener(http.server.BaseHTTPRequestHandler):
         pass
 
 
-def pictures_of(files):
-    """What a page sends to /pictures: data URLs of its canvas, or a text that says what went wrong.
+def answer_of(files):
+    """What a page sends to /pictures.
 
-    files: {path: (type, bytes)}; the page is at /.
+    files: {path: (type, bytes)}; the page is at /. Pages are isolated from others, as engines with threads ask for.
     """
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
     server.files = files
@@ -56,13 +58,23 @@ def pictures_of(files):
         command = ["chromium", "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", f"--user-data-dir={profile}", f"http://127.0.0.1:{server.server_port}/"]
         browser = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
-            pictures = server.answers.get(timeout=120)
+            return server.answers.get(timeout=240)
         except queue.Empty:
-            sys.exit("the page showed nothing within two minutes")
+            sys.exit("the page showed nothing within four minutes")
         finally:
             browser.terminate()
             browser.wait()
             server.shutdown()
+
+
+def picture_of(address):
+    """Red, green and blue of a data URL, over grey where it is transparent."""
+    return over_grey(Image.open(io.BytesIO(base64.b64decode(address.split(",")[1]))))
+
+
+def pictures_of(files):
+    """What a page sends to /pictures: data URLs of its canvas, or a text that says what went wrong."""
+    pictures = answer_of(files)
     if isinstance(pictures, str):
         sys.exit(f"the page says: {pictures}")
-    return [over_grey(Image.open(io.BytesIO(base64.b64decode(picture.split(",")[1])))) for picture in pictures]
+    return [picture_of(picture) for picture in pictures]
