@@ -73,7 +73,7 @@ private slots:
         document.edit(knownParameter("camera.target"), glm::vec3(1.0F, 2.0F, 0.5F));
         QVERIFY(last().endsWith(u" 1, 2, 0.5"_q));
         document.edit(knownParameter("look.colour"), glm::vec3(0.1F));
-        QCOMPARE(last(), u"Look: Colour"_q);
+        QCOMPARE(last(), u"Look: Colour #595959"_q);
         document.reset(knownParameter("look.colour"));
         QCOMPARE(last(), u"Reset Look: Colour"_q);
     }

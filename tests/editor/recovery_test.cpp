@@ -115,7 +115,7 @@ private slots:
             | QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
         QVERIFY(!(QFile::permissions(folder.path()) & others));
         const QFileInfoList copies = folder.entryInfoList({u"*.json*"_q}, QDir::Files);
-        QCOMPARE(copies.size(), 2); // the copy and the path of its document
+        QCOMPARE(copies.size(), 3); // the copy, the path of its document, and the mark of that
         for (const QFileInfo& copy : copies) {
             QVERIFY(!(copy.permissions() & others));
         }

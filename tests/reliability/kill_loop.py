@@ -67,7 +67,7 @@ class Victims:
 
     def leftovers(self, kind):
         """Names that are neither whole files nor those of a recovery."""
-        known = (".png", ".json", ".origin")
+        known = (".png", ".json", ".origin", ".mark")
         return [p.name for p in self.folders[kind].iterdir() if p.is_file() and not p.name.endswith(known)]
 
     def broken(self, kind):

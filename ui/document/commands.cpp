@@ -96,12 +96,21 @@ ReplaceCommand::ReplaceCommand(Document& document, const Effect& after, const QS
 
 void ReplaceCommand::undo()
 {
-    m_document.write(m_before, differences(m_before, m_after));
+    show(m_before);
 }
 
 void ReplaceCommand::redo()
 {
-    m_document.write(m_after, differences(m_before, m_after));
+    show(m_after);
+}
+
+/// Where both look from the same place the camera stays where it is now: moving it is no undo step.
+void ReplaceCommand::show(Effect effect)
+{
+    if (m_before.camera == m_after.camera) {
+        effect.camera = m_document.effect().camera;
+    }
+    m_document.write(effect, differences(m_before, m_after));
 }
 
 int ReplaceCommand::id() const

@@ -44,6 +44,8 @@ public:
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
+    void show(Effect effect);
+
     Document& m_document;
     Effect m_before;
     Effect m_after;

@@ -9,6 +9,7 @@
 #include "core/effect/value.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QFileInfo>
 
@@ -25,11 +26,27 @@ std::vector<const Parameter*> allParameters()
     return all;
 }
 
+/// With each value in its hard range.
+Camera clamped(const Camera& camera)
+{
+    Effect effect;
+    effect.camera = camera;
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.group() == "camera") {
+            parameter.set(effect, clampValue(parameter, parameter.get(effect)).value);
+        }
+    }
+    return effect.camera;
+}
+
 } // namespace
 
-Document::Document(QObject* parent)
+Document::Document(const Preset& first, QObject* parent)
     : QObject(parent)
+    , m_preset(first)
+    , m_reference(first.effect)
 {
+    m_views.reset(first.effect.camera);
     connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
 
@@ -43,7 +60,7 @@ QString Document::displayName() const
 
 bool Document::isModified() const
 {
-    return m_unsavedFromStart || !m_undo.isClean();
+    return m_unsavedFromStart || m_fileIsGone || !m_undo.isClean() || !(effect().camera == m_reference.camera);
 }
 
 Gesture Document::beginGesture()
@@ -83,28 +100,102 @@ void Document::reset(const Parameter& parameter)
     edit({{&parameter, parameter.get(m_reference)}}, tr("Reset %1").arg(fullLabelOf(parameter)));
 }
 
-void Document::load(const Preset& preset, const QString& path, bool modified)
+void Document::moveCamera(const Camera& camera, Gesture gesture)
+{
+    const Camera moved = clamped(camera);
+    if (!(moved == effect().camera)) {
+        m_views.move(effect().camera, moved, gesture.id);
+        setCamera(moved);
+    }
+}
+
+void Document::previousView()
+{
+    setCamera(m_views.previous(effect().camera));
+}
+
+void Document::nextView()
+{
+    setCamera(m_views.next(effect().camera));
+}
+
+void Document::setCamera(const Camera& camera)
+{
+    const bool wasModified = isModified();
+    Effect moved = effect();
+    moved.camera = camera;
+    write(moved, differences(effect(), moved));
+    emit viewsChanged();
+    if (isModified() != wasModified) {
+        emit titleChanged();
+    }
+}
+
+void Document::load(const Preset& preset, const QString& path, bool modified, const std::optional<FileMark>& read)
 {
     m_unsavedFromStart = modified; // before the undo stack says that nothing has changed
+    m_fileIsGone = false;
     m_undo.clear();
     m_preset = preset;
     m_path = path;
+    m_read = read ? *read : path.isEmpty() ? FileMark()
+                                           : markOfFile(path);
+    m_views.reset(preset.effect.camera);
     rebase();
     emit loaded();
+    emit viewsChanged();
     announce(allParameters());
 }
 
-void Document::loadUnsaved(const Preset& work, const QString& path)
+void Document::loadUnsaved(const Preset& work, const QString& path, const std::optional<FileMark>& read)
 {
+    const FileMark now = path.isEmpty() ? FileMark() : markOfFile(path);
     const Result<PresetReading> original = readPresetFile(toPath(path));
     if (path.isEmpty() || !original) {
-        load(work, path, true);
+        load(work, path, true, read ? *read : now);
         return;
     }
     // Never for a moment a document that is saved: the copy of the work would be taken from the disk.
-    load(original.value().preset, path, true);
+    load(original.value().preset, path, true, read ? *read : now);
     replaceEffect(work.effect, tr("Unsaved work"));
     m_unsavedFromStart = false;
+    emit titleChanged();
+}
+
+DiskState Document::compareWithDisk()
+{
+    const FileMark now = m_path.isEmpty() ? m_read : markOfFile(m_path);
+    const DiskState state = now == m_read ? DiskState::Same : now.isEmpty() ? DiskState::Gone
+                                                                            : DiskState::Changed;
+    const bool wasGone = std::exchange(m_fileIsGone, state == DiskState::Gone);
+    if (wasGone != m_fileIsGone) {
+        emit titleChanged();
+    }
+    return state;
+}
+
+Result<PresetReading> Document::reload()
+{
+    const FileMark now = markOfFile(m_path);
+    Result<PresetReading> reading = readPresetFile(toPath(m_path));
+    if (!reading) {
+        return reading;
+    }
+    const Effect effect = reading.value().preset.effect;
+    m_read = now;
+    replaceEffect(effect, tr("Reload"));
+    m_preset = reading.value().preset;
+    m_unsavedFromStart = false;
+    m_fileIsGone = false;
+    m_undo.setClean();
+    rebase();
+    return reading;
+}
+
+void Document::keepOverDisk()
+{
+    m_read = markOfFile(m_path);
+    m_unsavedFromStart = true;
     emit titleChanged();
 }
 
@@ -120,9 +211,11 @@ Status Document::save(const QString& path)
     }
     m_preset = preset;
     m_path = path;
+    m_read = markOfText(formatPreset(preset));
     m_unsavedFromStart = false;
+    m_fileIsGone = false;
     m_undo.setClean();
-    rebase();
+    rebase(); // also where nothing but the camera had changed
     return Done{};
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "ui/document/file_mark.h"
+#include "ui/document/views.h"
+
 #include "core/effect/parameter.h"
 #include "core/preset/preset.h"
 
@@ -7,6 +10,7 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <optional>
 #include <vector>
 
 namespace fumage::ui {
@@ -28,6 +32,13 @@ struct EffectChange {
     Stage stale = Stage::Shade; ///< the first stage of the work that has to be done again
 };
 
+/// How the file of a document stands against what was read from it, or written to it, here.
+enum class DiskState {
+    Same,
+    Changed, ///< by others: it holds something else
+    Gone, ///< deleted or moved
+};
+
 /// The effect that is being edited, its file and its undo stack; the only one who writes the effect.
 ///
 /// Panels, gizmos and menus call edit() or replaceEffect(), and follow effectChanged(). Lives on the GUI thread.
@@ -35,7 +46,8 @@ class Document : public QObject {
     Q_OBJECT
 
 public:
-    explicit Document(QObject* parent = nullptr);
+    /// @param first what it shows before it loads anything
+    explicit Document(const Preset& first = {}, QObject* parent = nullptr);
 
     [[nodiscard]] const Effect& effect() const { return m_preset.effect; }
     [[nodiscard]] const Preset& preset() const { return m_preset; }
@@ -59,15 +71,37 @@ public:
     void replaceEffect(const Effect& effect, const QString& text, Gesture gesture = {});
     void reset(const Parameter& parameter);
 
+    /// Looks from somewhere else. That is a change, and no undo step: undoing a colour must not throw the camera away.
+    /// It has a history of its own.
+    void moveCamera(const Camera& camera, Gesture gesture = {});
+    [[nodiscard]] const Views& views() const { return m_views; }
+    /// To the view before or after this one; nothing happens where there is none.
+    void previousView();
+    void nextView();
+
     /// Shows another preset with an empty undo stack.
     /// @param path its file; empty where it has none, so that saving asks for one
     /// @param modified it is not in any file yet: recovered, or pasted
-    void load(const Preset& preset, const QString& path, bool modified = false);
+    /// @param read     the mark of the file when it was read; nothing: as it is now
+    void load(const Preset& preset, const QString& path, bool modified = false,
+        const std::optional<FileMark>& read = std::nullopt);
     /// Shows work that was never saved: where its file can be read, as a step after what the file holds, so that it can be undone.
-    void loadUnsaved(const Preset& work, const QString& path);
+    /// @param read the mark of the file that the work began with; nothing: as it is now
+    void loadUnsaved(const Preset& work, const QString& path, const std::optional<FileMark>& read = std::nullopt);
     /// Writes the preset to a file, which becomes the document's own.
     /// @error those of writePresetFile(); nothing has changed then
     [[nodiscard]] Status save(const QString& path);
+
+    /// The mark of the document's file when it was last read or written here; empty: there was none.
+    [[nodiscard]] const FileMark& fileMark() const { return m_read; }
+    /// Looks at the file again. A document whose file is gone counts as unsaved work until it is back.
+    [[nodiscard]] DiskState compareWithDisk();
+    /// Takes over what others have written to the file, as an undo step after which the document is as saved.
+    /// @error those of readPresetFile(); nothing has changed then
+    [[nodiscard]] Result<PresetReading> reload();
+    /// This is what the document is to be, whatever others have written: it is unsaved work over what the file holds
+    /// now.
+    void keepOverDisk();
 
 signals:
     void effectChanged(const fumage::ui::EffectChange& change);
@@ -75,6 +109,8 @@ signals:
     void loaded();
     /// Name, file or modified state.
     void titleChanged();
+    /// There is another view before or after this one.
+    void viewsChanged();
 
 private:
     friend class EditCommand;
@@ -82,12 +118,16 @@ private:
     void write(const Effect& effect, std::vector<const Parameter*> changed);
     void announce(std::vector<const Parameter*> changed);
     void rebase();
+    void setCamera(const Camera& camera);
 
     Preset m_preset;
     Effect m_reference;
     QString m_path;
     QUndoStack m_undo;
+    Views m_views;
     quint64 m_gestures = 0;
+    FileMark m_read; ///< of the file
+    bool m_fileIsGone = false;
     bool m_unsavedFromStart = false; ///< modified even with an empty undo stack
 };
 

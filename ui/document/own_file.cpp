@@ -21,6 +21,17 @@ std::unique_ptr<FileLock> lockOf(const QString& name)
     return FileLock::tryTake(toPath(name + kLock));
 }
 
+/// Programs that were killed while they took a file away leave what lay beside it.
+void clearCompanions(const QDir& folder)
+{
+    for (const QString& name : folder.entryList({QLatin1Char('*') + kFile + QStringLiteral(".*")}, QDir::Files)) {
+        const QString owner = folder.filePath(name.left(name.lastIndexOf(kFile)));
+        if (!QFile::exists(owner + kFile) && lockOf(owner)) {
+            QFile::remove(folder.filePath(name));
+        }
+    }
+}
+
 /// Programs that were killed with nothing to keep leave their lock alone.
 void clearLocks(const QDir& folder)
 {
@@ -42,6 +53,7 @@ OwnFile makeOwnFile(const QDir& folder)
 std::vector<OwnFile> takeOrphans(const QDir& folder)
 {
     clearLeftovers(toPath(folder.path()));
+    clearCompanions(folder);
     clearLocks(folder);
     std::vector<OwnFile> orphans;
     for (const QString& name : folder.entryList({QLatin1Char('*') + kFile}, QDir::Files, QDir::Time)) {

@@ -5,7 +5,12 @@
 
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
+#include "core/rendering/view_transform.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <QColor>
 #include <QCoreApplication>
 
 namespace fumage::ui {
@@ -26,6 +31,41 @@ QString rangeOf(const Parameter& parameter)
         return {};
     }
     return QStringLiteral("%1 … %2 %3").arg(formatNumber(parameter.hard.low), formatNumber(parameter.hard.high), toQString(unitSymbol(parameter.unit))).trimmed();
+}
+
+/// As it is seen on the screen: "#ff8000"; what is brighter than white is as white.
+QString hexOf(const glm::vec3& colour)
+{
+    const auto byte = [](float linear) {
+        return static_cast<int>(std::lround(srgbFromLinear(std::clamp(linear, 0.0F, 1.0F)) * 255.0F));
+    };
+    return QColor(byte(colour.x), byte(colour.y), byte(colour.z)).name();
+}
+
+/// The first of a few things; the others are too much for one line.
+QString someOf(const QStringList& parts)
+{
+    constexpr int kMost = 6;
+    return parts.mid(0, kMost).join(QLatin1Char(' ')) + (parts.size() > kMost ? QStringLiteral(" …") : QString());
+}
+
+QString pointsOf(const Curve& curve)
+{
+    QStringList points;
+    for (const CurvePoint& point : curve.points()) {
+        points +=
+            QStringLiteral("(%1)").arg(formatNumbers({static_cast<double>(point.x), static_cast<double>(point.y)}));
+    }
+    return someOf(points);
+}
+
+QString stopsOf(const Gradient& gradient)
+{
+    QStringList stops;
+    for (const GradientStop& stop : gradient.stops()) {
+        stops += hexOf(stop.colour);
+    }
+    return someOf(stops);
 }
 
 } // namespace
@@ -65,9 +105,9 @@ QString valueTextOf(const Parameter& parameter, const Value& value)
         const auto& v = std::get<glm::vec3>(value);
         return formatNumbers({static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)});
     }
-    case Kind::Colour:
-    case Kind::Curve:
-    case Kind::Gradient: break;
+    case Kind::Colour: return hexOf(std::get<glm::vec3>(value));
+    case Kind::Curve: return pointsOf(std::get<Curve>(value));
+    case Kind::Gradient: return stopsOf(std::get<Gradient>(value));
     }
     return {};
 }

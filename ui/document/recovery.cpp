@@ -15,26 +15,45 @@ namespace {
 constexpr int kSoonMs = 1000;
 
 const QString kOrigin = QStringLiteral(".origin"); ///< beside a copy: the path of the document's file
+const QString kMark = QStringLiteral(".mark"); ///< beside a copy: the mark of that file, when the work began
 const QString kTrial = QStringLiteral(".trial"); ///< beside a copy: has a byte for each program that was about to show it
 constexpr qint64 kMostTrials = 2; ///< the first may have been ended by chance
 
-QString readOrigin(const QString& copy)
+std::optional<std::string> readBeside(const QString& copy, const QString& ending)
 {
     constexpr std::size_t kLongestPath = 4096;
-    const Result<std::string> origin = readFile(toPath(copy + kOrigin), kLongestPath);
-    return origin ? toQString(origin.value()) : QString();
+    const Result<std::string> text = readFile(toPath(copy + ending), kLongestPath);
+    return text ? std::optional(text.value()) : std::nullopt;
 }
 
-Status writeCopy(const QString& path, const QString& originalPath, const Preset& preset)
+QString readOrigin(const QString& copy)
 {
-    const Status origin = writeFileAtomically(toPath(path + kOrigin), originalPath.toStdString(), FileAccess::Private);
-    return origin ? writeFileAtomically(toPath(path), formatPreset(preset), FileAccess::Private) : origin;
+    return toQString(readBeside(copy, kOrigin).value_or(std::string()));
+}
+
+std::optional<FileMark> readMark(const QString& copy)
+{
+    const std::optional<std::string> mark = readBeside(copy, kMark);
+    return mark ? std::optional(FileMark::fromStdString(*mark)) : std::nullopt;
+}
+
+/// What lies beside the copy first: where the copy is, all of it is there.
+Status writeCopy(const QString& path, const QString& originalPath, const FileMark& mark, const Preset& preset)
+{
+    if (Status origin = writeFileAtomically(toPath(path + kOrigin), originalPath.toStdString(), FileAccess::Private);
+        !origin) {
+        return origin;
+    }
+    if (Status marked = writeFileAtomically(toPath(path + kMark), mark.toStdString(), FileAccess::Private); !marked) {
+        return marked;
+    }
+    return writeFileAtomically(toPath(path), formatPreset(preset), FileAccess::Private);
 }
 
 /// Takes a copy and what lies beside it away.
 void removeCopy(const QString& path)
 {
-    for (const QString& file : {path, path + kOrigin, path + kTrial}) {
+    for (const QString& file : {path, path + kOrigin, path + kMark, path + kTrial}) {
         QFile::remove(file);
     }
 }
@@ -55,11 +74,16 @@ Recovery::Recovery(Document& document, const QDir& folder, QObject* parent)
 
 Recovery::~Recovery()
 {
-    discard();
+    if (!m_isLeft) {
+        discard();
+    }
 }
 
 void Recovery::follow()
 {
+    if (m_isLeft) {
+        return;
+    }
     if (m_document.isModified()) {
         m_soon.start();
     } else {
@@ -73,12 +97,29 @@ void Recovery::save()
     if (!m_document.isModified()) {
         return;
     }
-    m_writing.ask([this, path = m_copy.path, origin = m_document.filePath(), preset = m_document.preset()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
+    m_writing.ask([this, write = writer()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
         const std::lock_guard lock(m_files);
         if (!stop.stop_requested()) {
-            tell([this, copy = writeCopy(path, origin, preset)] { note(copy); });
+            tell([this, copy = write()] { note(copy); });
         } },
         [this](const Error& why) { note(why); });
+}
+
+std::function<Status()> Recovery::writer() const
+{
+    return [path = m_copy.path, origin = m_document.filePath(), mark = m_document.fileMark(),
+               preset = m_document.preset()] { return writeCopy(path, origin, mark, preset); };
+}
+
+void Recovery::leave()
+{
+    m_soon.stop();
+    m_writing.forget();
+    const std::lock_guard lock(m_files);
+    if (!m_isLeft && m_document.isModified()) {
+        static_cast<void>(writer()()); // there is nobody left who could be told
+    }
+    m_isLeft = m_document.isModified();
 }
 
 void Recovery::note(const Status& copy)
@@ -109,7 +150,8 @@ Recovery::Leftovers Recovery::find(const QDir& folder)
         } else if (QFileInfo(copy.path + kTrial).size() >= kMostTrials) {
             found.dangerous += copy.path;
         } else {
-            found.works.push_back({std::move(reading).value().preset, readOrigin(copy.path), std::move(copy)});
+            found.works.push_back(
+                {std::move(reading).value().preset, readOrigin(copy.path), readMark(copy.path), std::move(copy)});
         }
     }
     return found;
@@ -125,7 +167,7 @@ void Recovery::adopt(Work work)
     if (const Status trial = writeFileAtomically(toPath(m_copy.path + kTrial), trials, FileAccess::Private); !trial) {
         emit failed(told(trial.error()));
     }
-    m_document.loadUnsaved(work.preset, work.originalPath);
+    m_document.loadUnsaved(work.preset, work.originalPath, work.originalMark);
 }
 
 void Recovery::proveHarmless()

@@ -6,7 +6,9 @@
 
 #include <QTimer>
 
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace fumage::ui {
@@ -26,11 +28,14 @@ public:
     void save();
     /// The work is saved or given up.
     void discard();
+    /// The program is about to be ended by others: the copy is written now, and stays for the next program.
+    void leave();
 
     /// Work that was left behind.
     struct Work {
         Preset preset;
         QString originalPath; ///< of the document's file; empty where it had none
+        std::optional<FileMark> originalMark; ///< of that file, when the work began; nothing: not known
         OwnFile copy;
     };
     struct Leftovers {
@@ -55,6 +60,7 @@ signals:
 
 private:
     void follow();
+    [[nodiscard]] std::function<Status()> writer() const;
     void note(const Status& copy);
 
     Document& m_document;
@@ -62,6 +68,7 @@ private:
     QTimer m_soon;
     bool m_onTrial = false; ///< adopted work has not been shown yet
     bool m_hasFailed = false;
+    bool m_isLeft = false;
     std::mutex m_files; ///< held while the copy is written or taken away
     AnswerJob m_writing; ///< last: its thread ends first
 };

@@ -61,4 +61,10 @@ void PictureCache::clear()
     m_pictures.clear();
 }
 
+void PictureCache::setRoom(qint64 bytes)
+{
+    m_pictures.clear();
+    m_room = bytes;
+}
+
 } // namespace fumage::ui

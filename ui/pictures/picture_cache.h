@@ -29,6 +29,8 @@ public:
     /// than the cache would push out each frame just before it is shown again.
     void keep(const PicturePtr& picture);
     void clear();
+    /// Forgets what it has.
+    void setRoom(qint64 bytes);
 
 private:
     qint64 m_room; ///< bytes that are left

@@ -42,6 +42,13 @@ void PictureFeed::setEffect(const Effect& effect, Stage stale)
     refresh(Haste::Dragging);
 }
 
+void PictureFeed::startAnew()
+{
+    invalidate();
+    m_oldest = m_wanted.revision;
+    m_picture.reset();
+}
+
 void PictureFeed::setFrame(int frame)
 {
     if (frame == m_wanted.frame) {
@@ -92,6 +99,13 @@ void PictureFeed::setBackdrop(const Backdrop& backdrop)
     refresh(Haste::None);
 }
 
+void PictureFeed::setCacheBytes(qint64 bytes)
+{
+    m_cache.setRoom(bytes);
+    emit cacheChanged();
+    emit dropped();
+}
+
 void PictureFeed::setTracks(bool wanted)
 {
     m_wanted.tracks = wanted;
@@ -126,6 +140,7 @@ void PictureFeed::setOther(const std::optional<Effect>& other)
         m_otherWorker = std::make_unique<PictureWorker>(m_shelf);
         connect(m_otherWorker.get(), &PictureWorker::pictureReady, this, &PictureFeed::receiveOther);
         connect(m_otherWorker.get(), &PictureWorker::exhausted, this, &PictureFeed::exhausted);
+        connect(m_otherWorker.get(), &PictureWorker::failed, this, &PictureFeed::failed);
     }
     requestOther(Haste::None);
 }
@@ -140,7 +155,6 @@ bool PictureFeed::isWanted(const Picture& picture) const
     return picture.revision == m_wanted.revision && picture.frame == m_wanted.frame;
 }
 
-        connect(m_otherWorker.get(), &PictureWorker::failed, this, &PictureFeed::failed);
 Haste PictureFeed::usualHaste() const
 {
     if (m_moving) {
@@ -154,6 +168,7 @@ void PictureFeed::invalidate()
     ++m_wanted.revision;
     m_cache.clear();
     emit cacheChanged();
+    emit dropped();
 }
 
 void PictureFeed::beginMoving()
@@ -224,6 +239,9 @@ void PictureFeed::requestOther(Haste haste)
 
 void PictureFeed::receive(const PicturePtr& picture)
 {
+    if (picture->revision < m_oldest) {
+        return;
+    }
     const bool settling = m_asked && m_asked->haste == Haste::Settling && picture->revision == m_asked->revision && picture->frame == m_asked->frame;
     if (m_asked && picture->frame == m_asked->frame && !settling) {
         m_asked.reset();

@@ -29,12 +29,16 @@ public:
 
     /// @param stale the first stage of the work that has to be done again
     void setEffect(const Effect& effect, Stage stale);
+    /// Another effect comes next: what is shown and kept of this one is forgotten, and what is on its way is not shown.
+    void startAnew();
     void setFrame(int frame);
     void setPlaying(bool playing);
     void setSeen(bool seen);
     /// Pixels of the screen.
     void setSize(const QSize& pixels);
     void setBackdrop(const Backdrop& backdrop);
+    /// How much the pictures may take that are kept.
+    void setCacheBytes(qint64 bytes);
     /// Whether pictures bring the ways of some particles with them.
     void setTracks(bool wanted);
     /// Whether pictures bring what the air does with them.
@@ -59,6 +63,8 @@ signals:
     void ready(fumage::ui::PicturePtr picture);
     void otherReady(fumage::ui::PicturePtr picture);
     void cacheChanged();
+    /// Pictures that were kept are kept no longer.
+    void dropped();
     /// The air is being baked. @param share that is done; 1 when it is, or was given up
     void baking(double share);
     /// The picture of the frame that was asked for last is on its way, or has come.
@@ -82,6 +88,7 @@ private:
     [[nodiscard]] bool isWanted(const Picture& picture) const;
     [[nodiscard]] Haste usualHaste() const;
 
+    quint64 m_oldest = 0; ///< the first revision of this effect: pictures of older ones are of others
     PictureRequest m_wanted; ///< as things stand, but for its haste
     bool m_playing = false;
     bool m_seen = false;

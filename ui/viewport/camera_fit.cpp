@@ -72,7 +72,7 @@ void CameraFit::end(const Result<Camera>& camera)
 {
     m_running = false;
     if (camera) {
-        m_document.edit(assignmentsOf(camera.value()), tr("Frame the whole animation"));
+        m_document.moveCamera(camera.value());
         emit news(tr("The camera shows all smoke of the animation"), kShownMs);
     } else {
         emit news(told(camera.error()), kShownMs);

@@ -1,7 +1,5 @@
 #include "ui/viewport/navigation.h"
 
-#include "core/effect/parameter_table.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -131,19 +129,6 @@ Camera framing(const Camera& camera, const glm::vec3& low, const glm::vec3& high
     out.target = 0.5F * (low + high);
     // A sphere fills the field of view where the distance is r / sin(half angle).
     out.distance = kMargin * radius / std::sin(std::atan(0.5F * kSensorMillimetres / camera.focalLength));
-    return out;
-}
-
-std::vector<Assignment> assignmentsOf(const Camera& camera)
-{
-    Effect effect;
-    effect.camera = camera;
-    std::vector<Assignment> out;
-    for (const Parameter& parameter : parameterTable()) {
-        if (parameter.group() == "camera") {
-            out.push_back({&parameter, parameter.get(effect)});
-        }
-    }
     return out;
 }
 

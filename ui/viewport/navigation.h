@@ -41,9 +41,6 @@ enum class CameraMove {
 /// The whole box in sight, from where the camera looks now.
 [[nodiscard]] Camera framing(const Camera& camera, const glm::vec3& low, const glm::vec3& high);
 
-/// The parameters of the camera as assignments for the document.
-[[nodiscard]] std::vector<Assignment> assignmentsOf(const Camera& camera);
-
 /// The way from the eye through a pixel, of unit length.
 [[nodiscard]] glm::vec3 rayThrough(const View& view, QPointF pixel);
 

@@ -33,11 +33,13 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     connect(&m_feed, &PictureFeed::ready, this, &Viewport::display);
     connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
     connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
+    connect(&m_feed, &PictureFeed::dropped, this, &Viewport::dropped);
     connect(&m_feed, &PictureFeed::baking, this, &Viewport::baking);
     connect(&m_feed, &PictureFeed::exhausted, this, &Viewport::exhausted);
     connect(&m_feed, &PictureFeed::failed, this, [this](const Error& why) { emit failed(told(why)); });
     connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
     connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
+    connect(&m_document, &Document::loaded, this, &Viewport::startAnew);
     connect(&m_player, &Player::frameChanged, &m_feed, &PictureFeed::setFrame);
     connect(&m_player, &Player::playingChanged, &m_feed, &PictureFeed::setPlaying);
     connect(&m_player, &Player::playingChanged, this, [this] { m_readout.restart(); });
@@ -51,7 +53,7 @@ View Viewport::view() const
 void Viewport::setOverlay(Overlay overlay, bool on)
 {
     m_overlays.setFlag(overlay, on);
-    m_hand.setGizmos(m_overlays.testFlag(Overlay::Gizmos));
+    m_hand.setGizmos(!m_isBare && m_overlays.testFlag(Overlay::Gizmos));
     if (overlay == Overlay::Tracks) {
         m_feed.setTracks(on);
     } else if (overlay == Overlay::Air) {
@@ -70,6 +72,20 @@ void Viewport::setCompare(Compare compare, const Effect& other)
 void Viewport::followDocument(const EffectChange& change)
 {
     m_feed.setEffect(m_document.effect(), change.stale);
+}
+
+/// Nothing of one document is seen under the name of another, until there is a picture of that.
+void Viewport::startAnew()
+{
+    m_feed.startAnew();
+    m_surface->show(nullptr);
+}
+
+void Viewport::setBare(bool bare)
+{
+    m_isBare = bare;
+    m_hand.setGizmos(!bare && m_overlays.testFlag(Overlay::Gizmos));
+    m_surface->widget()->update();
 }
 
 void Viewport::followSize()
@@ -121,11 +137,6 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
-void Viewport::applyCamera(const Camera& camera, const QString& text)
-{
-    m_document.edit(assignmentsOf(camera), text);
-}
-
 void Viewport::frameAll()
 {
     glm::vec3 low = m_document.effect().emitter.position;
@@ -135,7 +146,7 @@ void Viewport::frameAll()
     const bool isAtHand = !effect.air.enabled || m_feed.shelf()->isBaked(smoke, makeSchedule(smoke).stepOfFrame(m_player.frame()));
     if (!isAtHand) {
         const AirGrid grid = airGrid(smoke); // where the smoke is expected
-        applyCamera(framing(effect.camera, grid.corner, grid.end()), tr("Frame all"));
+        m_document.moveCamera(framing(effect.camera, grid.corner, grid.end()));
         return;
     }
     const std::vector<Track> tracks = findTracks(effect, m_player.frame(), m_feed.shelf());
@@ -145,18 +156,21 @@ void Viewport::frameAll()
             high = glm::max(high, track.back());
         }
     }
-    applyCamera(framing(m_document.effect().camera, low, high), tr("Frame all"));
+    m_document.moveCamera(framing(m_document.effect().camera, low, high));
 }
 
 void Viewport::lookFrom(float yaw, float pitch)
 {
-    applyCamera(lookingFrom(m_document.effect().camera, yaw, pitch), tr("Change view"));
+    m_document.moveCamera(lookingFrom(m_document.effect().camera, yaw, pitch));
 }
 
 void Viewport::paintOverlays(QPainter& painter)
 {
     if (otherPicture()) {
         m_split.paint(painter, otherPicture()->image, rect());
+    }
+    if (m_isBare) {
+        return;
     }
     const View seen = view();
     const Effect& effect = m_document.effect();

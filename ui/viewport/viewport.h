@@ -31,8 +31,12 @@ public:
 
     [[nodiscard]] Overlays overlays() const { return m_overlays; }
     void setOverlay(Overlay overlay, bool on);
+    /// Shows the smoke and nothing over it, whatever is switched on.
+    void setBare(bool bare);
     [[nodiscard]] const Backdrop& backdrop() const { return m_feed.backdrop(); }
     void setBackdrop(const Backdrop& backdrop) { m_feed.setBackdrop(backdrop); }
+    /// How much the pictures may take that are kept for playing.
+    void setCacheBytes(qint64 bytes) { m_feed.setCacheBytes(bytes); }
     void setNavigationStyle(NavigationStyle style) { m_hand.setStyle(style); }
     [[nodiscard]] NavigationStyle navigationStyle() const { return m_hand.style(); }
 
@@ -51,6 +55,8 @@ public:
 signals:
     void pictureShown(fumage::ui::PicturePtr picture);
     void cacheChanged();
+    /// Pictures that were kept are kept no longer.
+    void dropped();
     /// There was not enough memory for a picture.
     void exhausted();
     /// The air is being baked. @param share that is done; 1 when it is, or was given up
@@ -65,17 +71,18 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
+    void startAnew();
     void followDocument(const EffectChange& change);
     void followSize();
     void followVisibility();
     void display(const PicturePtr& picture);
-    void applyCamera(const Camera& camera, const QString& text);
     void paintOverlays(QPainter& painter);
 
     Document& m_document;
     Player& m_player;
     PictureFeed m_feed;
     Overlays m_overlays = Overlay::Grid | Overlay::Emitter | Overlay::Gizmos | Overlay::Readout;
+    bool m_isBare = false;
     SplitView m_split;
     Readout m_readout;
     std::unique_ptr<Surface> m_surface;

@@ -106,20 +106,20 @@ void ViewportHand::drag(CameraMove move, const QMouseEvent& event)
 {
     const QPointF way = event.position() - m_drag->start;
     const Camera& before = m_drag->before.camera;
-    const auto apply = [this](const Camera& camera, const QString& text) { m_document.edit(assignmentsOf(camera), text, m_drag->gesture); };
+    const auto apply = [this](const Camera& camera) { m_document.moveCamera(camera, m_drag->gesture); };
     switch (move) {
     case CameraMove::Orbit:
-        apply(orbited(before, way, m_drag->view), tr("Orbit"));
+        apply(orbited(before, way, m_drag->view));
         break;
     case CameraMove::Pan:
-        apply(panned(before, way, m_drag->view), tr("Pan"));
+        apply(panned(before, way, m_drag->view));
         break;
     case CameraMove::Look:
-        apply(lookedAround(before, way, m_drag->view), tr("Look around"));
+        apply(lookedAround(before, way, m_drag->view));
         break;
     case CameraMove::Zoom:
         constexpr double kNotchesAPixel = 0.03;
-        apply(zoomed(before, -way.y() * kNotchesAPixel, m_drag->view), tr("Zoom"));
+        apply(zoomed(before, -way.y() * kNotchesAPixel, m_drag->view));
         break;
     }
 }
@@ -133,7 +133,7 @@ void ViewportHand::wheel(const QWheelEvent& event)
         m_wheelGesture = m_document.beginGesture();
     }
     m_wheelBurst.start();
-    m_document.edit(assignmentsOf(zoomed(m_document.effect().camera, notchesOf(event), m_view())), tr("Zoom"), m_wheelGesture);
+    m_document.moveCamera(zoomed(m_document.effect().camera, notchesOf(event), m_view()), m_wheelGesture);
 }
 
 void ViewportHand::setHot(std::optional<GizmoId> gizmo)
