@@ -267,16 +267,44 @@
         <source>A&amp;ir</source>
         <translation>L&amp;uft</translation>
     </message>
+    <message>
+        <source>New from a p&amp;reset…</source>
+        <translation>Nytt från en fö&amp;rinställning…</translation>
+    </message>
+    <message>
+        <source>start begin welcome template gallery</source>
+        <translation>start börja välkommen mall galleri</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>&amp;Inställningar…</translation>
+    </message>
+    <message>
+        <source>settings options configuration theme language memory start welcome OpenGL recovery</source>
+        <translation>inställningar alternativ konfiguration tema språk minne start välkommen OpenGL återställning</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious view</source>
+        <translation>&amp;Föregående vy</translation>
+    </message>
+    <message>
+        <source>undo camera back</source>
+        <translation>ångra kamera tillbaka</translation>
+    </message>
+    <message>
+        <source>&amp;Next view</source>
+        <translation>&amp;Nästa vy</translation>
+    </message>
+    <message>
+        <source>redo camera forward</source>
+        <translation>gör om kamera framåt</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
     <message>
         <source>Looking for smoke in all frames: %1 %</source>
         <translation>Letar efter rök i alla bildrutor: %1 %</translation>
-    </message>
-    <message>
-        <source>Frame the whole animation</source>
-        <translation>Visa hela animationen</translation>
     </message>
     <message>
         <source>The camera shows all smoke of the animation</source>
@@ -432,14 +460,6 @@
 <context>
     <name>fumage::ui::Docks</name>
     <message>
-        <source>As opened</source>
-        <translation>Som det öppnades</translation>
-    </message>
-    <message>
-        <source>Undo history</source>
-        <translation>Ångra-historik</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>Förinställningar</translation>
     </message>
@@ -477,6 +497,10 @@
     <message>
         <source>Unsaved work</source>
         <translation>Osparat arbete</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Läs in igen</translation>
     </message>
 </context>
 <context>
@@ -556,6 +580,26 @@
     <message>
         <source>Presets, and pictures that carry one (*.json *.png *.exr)</source>
         <translation>Förinställningar, och bilder som bär en (*.json *.png *.exr)</translation>
+    </message>
+    <message>
+        <source>Changed by another program</source>
+        <translation>Ändrad av ett annat program</translation>
+    </message>
+    <message>
+        <source>“%1” has been changed by another program since it was opened or saved here. If you overwrite it, those changes are lost.</source>
+        <translation>”%1” har ändrats av ett annat program sedan den öppnades eller sparades här. Om du skriver över den går de ändringarna förlorade.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Spara som…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Skriv över</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1031,45 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::FileNotices</name>
+    <message>
+        <source>“%1” has been changed by another program. Reload it, which can be undone, or keep this version: it replaces the other when you save it.</source>
+        <translation>”%1” har ändrats av ett annat program. Läs in den igen, vilket kan ångras, eller behåll den här versionen: den ersätter den andra när du sparar.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Läs in igen</translation>
+    </message>
+    <message>
+        <source>Keep this version</source>
+        <translation>Behåll den här versionen</translation>
+    </message>
+    <message>
+        <source>“%1” has been deleted or moved. What you see is kept as unsaved work: save it to have a file again.</source>
+        <translation>”%1” har tagits bort eller flyttats. Det du ser behålls som osparat arbete: spara det för att åter ha en fil.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Spara som…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
+        <translation>Detta är osparat arbete från innan programmet oväntat tog slut. Spara det för att behålla det.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Kasta</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::FlipbookChoices</name>
     <message>
         <source>Light maps</source>
@@ -1150,6 +1233,14 @@
         <source>There is not enough memory for what you just did. Save your work.</source>
         <translation>Minnet räcker inte till det du just gjorde. Spara ditt arbete.</translation>
     </message>
+    <message>
+        <source>Something failed</source>
+        <translation>Något misslyckades</translation>
+    </message>
+    <message>
+        <source>What you just did may not have been done. Save your work. %1</source>
+        <translation>Det du just gjorde kanske inte har utförts. Spara ditt arbete. %1</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -1176,6 +1267,17 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>En redigerare för rök. Fri programvara under MIT-licensen.
 
 Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Högskolan i Gävle, 2012. Byggd med Qt, GLM, Highway, oneTBB, libpng och OpenEXR.</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::HistoryView</name>
+    <message>
+        <source>As opened</source>
+        <translation>Som det öppnades</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>Ångra-historik</translation>
     </message>
 </context>
 <context>
@@ -1218,6 +1320,13 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Light</source>
         <translation>Ljus</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MessageBox</name>
+    <message>
+        <source>“%1” exists already. Replace it?</source>
+        <translation>”%1” finns redan. Ska den ersättas?</translation>
     </message>
 </context>
 <context>
@@ -2253,6 +2362,34 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Choose larger voxels</source>
         <translation>Välj större voxlar</translation>
+    </message>
+    <message>
+        <source>Please report it, with the preset that you had</source>
+        <translation>Rapportera det gärna, tillsammans med förinställningen du hade</translation>
+    </message>
+    <message>
+        <source>no more threads can be started</source>
+        <translation>inga fler trådar kan startas</translation>
+    </message>
+    <message>
+        <source>Close other programs, or let this one have more threads</source>
+        <translation>Stäng andra program, eller låt detta ha fler trådar</translation>
+    </message>
+    <message>
+        <source>something failed inside Fumage: %1</source>
+        <translation>något misslyckades inuti Fumage: %1</translation>
+    </message>
+    <message>
+        <source>something failed inside Fumage</source>
+        <translation>något misslyckades inuti Fumage</translation>
+    </message>
+    <message>
+        <source>a task of %1 has at most %2 frames</source>
+        <translation>en uppgift för %1 har högst %2 bildrutor</translation>
+    </message>
+    <message>
+        <source>Choose fewer frames a task</source>
+        <translation>Välj färre bildrutor per uppgift</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4067,85 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>fumage::ui::Preferences</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Inställningar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>The language changes when Fumage starts the next time.</source>
+        <translation>Språket ändras nästa gång Fumage startar.</translation>
+    </message>
+    <message>
+        <source>Mouse in the viewport</source>
+        <translation>Musen i vyn</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Where there is a graphics card</source>
+        <translation>Där det finns ett grafikkort</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Alltid</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Aldrig</translation>
+    </message>
+    <message>
+        <source>“Never” helps where the picture is black or torn. It takes effect when Fumage starts the next time.</source>
+        <translation>”Aldrig” hjälper där bilden är svart eller sönderriven. Det gäller från nästa gång Fumage startar.</translation>
+    </message>
+    <message>
+        <source>Memory for pictures</source>
+        <translation>Minne för bilder</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Frames that a window keeps to play them again at once. Simulation and air come on top.</source>
+        <translation>Bildrutor som ett fönster behåller för att genast kunna spela dem igen. Simulering och luft tillkommer.</translation>
+    </message>
+    <message>
+        <source>Show presets when Fumage starts</source>
+        <translation>Visa förinställningar när Fumage startar</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Visa mappen</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Återställning</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved work is kept a second after each change, and is opened again should the program end unexpectedly: %1</source>
+        <translation>En kopia av osparat arbete sparas en sekund efter varje ändring och öppnas igen om programmet skulle ta slut oväntat: %1</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::PresetBrowser</name>
     <message>
         <source>Search presets</source>
@@ -4442,10 +4658,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
 <context>
     <name>fumage::ui::Session</name>
     <message>
-        <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
-        <translation>Detta är osparat arbete från innan programmet oväntat tog slut. Spara det för att behålla det.</translation>
-    </message>
-    <message>
         <source>A copy of unsaved work cannot be read. It stays where it is: %1</source>
         <translation>En kopia av osparat arbete kan inte läsas. Den ligger kvar: %1</translation>
     </message>
@@ -4717,33 +4929,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Smoke</source>
         <translation>Rök</translation>
-    </message>
-    <message>
-        <source>Frame all</source>
-        <translation>Visa allt</translation>
-    </message>
-    <message>
-        <source>Change view</source>
-        <translation>Byt vy</translation>
-    </message>
-</context>
-<context>
-    <name>fumage::ui::ViewportHand</name>
-    <message>
-        <source>Orbit</source>
-        <translation>Kretsa</translation>
-    </message>
-    <message>
-        <source>Pan</source>
-        <translation>Panorera</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>Zooma</translation>
-    </message>
-    <message>
-        <source>Look around</source>
-        <translation>Se dig om</translation>
     </message>
 </context>
 <context>

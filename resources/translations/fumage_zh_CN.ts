@@ -267,16 +267,44 @@
         <source>A&amp;ir</source>
         <translation>空气(&amp;I)</translation>
     </message>
+    <message>
+        <source>New from a p&amp;reset…</source>
+        <translation>从预设新建(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>start begin welcome template gallery</source>
+        <translation>开始 启动 欢迎 模板 画廊</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>首选项(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>settings options configuration theme language memory start welcome OpenGL recovery</source>
+        <translation>设置 选项 配置 主题 语言 内存 启动 欢迎 OpenGL 恢复</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious view</source>
+        <translation>上一个视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>undo camera back</source>
+        <translation>撤销 摄像机 后退</translation>
+    </message>
+    <message>
+        <source>&amp;Next view</source>
+        <translation>下一个视图(&amp;N)</translation>
+    </message>
+    <message>
+        <source>redo camera forward</source>
+        <translation>重做 摄像机 前进</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
     <message>
         <source>Looking for smoke in all frames: %1 %</source>
         <translation>正在所有帧中查找烟雾：%1 %</translation>
-    </message>
-    <message>
-        <source>Frame the whole animation</source>
-        <translation>显示整个动画</translation>
     </message>
     <message>
         <source>The camera shows all smoke of the animation</source>
@@ -432,14 +460,6 @@
 <context>
     <name>fumage::ui::Docks</name>
     <message>
-        <source>As opened</source>
-        <translation>刚打开时</translation>
-    </message>
-    <message>
-        <source>Undo history</source>
-        <translation>撤销历史</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>预设</translation>
     </message>
@@ -477,6 +497,10 @@
     <message>
         <source>Unsaved work</source>
         <translation>未保存的工作</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新加载</translation>
     </message>
 </context>
 <context>
@@ -556,6 +580,26 @@
     <message>
         <source>Presets, and pictures that carry one (*.json *.png *.exr)</source>
         <translation>预设，以及携带预设的图片 (*.json *.png *.exr)</translation>
+    </message>
+    <message>
+        <source>Changed by another program</source>
+        <translation>已被其他程序更改</translation>
+    </message>
+    <message>
+        <source>“%1” has been changed by another program since it was opened or saved here. If you overwrite it, those changes are lost.</source>
+        <translation>“%1”自在此打开或保存以来已被其他程序更改。如果覆盖，这些更改将会丢失。</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1031,45 @@
     </message>
 </context>
 <context>
+    <name>fumage::ui::FileNotices</name>
+    <message>
+        <source>“%1” has been changed by another program. Reload it, which can be undone, or keep this version: it replaces the other when you save it.</source>
+        <translation>“%1”已被其他程序更改。可以重新加载（可撤销），或保留此版本：保存时它将替换另一版本。</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新加载</translation>
+    </message>
+    <message>
+        <source>Keep this version</source>
+        <translation>保留此版本</translation>
+    </message>
+    <message>
+        <source>“%1” has been deleted or moved. What you see is kept as unsaved work: save it to have a file again.</source>
+        <translation>“%1”已被删除或移动。您看到的内容作为未保存的工作保留：请保存以重新得到文件。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
+        <translation>这是程序意外退出之前未保存的工作。请保存以保留它。</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::FlipbookChoices</name>
     <message>
         <source>Light maps</source>
@@ -1150,6 +1233,14 @@
         <source>There is not enough memory for what you just did. Save your work.</source>
         <translation>内存不足以完成刚才的操作。请保存工作。</translation>
     </message>
+    <message>
+        <source>Something failed</source>
+        <translation>出现错误</translation>
+    </message>
+    <message>
+        <source>What you just did may not have been done. Save your work. %1</source>
+        <translation>刚才的操作可能没有完成。请保存您的工作。%1</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -1176,6 +1267,17 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>烟雾编辑器。遵循 MIT 许可证的自由软件。
 
 模型源自 Lin 与 Lin 的《Smoke Simulation with Perlin Noise》，耶夫勒大学，2012 年。使用 Qt、GLM、Highway、oneTBB、libpng 和 OpenEXR 制作。</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::HistoryView</name>
+    <message>
+        <source>As opened</source>
+        <translation>刚打开时</translation>
+    </message>
+    <message>
+        <source>Undo history</source>
+        <translation>撤销历史</translation>
     </message>
 </context>
 <context>
@@ -1218,6 +1320,13 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Light</source>
         <translation>光</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::MessageBox</name>
+    <message>
+        <source>“%1” exists already. Replace it?</source>
+        <translation>“%1”已存在。要替换吗？</translation>
     </message>
 </context>
 <context>
@@ -2253,6 +2362,34 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Choose larger voxels</source>
         <translation>请选择更大的体素</translation>
+    </message>
+    <message>
+        <source>Please report it, with the preset that you had</source>
+        <translation>请连同当时的预设一起报告此问题</translation>
+    </message>
+    <message>
+        <source>no more threads can be started</source>
+        <translation>无法再启动更多线程</translation>
+    </message>
+    <message>
+        <source>Close other programs, or let this one have more threads</source>
+        <translation>请关闭其他程序，或允许本程序使用更多线程</translation>
+    </message>
+    <message>
+        <source>something failed inside Fumage: %1</source>
+        <translation>Fumage 内部出错：%1</translation>
+    </message>
+    <message>
+        <source>something failed inside Fumage</source>
+        <translation>Fumage 内部出错</translation>
+    </message>
+    <message>
+        <source>a task of %1 has at most %2 frames</source>
+        <translation>%1 的一个任务最多有 %2 帧</translation>
+    </message>
+    <message>
+        <source>Choose fewer frames a task</source>
+        <translation>请减少每个任务的帧数</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4067,85 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>fumage::ui::Preferences</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>The language changes when Fumage starts the next time.</source>
+        <translation>语言将在下次启动 Fumage 时更改。</translation>
+    </message>
+    <message>
+        <source>Mouse in the viewport</source>
+        <translation>视口中的鼠标操作</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Where there is a graphics card</source>
+        <translation>有显卡时</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>始终</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>从不</translation>
+    </message>
+    <message>
+        <source>“Never” helps where the picture is black or torn. It takes effect when Fumage starts the next time.</source>
+        <translation>如果画面全黑或撕裂，请选择“从不”。下次启动 Fumage 时生效。</translation>
+    </message>
+    <message>
+        <source>Memory for pictures</source>
+        <translation>图像内存</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Frames that a window keeps to play them again at once. Simulation and air come on top.</source>
+        <translation>窗口为立即重播而保留的帧。模拟和空气另外占用内存。</translation>
+    </message>
+    <message>
+        <source>Show presets when Fumage starts</source>
+        <translation>启动 Fumage 时显示预设</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>显示文件夹</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved work is kept a second after each change, and is opened again should the program end unexpectedly: %1</source>
+        <translation>每次更改一秒后都会保存一份未保存工作的副本，如果程序意外退出，将重新打开：%1</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::PresetBrowser</name>
     <message>
         <source>Search presets</source>
@@ -4442,10 +4658,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
 <context>
     <name>fumage::ui::Session</name>
     <message>
-        <source>This is unsaved work from before the program ended unexpectedly. Save it to keep it.</source>
-        <translation>这是程序意外结束之前未保存的工作。保存它以便保留。</translation>
-    </message>
-    <message>
         <source>A copy of unsaved work cannot be read. It stays where it is: %1</source>
         <translation>有一份未保存工作的副本无法读取。它仍在原处：%1</translation>
     </message>
@@ -4717,33 +4929,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Smoke</source>
         <translation>烟</translation>
-    </message>
-    <message>
-        <source>Frame all</source>
-        <translation>显示全部</translation>
-    </message>
-    <message>
-        <source>Change view</source>
-        <translation>更换视图</translation>
-    </message>
-</context>
-<context>
-    <name>fumage::ui::ViewportHand</name>
-    <message>
-        <source>Orbit</source>
-        <translation>环绕</translation>
-    </message>
-    <message>
-        <source>Pan</source>
-        <translation>平移</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>Look around</source>
-        <translation>环顾</translation>
     </message>
 </context>
 <context>

@@ -2,13 +2,14 @@
 #include "window_fixture.h"
 
 #include "ui/document/recovery.h"
+#include "ui/face/message_bar.h"
 
 #include "core/base/file.h"
 #include "core/effect/known_parameter.h"
 
 #include <QDockWidget>
 #include <QProcess>
-#include <QStatusBar>
+#include <QLabel>
 #include <QTimer>
 
 #include <cstdio>
@@ -38,6 +39,7 @@ private slots:
         QCOMPARE(recovered->document().effect().motion.gravity, 6.5F);
         QCOMPARE(recovered->document().filePath(), u"/somewhere/mine.json"_q);
         QVERIFY(recovered->isWindowModified());
+        QVERIFY(recovered->messages().says(u"notice.recovered"_q));
         QVERIFY(Recovery::find(recoveryFolder()).works.empty()); // this program has it
         QTRY_VERIFY_WITH_TIMEOUT(recoveryFolder().entryList({u"*.trial"_q}).isEmpty(), 20000); // what has been shown is harmless
     }
@@ -78,7 +80,8 @@ private slots:
         QVERIFY(writeFileAtomically(copy.toStdString(), std::string_view("{ half a fi")).ok());
         QVERIFY(writePresetFile(file.toStdString(), smallPreset()).ok());
         m_session->start({file});
-        QVERIFY2(otherWindow()->statusBar()->currentMessage().contains(copy), qPrintable(otherWindow()->statusBar()->currentMessage()));
+        const QString said = childOf<QLabel>(*otherWindow(), u"notice.left.text"_q)->text();
+        QVERIFY2(said.contains(copy), qPrintable(said));
         QVERIFY(QFile::remove(copy));
     }
 

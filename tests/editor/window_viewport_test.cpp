@@ -56,9 +56,39 @@ private slots:
         turnWheel(surface, 2);
         turnWheel(surface, 1);
         QVERIFY(m_window->document().effect().camera.distance < before.distance);
-        QCOMPARE(m_window->document().undoStack()->count(), 3);
+        QCOMPARE(m_window->document().undoStack()->count(), 0);
+        QVERIFY(m_window->isWindowModified()); // it is saved with the document
         trigger("view.front");
         QCOMPARE(m_window->document().effect().camera.yaw, 0.0F);
+        for (int view = 0; view < 4; ++view) { // front, one burst of the wheel, pan, orbit
+            QVERIFY(m_window->actions().get("view.previous").isEnabled());
+            trigger("view.previous");
+        }
+        QVERIFY(m_window->document().effect().camera == before);
+        QVERIFY(!m_window->actions().get("view.previous").isEnabled() && !m_window->isWindowModified());
+        trigger("view.next");
+        QVERIFY(m_window->document().effect().camera.yaw != before.yaw);
+    }
+
+    void undoingNeverThrowsTheCameraAway()
+    {
+        Document& document = m_window->document();
+        document.edit(knownParameter("motion.gravity"), 3.0F);
+        Effect other = document.effect();
+        other.motion.wind = 2.0F;
+        document.replaceEffect(other, u"Randomise"_q);
+        trigger("view.right");
+        const Camera seen = document.effect().camera;
+        while (document.undoStack()->canUndo()) {
+            trigger("edit.undo");
+            QVERIFY(document.effect().camera == seen);
+        }
+        QCOMPARE(document.effect().motion.wind, smallPreset().effect.motion.wind);
+        while (document.undoStack()->canRedo()) {
+            trigger("edit.redo");
+            QVERIFY(document.effect().camera == seen);
+        }
+        QCOMPARE(document.effect().motion.wind, 2.0F);
     }
 
     void aBackdropThatIsNotTakenLeavesTheCheckers()

@@ -89,12 +89,20 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
         accept();
         emit openRequested();
     });
-    connect(empty, &QPushButton::clicked, this, &QDialog::accept);
+    connect(empty, &QPushButton::clicked, this, [this] {
+        accept();
+        emit defaultRequested();
+    });
 }
 
 bool StartDialog::showAgain() const
 {
     return m_again->isChecked();
+}
+
+void StartDialog::setShowAgain(bool shows)
+{
+    m_again->setChecked(shows);
 }
 
 } // namespace fumage::ui

@@ -16,11 +16,13 @@ public:
     StartDialog(const QStringList& recentFiles, QWidget* parent);
 
     [[nodiscard]] bool showAgain() const;
+    void setShowAgain(bool shows);
 
 signals:
     void presetChosen(const fumage::Preset& preset);
     void fileChosen(const QString& path);
     void openRequested();
+    void defaultRequested();
 
 private:
     QCheckBox* m_again;

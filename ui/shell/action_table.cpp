@@ -21,6 +21,7 @@ using enum ActionKind;
 
 constexpr ActionSpec kSpecs[] = {
     {.id = "file.new", .menu = kFile, .text = QT_TRANSLATE_NOOP("Actions", "&New"), .keys = "Ctrl+N", .icon = "new"},
+    {.id = "file.start", .menu = kFile, .text = QT_TRANSLATE_NOOP("Actions", "New from a p&reset…"), .words = QT_TRANSLATE_NOOP("Actions", "start begin welcome template gallery")},
     {.id = "file.newWindow", .menu = kFile, .text = QT_TRANSLATE_NOOP("Actions", "New &window"), .keys = "Ctrl+Shift+N"},
     {.id = "file.open", .menu = kFile, .text = QT_TRANSLATE_NOOP("Actions", "&Open…"), .keys = "Ctrl+O", .icon = "open"},
     {.id = "file.recent", .menu = kFile, .text = QT_TRANSLATE_NOOP("Actions", "Open &recent"), .kind = Submenu},
@@ -42,6 +43,7 @@ constexpr ActionSpec kSpecs[] = {
     {.id = "edit.resetAll", .menu = kEdit, .text = QT_TRANSLATE_NOOP("Actions", "Reset &all parameters")},
     {.id = "edit.search", .menu = kEdit, .text = QT_TRANSLATE_NOOP("Actions", "&Search parameters"), .keys = "Ctrl+F", .icon = "search", .lineAbove = true},
     {.id = "edit.commands", .menu = kEdit, .text = QT_TRANSLATE_NOOP("Actions", "Search c&ommands…"), .keys = "Ctrl+Shift+P"},
+    {.id = "edit.preferences", .menu = kEdit, .text = QT_TRANSLATE_NOOP("Actions", "Pre&ferences…"), .keys = "Ctrl+,", .lineAbove = true, .words = QT_TRANSLATE_NOOP("Actions", "settings options configuration theme language memory start welcome OpenGL recovery")},
 
     {.id = "view.frameAll", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Frame &all"), .keys = "F", .icon = "frame-all"},
     {.id = "view.frameAnimation", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Frame the &whole animation"), .keys = "Shift+F"},
@@ -51,6 +53,8 @@ constexpr ActionSpec kSpecs[] = {
     {.id = "view.back", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "From the bac&k"), .keys = "Ctrl+1"},
     {.id = "view.left", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "From the &left"), .keys = "Ctrl+3"},
     {.id = "view.bottom", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "From &below"), .keys = "Ctrl+7"},
+    {.id = "view.previous", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Pre&vious view"), .keys = "Alt+Left", .lineAbove = true, .words = QT_TRANSLATE_NOOP("Actions", "undo camera back")},
+    {.id = "view.next", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "&Next view"), .keys = "Alt+Right", .words = QT_TRANSLATE_NOOP("Actions", "redo camera forward")},
     {.id = "view.grid", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Ground &grid"), .keys = "G", .icon = "grid", .kind = Switch, .lineAbove = true},
     {.id = "view.emitter", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "&Emitter outline"), .kind = Switch},
     {.id = "view.gizmos", .menu = kView, .text = QT_TRANSLATE_NOOP("Actions", "Gi&zmos"), .keys = "Z", .icon = "gizmo", .kind = Switch},

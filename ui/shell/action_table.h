@@ -25,6 +25,7 @@ struct ActionSpec {
     const char* icon = ""; ///< empty: none
     ActionKind kind = ActionKind::Command;
     bool lineAbove = false; ///< in the menu
+    const char* words = ""; ///< key for tr(); other words that it is found by; empty: none
 };
 
 [[nodiscard]] std::span<const ActionSpec> actionSpecs();

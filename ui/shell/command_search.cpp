@@ -83,7 +83,12 @@ void CommandSearch::addCommands()
             continue;
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        add(fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys), {}, [&action] { action.trigger(); })->setIcon(action.icon());
+        const QString text = fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys);
+        // Also by the English words, as parameters are.
+        const QString words = spec.words[0] == '\0'
+            ? QString()
+            : QStringLiteral("%1 %2 %3").arg(text, actionText(spec.words), QLatin1String(spec.words));
+        add(text, words, [&action] { action.trigger(); })->setIcon(action.icon());
     }
 }
 

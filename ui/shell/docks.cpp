@@ -6,6 +6,7 @@
 #include "ui/panels/parameter_rows.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/variations_panel.h"
+#include "ui/shell/history_view.h"
 
 #include "core/effect/known_parameter.h"
 
@@ -14,20 +15,10 @@
 
 #include <QMainWindow>
 #include <QMenu>
-#include <QUndoView>
 
 namespace fumage::ui {
 
 namespace {
-
-QUndoView* makeHistory(Document& document)
-{
-    auto* history = new QUndoView(document.undoStack());
-    history->setObjectName(QStringLiteral("historyView"));
-    history->setEmptyLabel(Docks::tr("As opened"));
-    history->setAccessibleName(Docks::tr("Undo history"));
-    return history;
-}
 
 void bringToFront(QDockWidget& dock)
 {
@@ -47,7 +38,7 @@ Docks::Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue&
     , m_presets(makeDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser))
     , m_parameters(makeDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel))
     , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), m_noisePane))
-    , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), makeHistory(document)))
+    , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), new HistoryView(document.undoStack())))
     , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new VariationsPanel(document, locks)))
     , m_queue(makeDock(QStringLiteral("dock.queue"), tr("Exports"), m_queuePanel))
 {

@@ -50,11 +50,13 @@ QString presetFile(const QString& folder, const QString& name)
 
 } // namespace
 
-DocumentFiles::DocumentFiles(Document& document, Settings& settings, const AskForFile& ask, QWidget* window)
+DocumentFiles::DocumentFiles(
+    Document& document, Settings& settings, const AskForFile& ask, const AskForChoice& askForChoice, QWidget* window)
     : QObject(window)
     , m_document(document)
     , m_settings(settings)
     , m_ask(ask)
+    , m_askForChoice(askForChoice)
     , m_window(window)
 {
 }
@@ -128,6 +130,8 @@ void DocumentFiles::open()
 bool DocumentFiles::openFile(const QString& name)
 {
     const QString path = QFileInfo(name).absoluteFilePath();
+    // Others may write it while people are asked below: then it has changed since it was read.
+    const FileMark mark = markOfFile(path);
     // Read first: a broken file must not cost the document that is open.
     const Result<PresetReading> reading = readPresetFile(toPath(path));
     if (!reading) {
@@ -142,7 +146,7 @@ bool DocumentFiles::openFile(const QString& name)
     }
     const std::optional<int> frame = reading.value().frame;
     // A picture is no place to save a preset to.
-    m_document.load(reading.value().preset, frame ? QString() : path);
+    m_document.load(reading.value().preset, frame ? QString() : path, false, frame ? FileMark() : mark);
     if (frame) {
         emit pictureOpened(*frame);
     }
@@ -185,7 +189,35 @@ bool DocumentFiles::saveTo(const QString& path)
 
 bool DocumentFiles::save()
 {
-    return m_document.filePath().isEmpty() ? saveAs() : saveTo(m_document.filePath());
+    if (m_document.filePath().isEmpty()) {
+        return saveAs();
+    }
+    return m_document.compareWithDisk() == DiskState::Changed ? saveOverChanges() : saveTo(m_document.filePath());
+}
+
+bool DocumentFiles::saveOverChanges()
+{
+    const int answer = m_askForChoice(m_window,
+        {.name = QStringLiteral("changedOnDiskBox"),
+            .title = tr("Changed by another program"),
+            .text = tr(
+                "“%1” has been changed by another program since it was opened or saved here. If you overwrite it, those changes are lost.")
+                        .arg(QFileInfo(m_document.filePath()).fileName()),
+            .answers = {tr("Save as…"), tr("Overwrite"), tr("Cancel")}});
+    constexpr int kSaveAs = 0;
+    constexpr int kOverwrite = 1;
+    return answer == kSaveAs ? saveAs() : answer == kOverwrite && saveTo(m_document.filePath());
+}
+
+void DocumentFiles::reload()
+{
+    const QString file = QFileInfo(m_document.filePath()).fileName();
+    const Result<PresetReading> reading = m_document.reload();
+    if (reading) {
+        showWarnings(file, reading.value().warnings);
+    } else {
+        report(tr("Cannot open “%1”").arg(file), reading.error());
+    }
 }
 
 QString DocumentFiles::suggestedPath() const
@@ -219,6 +251,7 @@ QString DocumentFiles::askForName() const
 bool DocumentFiles::mayReplace(const QString& name) const
 {
     MessageBox box(QStringLiteral("replaceBox"), MessageBox::Question, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name), MessageBox::Yes | MessageBox::No, m_window);
+    box.setDefaultButton(MessageBox::No);
     return box.exec() == MessageBox::Yes;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/face/choice_question.h"
 #include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 
@@ -16,8 +17,10 @@ class DocumentFiles : public QObject {
 
 public:
     /// @param ask for the names of files
+    /// @param askForChoice what becomes of a file that others have changed
     /// @param window parent of dialogs
-    DocumentFiles(Document& document, Settings& settings, const AskForFile& ask, QWidget* window);
+    DocumentFiles(Document& document, Settings& settings, const AskForFile& ask, const AskForChoice& askForChoice,
+        QWidget* window);
 
     /// Asks what shall become of unsaved changes. @return whether to go on
     [[nodiscard]] bool mayLeave();
@@ -30,8 +33,11 @@ public:
     bool openPreset(const Preset& preset);
     /// Shows a preset of the library.
     void openEntry(const LibraryEntry& entry);
+    /// Asks before it writes over what others have written to the file.
     bool save();
     bool saveAs();
+    /// Takes over what others have written to the file.
+    void reload();
     /// Writes a copy to the user's presets and goes on with it.
     void saveToLibrary();
     void revert();
@@ -46,6 +52,7 @@ signals:
 
 private:
     bool saveTo(const QString& path);
+    bool saveOverChanges();
     [[nodiscard]] QString askForName() const; ///< of a preset of the library; empty: none
     [[nodiscard]] bool mayReplace(const QString& name) const;
     [[nodiscard]] QString suggestedPath() const;
@@ -55,6 +62,7 @@ private:
     Document& m_document;
     Settings& m_settings;
     const AskForFile& m_ask;
+    const AskForChoice& m_askForChoice;
     QWidget* m_window;
 };
 

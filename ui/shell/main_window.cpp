@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/queue_panel.h"
+#include "ui/face/message_bar.h"
 #include "ui/face/plain_text.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/presets/preset_browser.h"
@@ -11,6 +12,7 @@
 #include "ui/shell/help.h"
 #include "ui/shell/menus.h"
 #include "ui/shell/play_actions.h"
+#include "ui/shell/preferences.h"
 #include "ui/shell/window_layout.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/viewport/viewport.h"
@@ -19,6 +21,7 @@
 #include <QCloseEvent>
 #include <QMenu>
 #include <QMenuBar>
+#include <QShortcut>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -42,9 +45,12 @@ QWidget* focusOf(const QWidget& window)
 
 MainWindow::MainWindow(Session& session)
     : m_session(session)
+    , m_document(newPreset())
     , m_actions(this)
-    , m_files(m_document, session.settings(), session.askForFile(), this)
+    , m_files(m_document, session.settings(), session.askForFile(), session.askForChoice(), this)
     , m_recovery(m_document, QDir(Settings::recoveryFolder()))
+    , m_messages(new MessageBar(this))
+    , m_notices(m_document, m_files, *m_messages)
     , m_viewport(std::make_unique<Viewport>(m_document, m_player, session.glSupport()))
     , m_timeline(std::make_unique<TimelineBar>(m_document, m_player))
     , m_docks(*this, m_document, m_locks, session.exports(), session.askForFile())
@@ -63,7 +69,9 @@ MainWindow::MainWindow(Session& session)
     connectFileActions();
     connectPlayActions(m_actions, m_player);
     connectWindowActions();
+    connectViews();
     connectPresets();
+    connectMemory();
     connectExports();
     connectStatus();
     connect(&m_document, &Document::titleChanged, &m_ear, [this] { showTitle(); });
@@ -90,6 +98,7 @@ void MainWindow::buildCentre()
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(m_messages);
     layout->addWidget(m_viewport.get(), 1);
     layout->addWidget(m_timeline.get());
     centre->setFocusProxy(m_viewport->surface());
@@ -115,6 +124,7 @@ void MainWindow::buildMenus()
 void MainWindow::connectFileActions()
 {
     m_actions.on("file.new", &m_files, &DocumentFiles::newDocument);
+    m_actions.on("file.start", this, &MainWindow::showStart);
     m_actions.on("file.newWindow", this, [this] { m_session.openWindow(); });
     m_actions.on("file.open", &m_files, &DocumentFiles::open);
     m_actions.on("file.save", &m_files, &DocumentFiles::save);
@@ -136,11 +146,8 @@ void MainWindow::connectWindowActions()
     m_actions.on("edit.variations", &m_docks, &Docks::showVariations);
     m_actions.on("edit.search", &m_docks, &Docks::searchParameters);
     m_actions.on("edit.commands", this, &MainWindow::searchCommands);
-    connect(&m_actions.get("view.smokeOnly"), &QAction::toggled, &m_ear, [this](bool on) {
-        m_docks.setPutAway(on);
-        findChild<QToolBar*>(QStringLiteral("toolBar"))->setVisible(!on);
-        m_timeline->setVisible(!on);
-    });
+    m_actions.on("edit.preferences", this, &MainWindow::showPreferences);
+    connect(&m_actions.get("view.smokeOnly"), &QAction::toggled, &m_ear, [this](bool on) { showSmokeOnly(on); });
     m_actions.on("view.resetLayout", this, [this] {
         m_actions.get("view.smokeOnly").setChecked(false);
         m_docks.arrange();
@@ -148,6 +155,43 @@ void MainWindow::connectWindowActions()
     m_actions.on("help.reference", this, [this] { showReference(this); });
     m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
     m_actions.on("help.about", this, [this] { showAbout(this); });
+}
+
+/// The menu bar goes, too: Escape leads back.
+void MainWindow::showSmokeOnly(bool only)
+{
+    m_docks.setPutAway(only);
+    findChild<QToolBar*>(QStringLiteral("toolBar"))->setVisible(!only);
+    m_timeline->setVisible(!only);
+    menuBar()->setVisible(!only);
+    statusBar()->setVisible(!only);
+    m_viewport->setBare(only);
+    m_leaveSmokeOnly->setEnabled(only);
+}
+
+void MainWindow::connectViews()
+{
+    m_leaveSmokeOnly = new QShortcut(Qt::Key_Escape, this, &m_actions.get("view.smokeOnly"), &QAction::toggle);
+    m_leaveSmokeOnly->setEnabled(false);
+    m_actions.on("view.previous", &m_document, &Document::previousView);
+    m_actions.on("view.next", &m_document, &Document::nextView);
+    const auto follow = [this] {
+        m_actions.get("view.previous").setEnabled(m_document.views().hasPrevious());
+        m_actions.get("view.next").setEnabled(m_document.views().hasNext());
+    };
+    connect(&m_document, &Document::viewsChanged, &m_ear, follow);
+    follow();
+}
+
+void MainWindow::connectMemory()
+{
+    Settings& settings = m_session.settings();
+    constexpr qint64 kMegabyte = 1024 * 1024;
+    const auto follow = [this](int megabytes) { m_viewport->setCacheBytes(megabytes * kMegabyte); };
+    connect(&settings, &Settings::pictureMegabytesChanged, &m_ear, follow);
+    follow(settings.pictureMegabytes());
+    connect(&m_document, &Document::loaded, &m_session, &Session::giveBackMemorySoon);
+    connect(m_viewport.get(), &Viewport::dropped, &m_session, &Session::giveBackMemorySoon);
 }
 
 void MainWindow::connectPresets()
@@ -180,6 +224,8 @@ void MainWindow::connectExports()
 
 void MainWindow::connectStatus()
 {
+    // What was said was said of another document.
+    connect(&m_document, &Document::loaded, statusBar(), &QStatusBar::clearMessage);
     statusBar()->setSizeGripEnabled(false); // always there: if it came and went, the smoke would jump
     connect(&m_exports, &ExportDesk::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_viewActions.cameraFit(), &CameraFit::news, statusBar(), &QStatusBar::showMessage);
@@ -205,16 +251,28 @@ void MainWindow::notify(const QString& message)
 
 void MainWindow::begin()
 {
-    m_files.newDocument();
-    if (!m_session.settings().showsStartDialog()) {
-        return;
+    if (m_session.settings().showsStartDialog()) {
+        showStart();
     }
+}
+
+void MainWindow::showStart()
+{
     auto* dialog = new StartDialog(m_session.settings().recentFiles(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setShowAgain(m_session.settings().showsStartDialog());
+    connect(dialog, &StartDialog::defaultRequested, &m_files, &DocumentFiles::newDocument);
     connect(dialog, &StartDialog::presetChosen, &m_files, &DocumentFiles::openPreset);
     connect(dialog, &StartDialog::fileChosen, &m_files, &DocumentFiles::openFile);
     connect(dialog, &StartDialog::openRequested, &m_files, &DocumentFiles::open);
     connect(dialog, &QDialog::finished, this, [this, dialog] { m_session.settings().setShowsStartDialog(dialog->showAgain()); });
+    dialog->open();
+}
+
+void MainWindow::showPreferences()
+{
+    auto* dialog = new Preferences(m_session, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
@@ -225,6 +283,16 @@ void MainWindow::showTitle()
     setWindowFilePath(m_document.filePath());
     setWindowTitle(QStringLiteral("%1[*] — Fumage").arg(plainTitle(m_document.displayName())));
     setWindowModified(m_document.isModified());
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
+        m_notices.look(); // people come back from where they have changed the file
+    } else if (event->type() == QEvent::WindowStateChange && isMinimized()) {
+        m_session.giveBackMemorySoon();
+    }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

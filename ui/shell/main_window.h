@@ -10,6 +10,7 @@
 #include "ui/shell/drops.h"
 #include "ui/shell/edit_actions.h"
 #include "ui/shell/export_desk.h"
+#include "ui/shell/file_notices.h"
 #include "ui/shell/session.h"
 #include "ui/shell/view_actions.h"
 #include "ui/timeline/player.h"
@@ -18,8 +19,11 @@
 
 #include <memory>
 
+class QShortcut;
+
 namespace fumage::ui {
 
+class MessageBar;
 class TimelineBar;
 class Viewport;
 
@@ -39,13 +43,17 @@ public:
     [[nodiscard]] Recovery& recovery() { return m_recovery; }
     [[nodiscard]] DocumentFiles& files() { return m_files; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
+    /// What stays until it is answered.
+    [[nodiscard]] MessageBar& messages() { return *m_messages; }
+    [[nodiscard]] FileNotices& notices() { return m_notices; }
 
-    /// Says something that must not be missed and need not be answered.
+    /// Says something that is of interest now, and of this document.
     void notify(const QString& message);
     /// What an empty session shows first.
     void begin();
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:
@@ -53,9 +61,14 @@ private:
     void buildMenus();
     void connectFileActions();
     void connectWindowActions();
+    void connectViews();
     void connectPresets();
+    void connectMemory();
     void connectExports();
     void connectStatus();
+    void showStart();
+    void showPreferences();
+    void showSmokeOnly(bool only);
     void searchCommands();
     void showTitle();
 
@@ -69,6 +82,8 @@ private:
     ActionSet m_actions;
     DocumentFiles m_files;
     Recovery m_recovery;
+    MessageBar* m_messages; ///< a child of the window
+    FileNotices m_notices;
     std::unique_ptr<Viewport> m_viewport;
     std::unique_ptr<TimelineBar> m_timeline;
     Docks m_docks;
@@ -77,6 +92,7 @@ private:
     Comparison m_comparison;
     ExportDesk m_exports;
     Drops m_drops;
+    QShortcut* m_leaveSmokeOnly = nullptr; ///< a child of the window
     /// Context of what this window hears from the members above: dying, they speak once more, to a window that is half gone by then.
     QObject m_ear;
 };

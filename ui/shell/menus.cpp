@@ -7,6 +7,8 @@
 #include "ui/shell/session.h"
 #include "ui/viewport/viewport.h"
 
+#include <algorithm>
+
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -100,10 +102,41 @@ void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files)
     QObject::connect(&settings, &Settings::recentFilesChanged, &menu, fill);
 }
 
+QStringList navigationNames()
+{
+    return {QStringLiteral("Blender"), QStringLiteral("Maya"), QStringLiteral("Unity")};
+}
+
+QStringList languageNames()
+{
+    QStringList names{menuText(QT_TRANSLATE_NOOP("Menus", "As the system"))};
+    for (const Language& language : languages()) {
+        names += language.name;
+    }
+    return names;
+}
+
+int languageIndex(const Settings& settings)
+{
+    const auto found = std::ranges::find(languages(), settings.language(), &Language::code);
+    return found == languages().end() ? 0 : static_cast<int>(found - languages().begin()) + 1;
+}
+
+void setLanguage(Settings& settings, int index)
+{
+    settings.setLanguage(index == 0 ? QString() : languages()[index - 1].code);
+}
+
+QStringList themeNames()
+{
+    return {menuText(QT_TRANSLATE_NOOP("Menus", "As the desktop")), menuText(QT_TRANSLATE_NOOP("Menus", "Dark")),
+        menuText(QT_TRANSLATE_NOOP("Menus", "Light"))};
+}
+
 void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport)
 {
-    const QStringList names{QStringLiteral("Blender"), QStringLiteral("Maya"), QStringLiteral("Unity")};
-    const QActionGroup& choices = addChoices(menu, names, static_cast<int>(settings.navigationStyle()), [&](int index) { settings.setNavigationStyle(static_cast<NavigationStyle>(index)); });
+    const QActionGroup& choices = addChoices(menu, navigationNames(), static_cast<int>(settings.navigationStyle()),
+        [&](int index) { settings.setNavigationStyle(static_cast<NavigationStyle>(index)); });
     // It may be chosen in another window.
     QObject::connect(&settings, &Settings::navigationStyleChanged, &viewport, &Viewport::setNavigationStyle);
     QObject::connect(&settings, &Settings::navigationStyleChanged, &choices, [&choices](NavigationStyle style) { choices.actions()[static_cast<int>(style)]->setChecked(true); });
@@ -111,22 +144,19 @@ void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport)
 
 void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(const QString&)>& say)
 {
-    QStringList names{menuText(QT_TRANSLATE_NOOP("Menus", "As the system"))};
-    int spoken = 0;
-    for (const Language& language : languages()) {
-        spoken = language.code == settings.language() ? static_cast<int>(names.size()) : spoken;
-        names += language.name;
-    }
-    addChoices(menu, names, spoken, [&settings, say](int index) {
-        settings.setLanguage(index == 0 ? QString() : languages()[index - 1].code);
-        say(menuText(QT_TRANSLATE_NOOP("Menus", "The language changes when Fumage starts the next time.")));
-    });
+    const QActionGroup& choices =
+        addChoices(menu, languageNames(), languageIndex(settings), [&settings, say](int index) {
+            setLanguage(settings, index);
+            say(menuText(QT_TRANSLATE_NOOP("Menus", "The language changes when Fumage starts the next time.")));
+        });
+    QObject::connect(&settings, &Settings::languageChanged, &choices,
+        [&choices, &settings] { choices.actions()[languageIndex(settings)]->setChecked(true); });
 }
 
 void fillThemes(QMenu& menu, Session& session)
 {
-    const QStringList names{menuText(QT_TRANSLATE_NOOP("Menus", "As the desktop")), menuText(QT_TRANSLATE_NOOP("Menus", "Dark")), menuText(QT_TRANSLATE_NOOP("Menus", "Light"))};
-    const QActionGroup& choices = addChoices(menu, names, static_cast<int>(session.settings().theme()), [&session](int index) { session.applyTheme(static_cast<Theme>(index)); });
+    const QActionGroup& choices = addChoices(menu, themeNames(), static_cast<int>(session.settings().theme()),
+        [&session](int index) { session.applyTheme(static_cast<Theme>(index)); });
     QObject::connect(&session.settings(), &Settings::themeChanged, &choices, [&choices](Theme theme) { choices.actions()[static_cast<int>(theme)]->setChecked(true); });
 }
 

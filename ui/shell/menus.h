@@ -26,6 +26,13 @@ void fillRecentFiles(QMenu& menu, Settings& settings, DocumentFiles& files);
 void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport);
 /// @param say tells that the choice comes true later
 void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(const QString&)>& say);
+/// The choices of these menus, in the order of their enumerators; languages after that of the system.
+[[nodiscard]] QStringList navigationNames();
+[[nodiscard]] QStringList languageNames();
+[[nodiscard]] QStringList themeNames();
+[[nodiscard]] int languageIndex(const Settings& settings);
+void setLanguage(Settings& settings, int index);
+
 void fillThemes(QMenu& menu, Session& session);
 
 } // namespace fumage::ui

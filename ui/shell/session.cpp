@@ -1,9 +1,11 @@
 #include "ui/shell/session.h"
 
+#include "ui/face/message_bar.h"
 #include "ui/face/plain_text.h"
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
+#include "core/base/heap.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -39,6 +41,14 @@ Session::Session(AskForFile askForFile, AskForChoice askForChoice, QObject* pare
     , m_exports(QDir(Settings::queueFolder()))
 {
     connectExports();
+    constexpr int kThriftMs =
+        2000; // after a burst of changes: what is given back in the middle of one is asked for again at once
+    m_thrift.setSingleShot(true);
+    m_thrift.setInterval(kThriftMs);
+    connect(&m_thrift, &QTimer::timeout, this, [this] {
+        // It takes some tens of milliseconds, in which others may wait for memory, but not the window.
+        m_giving.ask([](const AnswerJob::Tell&, const std::stop_token&) { giveBackMemory(); }, [](const Error&) {});
+    });
     computeInBackground();
     ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
     qApp->installEventFilter(new KeyGuard(this));
@@ -67,7 +77,7 @@ void Session::recover(std::vector<Recovery::Work>& works)
         window->recovery().adopt(std::move(work));
         window->raise();
         window->activateWindow();
-        window->notify(tr("This is unsaved work from before the program ended unexpectedly. Save it to keep it."));
+        window->notices().sayRecovered();
     }
 }
 
@@ -84,7 +94,21 @@ void Session::start(const QStringList& files)
     }
     offerExports();
     if (!remark.isEmpty()) {
-        m_windows.constLast()->notify(remark);
+        m_windows.constLast()->messages().say(QStringLiteral("notice.left"), remark, {{tr("Close"), {}}});
+    }
+}
+
+void Session::giveBackMemorySoon()
+{
+    m_thrift.start();
+}
+
+void Session::leaveWork()
+{
+    for (const QPointer<MainWindow>& window : std::as_const(m_windows)) {
+        if (window) {
+            window->recovery().leave();
+        }
     }
 }
 

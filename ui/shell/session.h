@@ -6,10 +6,12 @@
 #include "ui/face/file_question.h"
 #include "ui/shell/settings.h"
 #include "ui/viewport/gl_support.h"
+#include "ui/work/answer_job.h"
 
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 
 #include <memory>
 
@@ -46,6 +48,11 @@ public:
 
     void applyTheme(Theme theme);
 
+    /// Memory that is no longer needed goes back to the system in a moment.
+    void giveBackMemorySoon();
+    /// The program is about to be ended by others: unsaved work stays on the disk for the next one.
+    void leaveWork();
+
 private:
     void recover(std::vector<Recovery::Work>& works);
     /// Shows those of programs that are gone, and starts none of them.
@@ -61,6 +68,8 @@ private:
     ExportQueue m_exports;
     std::shared_ptr<QEventLoopLocker> m_untilExported; ///< keeps the program alive without a window; null: nothing does
     QList<QPointer<MainWindow>> m_windows;
+    QTimer m_thrift;
+    AnswerJob m_giving; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui

@@ -18,6 +18,8 @@ const QString kTheme = QStringLiteral("face/theme");
 const QString kLanguage = QStringLiteral("face/language");
 const QString kNavigation = QStringLiteral("viewport/navigation");
 const QString kStart = QStringLiteral("start/shown");
+const QString kOpenGl = QStringLiteral("viewport/opengl");
+const QString kPictures = QStringLiteral("viewport/megabytes");
 const QString kKnowsQueue = QStringLiteral("exports/shown");
 
 /// A number that an older or newer version may have written, as an enumerator that this one knows.
@@ -110,6 +112,7 @@ QString Settings::language() const
 void Settings::setLanguage(const QString& code)
 {
     m_settings.setValue(kLanguage, code);
+    emit languageChanged(code);
 }
 
 NavigationStyle Settings::navigationStyle() const
@@ -131,6 +134,28 @@ bool Settings::showsStartDialog() const
 void Settings::setShowsStartDialog(bool shows)
 {
     m_settings.setValue(kStart, shows);
+}
+
+OpenGlChoice Settings::openGl() const
+{
+    return known(m_settings.value(kOpenGl), OpenGlChoice::Never);
+}
+
+void Settings::setOpenGl(OpenGlChoice choice)
+{
+    m_settings.setValue(kOpenGl, static_cast<int>(choice));
+}
+
+int Settings::pictureMegabytes() const
+{
+    return std::clamp(
+        m_settings.value(kPictures, kUsualPictureMegabytes).toInt(), kLeastPictureMegabytes, kMostPictureMegabytes);
+}
+
+void Settings::setPictureMegabytes(int megabytes)
+{
+    m_settings.setValue(kPictures, megabytes);
+    emit pictureMegabytesChanged(pictureMegabytes());
 }
 
 bool Settings::knowsQueue() const

@@ -8,6 +8,13 @@
 
 namespace fumage::ui {
 
+/// Whether OpenGL draws the smoke.
+enum class OpenGlChoice {
+    Automatic, ///< where there is a graphics card
+    Always, ///< also where the processor has to play graphics card
+    Never,
+};
+
 /// What is remembered from one start to the next.
 class Settings : public QObject {
     Q_OBJECT
@@ -36,6 +43,16 @@ public:
     [[nodiscard]] bool showsStartDialog() const;
     void setShowsStartDialog(bool shows);
 
+    /// Takes effect with the next start.
+    [[nodiscard]] OpenGlChoice openGl() const;
+    void setOpenGl(OpenGlChoice choice);
+    /// What the pictures of a window that are kept for playing may take, in MB.
+    [[nodiscard]] int pictureMegabytes() const;
+    void setPictureMegabytes(int megabytes);
+    static constexpr int kLeastPictureMegabytes = 32;
+    static constexpr int kMostPictureMegabytes = 16384;
+    static constexpr int kUsualPictureMegabytes = 256;
+
     /// Whether the panel of exports has come by itself, which it does once.
     [[nodiscard]] bool knowsQueue() const;
     void setKnowsQueue(bool knows);
@@ -55,6 +72,8 @@ signals:
     void favouritesChanged();
     void navigationStyleChanged(fumage::ui::NavigationStyle style);
     void themeChanged(fumage::ui::Theme theme);
+    void languageChanged(const QString& code);
+    void pictureMegabytesChanged(int megabytes);
 
 private:
     QSettings m_settings;
