@@ -1,12 +1,19 @@
 #include "ui/shell/application.h"
 
 #include "ui/face/language.h"
+#include "ui/shell/end_signals.h"
 #include "ui/shell/guarded_application.h"
 #include "ui/shell/session.h"
 
+#include "core/base/caught.h"
+#include "core/base/heap.h"
 #include "core/version.h"
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <optional>
 
 #include <QCommandLineParser>
 #include <QIcon>
@@ -29,7 +36,105 @@
 
 namespace fumage::ui {
 
-int runEditor(int argc, char** argv)
+namespace {
+
+constexpr int kFailure = 1;
+constexpr int kTryAgain = 75; ///< as fumage-cli: it may work another time
+
+/// Says why the program ends, where it is to be seen; without memory, should there be none.
+/// @return exit code
+int sayCaught() noexcept
+{
+    try {
+        const Error why = caughtError();
+        std::fprintf(stderr, "fumage: %s\n", why.text().c_str());
+        return why.code == ErrorCode::OutOfMemory ? kTryAgain : kFailure;
+    } catch (...) {
+        std::fputs("fumage: there is not enough memory\n", stderr);
+        return kTryAgain;
+    }
+}
+
+/// An exception that nobody catches: in a thread of a library, or while another is on its way.
+[[noreturn]] void endByException() noexcept
+{
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) {
+            std::rethrow_exception(thrown);
+        }
+    } catch (...) {
+        std::_Exit(sayCaught());
+    }
+    std::fputs("fumage: something failed inside Fumage\n", stderr);
+    std::_Exit(kFailure);
+}
+
+/// What Qt says before it would abort: that there is no display behind DISPLAY, above all.
+void endByQt(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+    std::fprintf(stderr, "%s\n", qPrintable(message));
+    if (type == QtFatalMsg) {
+        std::fputs(
+            "fumage: no window can be opened. Start it on a desktop, or use fumage-cli, which needs no display\n",
+            stderr);
+        std::_Exit(kFailure);
+    }
+}
+
+/// Whether windows have somewhere to go, as far as that can be known before Qt is asked, which would abort.
+bool hasDisplay(const QStringList& words)
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
+    for (const char* variable : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"}) {
+        if (!qEnvironmentVariableIsEmpty(variable)) {
+            return true;
+        }
+    }
+    return words.contains(QStringLiteral("-platform")) || words.contains(QStringLiteral("--platform"));
+#else
+    static_cast<void>(words);
+    return true;
+#endif
+}
+
+bool asksForText(const QStringList& words)
+{
+    for (const char* word : {"-h", "--help", "--help-all", "-v", "--version"}) {
+        if (words.contains(QLatin1String(word))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// @return nothing: go on; else the exit code
+std::optional<int> checkDisplay(int argc, char** argv)
+{
+    QStringList words;
+    for (int i = 1; i < argc; ++i) {
+        words += QString::fromLocal8Bit(argv[i]);
+    }
+    if (hasDisplay(words)) {
+        return std::nullopt;
+    }
+    if (asksForText(words)) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        return std::nullopt;
+    }
+    std::fputs(
+        "fumage: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set). Start it on a desktop, or use fumage-cli, which needs none\n",
+        stderr);
+    return kFailure;
+}
+
+void applyOpenGlChoice(OpenGlChoice choice)
+{
+    if (choice != OpenGlChoice::Automatic && !qEnvironmentVariableIsSet("FUMAGE_OPENGL")) {
+        qputenv("FUMAGE_OPENGL", choice == OpenGlChoice::Never ? "none" : "any");
+    }
+}
+
+int run(int argc, char** argv)
 {
     QSurfaceFormat format;
     constexpr int kMajor = 3;
@@ -41,13 +146,16 @@ int runEditor(int argc, char** argv)
 #ifdef SIGXFSZ // Windows has no such limit
     std::signal(SIGXFSZ, SIG_IGN); // writing says it too, and then the user hears of it
 #endif
+    qInstallMessageHandler(endByQt);
     GuardedApplication application(argc, argv);
+    qInstallMessageHandler(nullptr);
     QApplication::setApplicationName(QStringLiteral("Fumage"));
     QApplication::setApplicationVersion(QStringLiteral(FUMAGE_VERSION));
     QApplication::setDesktopFileName(QStringLiteral("fumage"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/fumage.svg")));
 
     applyLanguage(application, Settings().language());
+    applyOpenGlChoice(Settings().openGl());
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QCoreApplication::translate("main", "An editor for smoke."));
@@ -57,8 +165,27 @@ int runEditor(int argc, char** argv)
     parser.process(application);
 
     Session session;
+    const EndSignals signalled([&session](int number) {
+        session.leaveWork();
+        constexpr int kSignalled = 128; // as shells count
+        QApplication::exit(kSignalled + number);
+    });
     session.start(parser.positionalArguments());
     return QApplication::exec();
+}
+
+} // namespace
+
+int runEditor(int argc, char** argv)
+{
+    keepHeapSmall();
+    std::set_terminate(endByException);
+    try {
+        const std::optional<int> end = checkDisplay(argc, argv);
+        return end ? *end : run(argc, argv);
+    } catch (...) {
+        return sayCaught();
+    }
 }
 
 } // namespace fumage::ui
