@@ -191,7 +191,63 @@ private slots:
         QCOMPARE(Recovery::find(folder.dir()).dangerous.size(), 1); // it is counted, too
     }
 
+    void workOfAProgramThatIsToldToEndStays()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(u"mine.json"_q);
+        QVERIFY(writePresetFile(file.toStdString(), Preset()).ok());
+        const QDir copies(folder.filePath(u"recovery"_q));
+        FileMark began;
+        {
+            Document document;
+            document.load(Preset(), file);
+            began = document.fileMark();
+            Recovery recovery(document, copies);
+            document.edit(knownParameter("motion.gravity"), 7.0F);
+            recovery.leave();
+        }
+        QVERIFY(copies.entryList({u"*.lock"_q}).isEmpty());
+        QVERIFY(writePresetFile(file.toStdString(), presetWith(3.0F)).ok());
+        Recovery::Leftovers left = Recovery::find(copies);
+        QCOMPARE(left.works.size(), std::size_t{1});
+        QCOMPARE(left.works[0].preset.effect.motion.gravity, 7.0F);
+        QCOMPARE(left.works[0].originalPath, file);
+        QVERIFY(!began.isEmpty() && left.works[0].originalMark == began);
+        // The file has changed since the work began with it.
+        Document document;
+        Recovery recovery(document, copies);
+        recovery.adopt(std::move(left.works[0]));
+        QCOMPARE(document.compareWithDisk(), DiskState::Changed);
+    }
+
+    void aProgramThatIsToldToEndWithNothingUnsavedLeavesNothing()
+    {
+        const QTemporaryDir folder;
+        {
+            Document document;
+            Recovery recovery(document, QDir(folder.path()));
+            recovery.leave();
+        }
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void whatLayBesideACopyThatIsGoneIsClearedAway()
+    {
+        const LeftFolder folder(Origin::File);
+        QVERIFY(QFile::remove(folder.dir().filePath(u"left.json"_q)));
+        QVERIFY(!folder.names().isEmpty());
+        QVERIFY(isNothing(Recovery::find(folder.dir())));
+        QVERIFY2(folder.names().isEmpty(), qPrintable(folder.names().join(u' ')));
+    }
+
 private:
+    static Preset presetWith(float gravity)
+    {
+        Preset preset;
+        preset.effect.motion.gravity = gravity;
+        return preset;
+    }
+
     /// Where the work came from that a copy was made of.
     enum class Origin {
         None,

@@ -240,12 +240,14 @@ private slots:
     void onlyTheSmokeIsNothingButTheSmoke()
     {
         const QImage smoke = settled();
+        m_window->messages().say(u"notice.left"_q, u"Something"_q, {});
         m_window->actions().get("view.smokeOnly").setChecked(true);
         for (const QWidget* part :
             {static_cast<QWidget*>(m_window->menuBar()), static_cast<QWidget*>(m_window->statusBar()),
                 static_cast<QWidget*>(m_window->findChild<TimelineBar*>())}) {
             QVERIFY(!part->isVisible());
         }
+        QVERIFY(!m_window->messages().isVisible() && m_window->messages().says(u"notice.left"_q));
         QTRY_VERIFY(!settled().isNull() && settled().size() != smoke.size()); // the whole window is its
         const QImage seen = m_window->viewport().surface()->grab().toImage().convertToFormat(QImage::Format_RGB32);
         const QImage picture = settled().convertToFormat(QImage::Format_RGB32);

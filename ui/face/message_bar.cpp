@@ -48,7 +48,7 @@ void MessageBar::say(const QString& name, const QString& text, const std::vector
         });
     }
     m_rows->addWidget(row);
-    show();
+    followRows();
     QAccessibleEvent heard(label, QAccessible::Alert);
     QAccessible::updateAccessibility(&heard);
 }
@@ -60,8 +60,19 @@ void MessageBar::take(const QString& name)
         row->hide();
         row->deleteLater();
         m_rows->removeWidget(row);
-        setVisible(m_rows->count() > 0);
+        followRows();
     }
+}
+
+void MessageBar::setPutAway(bool away)
+{
+    m_isAway = away;
+    followRows();
+}
+
+void MessageBar::followRows()
+{
+    setVisible(m_rows->count() > 0 && !m_isAway);
 }
 
 } // namespace fumage::ui

@@ -28,12 +28,16 @@ public:
     /// @param answers on buttons; any of them takes the message away
     void say(const QString& name, const QString& text, const std::vector<Answer>& answers);
     void take(const QString& name);
+    /// Whether nobody is to see it for now; messages stay.
+    void setPutAway(bool away);
     [[nodiscard]] bool says(const QString& name) const { return find(name) != nullptr; }
 
 private:
     [[nodiscard]] QWidget* find(const QString& name) const;
+    void followRows();
 
     QVBoxLayout* m_rows;
+    bool m_isAway = false;
 };
 
 } // namespace fumage::ui

@@ -165,6 +165,7 @@ void MainWindow::showSmokeOnly(bool only)
     m_timeline->setVisible(!only);
     menuBar()->setVisible(!only);
     statusBar()->setVisible(!only);
+    m_messages->setPutAway(only);
     m_viewport->setBare(only);
     m_leaveSmokeOnly->setEnabled(only);
 }

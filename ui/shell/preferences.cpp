@@ -65,6 +65,7 @@ Preferences::Preferences(Session& session, QWidget* parent)
     auto* buttons = new QDialogButtonBox(this);
     QPushButton* close = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
     close->setObjectName(QStringLiteral("preferences.close"));
+    close->setDefault(true);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     layout->addStretch();
     layout->addWidget(buttons);
@@ -115,6 +116,7 @@ void Preferences::addStart(QFormLayout& form)
     form.addRow(tr("Start"), start);
     auto* folder = new QPushButton(tr("Show the folder"), this);
     folder->setObjectName(QStringLiteral("preferences.recovery"));
+    folder->setAutoDefault(false);
     connect(folder, &QPushButton::clicked, this, [] {
         QDir().mkpath(Settings::recoveryFolder());
         QDesktopServices::openUrl(QUrl::fromLocalFile(Settings::recoveryFolder()));
