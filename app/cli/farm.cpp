@@ -40,7 +40,8 @@ std::vector<std::string> renderWordsOf(const FarmOptions& options, const Effect&
         words.emplace_back("--no-preset");
     }
     if (!options.then.empty() && seen.output.background == Background::Colour) {
-        words.insert(words.end(), {"--set", "output.background=transparent"}); // joining puts the colour behind the view transform
+        words.insert(words.end(),
+            {"--set", "output.background=transparent"}); // joining puts the colour behind the view transform
     }
     return words;
 }

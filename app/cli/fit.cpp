@@ -56,10 +56,11 @@ void addFit(CLI::App& program, Action& action)
     options->effect.addTo(*command);
     command->add_option("-f,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
     command->add_option("--size", options->size, "Picture size, of which the shape matters: 512 or 640x360. Default: the preset's")->type_name("SIZE");
-    command->footer("The camera looks the way it does; it moves until no border of any frame has smoke on it, and the smoke fills the picture. render and flipbook do the\n"
-                    "same with --fit, for the frames that they are asked for: one fit beforehand gives all parts of an animation the same camera.\n"
-                    "Example:\n"
-                    "  fumage-cli render chimney --output out/chimney_####.exr $(fumage-cli fit chimney)");
+    command->footer(
+        "The camera looks the way it does; it moves until no border of any frame has smoke on it, and the smoke fills the picture. render and flipbook do the\n"
+        "same with --fit, for the frames that they are asked for: one fit beforehand gives all parts of an animation the same camera.\n"
+        "Example:\n"
+        "  fumage-cli render chimney --output out/chimney_####.exr $(fumage-cli fit chimney)");
     command->callback([options, &action] { action = [options] { return fit(*options); }; });
 }
 

@@ -72,7 +72,8 @@ Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, cons
 /// Whether a view transform would make another colour of a background that frames have in their light.
 bool changesBackground(const Output& output)
 {
-    return output.background == Background::Colour && (output.viewTransform != ViewTransform::Standard || output.exposure != 0.0F);
+    return output.background == Background::Colour
+        && (output.viewTransform != ViewTransform::Standard || output.exposure != 0.0F);
 }
 
 bool isOpaque(const Image& image)
@@ -93,7 +94,9 @@ FrameSource withoutBackground(const FrameSource& frames)
             return status;
         }
         if (isOpaque(image)) {
-            return Error{ErrorCode::OutOfRange, said("the frames have their background in them, of which the view transform would make another colour"), {},
+            return Error{ErrorCode::OutOfRange,
+                said("the frames have their background in them, of which the view transform would make another colour"),
+                {},
                 said("Render them with --set output.background=transparent: join puts the colour behind the smoke")};
         }
         return Done{};
@@ -109,7 +112,8 @@ Status joinOne(const JoinOptions& options, const NamedPreset& named)
     const Output& output = named.preset.effect.output;
     const FrameSource source = framesOfFiles(pathFrom(options.input), frames.value(), output.width, output.height);
     const FrameSource smoke = changesBackground(output) ? withoutBackground(source) : source;
-    return options.grid.empty() ? joinToVideo(options, named, frames.value(), smoke) : joinToFlipbook(options, named, frames.value(), smoke);
+    return options.grid.empty() ? joinToVideo(options, named, frames.value(), smoke)
+                                : joinToFlipbook(options, named, frames.value(), smoke);
 }
 
 } // namespace

@@ -30,8 +30,9 @@ void PassOptions::addTo(CLI::App& command)
     command.add_option("--vectors", vectors,
                "Signs of motion vectors: unity (red right, green up; the default) or unreal (red left, green up)")
         ->check(CLI::IsMember({"unity", "unreal"}));
-    command.add_option("--alpha", alpha,
-               "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR, as the colour always is")
+    command
+        .add_option("--alpha", alpha,
+            "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR, as the colour always is")
         ->check(CLI::IsMember({"straight", "premultiplied"}));
 }
 
@@ -53,7 +54,10 @@ void PassOptions::addLayersTo(CLI::App& command)
                "Layers of an EXR, with commas between: colour, alpha, density, six-way (light from six sides), motion (vectors), normal, depth, "
                "emission, albedo, temperature, shadow, all. Default: colour")
         ->type_name("LIST");
-    command.add_option("--alpha", alpha, "Light, emission and albedo: premultiplied (the default), or straight; the colour is premultiplied, as readers of EXR expect it")->check(CLI::IsMember({"straight", "premultiplied"}));
+    command
+        .add_option("--alpha", alpha,
+            "Light, emission and albedo: premultiplied (the default), or straight; the colour is premultiplied, as readers of EXR expect it")
+        ->check(CLI::IsMember({"straight", "premultiplied"}));
 }
 
 Status PassOptions::applyTo(ExportPlan& plan) const

@@ -59,7 +59,8 @@ void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, con
     command.add_option_function<std::string>(
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     addWhole(command, "--supersample", supersample, 1, kMaxSupersample, "Render this many times larger and average. Default: the preset's");
-    command.add_flag("--fit", fit, "Move the camera so that all smoke of the frames asked for is in the picture, and fills it");
+    command.add_flag(
+        "--fit", fit, "Move the camera so that all smoke of the frames asked for is in the picture, and fills it");
 }
 
 void PictureOptions::addFormat(CLI::App& command)

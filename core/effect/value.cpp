@@ -163,7 +163,8 @@ float largestComponent(const glm::vec3& value)
 /// Whether numbers say a direction, whatever their length.
 bool isDirection(const Parameter& parameter, const glm::vec3& value)
 {
-    const glm::vec3 inside{clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
+    const glm::vec3 inside{
+        clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
     return inside == value && largestComponent(value) >= kShortestDirection;
 }
 
@@ -300,7 +301,8 @@ Clamped clampValue(const Parameter& parameter, const Value& value)
     case Kind::Curve: clamped = clampCurve(parameter, std::get<Curve>(value)); break;
     case Kind::Gradient: clamped = clampGradient(parameter, std::get<Gradient>(value)); break;
     }
-    return {clamped, parameter.kind == Kind::Direction ? !isDirection(parameter, std::get<glm::vec3>(value)) : clamped != value};
+    return {clamped,
+        parameter.kind == Kind::Direction ? !isDirection(parameter, std::get<glm::vec3>(value)) : clamped != value};
 }
 
 std::vector<const Parameter*> differences(const Effect& a, const Effect& b)

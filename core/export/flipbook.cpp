@@ -146,7 +146,8 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
 
 Result<std::vector<std::byte>> encodeColour(const PassSheet& sheet, const Effect& effect, ImageFormat format, const PictureNotes& notes)
 {
-    return encodeSheet(sheet.layers.of(PassLayer::Colour), effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
+    return encodeSheet(
+        sheet.layers.of(PassLayer::Colour), effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
 }
 
 std::vector<Pass> listOf(PassSet passes)

@@ -65,7 +65,9 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effe
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat:
         return withBackground(image, effect.output, [&](const Image& light) {
-            return encodeExr({light.width, light.height, {{{}, exrChannels(4), light.pixels}}, format == ImageFormat::ExrHalf, notes}, stop);
+            return encodeExr({light.width, light.height, {{{}, exrChannels(4), light.pixels}},
+                                 format == ImageFormat::ExrHalf, notes},
+                stop);
         });
     case ImageFormat::Tga: return encodeTgaOf(image, effect, finish);
     }
@@ -165,7 +167,9 @@ Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& eff
 DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
 {
     if (holdsFloats(format)) {
-        return withBackground(image, effect.output, [](const Image& light) { return DataImage{light.width, light.height, 4, false, light.pixels}; });
+        return withBackground(image, effect.output, [](const Image& light) {
+            return DataImage{light.width, light.height, 4, false, light.pixels};
+        });
     }
     return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight) : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
 }

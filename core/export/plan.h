@@ -62,7 +62,8 @@ struct ExportPlan {
     std::optional<Curve> retime; ///< of a flipbook; see FlipbookOptions
     bool powerOfTwo = false; ///< of a flipbook: the size of cells is such that the sides of the sheet are powers of two
     int noiseSize = 0; ///< edge of the tile in pixels, to kMaxTextureSize; 0: the effect's own
-    bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds for their frames; those who render an animation in parts fit it before
+    bool fitCamera = false; ///< pictures are taken by the camera that fitCamera() finds for their frames; those who
+                            ///< render an animation in parts fit it before
     float noiseDepth = 0.0F; ///< where the third axis of the noise is cut, 0 to 1
     std::optional<Preset> project; ///< that pictures carry, so that they open as it, with the effect that they show in place of its own; none: they carry nothing
     Recording recording; ///< of frames and flipbooks

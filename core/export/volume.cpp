@@ -58,7 +58,8 @@ std::vector<Ball> ballsOf(const Frame& frame, const SampledEffect& effect, const
     std::vector<Ball> balls;
     balls.reserve(appearance.count);
     for (std::size_t i = 0; i < p.capacity; ++i) {
-        const float mass = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] * (appearance.left.empty() ? 1.0F : appearance.left[i]);
+        const float mass = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i]
+            * (appearance.left.empty() ? 1.0F : appearance.left[i]);
         if (!(mass > 0.0F)) {
             continue;
         }

@@ -58,7 +58,8 @@ std::array<glm::vec3, kColourTableSize> coloursOverLife(const Look& look)
     return colours;
 }
 
-void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys)
+void findAppearance(
+    const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys)
 {
     const Particles& particles = frame.particles;
     const std::size_t padded = particles.x.size();

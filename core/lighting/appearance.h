@@ -40,6 +40,7 @@ struct Axes {
 /// @param axes   in which the bounds are taken
 /// @param greys  of the texture that particles show, for what they cover; without any it is as if there were no texture
 /// O(particles). Follows lifecycle() to the bit; size and alpha over life come from tables of 1024 entries.
-void findAppearance(const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys = {});
+void findAppearance(
+    const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys = {});
 
 } // namespace fumage

@@ -81,7 +81,8 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         const auto visible = hn::And(alive, hn::Gt(alpha, zero));
         V mass = alpha * (radius * radius);
         if (out.cover.erodes) {
-            const V left = hn::GatherIndex(d, out.cover.left.data(), hn::ConvertTo(di, life * static_cast<float>(Coverage::kLives) + 0.5F));
+            const V left = hn::GatherIndex(
+                d, out.cover.left.data(), hn::ConvertTo(di, life * static_cast<float>(Coverage::kLives) + 0.5F));
             mass = mass * left;
             hn::Store(left, d, out.left.data() + i);
         }

@@ -32,7 +32,8 @@ float maskMean(const Look& look)
 
 float textureLeaves(const Look& look, const GreyCounts& greys, float threshold)
 {
-    return look.texture > 0.0F ? 1.0F - look.texture + look.texture * greys.kept(threshold, look.erosionSoftness) : 1.0F;
+    return look.texture > 0.0F ? 1.0F - look.texture + look.texture * greys.kept(threshold, look.erosionSoftness)
+                               : 1.0F;
 }
 
 Coverage coverageOf(const Look& look, const GreyCounts& greys)

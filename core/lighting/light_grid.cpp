@@ -54,7 +54,8 @@ float smallestCell(const Appearance& appearance, const Light& light)
     const float filled = portablePow(volume / (kCellsAParticle * static_cast<float>(appearance.count)), kThird);
     constexpr float kTypical = 0.4F; // a particle's mass over the largest; of the built-in presets 0.32 to 0.58
     constexpr float kMostOwnDepth = 0.3F; // optical depth of one particle spread over a cell
-    const float crossSection = kTypical * kPi * appearance.cover.mean * appearance.largestMass * std::max(light.shadow, light.occlusion);
+    const float crossSection =
+        kTypical * kPi * appearance.cover.mean * appearance.largestMass * std::max(light.shadow, light.occlusion);
     return std::max(filled, std::sqrt(crossSection / kMostOwnDepth));
 }
 

@@ -52,12 +52,13 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
 
 /// Splats the particles into a grid and lets light through it.
 ///
-/// Each particle is an absorber of cross-section alpha * pi r^2 times the mean of its mask and texture (1/3 for the soft disc, see Coverage);
-/// their sum over a cell's volume is its extinction. Sun: optical depth tau by summing along w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum
-/// of s^i (Wrenninge, Kulla, Lundqvist, "Oz: The Great and Volumetric", 2013), p the Henyey-Greenstein phase function relative to an
-/// isotropic one. Sky and ground: transmittance along the six axis directions, weighted by how much they face up or down.
-/// Sums are of whole numbers, so that their order does not matter: the same bits for any thread count. Shares of a particle are rounded up or
-/// down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
+/// Each particle is an absorber of cross-section alpha * pi r^2 times the mean of its mask and texture (1/3 for the
+/// soft disc, see Coverage); their sum over a cell's volume is its extinction. Sun: optical depth tau by summing along
+/// w, then sum over i of s^i p(g / 2^i) exp(-tau 0.35^i), divided by the sum of s^i (Wrenninge, Kulla, Lundqvist, "Oz:
+/// The Great and Volumetric", 2013), p the Henyey-Greenstein phase function relative to an isotropic one. Sky and
+/// ground: transmittance along the six axis directions, weighted by how much they face up or down. Sums are of whole
+/// numbers, so that their order does not matter: the same bits for any thread count. Shares of a particle are rounded
+/// up or down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
 /// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.

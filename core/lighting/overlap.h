@@ -13,9 +13,10 @@ struct OverlapWorkspace {
 
 /// Lets particles grow where few overlap, so that smoke ends as haze and not as dots.
 ///
-/// With D the extinction around a particle without its own, n = 4/3 r D / (alpha c) others overlap it, c being what of a disc it covers:
-/// there are D / (alpha pi r^2 c) of its kind in a volume, times that of a ball of its radius. Where 1 + n is below effect.look.overlap, the radius grows by the cube root of what
-/// lacks, at most threefold, and the alpha shrinks by its square: the particle covers as much as before, and light does not change.
+/// With D the extinction around a particle without its own, n = 4/3 r D / (alpha c) others overlap it, c being what of
+/// a disc it covers: there are D / (alpha pi r^2 c) of its kind in a volume, times that of a ball of its radius. Where
+/// 1 + n is below effect.look.overlap, the radius grows by the cube root of what lacks, at most threefold, and the
+/// alpha shrinks by its square: the particle covers as much as before, and light does not change.
 /// @param light      of the same frame, with density
 /// @param appearance as lightSmoke() was given it
 /// O(particles + cells). The same bits for any thread count and instruction set.

@@ -110,10 +110,11 @@ struct Swirl {
 
 /// Adds the curl noise at a point.
 ///
-/// The potential is Psi = sum over corners of t^4 (c x d), with t = max(0, 1/2 - |d|^2), d the way from corner to point and c a random
-/// vector of the corner, uniform in a cube. Its curl is 2 t^3 ((t - 4 |d|^2) c + 4 (d.c) d): each lattice point is a small vortex.
-/// (Half of both is added, and the rest is in the normalisation.) The curl of the velocity is 8 t^2 (5 t - 6 |d|^2) (c x d). All are linear in c, so that two sets cost little more than one.
-/// Source: Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007, on simplex kernels.
+/// The potential is Psi = sum over corners of t^4 (c x d), with t = max(0, 1/2 - |d|^2), d the way from corner to point
+/// and c a random vector of the corner, uniform in a cube. Its curl is 2 t^3 ((t - 4 |d|^2) c + 4 (d.c) d): each
+/// lattice point is a small vortex. (Half of both is added, and the rest is in the normalisation.) The curl of the
+/// velocity is 8 t^2 (5 t - 6 |d|^2) (c x d). All are linear in c, so that two sets cost little more than one. Source:
+/// Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007, on simplex kernels.
 template <bool kTurns, bool kPotential, std::size_t kSlices, class D, class V = hn::VFromD<D>>
 HWY_INLINE void addSwirl(D d, const Vec3<V>& point, const CurlSlices& slices, Swirl<V>& swirl)
 {

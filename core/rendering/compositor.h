@@ -57,7 +57,8 @@ private:
     std::size_t m_blocks = 0;
 };
 
-/// Puts a colour behind a picture with transparency, as light: for files of light. What is shown has it behind the view transform, see encodeOver().
+/// Puts a colour behind a picture with transparency, as light: for files of light. What is shown has it behind the view
+/// transform, see encodeOver().
 /// @param colour linear RGB
 void fillBackground(Image& image, const glm::vec3& colour);
 

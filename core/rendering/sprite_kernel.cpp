@@ -130,7 +130,8 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     if (radius * job.contrast >= kPlainRadius || job.style.square) {
         const int level = textureLevel(job, radius);
         makeEven(level);
-        sprite.texture = packTexture(slice, static_cast<std::uint32_t>(level), offset & 255U, offset >> 8U & 255U, erosion);
+        sprite.texture =
+            packTexture(slice, static_cast<std::uint32_t>(level), offset & 255U, offset >> 8U & 255U, erosion);
         return;
     }
     makeEven(job.texture->levels());

@@ -40,7 +40,8 @@ struct SpriteJob {
     Glow glow;
     float hotCore = 0.0F;
     float erosion = 0.0F;
-    /// What makes a sprite cover as much at each level of its texture, the last that of plain sprites, as it does at the finest; by erosion.
+    /// What makes a sprite cover as much at each level of its texture, the last that of plain sprites, as it does at
+    /// the finest; by erosion.
     std::array<std::array<float, TextureRef::kErosionSteps + 1>, SpriteTexture::kMaxLevels + 1> evenness{};
     float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
     float stretch = 0.0F; ///< s

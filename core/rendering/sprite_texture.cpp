@@ -29,7 +29,8 @@ AlignedArray<float> halved(const AlignedArray<float>& values, std::size_t edge)
     return out;
 }
 
-/// Counts the greys between texels, bilinearly in the middle of each quarter; where there are very many texels, of one in so many.
+/// Counts the greys between texels, bilinearly in the middle of each quarter; where there are very many texels, of one
+/// in so many.
 void countBetween(const AlignedArray<std::uint32_t>& texels, GreyCounts& greys)
 {
     constexpr std::size_t kMost = std::size_t{1} << 18U;
@@ -39,7 +40,8 @@ void countBetween(const AlignedArray<std::uint32_t>& texels, GreyCounts& greys)
         const std::uint32_t g10 = texels[i] >> 8U & 255U;
         const std::uint32_t g01 = texels[i] >> 16U & 255U;
         const std::uint32_t g11 = texels[i] >> 24U;
-        const auto count = [&](std::uint32_t nearest, std::uint32_t beside, std::uint32_t above, std::uint32_t farthest) {
+        const auto count = [&](std::uint32_t nearest, std::uint32_t beside, std::uint32_t above,
+                               std::uint32_t farthest) {
             ++greys.counts[(9U * nearest + 3U * (beside + above) + farthest + 8U) / 16U];
         };
         count(g00, g10, g01, g11);

@@ -46,8 +46,8 @@ public:
         return m_levels[static_cast<std::size_t>(level)].data() + static_cast<std::size_t>(slice) * edge * edge;
     }
 
-    /// The greys that sprites show of a level between its texels; of the texels themselves where level is levels(): sprites too small for a texture
-    /// show one of the coarsest.
+    /// The greys that sprites show of a level between its texels; of the texels themselves where level is levels():
+    /// sprites too small for a texture show one of the coarsest.
     [[nodiscard]] const GreyCounts& greys(int level) const { return m_greys[static_cast<std::size_t>(level)]; }
 
 private:

@@ -50,7 +50,8 @@ void fillTables(const Effect& effect, SpriteJob& job)
     job.ground = colour4(effect.light.ground * effect.light.ambient);
 }
 
-/// Coarser levels have lost the greys that erosion and its softness cut off: without a balance smoke would be denser from afar.
+/// Coarser levels have lost the greys that erosion and its softness cut off: without a balance smoke would be denser
+/// from afar.
 void fillEvenness(const Look& look, const SpriteTexture& texture, SpriteJob& job)
 {
     constexpr float kMost = 2.0F; // where hardly anything is left, a level may have nothing

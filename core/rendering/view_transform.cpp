@@ -56,8 +56,8 @@ struct Pixels {
     }
 };
 
-/// Light as it is shown, linear in [0, 1]. The brightest channel takes the curve and the others keep their ratio to it, so that no hue turns; what is
-/// far too bright goes over into white by even parts of it, which turns no hue either.
+/// Light as it is shown, linear in [0, 1]. The brightest channel takes the curve and the others keep their ratio to it,
+/// so that no hue turns; what is far too bright goes over into white by even parts of it, which turns no hue either.
 HWY_INLINE Pixels shownLight(D d, const Pixels& light, bool isFilmic)
 {
     if (!isFilmic) {
@@ -66,8 +66,8 @@ HWY_INLINE Pixels shownLight(D d, const Pixels& light, bool isFilmic)
     constexpr float kNoLight = 1e-20F;
     const V most = hn::Max(light.brightest(), hn::Set(d, kNoLight));
     const V curved = clamp01(d, filmicCurve(d, hn::Min(most, hn::Set(d, kWhitePoint))));
-    // Half of the way to white at kHalfWhite, all of it at kWhitePoint, and hardly any below 4, where fire is: Reinhard's curve with a white point, of
-    // the fourth power.
+    // Half of the way to white at kHalfWhite, all of it at kWhitePoint, and hardly any below 4, where fire is:
+    // Reinhard's curve with a white point, of the fourth power.
     const V x = hn::Min(most, hn::Set(d, kWhitePoint)) * (1.0F / kHalfWhite);
     const V power = (x * x) * (x * x);
     constexpr float kSquareAtWhite = (kWhitePoint / kHalfWhite) * (kWhitePoint / kHalfWhite);
@@ -84,7 +84,9 @@ HWY_INLINE void show(float* HWY_RESTRICT light, std::size_t count, bool isFilmic
 {
     const D d;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const Pixels shown = shownLight(d, Pixels::load(d, light + 4 * i), isFilmic).each([d](V x) HWY_ATTR { return clamp01(d, srgb(d, x)); });
+        const Pixels shown = shownLight(d, Pixels::load(d, light + 4 * i), isFilmic).each([d](V x) HWY_ATTR {
+            return clamp01(d, srgb(d, x));
+        });
         hn::StoreInterleaved4(shown.r, shown.g, shown.b, shown.a, d, light + 4 * i);
     }
 }
@@ -134,7 +136,8 @@ void encodeRow(const float* HWY_RESTRICT from, std::size_t count, float gain, bo
 
 /// Puts a row of RGBA floats over what is shown behind it, and encodes that.
 /// @param behind linear light as it is shown, four floats a pixel, in [0, 1] @param out gets the row, opaque
-void encodeRowOver(const float* HWY_RESTRICT from, const float* HWY_RESTRICT behind, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT out)
+void encodeRowOver(const float* HWY_RESTRICT from, const float* HWY_RESTRICT behind, std::size_t count, float gain,
+    bool isFilmic, float* HWY_RESTRICT out)
 {
     const D d;
     const V one = hn::Set(d, 1.0F);
@@ -159,7 +162,8 @@ void encodeRowOver(const float* HWY_RESTRICT from, const float* HWY_RESTRICT beh
             const V covered = isFilmic ? plain * alpha : hn::Min(bright, alpha);
             return clamp01(d, srgb(d, covered + share * (bright - covered) + rear * through));
         };
-        hn::StoreInterleaved4(over(straight.r, glow.r, back.r), over(straight.g, glow.g, back.g), over(straight.b, glow.b, back.b), one, d, out + 4 * i);
+        hn::StoreInterleaved4(over(straight.r, glow.r, back.r), over(straight.g, glow.g, back.g),
+            over(straight.b, glow.b, back.b), one, d, out + 4 * i);
     }
 }
 
@@ -177,7 +181,8 @@ namespace {
 
 constexpr std::size_t kPadding = kAlignment;
 
-/// Calls encodeLine(y, line) for each row, which puts RGBA floats in [0, 1] into the line, and writes them into the picture.
+/// Calls encodeLine(y, line) for each row, which puts RGBA floats in [0, 1] into the line, and writes them into the
+/// picture.
 template <class Channel, class EncodeLine>
 void encodeLines(const Image& image, EncodedImage<Channel>& out, const EncodeLine& encodeLine)
 {

@@ -42,13 +42,16 @@ struct FlightWeights {
     V before, after;
 };
 
-/// (1 - e^-x) / x, and what it lacks of 1 over x: for small x by their series, whose next term is below what a float sees.
+/// (1 - e^-x) / x, and what it lacks of 1 over x: for small x by their series, whose next term is below what a float
+/// sees.
 HWY_INLINE void dragMeans(D d, V x, V& mean, V& lacking)
 {
     constexpr float kSmall = 0.1F;
     const V safe = hn::Max(x, hn::Set(d, kSmall));
     const V direct = (1.0F - exponential(d, hn::Neg(safe))) / safe;
-    const V series = 0.5F * (1.0F - x * (1.0F / 3.0F) * (1.0F - x * (1.0F / 4.0F) * (1.0F - x * (1.0F / 5.0F) * (1.0F - x * (1.0F / 6.0F)))));
+    const V series = 0.5F
+        * (1.0F
+            - x * (1.0F / 3.0F) * (1.0F - x * (1.0F / 4.0F) * (1.0F - x * (1.0F / 5.0F) * (1.0F - x * (1.0F / 6.0F)))));
     const auto isSmall = hn::Lt(x, hn::Set(d, kSmall));
     mean = hn::IfThenElse(isSmall, 1.0F - x * series, direct);
     lacking = hn::IfThenElse(isSmall, series, (1.0F - direct) / safe);
@@ -62,8 +65,14 @@ struct WholeStep {
         return amount;
     }
     /// A step's change of velocity.
-    static HWY_INLINE Vec3<V> dragged(D /*d*/, const StepConstants& /*constants*/, const Vec3<V>& change) { return change; }
-    [[nodiscard]] static HWY_INLINE FlightWeights flight(D d, const StepConstants& constants) { return {hn::Set(d, constants.flightBefore), hn::Set(d, constants.flightAfter)}; }
+    static HWY_INLINE Vec3<V> dragged(D /*d*/, const StepConstants& /*constants*/, const Vec3<V>& change)
+    {
+        return change;
+    }
+    [[nodiscard]] static HWY_INLINE FlightWeights flight(D d, const StepConstants& constants)
+    {
+        return {hn::Set(d, constants.flightBefore), hn::Set(d, constants.flightAfter)};
+    }
     [[nodiscard]] static HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) { return {hn::Set(d, constants.rotationSin), hn::Set(d, constants.rotationCos)}; }
 };
 
@@ -122,16 +131,19 @@ HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& 
     const Vec3<V> common = draw * constants.random + constants.steady;
     const Vec3<V> share = draw * constants.randomShare + glm::vec3(constants.steadyShare);
     const Vec3<V> kick = common + own * share;
-    const Vec3<V> v = velocity + time.dragged(d, constants, constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
+    const Vec3<V> v =
+        velocity + time.dragged(d, constants, constants.drag == 0.0F ? kick : kick - velocity * constants.drag);
     const V most = hn::Set(d, kMaxSpeed);
     const auto bounded = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
     return {bounded(v.x), bounded(v.y), bounded(v.z)};
 }
 
-/// The velocity by which a particle gets in a step from where it was to where it is, of those before and after accelerated(): with drag the mean of the
-/// exact solution, without it that of the semi-implicit Euler step, eq. X, which is the one after.
+/// The velocity by which a particle gets in a step from where it was to where it is, of those before and after
+/// accelerated(): with drag the mean of the exact solution, without it that of the semi-implicit Euler step, eq. X,
+/// which is the one after.
 template <class Time>
-HWY_INLINE Vec3<V> flown(D d, const StepConstants& constants, const Time& time, const Vec3<V>& before, const Vec3<V>& after)
+HWY_INLINE Vec3<V> flown(
+    D d, const StepConstants& constants, const Time& time, const Vec3<V>& before, const Vec3<V>& after)
 {
     if (constants.drag == 0.0F) {
         return after;

@@ -9,9 +9,12 @@ namespace fumage {
 
 /// Moves one chunk of particles by one step, in place. Slots that are not alive are moved too; nothing reads them.
 ///
-/// The vortex turns P about its axis; then acc = a (1 - r + r rand() sqrt(n)) for each component, n the steps of a frame, V += (acc - D V) tau, then P += (W + u) dt, with u
-/// the velocity of turbulence and rings at P and W that of the flight, then the rotation of the whole cloud. tau = (1 - e^(-D dt)) / D, which makes V' = acc - D V exact
-/// whatever the step, is dt without drag. W dt is the way of the same solution, V tau + acc (dt - tau) / D; without drag W is the new V. V stays within kMaxSpeed. With everything of part 2 at zero this is eq. III to V and IX to XII of the 2012 model.
+/// The vortex turns P about its axis; then acc = a (1 - r + r rand() sqrt(n)) for each component, n the steps of a
+/// frame, V += (acc - D V) tau, then P += (W + u) dt, with u the velocity of turbulence and rings at P and W that of
+/// the flight, then the rotation of the whole cloud. tau = (1 - e^(-D dt)) / D, which makes V' = acc - D V exact
+/// whatever the step, is dt without drag. W dt is the way of the same solution, V tau + acc (dt - tau) / D; without
+/// drag W is the new V. V stays within kMaxSpeed. With everything of part 2 at zero this is eq. III to V and IX to XII
+/// of the 2012 model.
 /// @param chunk index below particles.chunks()
 /// Thread-safe for different chunks. The same bits on every instruction set.
 void stepChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);

@@ -52,11 +52,13 @@ HWY_INLINE Swirl<V> sumOfOctaves(D d, const StepConstants& constants, const Vec3
 
 /// Adds the turbulence at a position to the velocity, and with kTurns the vorticity of its larger swirls in 1/s.
 ///
-/// Swirls may grow with the height h over the pivot: with w = 1 + g h, q = (x / w, ln(w) / g, z / w) / scale, in which all of them have one size. The flow is
-/// the curl of w^2 scale^2 J^T Psi(q), J the derivatives of q and V the curl of Psi: V + (g / w) Vy (x, 0, z) + 2 g scale (Psi_z, 0, -Psi_x). So
-/// it has no divergence, whatever the growth, it keeps its speed upwards, and it spreads as the swirls do. (The vorticity is that of V alone.)
+/// Swirls may grow with the height h over the pivot: with w = 1 + g h, q = (x / w, ln(w) / g, z / w) / scale, in which
+/// all of them have one size. The flow is the curl of w^2 scale^2 J^T Psi(q), J the derivatives of q and V the curl of
+/// Psi: V + (g / w) Vy (x, 0, z) + 2 g scale (Psi_z, 0, -Psi_x). So it has no divergence, whatever the growth, it keeps
+/// its speed upwards, and it spreads as the swirls do. (The vorticity is that of V alone.)
 template <bool kTurns, class D, class V = hn::VFromD<D>>
-HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Vec3<V>& position, V ramp, Vec3<V>& velocity, Vec3<V>& vorticity)
+HWY_INLINE void addTurbulence(
+    D d, const StepConstants& constants, const Vec3<V>& position, V ramp, Vec3<V>& velocity, Vec3<V>& vorticity)
 {
     const float frequency = constants.turbulenceFrequency;
     const Vec3<V> away = position - constants.pivot;
@@ -71,9 +73,11 @@ HWY_INLINE void addTurbulence(D d, const StepConstants& constants, const Vec3<V>
     const V above = hn::Max(away.y, hn::Zero(d));
     const V shrink = 1.0F / (constants.growth * above + 1.0F);
     const V logHeight = logarithm(d, constants.growth * above + 1.0F) * (1.0F / constants.growth);
-    const Vec3<V> q{away.x * frequency * shrink, (logHeight + (away.y - above)) * frequency, away.z * frequency * shrink};
+    const Vec3<V> q{
+        away.x * frequency * shrink, (logHeight + (away.y - above)) * frequency, away.z * frequency * shrink};
     Swirl<V> sum = sumOfOctaves<kTurns, true>(d, constants, q);
-    const V growth = hn::IfThenElseZero(hn::Gt(away.y, hn::Zero(d)), hn::Set(d, constants.growth)); // below the pivot nothing grows
+    const V growth =
+        hn::IfThenElseZero(hn::Gt(away.y, hn::Zero(d)), hn::Set(d, constants.growth)); // below the pivot nothing grows
     const V spread = growth * shrink * sum.velocity.y;
     const V twist = growth * (2.0F / frequency);
     sum.velocity.x = sum.velocity.x + (spread * away.x + twist * sum.potential.z);
@@ -112,13 +116,15 @@ HWY_INLINE V ringStrength(D d, const StepConstants& constants, V number, V draw)
 
 /// Adds the flow of a train of vortex rings on an axis through the pivot, and with kTurns its vorticity in 1/s.
 ///
-/// With r the way from a ring's axis, rho its length, s = rho / R, r0 the way from the common axis, h the height along it, z that above the ring, L the
-/// spacing and t = (z + b r0^2) / L with b = 1 / (2 R), so that rings arch as domes, the potential is A = S/2 q^4 C (axis x r), q = max(0, 1 - s^2 / 5),
-/// C = (1 - 4 t^2)^2. Its curl is S q^3 (q - 4/5 s^2) C - (r.r0 / R) v along the axis and v r with v = 8 S/L q^4 t (1 - 4 t^2): through the
-/// middle, out above, down outside and in below. Where R grows by k a metre and axes lie o R aside, v r has (1 - k r0^2 / (2 R^2)) times
-/// that and less by S q^3 C 4/5 k (r.r0) / R^3, and k/2 S q^4 C o is added: it has no divergence wherever rings lie and however they grow. Half-way to
-/// the next ring C is 0 and flat, so that each may have its own strength and axis, and the air before the first can be still. The vorticity is that
-/// of rings that do not arch. Polynomials stand in for the Gauss and cosine shapes of measured rings, at a third of their cost.
+/// With r the way from a ring's axis, rho its length, s = rho / R, r0 the way from the common axis, h the height along
+/// it, z that above the ring, L the spacing and t = (z + b r0^2) / L with b = 1 / (2 R), so that rings arch as domes,
+/// the potential is A = S/2 q^4 C (axis x r), q = max(0, 1 - s^2 / 5), C = (1 - 4 t^2)^2. Its curl is S q^3 (q - 4/5
+/// s^2) C - (r.r0 / R) v along the axis and v r with v = 8 S/L q^4 t (1 - 4 t^2): through the middle, out above, down
+/// outside and in below. Where R grows by k a metre and axes lie o R aside, v r has (1 - k r0^2 / (2 R^2)) times that
+/// and less by S q^3 C 4/5 k (r.r0) / R^3, and k/2 S q^4 C o is added: it has no divergence wherever rings lie and
+/// however they grow. Half-way to the next ring C is 0 and flat, so that each may have its own strength and axis, and
+/// the air before the first can be still. The vorticity is that of rings that do not arch. Polynomials stand in for the
+/// Gauss and cosine shapes of measured rings, at a third of their cost.
 template <bool kTurns, class D, class V = hn::VFromD<D>>
 HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& position, Vec3<V>& velocity, Vec3<V>& vorticity)
 {
@@ -161,7 +167,9 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& pos
     velocity = velocity + (outward * away + along * axis);
     if (constants.ringWidening > 0.0F) {
         const V widening = hn::IfThenElseZero(hn::Gt(height, zero), hn::Set(d, constants.ringWidening));
-        const V inward = perRadius * (0.5F * perRadius * dot(common, common) * outward + 0.8F * (perRadius * perRadius) * between * (core * crest));
+        const V inward = perRadius
+            * (0.5F * perRadius * dot(common, common) * outward
+                + 0.8F * (perRadius * perRadius) * between * (core * crest));
         const Vec3<V> aside = perRadius * (common - away);
         velocity = velocity + widening * (0.5F * (core * q * crest) * aside - inward * away);
     }

@@ -73,12 +73,15 @@ private slots:
                     for (int channel = 0; channel < 3; ++channel) {
                         const float shown = srgbFromLinear(effect.output.backgroundColour[channel]);
                         const int expected = static_cast<int>(shown * full + 0.5F);
-                        QVERIFY(std::abs(PngFile(single).at(0, 0, channel) - expected) <= (format == ImageFormat::Png8 ? 0 : 1));
-                        QVERIFY(std::abs(PngFile(sheet).at(0, 0, channel) - expected) <= (format == ImageFormat::Png8 ? 0 : 1));
+                        QVERIFY(std::abs(PngFile(single).at(0, 0, channel) - expected)
+                            <= (format == ImageFormat::Png8 ? 0 : 1));
+                        QVERIFY(std::abs(PngFile(sheet).at(0, 0, channel) - expected)
+                            <= (format == ImageFormat::Png8 ? 0 : 1));
                         QVERIFY(std::abs(numbers.values[static_cast<std::size_t>(channel)] - shown) < 1.0F / full);
                     }
                 }
-                const DataImage light = sheetNumbers(ramp(), effect, ImageFormat::ExrFloat, 20, 15); // before exposure and view transform
+                const DataImage light =
+                    sheetNumbers(ramp(), effect, ImageFormat::ExrFloat, 20, 15); // before exposure and view transform
                 QCOMPARE(light.values[0], effect.output.backgroundColour.r);
                 QCOMPARE(light.values[3], 1.0F);
             }

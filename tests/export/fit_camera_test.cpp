@@ -139,7 +139,8 @@ private slots:
     void picturesAndVideosAreFittedToTheFramesThatTheyShow()
     {
         Effect effect = risingSmoke();
-        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Video, ExportKind::Flipbook, ExportKind::Picture}) {
+        for (const ExportKind kind :
+            {ExportKind::Sequence, ExportKind::Video, ExportKind::Flipbook, ExportKind::Picture}) {
             ExportPlan plan;
             plan.kind = kind;
             plan.fitCamera = true;
@@ -148,7 +149,8 @@ private slots:
             const Image image = render(seen, 8);
             const PictureReach reach = reachOf(image, 0.5F / 255.0F);
             const int width = image.width;
-            QVERIFY(std::max(10 * (reach.right - reach.left) / width, 10 * (reach.bottom - reach.top) / image.height) >= 8);
+            QVERIFY(
+                std::max(10 * (reach.right - reach.left) / width, 10 * (reach.bottom - reach.top) / image.height) >= 8);
             QVERIFY(std::abs(reach.left + reach.right - width) < width / 10); // in the middle
             QVERIFY(std::abs(reach.top + reach.bottom - image.height) < width / 10);
             QVERIFY(reach.left > 0 && reach.top > 0 && reach.right < width && reach.bottom < image.height);

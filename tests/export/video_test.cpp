@@ -110,7 +110,8 @@ private slots:
             QCOMPARE(int(corner), hasAlpha(format) ? 0 : 255);
             for (int channel = 0; !hasAlpha(format) && channel < 3; ++channel) {
                 const float shown = srgbFromLinear(effect.output.backgroundColour[channel]);
-                QCOMPARE(int(static_cast<unsigned char>(bytes[static_cast<std::size_t>(channel)])), static_cast<int>(shown * 255.0F + 0.5F));
+                QCOMPARE(int(static_cast<unsigned char>(bytes[static_cast<std::size_t>(channel)])),
+                    static_cast<int>(shown * 255.0F + 0.5F));
             }
         }
     }

@@ -80,9 +80,13 @@ private slots:
             for (const float texture : {0.0F, 0.35F, 1.0F}) {
                 for (const float erosion : {0.0F, 0.4F}) {
                     for (const float softness : {0.0F, 0.3F, 0.8F, 1.0F}) {
-                        QTest::addRow("disc %g texture %g erosion %g size %g", static_cast<double>(softness), static_cast<double>(texture), static_cast<double>(erosion), static_cast<double>(size)) << false << softness << texture << erosion << size;
+                        QTest::addRow("disc %g texture %g erosion %g size %g", static_cast<double>(softness),
+                            static_cast<double>(texture), static_cast<double>(erosion), static_cast<double>(size))
+                            << false << softness << texture << erosion << size;
                     }
-                    QTest::addRow("square texture %g erosion %g size %g", static_cast<double>(texture), static_cast<double>(erosion), static_cast<double>(size)) << true << 1.0F << texture << erosion << size;
+                    QTest::addRow("square texture %g erosion %g size %g", static_cast<double>(texture),
+                        static_cast<double>(erosion), static_cast<double>(size))
+                        << true << 1.0F << texture << erosion << size;
                 }
             }
         }
@@ -124,7 +128,8 @@ private slots:
             double sum = 0.0;
             for (int i = 0; i < kSteps; ++i) {
                 const double r2 = (i + 0.5) / kSteps; // even over the disc
-                sum += std::pow(std::clamp((1.0 - r2) / std::max(0.02, static_cast<double>(softness)), 0.0, 1.0), 2.0) / kSteps;
+                sum += std::pow(std::clamp((1.0 - r2) / std::max(0.02, static_cast<double>(softness)), 0.0, 1.0), 2.0)
+                    / kSteps;
             }
             QVERIFY(near(maskMean(look), sum, 1e-5));
         }

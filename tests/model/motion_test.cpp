@@ -51,9 +51,10 @@ glm::dvec3 positionOf(const Frame& frame, std::size_t i)
     return {frame.particles.x[i], frame.particles.y[i], frame.particles.z[i]};
 }
 
-/// The divergence of the air that carries particles, as a share of its gradient: both root mean square in a box above the emitter, by central
-/// differences between particles that take one step. One place in thirty is left out, with the most: half-way between two rings, where the flow is
-/// smooth but its slope is not, differences from one ring to the other say nothing.
+/// The divergence of the air that carries particles, as a share of its gradient: both root mean square in a box above
+/// the emitter, by central differences between particles that take one step. One place in thirty is left out, with the
+/// most: half-way between two rings, where the flow is smooth but its slope is not, differences from one ring to the
+/// other say nothing.
 double divergenceOfAir(const Effect& effect)
 {
     constexpr std::size_t kPlaces = 3000;
@@ -332,7 +333,9 @@ private slots:
         for (const float drag : {0.001F, 0.5F, 2.0F, 2.9F, 3.1F, 10.0F, 29.0F, 60.0F, 100.0F}) {
             for (const int steps : {1, 3, 8}) {
                 for (const bool between : {false, true}) {
-                    QTest::addRow("%g/s, %d steps, %s", static_cast<double>(drag), steps, between ? "born between" : "born at steps") << drag << steps << between;
+                    QTest::addRow("%g/s, %d steps, %s", static_cast<double>(drag), steps,
+                        between ? "born between" : "born at steps")
+                        << drag << steps << between;
                 }
             }
         }

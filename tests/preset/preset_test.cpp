@@ -274,7 +274,8 @@ private slots:
         }
         const NoiseTile tile = bakeNoise(e.noise, 128, 0.0F).value();
         const tests::Moments greys = tests::Moments::of(tile.values);
-        QVERIFY(std::sqrt(greys.variance) > 0.2 && std::sqrt(greys.variance) < 0.35); // of 0.5 in a tile of black and white
+        QVERIFY(
+            std::sqrt(greys.variance) > 0.2 && std::sqrt(greys.variance) < 0.35); // of 0.5 in a tile of black and white
         QVERIFY(!e.emitter.subframe);
         QCOMPARE(e.look.mask, MaskShape::Square);
     }

@@ -488,7 +488,8 @@ private slots:
         image.resize(3, 1);
         const std::array<float, 12> pixels{0.0F, 0.0F, 0.0F, 0.0F, 0.05F, 0.05F, 0.05F, 0.1F, 0.4F, 0.4F, 0.4F, 1.0F};
         std::copy(pixels.begin(), pixels.end(), image.pixels.begin());
-        for (const glm::vec3& colour : {glm::vec3(0.05F, 0.1F, 0.18F), glm::vec3(0.0F, 1.0F, 0.0F), glm::vec3(1.0F), glm::vec3(0.0F), glm::vec3(0.9F, 0.02F, 0.5F)}) {
+        for (const glm::vec3& colour : {glm::vec3(0.05F, 0.1F, 0.18F), glm::vec3(0.0F, 1.0F, 0.0F), glm::vec3(1.0F),
+                 glm::vec3(0.0F), glm::vec3(0.9F, 0.02F, 0.5F)}) {
             for (const ViewTransform transform : {ViewTransform::Standard, ViewTransform::Filmic}) {
                 for (const float exposure : {-8.0F, -1.0F, 0.0F, 0.5F, 3.0F, 8.0F}) {
                     Output output;
@@ -513,7 +514,8 @@ private slots:
                         // Smoke as in transparent pictures, in front of it.
                         const float smoke = linearFromSrgb(static_cast<float>(clear.pixels[4 + at]) / 65535.0F);
                         const float mixed = srgbFromLinear(0.1F * smoke + 0.9F * colour[channel]);
-                        QVERIFY(exposure > 0.5F || std::abs(static_cast<float>(words.pixels[4 + at]) / 65535.0F - mixed) < 2e-3F);
+                        QVERIFY(exposure > 0.5F
+                            || std::abs(static_cast<float>(words.pixels[4 + at]) / 65535.0F - mixed) < 2e-3F);
                         QCOMPARE(words.pixels[8 + at], clear.pixels[8 + at]);
                     }
                     QCOMPARE(bytes.pixels[3], std::uint8_t{255});
@@ -536,7 +538,9 @@ private slots:
     void filmicKeepsHuesAndGoesOverIntoWhite()
     {
         QFETCH(glm::vec3, colour);
-        const auto hue = [](const glm::dvec3& c) { return std::atan2(std::sqrt(3.0) * (c.g - c.b), 2.0 * c.r - c.g - c.b) * 180.0 / M_PI; };
+        const auto hue = [](const glm::dvec3& c) {
+            return std::atan2(std::sqrt(3.0) * (c.g - c.b), 2.0 * c.r - c.g - c.b) * 180.0 / M_PI;
+        };
         Output output;
         output.viewTransform = ViewTransform::Filmic;
         double saturation = 2.0;
@@ -550,13 +554,15 @@ private slots:
             encode(image, output, encoded);
             glm::dvec3 shown(0.0);
             for (int i = 0; i < 3; ++i) {
-                shown[i] = static_cast<double>(linearFromSrgb(static_cast<float>(encoded.pixels[static_cast<std::size_t>(i)]) / 65535.0F));
+                shown[i] = static_cast<double>(
+                    linearFromSrgb(static_cast<float>(encoded.pixels[static_cast<std::size_t>(i)]) / 65535.0F));
             }
             const double most = std::max({shown.r, shown.g, shown.b});
             const double least = std::min({shown.r, shown.g, shown.b});
             if (stops <= 3.0F) {
                 const double turned = std::remainder(hue(shown) - hue(glm::dvec3(colour)), 360.0);
-                QVERIFY2(std::abs(turned) < 1.0, qPrintable(QString("%1 stops: %2 degrees").arg(static_cast<double>(stops)).arg(turned)));
+                QVERIFY2(std::abs(turned) < 1.0,
+                    qPrintable(QString("%1 stops: %2 degrees").arg(static_cast<double>(stops)).arg(turned)));
             }
             QVERIFY((most - least) / most <= saturation + 1e-3);
             saturation = (most - least) / most;
