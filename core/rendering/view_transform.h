@@ -30,8 +30,8 @@ enum class Cover {
 /// the others keep their ratio to it, so that hues stay, and very bright light goes over into white. Where output has a
 /// colour behind the smoke the picture is opaque, as encodeOver() makes it.
 /// @param cover Light for clear flames, which give more light than their alpha covers: over black they are then what
-/// they are in the picture;
-///              smoke, whose colour is 1 at most, stays as it is, and the one goes over into the other
+///              they are in the picture; smoke, whose colour is 1 at most, stays as it is, and the one goes over into
+///              the other
 /// O(pixels). The same bits for any thread count and instruction set.
 void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out, Cover cover = Cover::Alpha);
 /// The same in 16 bits.
