@@ -103,6 +103,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(fumage::FrameRange)
 QTEST_APPLESS_MAIN(RemarksTest)
 #include "remarks_test.moc"

@@ -355,6 +355,5 @@ private slots:
     }
 };
 
-Q_DECLARE_METATYPE(fumage::Effect)
 QTEST_APPLESS_MAIN(VolumeTest)
 #include "volume_test.moc"

@@ -217,11 +217,6 @@ void ExportDialog::take(std::span<const ExportPlan> choices)
     }
 }
 
-std::size_t ExportDialog::placeOfFormat(ExportKind kind)
-{
-    return static_cast<std::size_t>(isImage(kind) ? ExportKind::Sequence : kind);
-}
-
 ExportPlan ExportDialog::choiceOf(ExportKind kind) const
 {
     ExportPlan plan;
@@ -369,29 +364,38 @@ void ExportDialog::showEvent(QShowEvent* event)
         forgetDone();
     }
     followPlan();
-    m_highest = contentHeight();
-    ExportPlan highest = plan();
-    highest.kind = ExportKind::Flipbook;
-    showRowsOf(highest);
-    m_highest = std::max(m_highest, contentHeight());
-    showRowsOf(plan());
+    measureKinds();
     fitScreen();
     emit shownChanged(true);
 }
 
-int ExportDialog::contentHeight() const
+void ExportDialog::measureKinds()
 {
-    m_scroll->widget()->layout()->activate();
-    return m_scroll->widget()->sizeHint().height();
+    m_largest = {};
+    const ExportPlan shown = plan();
+    for (std::size_t each = 0; each < kExportKinds; ++each) {
+        ExportPlan other = shown;
+        other.kind = static_cast<ExportKind>(each);
+        showRowsOf(other);
+        m_largest = m_largest.expandedTo(contentSize());
+    }
+    showRowsOf(shown);
+}
+
+QSize ExportDialog::contentSize() const
+{
+    const QWidget& content = *m_scroll->widget();
+    content.layout()->invalidate(); // what rows inside of its parts have become, it hears of too late
+    content.layout()->activate();
+    return {content.minimumSizeHint().width(), content.sizeHint().height()};
 }
 
 void ExportDialog::fitScreen()
 {
     constexpr QSize kMargin(32 + 16, 48); // of the layout with a scroll bar; of the window
-    const QSize content = m_scroll->widget()->minimumSizeHint();
+    const QSize content = contentSize().expandedTo(m_largest); // the buttons stay where they are from kind to kind
     const int around = sizeHint().height() - m_scroll->sizeHint().height();
-    const int wanted = around + std::max(m_highest, contentHeight()); // the buttons stay where they are from kind to kind
-    resize(std::max(width(), content.width() + kMargin.width()), std::min(wanted, screen()->availableGeometry().height() - kMargin.height()));
+    resize(std::max(width(), content.width() + kMargin.width()), std::min(around + content.height(), screen()->availableGeometry().height() - kMargin.height()));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)

@@ -70,9 +70,11 @@ private:
     void buildProgress();
     void connectPlan();
     void connectButtons();
-    /// As high as its contents, and as those of the highest kind, as far as the screen allows.
+    /// As large as its contents, and as those of the largest kind, as far as the screen allows.
     void fitScreen();
-    [[nodiscard]] int contentHeight() const;
+    [[nodiscard]] QSize contentSize() const;
+    /// How large the contents of the largest kind are.
+    void measureKinds();
     /// Shows what a plan asks about.
     void showRowsOf(const ExportPlan& plan);
     /// What has become of the last export is told no more, unless it is still on its way.
@@ -91,7 +93,6 @@ private:
     [[nodiscard]] ExportKind kind() const;
     /// What is chosen for a kind, without its file.
     [[nodiscard]] ExportPlan choiceOf(ExportKind kind) const;
-    [[nodiscard]] static std::size_t placeOfFormat(ExportKind kind);
 
     Document& m_document;
     Player& m_player;
@@ -115,7 +116,7 @@ private:
     QPushButton* m_cancel;
     QPushButton* m_show;
     QFormLayout* m_form = nullptr;
-    int m_highest = 0; ///< of the contents of all kinds, pixels
+    QSize m_largest; ///< of the contents of all kinds
     bool m_pathIsSuggested = true;
     std::array<int, kExportKinds> m_formats{}; ///< that were chosen last; those of all images in one place
 };

@@ -50,6 +50,11 @@ QStringList formatsOf(ExportKind kind)
     }
 }
 
+std::size_t placeOfFormat(ExportKind kind)
+{
+    return static_cast<std::size_t>(isImage(kind) ? ExportKind::Sequence : kind);
+}
+
 int formatOf(const ExportPlan& plan)
 {
     switch (plan.kind) {

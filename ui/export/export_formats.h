@@ -20,6 +20,8 @@ namespace fumage::ui {
 /// The same path for another format: its ending goes, where it is one that exports have, and the plan's comes.
 [[nodiscard]] QString withEndingOf(const ExportPlan& plan, const QString& path);
 
+/// Where the format of a kind is remembered, below kExportKinds: all images share one.
+[[nodiscard]] std::size_t placeOfFormat(ExportKind kind);
 /// Which of formatsOf() its kind a plan has.
 [[nodiscard]] int formatOf(const ExportPlan& plan);
 void setFormat(ExportPlan& plan, int format);

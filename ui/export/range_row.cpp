@@ -69,7 +69,8 @@ void RangeRow::takePlayed()
 {
     m_first->setValue(m_player.first());
     m_last->setValue(m_player.last());
-    takeShown();
+    m_frame->setValue(m_player.frame());
+    sayWhichIsShown();
 }
 
 void RangeRow::takeShown()
