@@ -228,9 +228,9 @@ private slots:
                         QVERIFY(renderVideo(effect, options, {}).ok());
                         const std::string arguments = contentsOf(m_folder->filePath("ffmpeg.arguments"));
                         QVERIFY(arguments.find("-framerate 24000/1001 ") != std::string::npos);
-                        const bool forever = repeat == Repeat::Forever || (repeat == Repeat::Auto && loop && last == 3);
-                        QCOMPARE(arguments.find(forever ? "-loop 0 " : "-loop -1 ") != std::string::npos, format == VideoFormat::Gif);
-                        QCOMPARE(arguments.find(forever ? "-plays 0 " : "-plays 1 ") != std::string::npos, format == VideoFormat::Apng);
+                        const bool endless = repeat == Repeat::Forever || (repeat == Repeat::Auto && loop && last == 3);
+                        QCOMPARE(arguments.find(endless ? "-loop 0 " : "-loop -1 ") != std::string::npos, format == VideoFormat::Gif);
+                        QCOMPARE(arguments.find(endless ? "-plays 0 " : "-plays 1 ") != std::string::npos, format == VideoFormat::Apng);
                     }
                 }
             }
