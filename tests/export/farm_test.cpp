@@ -322,7 +322,7 @@ private slots:
         FarmJob job = someJob();
         job.name = "a\n#SBATCH --evil=1";
         const std::string script = fileThatEnds(makeFarmFiles(Farm::Slurm, job).value(), "1.slurm.sh").contents;
-        QVERIFY2(script.find("\n#SBATCH --evil") == script.rfind("\n#SBATCH --evil") && script.find("\"a #SBATCH --evil=1\"") != std::string::npos, script.c_str());
+        QVERIFY2(script.find("\n#SBATCH --evil") == script.rfind("\n#SBATCH --evil") && script.find("\"a__SBATCH --evil=1\"") != std::string::npos, script.c_str());
     }
 
     void namesThatAFarmCannotWriteAreRefused()

@@ -38,6 +38,8 @@ inline std::vector<std::string> hostileNames()
         }
         names.push_back(name + "n");
     }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 

@@ -33,15 +33,14 @@ constexpr std::array kReaders{Reader{Language::CSharp, "csharp"}, Reader{Languag
 /// What a language makes of a name that it cannot hold as it is.
 QString held(Language language, const std::string& name)
 {
-    QString out;
-    for (const char32_t c : QString::fromStdString(name).toUcs4()) {
+    const bool isMarkup = language == Language::Xml || language == Language::Html;
+    std::u32string all = U"x"; // before it a mark of the byte order stays
+    for (const char32_t c : QString::fromStdString("x" + name).mid(1).toStdU32String()) {
         const bool isControl = (c < 0x20 && c != '\t' && c != '\n') || (c >= 0x7F && c < 0xA0);
         const bool isNone = (c & 0xFFFEU) == 0xFFFE || (c >= 0xFDD0 && c <= 0xFDEF);
-        const bool isMarkup = language == Language::Xml || language == Language::Html;
-        const char32_t shown = isMarkup && (isControl || isNone) ? char32_t(0xFFFD) : c;
-        out += QString::fromUcs4(&shown, 1);
+        all += isMarkup && (isControl || isNone) ? char32_t(0xFFFD) : c;
     }
-    return out;
+    return QString::fromStdU32String(all).mid(1);
 }
 
 /// A sheet whose pictures have a name, without its pixels.
@@ -216,6 +215,9 @@ private slots:
         std::size_t made = 0;
         QStringList scripts;
         for (const std::string& name : hostileNames()) {
+            if (name.size() > 100) {
+                continue; // farms show the first hundred bytes
+            }
             const Result<FarmFiles> files = makeFarmFiles(which, jobNamed(name));
             if (!files) {
                 QVERIFY2(which == Farm::Deadline || which == Farm::OpenJd, files.error().text().c_str());
@@ -238,8 +240,8 @@ private slots:
             }
         }
         QVERIFY2(made > 40, std::to_string(made).c_str());
-        for (const QString& script : std::as_const(scripts)) {
-            QVERIFY(run("bash", {"-n", script}));
+        if (!scripts.isEmpty()) {
+            QVERIFY(run("bash", QStringList{"-c", "for script; do source /dev/stdin <<< \"unread() { $(< \"$script\")\n}\" || exit 1; done", "bash"} + scripts));
         }
     }
 

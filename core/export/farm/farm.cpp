@@ -82,7 +82,7 @@ Status checkNames(Farm farm, const FarmJob& job)
     for (const std::string& name : {job.folder.generic_string(), job.name, job.output}) {
         const std::string_view found = unwritable(farm, name);
         if (!found.empty()) {
-            const std::string what = found == "\n" ? "control characters" : inQuotes(found);
+            const Message what = found == "\n" ? said("control characters") : Message(inQuotes(found));
             return Error{ErrorCode::OutOfRange, said("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), what), (job.folder / pathFrom(job.output)).string(), said("Choose another name or folder")};
         }
     }
