@@ -8,6 +8,7 @@
 #include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/job_file.h"
+#include "core/export/remarks.h"
 
 #include <algorithm>
 #include <iostream>
@@ -47,6 +48,9 @@ nlohmann::ordered_json answerOf(const ExportJob& job, const Result<std::optional
     answer["files"] = written.count;
     answer["first"] = written.first.string();
     answer["last"] = written.last.string();
+    for (const Message& remark : remarksOn(job.preset.effect, job.plan)) {
+        answer["remarks"].push_back(remark.text());
+    }
     return answer;
 }
 

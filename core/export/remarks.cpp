@@ -1,6 +1,10 @@
 #include "core/export/remarks.h"
 
+#include "core/export/engines/engine_remarks.h"
 #include "core/export/loop.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace fumage {
 
@@ -43,6 +47,9 @@ std::vector<Message> remarksOn(const Effect& effect, const ExportPlan& plan)
     addLoop(effect.timeline, plan, remarks);
     if (plan.kind == ExportKind::Video) {
         addVideo(effect, plan, remarks);
+    }
+    if (plan.kind == ExportKind::Flipbook) {
+        std::ranges::move(engineRemarks(effect, flipbookOf(plan)), std::back_inserter(remarks));
     }
     return remarks;
 }

@@ -2391,6 +2391,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Choose fewer frames a task</source>
         <translation>Välj färre bildrutor per uppgift</translation>
     </message>
+    <message>
+        <source>%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames in its cells, or %5 frames a second, would keep the speed</source>
+        <translation>%1 spelar upp arket på %2 s i stället för %3 s, eftersom det räknar tiden i hela steg: %4 bildrutor i cellerna, eller %5 bildrutor per sekund, skulle behålla hastigheten</translation>
+    </message>
+    <message>
+        <source>%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames a second would keep the speed</source>
+        <translation>%1 spelar upp arket på %2 s i stället för %3 s, eftersom det räknar tiden i hela steg: %4 bildrutor per sekund skulle behålla hastigheten</translation>
+    </message>
+    <message>
+        <source>Unreal&apos;s FlipBook_MotionVectors finds its cells only where there are as many columns as rows: use %1 x %1 cells, or a material of your own</source>
+        <translation>Unreals FlipBook_MotionVectors hittar sina celler bara där det finns lika många kolumner som rader: använd %1 × %1 celler, eller ett eget material</translation>
+    </message>
+    <message>
+        <source>control characters</source>
+        <translation>styrtecken</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

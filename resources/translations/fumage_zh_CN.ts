@@ -2391,6 +2391,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Choose fewer frames a task</source>
         <translation>请减少每个任务的帧数</translation>
     </message>
+    <message>
+        <source>%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames in its cells, or %5 frames a second, would keep the speed</source>
+        <translation>%1 会用 %2 秒而不是 %3 秒播放此序列帧图集，因为它按整步计时：让单元格包含 %4 帧，或使用每秒 %5 帧，即可保持速度</translation>
+    </message>
+    <message>
+        <source>%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames a second would keep the speed</source>
+        <translation>%1 会用 %2 秒而不是 %3 秒播放此序列帧图集，因为它按整步计时：使用每秒 %4 帧即可保持速度</translation>
+    </message>
+    <message>
+        <source>Unreal&apos;s FlipBook_MotionVectors finds its cells only where there are as many columns as rows: use %1 x %1 cells, or a material of your own</source>
+        <translation>Unreal 的 FlipBook_MotionVectors 只有在列数与行数相同时才能找到单元格：请使用 %1 × %1 个单元格，或使用自己的材质</translation>
+    </message>
+    <message>
+        <source>control characters</source>
+        <translation>控制字符</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

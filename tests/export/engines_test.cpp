@@ -169,6 +169,18 @@ private slots:
         }
     }
 
+    void unrealsTexturesEndAtTheirEdges()
+    {
+        Sheet sheet(Engine::Unreal);
+        sheet.write();
+        const std::string script = sheet.text("smoke_4x2_unreal.py");
+        QVERIFY(contains(script, "\"address_x\", unreal.TextureAddress.TA_CLAMP") && contains(script, "\"address_y\", unreal.TextureAddress.TA_CLAMP"));
+        QVERIFY(contains(script, "log_warning") && contains(script, "4 x 2"));
+        sheet.options.rows = 4;
+        sheet.write();
+        QVERIFY(!contains(sheet.text("smoke_4x2_unreal.py"), "log_warning"));
+    }
+
     void aSceneSaysHowManyResourcesItHas()
     {
         for (const Engine engine : {Engine::Godot, Engine::Godot3}) {

@@ -1,5 +1,6 @@
 #include "core/export/engines/template_text.h"
 
+#include "core/export/engines/engine_remarks.h"
 #include "core/export/templates/template_facts.h"
 #include "core/rendering/camera.h"
 
@@ -95,6 +96,7 @@ void addPictures(const EngineSheet& sheet, TemplateFacts& facts)
     const bool lit = passes.has(Pass::SixWayA) && passes.has(Pass::SixWayB);
     facts.flag("six_way", lit);
     facts.flag("unlit", !lit);
+    facts.flag("misread", passes.has(Pass::Motion) && sheet.columns != sheet.rows);
 }
 
 void addGrid(const EngineSheet& sheet, TemplateFacts& facts)
@@ -114,10 +116,9 @@ void addTime(const EngineSheet& sheet, TemplateFacts& facts)
 {
     const int cells = sheet.columns * sheet.rows;
     facts.number("cells_per_second", sheet.cellsPerSecond);
-    facts.number("whole_cells_per_second", std::max(1, static_cast<int>(sheet.cellsPerSecond + 0.5))); // Defold takes no other
+    facts.number("whole_cells_per_second", static_cast<int>(playedRate(Engine::Defold, sheet.cellsPerSecond)));
     facts.number("seconds", cells / sheet.cellsPerSecond);
-    // Effekseer counts in sixtieths of a second.
-    const int sixtieths = std::max(1, static_cast<int>(60.0 / sheet.cellsPerSecond + 0.5));
+    const int sixtieths = static_cast<int>(60.0 / playedRate(Engine::Effekseer, sheet.cellsPerSecond) + 0.5);
     facts.number("sixtieths", sixtieths);
     facts.number("life_sixtieths", sixtieths * cells);
     facts.flag("loop", sheet.loops);
