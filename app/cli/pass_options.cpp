@@ -30,6 +30,8 @@ void PassOptions::addTo(CLI::App& command)
     command.add_option("--vectors", vectors,
                "Signs of motion vectors: unity (red right, green up; the default) or unreal (red left, green up)")
         ->check(CLI::IsMember({"unity", "unreal"}));
+    command.add_option("--normals", normals, "Green of normals: opengl (up; the default) or directx (down; of unreal)")
+        ->check(CLI::IsMember({"opengl", "directx"}));
     command
         .add_option("--alpha", alpha,
             "Light maps, emission and albedo: straight, or premultiplied. Default: straight in PNG, premultiplied in EXR, as the colour always is")
@@ -79,6 +81,9 @@ Status PassOptions::applyTo(ExportPlan& plan) const
     }
     if (!vectors.empty()) {
         plan.style.vectors = enumeratorNamed<VectorSigns, kVectorSigns>(vectors).value_or(VectorSigns{});
+    }
+    if (!normals.empty()) {
+        plan.style.normals = enumeratorNamed<NormalGreen, kNormalGreens>(normals).value_or(NormalGreen{});
     }
     if (!alpha.empty()) {
         plan.style.premultiplied = alpha == "premultiplied";

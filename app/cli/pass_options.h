@@ -12,6 +12,7 @@ struct PassOptions {
     std::string passes; ///< empty, as the others: what the engine takes
     std::string layout;
     std::string vectors;
+    std::string normals;
     std::string alpha;
     std::vector<std::string> packs;
 

@@ -28,7 +28,7 @@ Json channelsOfPass(Pass pass, const PassStyle& style)
     case Pass::SixWayA: return sixWayChannels(style.layout, 0);
     case Pass::SixWayB: return sixWayChannels(style.layout, 1);
     case Pass::Motion: return {style.vectors == VectorSigns::Unity ? "right" : "left", "up", "nothing"};
-    case Pass::Normal: return {"right", "up", "to the viewer"};
+    case Pass::Normal: return {"right", style.normals == NormalGreen::OpenGl ? "up" : "down", "to the viewer"};
     case Pass::Alpha:
     case Pass::Density:
     case Pass::Depth:
@@ -56,6 +56,31 @@ void describeEncoding(Pass pass, const PassStyle& style, bool shown, Json& json)
     }
 }
 
+/// 0.3 and not 0.30000001192092896.
+Json shortest(float number)
+{
+    return Json::parse(formatFloat(number));
+}
+
+/// How the number that says how much smoke glows becomes a colour.
+Json describeGlow(const PassScales& scales)
+{
+    Json glow;
+    glow["encoding"] = "linear colour = gradient(stored) * scale";
+    glow["scale"] = shortest(scales.glow);
+    glow["gradient"] = Json::array();
+    for (int k = 0; k < kGlowKeys; ++k) {
+        const glm::vec3& colour = scales.ramp.colours[static_cast<std::size_t>(k)];
+        glow["gradient"].push_back({{"at", shortest(glowKeyPosition(k))}, {"colour", {shortest(colour.r), shortest(colour.g), shortest(colour.b)}}});
+    }
+    return glow;
+}
+
+bool hasEmissive(const PassStyle& style)
+{
+    return channelsOf(style.layout)[1][3] == SixWayChannel::Emissive;
+}
+
 /// How numbers become what they mean: value = number * scale + offset.
 void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, Json& json)
 {
@@ -64,13 +89,21 @@ void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, 
     case Pass::SixWayB:
         json["layout"] = std::string(nameOf(style.layout));
         json["scale"] = scales.light;
+        if (pass == Pass::SixWayB && hasEmissive(style)) {
+            json["emissive"] = describeGlow(scales);
+        }
         break;
     case Pass::Motion:
         json["signs"] = std::string(nameOf(style.vectors));
         json["scale"] = scales.motion;
         json["unit"] = "share of a cell, from one cell to the next";
         break;
+    case Pass::Normal: json["green"] = std::string(nameOf(style.normals)); break;
     case Pass::Emission: json["scale"] = scales.emission; break;
+    case Pass::Temperature:
+        json["scale"] = scales.temperature;
+        json["unit"] = "share of the heat at birth; 0 where nothing glows";
+        break;
     case Pass::Density:
         json["scale"] = scales.density;
         json["unit"] = "optical depth: alpha = 1 - exp(-depth)";
@@ -103,7 +136,11 @@ Json describePacked(const PackedPicture& pack, const std::string& file, const Ef
             each["holds"] = names[static_cast<std::size_t>(channel.channel)];
             each["linear"] = !shown || *channel.pass != Pass::Colour || channel.channel == 3;
             describeEncoding(*channel.pass, options.style, shown, each);
-            describeScale(*channel.pass, scales, options.style, each);
+            if (each["holds"] == "emissive") {
+                each["emissive"] = describeGlow(scales);
+            } else {
+                describeScale(*channel.pass, scales, options.style, each);
+            }
         }
         json["channels"].push_back(each);
     }
@@ -132,7 +169,7 @@ void describeTime(const FlipbookOptions& options, Json& json)
     if (options.retime) {
         json["retime"] = Json::array();
         for (const CurvePoint& point : options.retime->points()) {
-            json["retime"].push_back({Json::parse(formatFloat(point.x)), Json::parse(formatFloat(point.y))}); // 0.3 and not 0.30000001192092896
+            json["retime"].push_back({shortest(point.x), shortest(point.y)});
         }
         json["frames"] = framesOfCells(options);
     }

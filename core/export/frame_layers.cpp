@@ -33,8 +33,18 @@ void unscale(Pass pass, const PassScales& scales, DataImage& image)
         }
     };
     switch (pass) {
-    case Pass::SixWayA:
-    case Pass::SixWayB: everyColour(scales.light); break;
+    case Pass::SixWayA: everyColour(scales.light); break;
+    case Pass::SixWayB:
+        everyColour(scales.light);
+        for (std::size_t i = 3; i < image.values.size(); i += 4) {
+            image.values[i] = glowBrightness(image.values[i]) * scales.glow;
+        }
+        break;
+    case Pass::Temperature:
+        for (float& value : image.values) {
+            value *= scales.temperature;
+        }
+        break;
     case Pass::Emission: everyColour(scales.emission); break;
     case Pass::Density:
         for (float& value : image.values) {

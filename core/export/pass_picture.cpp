@@ -92,6 +92,11 @@ std::string_view nameOf(VectorSigns signs)
     return signs == VectorSigns::Unity ? "unity" : "unreal";
 }
 
+std::string_view nameOf(NormalGreen green)
+{
+    return green == NormalGreen::OpenGl ? "opengl" : "directx";
+}
+
 std::string fileNameOf(Pass pass)
 {
     std::string name(passName(pass));
@@ -137,7 +142,15 @@ void PassPictures::findScales(PassSet passes)
         return largestOf(straight(layer), least, [](const float* p) { return p[3] < kSeen ? 0.0F : std::max({p[0], p[1], p[2]}); });
     };
     m_scales.light = largest(PassLayer::LeftBottomFront, largest(PassLayer::RightTopBack, m_scales.light));
-    m_scales.emission = largest(PassLayer::Emission, m_scales.emission);
+    m_scales.glow = largest(PassLayer::Emission, 0.0F);
+    m_scales.emission = std::max(m_scales.emission, m_scales.glow);
+    if (passes.has(Pass::SixWayB)) {
+        m_scales.ramp = fitGlowRamp(straight(PassLayer::Emission), m_scales.glow);
+    }
+    if (passes.has(Pass::Temperature)) {
+        const float hottest = largestOf(straight(PassLayer::Inner), 0.0F, [](const float* p) { return p[3] < kSeen ? 0.0F : p[0]; });
+        m_scales.temperature = hottest > 0.0F ? hottest : 1.0F;
+    }
     if (passes.has(Pass::Density)) {
         const float most = largestOf(m_sheet.layers.of(PassLayer::Colour), 0.0F, [](const float* p) { return p[3]; });
         m_scales.density = std::max(opticalDepth(kSeen), opticalDepth(most));
@@ -174,12 +187,19 @@ DataImage PassPictures::sixWay(std::size_t map) const
             case SixWayChannel::Bottom: *to = b[1] * share; break;
             case SixWayChannel::Front: *to = b[2] * share; break;
             case SixWayChannel::Alpha: *to = a[3]; break;
-            case SixWayChannel::Emissive: *to = written(PassLayer::Inner).pixels[i * 4]; break;
+            case SixWayChannel::Emissive: *to = emissive(i); break;
             case SixWayChannel::Nothing: *to = 0.0F; break;
             }
             ++to;
         }
     });
+}
+
+/// Where on the ramp the light of a pixel's own lies.
+float PassPictures::emissive(std::size_t pixel) const
+{
+    const float* light = written(PassLayer::Emission).pixels.data() + pixel * 4;
+    return m_scales.glow > 0.0F ? glowPosition(std::max({light[0], light[1], light[2]}) / m_scales.glow) : 0.0F;
 }
 
 DataImage PassPictures::motion() const
@@ -198,13 +218,15 @@ DataImage PassPictures::normal() const
 {
     const Image& above = straight(PassLayer::RightTopBack);
     const Image& below = straight(PassLayer::LeftBottomFront);
+    const float green = m_style.normals == NormalGreen::OpenGl ? 1.0F : -1.0F;
     return filled(above, 3, true, [&](std::size_t i, float* to) {
         const float* a = above.pixels.data() + i * 4;
         const float* b = below.pixels.data() + i * 4;
         const glm::vec3 facing(a[0] - b[0], a[1] - b[1], std::max(0.0F, b[2] - a[2]));
         const float length = std::sqrt(glm::dot(facing, facing));
         constexpr float kFlat = 1e-6F;
-        const glm::vec3 normal = length > kFlat ? facing / length : glm::vec3(0.0F, 0.0F, 1.0F);
+        glm::vec3 normal = length > kFlat ? facing / length : glm::vec3(0.0F, 0.0F, 1.0F);
+        normal.y *= green;
         std::copy_n(&normal.x, 3, to);
     });
 }
@@ -247,7 +269,7 @@ DataImage PassPictures::picture(Pass pass) const
     case Pass::Depth: return measured(straight(PassLayer::Motion), 2, m_scales.nearest, m_scales.farthest);
     case Pass::Emission: return colours(PassLayer::Emission, m_scales.emission);
     case Pass::Albedo: return colours(PassLayer::Albedo, 1.0F);
-    case Pass::Temperature: return measured(straight(PassLayer::Inner), 0, 0.0F, 1.0F);
+    case Pass::Temperature: return measured(straight(PassLayer::Inner), 0, 0.0F, m_scales.temperature);
     case Pass::Shadow: return measured(straight(PassLayer::Inner), 1, 0.0F, 1.0F);
     }
     return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/export/glow_ramp.h"
 #include "core/export/image_file.h"
 #include "core/export/motion_refine.h"
 #include "core/rendering/passes.h"
@@ -51,11 +52,21 @@ inline constexpr std::size_t kVectorSigns = 2;
 /// "unity", "unreal".
 [[nodiscard]] std::string_view nameOf(VectorSigns signs);
 
+/// Which way green leads in normals.
+enum class NormalGreen {
+    OpenGl, ///< up: Unity, Godot, Blender
+    DirectX, ///< down: Unreal
+};
+inline constexpr std::size_t kNormalGreens = 2;
+/// "opengl", "directx".
+[[nodiscard]] std::string_view nameOf(NormalGreen green);
+
 /// How passes are written.
 struct PassStyle {
     SixWayLayout layout = SixWayLayout::Unity;
     VectorSigns vectors = VectorSigns::Unity;
     bool premultiplied = false; ///< colours and light times alpha; else they go on where there is no smoke. Motion and what is measured is always straight.
+    NormalGreen normals = NormalGreen::OpenGl;
 };
 
 /// What the numbers of passes are divided by, so that they lie between 0 and 1, or -1 and 1; one for all pictures that belong together.
@@ -64,6 +75,9 @@ struct PassScales {
     float density = 1.0F; ///< the largest optical depth
     float motion = 1.0F; ///< the largest component, as a share of a cell
     float emission = 1.0F; ///< 1, or more where there is more
+    float glow = 0.0F; ///< the brightest channel of what glows, which the ramp's 1 is; 0: nothing does
+    GlowRamp ramp; ///< the colours of the map of what glows
+    float temperature = 1.0F; ///< the hottest
     float nearest = 0.0F; ///< depth that is 0, m
     float farthest = 1.0F; ///< depth that is 1, m
 };
@@ -103,6 +117,7 @@ private:
     [[nodiscard]] DataImage sixWay(std::size_t map) const;
     [[nodiscard]] DataImage motion() const;
     [[nodiscard]] DataImage density() const;
+    [[nodiscard]] float emissive(std::size_t pixel) const;
     [[nodiscard]] DataImage normal() const;
     [[nodiscard]] DataImage measured(const Image& image, std::size_t channel, float zero, float one) const;
     [[nodiscard]] DataImage colours(PassLayer layer, float scale) const;

@@ -1,6 +1,7 @@
 #include "core/rendering/pass_renderer.h"
 
 #include "core/base/parallel.h"
+#include "core/lighting/glow.h"
 #include "core/rendering/pass_kernel.h"
 #include "core/rendering/sprite_kernel.h"
 
@@ -21,6 +22,33 @@ Effect inWhiteSun(const Effect& effect)
     return white;
 }
 
+/// From the heat from which smoke is seen to glow on, its share of the heat at birth. Cold smoke and soot have none.
+Gradient heatOfWhatGlows(const Light& light)
+{
+    constexpr float kSeen = 1.0F / 255.0F; // of white, or of the brightest where that is less
+    const GlowColours colours = glowColours(light);
+    const auto brightness = [&](std::size_t i) { return std::max({colours[i].r, colours[i].g, colours[i].b}); };
+    float most = 0.0F;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        most = std::max(most, brightness(i));
+    }
+    if (!(light.emission > 0.0F) || !(most > 0.0F)) {
+        return {{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
+    }
+    std::size_t first = 0;
+    while (light.emission * brightness(first) < kSeen * std::min(1.0F, light.emission * most)) {
+        ++first;
+    }
+    const auto at = [](std::size_t i) { return static_cast<float>(i) / static_cast<float>(kGlowTableSize - 1); };
+    if (first < 2) {
+        return {{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F)}};
+    }
+    if (first + 1 == colours.size()) {
+        return {{0.0F, glm::vec3(0.0F)}, {at(first - 1), glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F)}};
+    }
+    return {{0.0F, glm::vec3(0.0F)}, {at(first - 1), glm::vec3(0.0F)}, {at(first), glm::vec3(at(first))}, {1.0F, glm::vec3(1.0F)}};
+}
+
 /// A glow that says how hot the smoke is.
 Effect asThermometer(const Effect& effect)
 {
@@ -30,7 +58,7 @@ Effect asThermometer(const Effect& effect)
     thermometer.light.flameOpacity = 1.0F;
     thermometer.light.fireLight = 0.0F;
     thermometer.light.emissionColour = EmissionColour::Gradient;
-    thermometer.light.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F)}};
+    thermometer.light.emissionGradient = heatOfWhatGlows(effect.light);
     return thermometer;
 }
 

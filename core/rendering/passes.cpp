@@ -67,9 +67,9 @@ bool needsLayer(PassSet passes, PassLayer layer)
     case PassLayer::RightTopBack: // both maps have one scale
     case PassLayer::LeftBottomFront: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal});
     case PassLayer::Motion: return passes.hasAny({Pass::Motion, Pass::Depth});
-    case PassLayer::Emission: return passes.has(Pass::Emission);
+    case PassLayer::Emission: return passes.hasAny({Pass::SixWayB, Pass::Emission});
     case PassLayer::Albedo: return passes.has(Pass::Albedo);
-    case PassLayer::Inner: return passes.hasAny({Pass::SixWayB, Pass::Temperature, Pass::Shadow});
+    case PassLayer::Inner: return passes.hasAny({Pass::Temperature, Pass::Shadow});
     }
     return false;
 }

@@ -18,13 +18,13 @@ enum class Pass {
     Alpha,
     Density, ///< optical depth: smoke in front of smoke adds up
     SixWayA, ///< white smoke under white light from the right, from the top and from behind
-    SixWayB, ///< from the left, from the bottom and from the front; its fourth channel is the temperature of what glows
+    SixWayB, ///< from the left, from the bottom and from the front; its fourth channel says how much smoke glows
     Motion, ///< way to the next picture, as a share of its width and height
     Normal, ///< the way that the smoke faces, as the six lights tell it
     Depth, ///< distance along the view, m
     Emission, ///< what the smoke gives of itself
     Albedo, ///< its own colour
-    Temperature, ///< share of the heat at birth
+    Temperature, ///< share of the heat at birth, of what glows; 0 where nothing does
     Shadow, ///< share of the sun that comes through
 };
 inline constexpr std::size_t kPasses = 12;

@@ -169,6 +169,16 @@ private slots:
         }
     }
 
+    void unitysScriptSpeaksToAllPipelines()
+    {
+        const Sheet sheet(Engine::Unity);
+        sheet.write();
+        const std::string script = sheet.text("Editor/smoke_4x2.cs");
+        for (const char* word : {"\"_FLIPBOOKBLENDING_ON\"", "\"_REQUIRE_UV2\"", "\"HDRP/Unlit\"", "\"Universal Render Pipeline/Particles/Unlit\"", "\"Particles/Standard Unlit\"", "Lightmap Remap Ranges"}) {
+            QVERIFY2(contains(script, word), word);
+        }
+    }
+
     void unrealsTexturesEndAtTheirEdges()
     {
         Sheet sheet(Engine::Unreal);
@@ -181,10 +191,52 @@ private slots:
         QVERIFY(!contains(sheet.text("smoke_4x2_unreal.py"), "log_warning"));
     }
 
+    void normalsLeadAsEachEngineHasThem()
+    {
+        for (const Engine engine : kAllEngines) {
+            Sheet sheet(engine);
+            sheet.options.passes = {Pass::Colour, Pass::Normal};
+            sheet.write();
+            const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2.flipbook.json"))).object();
+            const QJsonObject normal = json["pictures"].toArray()[1].toObject();
+            const bool isDown = engine == Engine::Unreal;
+            QCOMPARE(normal["green"].toString(), isDown ? QStringLiteral("directx") : QStringLiteral("opengl"));
+            QCOMPARE(normal["channels"].toArray()[1].toString(), isDown ? QStringLiteral("down") : QStringLiteral("up"));
+        }
+    }
+
+    void fireKeepsItsColoursInLightMaps()
+    {
+        for (const float emission : {0.0F, 4.0F}) {
+            for (const Engine engine : {Engine::Unity, Engine::Godot}) {
+                Sheet sheet(engine);
+                sheet.options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB};
+                sheet.effect.light.emission = emission;
+                sheet.write();
+                const QJsonArray pictures = QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2.flipbook.json"))).object()["pictures"].toArray();
+                const QJsonObject glow = pictures[2].toObject()["emissive"].toObject();
+                QCOMPARE(glow["gradient"].toArray().size(), kGlowKeys);
+                QCOMPARE(glow["scale"].toDouble() > 0.0, emission > 0.0F);
+                const bool glows = emission > 0.0F;
+                if (engine == Engine::Unity) {
+                    const QString script = QString::fromStdString(sheet.text("Editor/smoke_4x2.cs"));
+                    QCOMPARE(script.count(QStringLiteral("new GradientColorKey(")), glows ? kGlowKeys : 0);
+                } else {
+                    QCOMPARE(contains(sheet.text("smoke_4x2.tscn"), "GradientTexture1D"), glows);
+                    QCOMPARE(contains(sheet.text("smoke_4x2.gdshader"), "glow"), glows);
+                }
+            }
+        }
+    }
+
     void aSceneSaysHowManyResourcesItHas()
     {
         for (const Engine engine : {Engine::Godot, Engine::Godot3}) {
             Sheet sheet(engine);
+            if (engine == Engine::Godot) {
+                sheet.options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB};
+                sheet.effect.light.emission = 4.0F;
+            }
             sheet.write();
             const QString scene = QString::fromStdString(sheet.text("smoke_4x2.tscn"));
             const auto resources = scene.count(QStringLiteral("[ext_resource ")) + scene.count(QStringLiteral("[sub_resource "));
@@ -233,7 +285,7 @@ private slots:
         QVERIFY2(contains(shader, "LIGHT.x >= 0.0 ? a.b : a.g"), shader.c_str());
         QVERIFY2(contains(shader, "LIGHT.y >= 0.0 ? a.r : b.r"), shader.c_str());
         QVERIFY2(contains(shader, "LIGHT.z >= 0.0 ? b.b : b.g"), shader.c_str());
-        QVERIFY(!contains(shader, "glow_strength") && !contains(shader, "motion_scale"));
+        QVERIFY(!contains(shader, "glow") && !contains(shader, "motion_scale"));
     }
 
     void thePageHoldsThePicturesThemselves()

@@ -21,7 +21,7 @@ ExportPlan fullPlan(const std::filesystem::path& folder)
     plan.output = folder / "smoke 2x2.png";
     plan.frames = {4, 27, 2};
     plan.columns = plan.rows = 2;
-    plan.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion};
+    plan.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Normal};
     plan.engine = Engine::Unity;
     plan.style = styleFor(plan.engine, plan.format);
     plan.packs = {parsePack("masks=shadow,alpha@1/2").value(), parsePack("light=six-way-a.r,0,1,alpha").value()};
@@ -74,7 +74,7 @@ private slots:
     {
         const QTemporaryDir folder;
         const ManifestSet set = written(fullPlan(pathOf(folder)));
-        for (const auto& [key, value] : std::map<std::string, std::string>{{"frames", "4-19:2"}, {"packs", "masks=shadow,0@1/2;light=six-way-a.r,0,1,alpha"}, {"retime", ""}, {"vectors", "unreal"},
+        for (const auto& [key, value] : std::map<std::string, std::string>{{"frames", "4-19:2"}, {"packs", "masks=shadow,0@1/2;light=six-way-a.r,0,1,alpha"}, {"retime", ""}, {"vectors", "unreal"}, {"normals", "directx"},
                  {"alpha", "straight"}, {"layout", "embergen"}, {"name", "other.png"}, {"columns", "1"}}) {
             ManifestSet other = set;
             std::string& setting = other.manifests[0].manifest.job.settings.at(key);

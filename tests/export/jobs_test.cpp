@@ -52,7 +52,7 @@ private slots:
         book.rows = 5;
         book.engine = Engine::Unreal;
         book.passes = {Pass::SixWayA, Pass::SixWayB, Pass::Motion};
-        book.style = {SixWayLayout::RltBbf, VectorSigns::Unreal, true};
+        book.style = {SixWayLayout::RltBbf, VectorSigns::Unreal, true, NormalGreen::DirectX};
         book.packs = {parsePack("masks=shadow,0,motion.r@1/4").value(), parsePack("own=depth").value()};
         book.trim = true;
         book.powerOfTwo = true;
@@ -98,7 +98,7 @@ private slots:
         }
         const ExportPlan& again = read[1].plan;
         QVERIFY(again.columns == 3 && again.rows == 5 && again.engine == Engine::Unreal && again.passes == book.passes && again.packs == book.packs && again.retime == book.retime && again.trim && again.powerOfTwo);
-        QVERIFY(again.style.layout == SixWayLayout::RltBbf && again.style.vectors == VectorSigns::Unreal && again.style.premultiplied);
+        QVERIFY(again.style.layout == SixWayLayout::RltBbf && again.style.vectors == VectorSigns::Unreal && again.style.premultiplied && again.style.normals == NormalGreen::DirectX);
         QVERIFY(again.frames.first == 2 && again.frames.last == 9 && again.frames.step == 3);
         QVERIFY(read[0].plan.format == ImageFormat::ExrFloat && read[0].plan.passes.has(Pass::Depth) && !read[0].plan.project);
         QCOMPARE(read[0].plan.recording.manifest, jobs[0].plan.recording.manifest);

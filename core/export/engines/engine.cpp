@@ -55,6 +55,7 @@ PassStyle styleFor(Engine engine, ImageFormat format)
     if (engine == Engine::Unreal) {
         style.layout = SixWayLayout::EmberGen;
         style.vectors = VectorSigns::Unreal;
+        style.normals = NormalGreen::DirectX;
     }
     style.premultiplied = holdsFloats(format);
     return style;

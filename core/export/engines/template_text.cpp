@@ -99,6 +99,28 @@ void addPictures(const EngineSheet& sheet, TemplateFacts& facts)
     facts.flag("misread", passes.has(Pass::Motion) && sheet.columns != sheet.rows);
 }
 
+/// What makes colours of the map that says how much smoke glows, where there is such a map and it is not empty.
+/// @return whether there is
+bool addGlow(const EngineSheet& sheet, TemplateFacts& facts)
+{
+    const auto isMap = [](const EnginePicture& picture) { return picture.pass == Pass::SixWayB; };
+    const bool hasMap = std::any_of(sheet.pictures.begin(), sheet.pictures.end(), isMap) && channelsOf(sheet.style.layout)[1][3] == SixWayChannel::Emissive;
+    const bool glows = hasMap && sheet.scales.glow > 0.0F;
+    std::vector<TemplateFacts> keys;
+    for (int k = 0; k < kGlowKeys; ++k) {
+        const glm::vec3& colour = sheet.scales.ramp.colours[static_cast<std::size_t>(k)];
+        keys.emplace_back(facts.language());
+        keys.back().number("at", glowKeyPosition(k));
+        keys.back().number("red", colour.r);
+        keys.back().number("green", colour.g);
+        keys.back().number("blue", colour.b);
+    }
+    facts.flag("glows", glows);
+    facts.number("glow_scale", sheet.scales.glow);
+    facts.list("glow_keys", std::move(keys));
+    return glows;
+}
+
 void addGrid(const EngineSheet& sheet, TemplateFacts& facts)
 {
     const Output& cell = sheet.effect.output;
@@ -137,10 +159,12 @@ TemplateFacts factsOf(Language language, const EngineSheet& sheet)
     facts.number("motion_scale", sheet.scales.motion);
     facts.word("motion_right", sheet.style.vectors == VectorSigns::Unity ? "1.0" : "-1.0");
     facts.word("signs", nameOf(sheet.style.vectors));
+    facts.word("green", sheet.style.normals == NormalGreen::OpenGl ? "up" : "down");
     facts.word("layout", nameOf(sheet.style.layout));
     facts.number("light_scale", sheet.scales.light);
     addPictures(sheet, facts);
-    facts.number("resources", static_cast<int>(sheet.pictures.size()) + 5); // shader, material, quad and process, and the scene itself
+    const int glowResources = addGlow(sheet, facts) ? 2 : 0; // gradient and its texture
+    facts.number("resources", static_cast<int>(sheet.pictures.size()) + 5 + glowResources); // shader, material, quad and process, and the scene itself
     addChannels(sheet.style, facts);
     addPlace(sheet.effect, facts);
     return facts;

@@ -113,7 +113,8 @@ ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options)
     ManifestJob job{std::string(kFlipbookKind),
         {{"name", options.output.filename().string()}, {"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)},
             {"columns", std::to_string(options.columns)}, {"rows", std::to_string(options.rows)}, {"frames", textOf(options.frames)}, {"for", std::string(nameOf(options.engine))},
-            {"layout", std::string(nameOf(options.style.layout))}, {"vectors", std::string(nameOf(options.style.vectors))}, {"alpha", alphaOf(options.style.premultiplied)}},
+            {"layout", std::string(nameOf(options.style.layout))}, {"vectors", std::string(nameOf(options.style.vectors))}, {"normals", std::string(nameOf(options.style.normals))},
+            {"alpha", alphaOf(options.style.premultiplied)}},
         effect};
     std::string packs;
     for (const PackedPicture& pack : options.packs) {
@@ -137,16 +138,18 @@ Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
     const std::optional<Engine> engine = enumeratorNamed<Engine, kEngines>(settingOf(job, "for"));
     const std::optional<SixWayLayout> layout = enumeratorNamed<SixWayLayout, kSixWayLayouts>(settingOf(job, "layout"));
     const std::optional<VectorSigns> vectors = enumeratorNamed<VectorSigns, kVectorSigns>(settingOf(job, "vectors"));
+    const std::string told = settingOf(job, "normals"); // manifests of before there was a choice say nothing: green was up
+    const std::optional<NormalGreen> normals = told.empty() ? NormalGreen::OpenGl : enumeratorNamed<NormalGreen, kNormalGreens>(told);
     const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
     const Result<FrameRange> frames = parseFrameRange(settingOf(job, "frames"));
     const std::optional<std::int64_t> columns = parseInteger(settingOf(job, "columns"));
     const std::optional<std::int64_t> rows = parseInteger(settingOf(job, "rows"));
     const auto areCells = [](const std::optional<std::int64_t>& count) { return count && *count >= 1 && *count <= kMaxSheetCells; };
     const std::filesystem::path name = pathFrom(settingOf(job, "name")).filename();
-    if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !passes || !frames || !areCells(columns) || !areCells(rows) || name.empty()) {
+    if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !normals || !passes || !frames || !areCells(columns) || !areCells(rows) || name.empty()) {
         return cannotBeRendered();
     }
-    FlipbookOptions options{name, static_cast<int>(*columns), static_cast<int>(*rows), frames.value(), *format, passes.value(), {*layout, *vectors, settingOf(job, "alpha") == kPremultiplied}, *engine};
+    FlipbookOptions options{name, static_cast<int>(*columns), static_cast<int>(*rows), frames.value(), *format, passes.value(), {*layout, *vectors, settingOf(job, "alpha") == kPremultiplied, *normals}, *engine};
     if (!readExtras(job, options)) {
         return cannotBeRendered();
     }
