@@ -2,6 +2,8 @@
 
 #include "core/flow/air_run.h"
 
+#include <algorithm>
+
 namespace fumage {
 
 /// The air of an effect at any step, computed once and kept: a pure function of its plan and the step. What is kept never changes bits: all
@@ -29,7 +31,9 @@ public:
     [[nodiscard]] Status bake(std::int64_t last, const std::stop_token& stop = {}, const std::function<void(double)>& progress = {});
 
     /// Whether all steps up to one have been computed at least once; of a loop, all there are.
-    [[nodiscard]] bool isBaked(std::int64_t last) const { return m_run.bakedSteps() >= lastRawStep(last); }
+    [[nodiscard]] bool isBaked(std::int64_t last) const { return missingSteps(last) == 0; }
+    /// How many steps bake() would have to compute.
+    [[nodiscard]] std::int64_t missingSteps(std::int64_t last) const { return std::max<std::int64_t>(0, lastRawStep(last) - m_run.bakedSteps()); }
     /// Memory that fields and checkpoints take now.
     [[nodiscard]] std::size_t keptBytes() const;
     [[nodiscard]] const AirPlan& plan() const { return m_plan; }

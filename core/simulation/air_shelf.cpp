@@ -31,11 +31,16 @@ void AirShelf::clear()
     m_airs.clear();
 }
 
-bool AirShelf::isBaked(const SampledEffect& effect, std::int64_t step) const
+std::int64_t AirShelf::missingSteps(const SampledEffect& effect, std::int64_t step) const
 {
     const Effect part = airPart(effect);
     const std::scoped_lock lock(m_mutex);
-    return std::any_of(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == part && each.second->isBaked(step); });
+    const auto found = std::find_if(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == part; });
+    if (found != m_airs.end()) {
+        return found->second->missingSteps(step);
+    }
+    const Schedule schedule = makeSchedule(effect);
+    return schedule.firstStep + 2 * schedule.loopSteps + step + 1;
 }
 
 } // namespace fumage

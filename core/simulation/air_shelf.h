@@ -28,7 +28,9 @@ public:
     void clear();
 
     /// Whether the air of an effect is here and needs no more computing up to a step.
-    [[nodiscard]] bool isBaked(const SampledEffect& effect, std::int64_t step) const;
+    [[nodiscard]] bool isBaked(const SampledEffect& effect, std::int64_t step) const { return missingSteps(effect, step) == 0; }
+    /// How many steps of the air of an effect are still to be computed up to a step, of a loop all of them; more than there are steps where none is here.
+    [[nodiscard]] std::int64_t missingSteps(const SampledEffect& effect, std::int64_t step) const;
 
 private:
     std::size_t m_most;

@@ -4948,6 +4948,61 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>fumage::ui::WorkLine</name>
+    <message>
+        <source>Work in progress</source>
+        <translation>Pågående arbete</translation>
+    </message>
+    <message>
+        <source>Stopped: a preview is shown</source>
+        <translation>Stoppat: en förhandsvisning visas</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsätt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppa</translation>
+    </message>
+    <message>
+        <source>Make the picture after all</source>
+        <translation>Gör bilden ändå</translation>
+    </message>
+    <message>
+        <source>Give this up; a preview stays, and playing goes on with it</source>
+        <translation>Avbryt detta; en förhandsvisning stannar kvar, och uppspelningen fortsätter med den</translation>
+    </message>
+    <message>
+        <source>Baking air</source>
+        <translation>Bakar luft</translation>
+    </message>
+    <message>
+        <source>Simulating particles</source>
+        <translation>Simulerar partiklar</translation>
+    </message>
+    <message>
+        <source>Lighting</source>
+        <translation>Ljussätter</translation>
+    </message>
+    <message>
+        <source>Painting</source>
+        <translation>Målar</translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>%1 %2 %, about %3 min</source>
+        <translation>%1 %2 %, ungefär %3 min</translation>
+    </message>
+    <message>
+        <source>%1 %2 %, about %3 s</source>
+        <translation>%1 %2 %, ungefär %3 s</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>An editor for smoke.</source>

@@ -4948,6 +4948,61 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>fumage::ui::WorkLine</name>
+    <message>
+        <source>Work in progress</source>
+        <translation>正在进行的工作</translation>
+    </message>
+    <message>
+        <source>Stopped: a preview is shown</source>
+        <translation>已停止：显示的是预览</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Make the picture after all</source>
+        <translation>仍然生成画面</translation>
+    </message>
+    <message>
+        <source>Give this up; a preview stays, and playing goes on with it</source>
+        <translation>放弃这项工作；保留预览，并用它继续播放</translation>
+    </message>
+    <message>
+        <source>Baking air</source>
+        <translation>正在烘焙空气</translation>
+    </message>
+    <message>
+        <source>Simulating particles</source>
+        <translation>正在模拟粒子</translation>
+    </message>
+    <message>
+        <source>Lighting</source>
+        <translation>正在计算光照</translation>
+    </message>
+    <message>
+        <source>Painting</source>
+        <translation>正在绘制</translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation>%1 %2%</translation>
+    </message>
+    <message>
+        <source>%1 %2 %, about %3 min</source>
+        <translation>%1 %2%，约 %3 分钟</translation>
+    </message>
+    <message>
+        <source>%1 %2 %, about %3 s</source>
+        <translation>%1 %2%，约 %3 秒</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>An editor for smoke.</source>

@@ -4,6 +4,8 @@
 
 #include "ui/pictures/picture_feed.h"
 
+#include <set>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -53,6 +55,39 @@ struct Watched {
         constexpr int kPatienceMs = 20000;
         return QTest::qWaitFor([&] { return feed.isSettled(); }, kPatienceMs);
     }
+};
+
+/// A loop in air that takes a while to be baked.
+Effect loopInAir()
+{
+    Effect effect = smallEffect();
+    effect.air.enabled = true;
+    effect.air.resolution = 44;
+    effect.timeline.loop = true;
+    effect.timeline.length = 40;
+    return effect;
+}
+
+/// Plays as the player does: the next frame when the picture of this one has come.
+class Playing {
+public:
+    explicit Playing(Watched& watched, int length)
+    {
+        QObject::connect(&watched.feed, &PictureFeed::waitingChanged, &m_clock, [this](bool waiting) { m_held = waiting; });
+        QObject::connect(&m_clock, &QTimer::timeout, &m_clock, [this, &watched, length] {
+            if (!m_held) {
+                m_frame = (m_frame + 1) % length;
+                watched.feed.setFrame(m_frame);
+            }
+        });
+        watched.feed.setPlaying(true);
+        m_clock.start(5);
+    }
+
+private:
+    QTimer m_clock;
+    int m_frame = 0;
+    bool m_held = true;
 };
 
 QImage whole(const Effect& effect, int frame)
@@ -147,6 +182,70 @@ private slots:
         QVERIFY(watched.pictures[0]->thinned);
         QVERIFY(watched.pictures[1]->thinned);
         QVERIFY(watched.pictures[1]->particles > watched.pictures[0]->particles);
+    }
+
+    // --- playing ----------------------------------------------------------------------------------------------------
+
+    void aLoopPlaysInCoarseAirWhileItsOwnIsBaked()
+    {
+        Watched watched(loopInAir());
+        std::vector<double> shares;
+        connect(&watched.feed, &PictureFeed::working, this, [&](Phase phase, double share) {
+            if (phase == Phase::Air) {
+                shares.push_back(share);
+            }
+        });
+        const Playing playing(watched, 40);
+        const auto isWhole = [](const PicturePtr& picture) { return !picture->coarseAir && !picture->thinned; };
+        QTRY_VERIFY_WITH_TIMEOUT(std::any_of(watched.pictures.begin(), watched.pictures.end(), isWhole), 120000);
+        std::set<int> moved;
+        for (const PicturePtr& picture : watched.pictures) {
+            if (picture->coarseAir) {
+                moved.insert(picture->frame);
+            }
+        }
+        QVERIFY2(moved.size() >= 5, std::to_string(moved.size()).c_str());
+        QVERIFY(shares.size() > 5 && shares.front() < 0.5 && shares.back() > 0.9);
+        const qsizetype before = watched.pictures.size();
+        QTRY_VERIFY(watched.pictures.size() > before + 3); // and it goes on, in its own air
+        QVERIFY(std::all_of(watched.pictures.begin() + before, watched.pictures.end(), isWhole));
+    }
+
+    void whatIsStoppedStaysAPreviewUntilItMayGoOn()
+    {
+        Effect effect = loopInAir();
+        effect.air.resolution = 64;
+        Watched watched(effect);
+        const Playing playing(watched, 40);
+        QTRY_VERIFY_WITH_TIMEOUT(!watched.pictures.isEmpty() && watched.pictures.last()->coarseAir, 60000); // which was baked for it
+        QSignalSpy working(&watched.feed, &PictureFeed::working);
+        QTRY_VERIFY_WITH_TIMEOUT(std::any_of(working.begin(), working.end(), [](const QList<QVariant>& each) { return each[0].value<Phase>() == Phase::Air; }), 60000);
+        watched.feed.stopWork();
+        QVERIFY(watched.feed.isStopped());
+        working.clear();
+        const qsizetype before = watched.pictures.size();
+        QTRY_VERIFY_WITH_TIMEOUT(watched.pictures.size() > before + 10, 60000); // it plays on
+        QVERIFY(std::all_of(watched.pictures.begin() + before, watched.pictures.end(), [](const PicturePtr& picture) { return picture->coarseAir; }));
+        QVERIFY(std::none_of(working.begin(), working.end(), [](const QList<QVariant>& each) { return each[0].value<Phase>() == Phase::Air; }));
+        watched.feed.mayWork();
+        QVERIFY(!watched.feed.isStopped());
+        QTRY_VERIFY_WITH_TIMEOUT(!watched.pictures.last()->coarseAir, 120000);
+    }
+
+    void aStandingPictureThatIsStoppedIsAPreview()
+    {
+        Effect effect = loopInAir();
+        effect.air.resolution = 64;
+        Watched watched(effect);
+        QSignalSpy working(&watched.feed, &PictureFeed::working);
+        QTRY_VERIFY_WITH_TIMEOUT(std::any_of(working.begin(), working.end(), [](const QList<QVariant>& each) { return each[0].value<Phase>() == Phase::Air; }), 60000);
+        watched.feed.stopWork();
+        QTRY_VERIFY(!watched.pictures.isEmpty());
+        QVERIFY(watched.pictures.last()->coarseAir);
+        Effect changed = effect;
+        changed.motion.wind += 1.0F;
+        watched.feed.setEffect(changed, Stage::Simulate);
+        QVERIFY(!watched.feed.isStopped()); // another question
     }
 
     void theNewestEffectIsTheOneThatIsShown()

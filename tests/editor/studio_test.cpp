@@ -114,13 +114,20 @@ private slots:
         effect.air.enabled = true;
         effect.air.resolution = 24;
         std::vector<double> shares;
-        Studio studio(std::make_shared<AirShelf>(2), [&](double share) { shares.push_back(share); });
+        Phase last = Phase::Paint;
+        Studio studio(std::make_shared<AirShelf>(2), [&](Phase phase, double share) {
+            last = phase;
+            if (phase == Phase::Air) {
+                shares.push_back(share);
+            }
+        });
         PictureRequest request = requestFor(effect, 20);
         request.air = true;
         request.tracks = true;
         const PicturePtr first = studio.make(request, {});
         QVERIFY(shares.size() > 2 && shares.front() < 0.5);
         QCOMPARE(shares.back(), 1.0);
+        QCOMPARE(last, Phase::Idle);
         QVERIFY(std::is_sorted(shares.begin(), shares.end()));
         QVERIFY(first->bakeNs > 0 && !first->tracks.empty());
         // Above the source it is warm and goes up.

@@ -3,10 +3,12 @@
 #include "core/effect/effect.h"
 #include "core/rendering/camera.h"
 #include "core/rendering/renderer.h"
+#include "core/simulation/simulator.h"
 
 #include <QImage>
 #include <QMetaType>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,6 +33,18 @@ enum class Haste {
     Settling, ///< as many particles as come soon; given up when something newer is asked for
 };
 
+/// What a picture is waiting for.
+enum class Phase {
+    Idle, ///< nothing
+    Air, ///< the steps of the air that carries the smoke
+    Steps, ///< the steps of the particles to the frame
+    Light, ///< light and shadow, and the noise of the sprites
+    Paint, ///< the pixels
+};
+/// Hears of the phases of a picture, on the thread that makes it.
+/// @param share that is done, 0 to 1; below 0: not known
+using WorkListener = std::function<void(Phase phase, double share)>;
+
 struct PictureRequest {
     std::shared_ptr<const Effect> effect;
     quint64 revision = 0; ///< of all that is asked for: pictures of one revision and frame are alike
@@ -40,6 +54,8 @@ struct PictureRequest {
     int height = 1;
     Backdrop backdrop;
     Haste haste = Haste::None;
+    bool mayBake = true; ///< else coarser air stands in for what is not baked, whatever the haste
+    std::shared_ptr<Simulator> prepared; ///< of this simulation, at a frame a moment ago; null: none. For the one who makes the picture
     bool tracks = false; ///< find the ways of some particles
     bool air = false; ///< find what the air does that carries them
     bool sprites = false; ///< hand over the sprites instead of painting them

@@ -14,13 +14,27 @@ PictureFeed::PictureFeed(qint64 cacheBytes, QObject* parent)
     : QObject(parent)
     , m_cache(cacheBytes)
     , m_worker(m_shelf)
+    , m_preparer(m_shelf)
 {
     m_wanted.effect = std::make_shared<const Effect>();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &PictureFeed::rest);
     connect(&m_worker, &PictureWorker::pictureReady, this, &PictureFeed::receive);
-    connect(&m_worker, &PictureWorker::baking, this, &PictureFeed::baking);
+    connect(&m_worker, &PictureWorker::working, this, [this](Phase phase, double share) {
+        if (!m_preparer.isBusy()) { // which is what keeps all of it waiting
+            emit working(phase, share);
+        }
+    });
+    connect(&m_preparer, &Preparer::working, this, &PictureFeed::working);
+    connect(&m_preparer, &Preparer::ended, this, [this] {
+        m_wanted.mayBake = m_wanted.prepared != nullptr; // or it would be tried again and again
+        emit working(Phase::Idle, 1.0);
+    });
+    connect(&m_preparer, &Preparer::prepared, this, [this](const std::shared_ptr<Simulator>& simulator, quint64 simulation) {
+        m_wanted.prepared = simulation == m_wanted.simulation ? simulator : nullptr;
+        refresh(usualHaste());
+    });
     connect(&m_worker, &PictureWorker::exhausted, this, [this] {
         giveUp();
         emit exhausted();
@@ -36,6 +50,9 @@ void PictureFeed::setEffect(const Effect& effect, Stage stale)
     m_wanted.effect = std::make_shared<const Effect>(effect);
     if (stale == Stage::Simulate) {
         ++m_wanted.simulation;
+        m_wanted.mayBake = true;
+        m_wanted.prepared.reset();
+        stopPreparing();
     }
     invalidate();
     beginMoving();
@@ -55,6 +72,7 @@ void PictureFeed::setFrame(int frame)
         return;
     }
     m_wanted.frame = frame;
+    m_preparer.setFrame(frame);
     if (!m_playing) {
         m_rest.start();
     }
@@ -65,6 +83,7 @@ void PictureFeed::setPlaying(bool playing)
 {
     m_playing = playing;
     if (!playing) {
+        stopPreparing(); // the picture that is looked at does it itself
         m_rest.start();
     }
 }
@@ -75,6 +94,9 @@ void PictureFeed::setSeen(bool seen)
     if (seen && !m_picture) {
         // Something to look at first; the whole of it a moment later.
         beginMoving();
+    }
+    if (!seen) {
+        stopPreparing();
     }
     refresh(usualHaste());
 }
@@ -186,7 +208,7 @@ void PictureFeed::rest()
     }
     m_moving = false;
     const PicturePtr known = m_cache.find(m_wanted.frame);
-    if (m_seen && known && known->thinned) {
+    if (m_seen && known && known->thinned && m_wanted.mayBake && !m_playing) {
         // The whole may take seconds: something in between comes first.
         request(Haste::Settling);
     } else {
@@ -202,7 +224,8 @@ void PictureFeed::refresh(Haste haste)
     }
     requestOther(haste);
     const PicturePtr known = m_cache.find(m_wanted.frame);
-    if (known) {
+    // Of frames that are played, rough ones of the turn before would flash up before those that come now.
+    if (known && !(m_playing && haste == Haste::Playing && known->thinned)) {
         show(known);
     }
     const bool isEnough = known && (known->complete || haste == Haste::Dragging || (haste == Haste::Playing && !known->thinned));
@@ -215,6 +238,7 @@ void PictureFeed::request(Haste haste)
 {
     m_asked = m_wanted;
     m_asked->haste = haste;
+    m_wanted.prepared.reset(); // it is handed over once
     emit waitingChanged(true);
     m_worker.request(*m_asked);
 }
@@ -252,6 +276,7 @@ void PictureFeed::receive(const PicturePtr& picture)
         emit cacheChanged();
     }
     show(picture);
+    prepareBehind(*picture);
     if (settling) {
         m_asked.reset();
         refresh(usualHaste());
@@ -259,6 +284,41 @@ void PictureFeed::receive(const PicturePtr& picture)
             emit waitingChanged(false);
         }
     }
+}
+
+void PictureFeed::prepareBehind(const Picture& picture)
+{
+    if (m_playing && !m_moving && m_seen && picture.thinned && m_wanted.mayBake && !m_wanted.prepared && isWanted(picture)) {
+        m_preparer.prepare(m_wanted.effect, m_wanted.simulation, m_wanted.frame);
+    }
+}
+
+void PictureFeed::stopPreparing()
+{
+    if (m_preparer.isBusy()) {
+        m_preparer.stop();
+        emit working(Phase::Idle, 1.0);
+    }
+}
+
+void PictureFeed::stopWork()
+{
+    m_wanted.mayBake = false;
+    stopPreparing();
+    if (m_asked) {
+        m_worker.stop();
+        giveUp();
+    }
+    emit working(Phase::Idle, 1.0);
+    if (!m_picture || !isWanted(*m_picture)) {
+        request(Haste::Dragging); // something of this frame
+    }
+}
+
+void PictureFeed::mayWork()
+{
+    m_wanted.mayBake = true;
+    refresh(usualHaste());
 }
 
 void PictureFeed::giveUp()

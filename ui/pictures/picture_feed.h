@@ -2,6 +2,7 @@
 
 #include "ui/pictures/picture_cache.h"
 #include "ui/pictures/picture_worker.h"
+#include "ui/pictures/preparer.h"
 
 #include "core/effect/parameter.h"
 
@@ -56,6 +57,12 @@ public:
     [[nodiscard]] const PicturePtr& otherPicture() const { return m_otherPicture; }
     /// Whether the picture is all there is to show: of this effect and frame, nothing given up, nothing on its way.
     [[nodiscard]] bool isSettled() const;
+    /// Gives up what takes long, until something changes or mayWork() says so: coarser air stands in, and frames that are not there are not made.
+    void stopWork();
+    /// Lets it go on.
+    void mayWork();
+    /// Whether stopWork() has given up something.
+    [[nodiscard]] bool isStopped() const { return !m_wanted.mayBake; }
     /// Frames whose pictures are kept, in order.
     [[nodiscard]] QList<int> cachedFrames() const { return m_cache.frames(); }
 
@@ -65,8 +72,9 @@ signals:
     void cacheChanged();
     /// Pictures that were kept are kept no longer.
     void dropped();
-    /// The air is being baked. @param share that is done; 1 when it is, or was given up
-    void baking(double share);
+    /// What the picture that is wanted waits for, or what is prepared behind those that are played; Phase::Idle: nothing.
+    /// @param share that is done, below 0 where it is not known
+    void working(fumage::ui::Phase phase, double share);
     /// The picture of the frame that was asked for last is on its way, or has come.
     void waitingChanged(bool waiting);
     /// There was not enough memory for a picture; it is not tried again until something changes.
@@ -84,6 +92,9 @@ private:
     void receive(const PicturePtr& picture);
     void receiveOther(const PicturePtr& picture);
     void giveUp();
+    /// Has done behind them what pictures that are played lack.
+    void prepareBehind(const Picture& picture);
+    void stopPreparing();
     void show(const PicturePtr& picture);
     [[nodiscard]] bool isWanted(const Picture& picture) const;
     [[nodiscard]] Haste usualHaste() const;
@@ -100,6 +111,7 @@ private:
     PicturePtr m_picture;
     std::shared_ptr<AirShelf> m_shelf = std::make_shared<AirShelf>(3); ///< for the effect, its stand-in, and the other effect
     PictureWorker m_worker;
+    Preparer m_preparer;
 
     std::optional<Effect> m_other;
     quint64 m_otherSimulation = 0;

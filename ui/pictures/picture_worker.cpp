@@ -32,9 +32,9 @@ PictureWorker::PictureWorker(std::shared_ptr<AirShelf> shelf, QObject* parent)
 
 Studio PictureWorker::newStudio()
 {
-    return Studio(m_shelf, [this](double share) {
+    return Studio(m_shelf, [this](Phase phase, double share) {
         QMetaObject::invokeMethod(
-            this, [this, share] { emit baking(share); }, Qt::QueuedConnection);
+            this, [this, phase, share] { emit working(phase, share); }, Qt::QueuedConnection);
     });
 }
 

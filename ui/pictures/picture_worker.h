@@ -17,14 +17,16 @@ public:
     explicit PictureWorker(std::shared_ptr<AirShelf> shelf, QObject* parent = nullptr);
 
     void request(PictureRequest request) { m_job.post(std::move(request)); }
+    /// Gives up what is being made, whatever its haste, and what was asked for.
+    void stop() { m_job.stop(); }
 
 signals:
     /// On the thread of this object.
     void pictureReady(fumage::ui::PicturePtr picture);
     /// Memory ran out: the picture that was being made does not come.
     void exhausted();
-    /// The air is being baked. @param share that is done; 1 when it is, or was given up
-    void baking(double share);
+    /// What it is at. @param share that is done, below 0 where it is not known; Phase::Idle follows when the picture is done or given up
+    void working(fumage::ui::Phase phase, double share);
     /// The picture cannot be made.
     void failed(const fumage::Error& why);
 

@@ -17,6 +17,13 @@ constexpr qint64 kBudgetNs = 28'000'000;
 /// Share of it that particles may take; the rest is for pixels.
 constexpr qint64 kParticleBudgetNs = kBudgetNs * 3 / 4;
 
+/// In which a picture that needs a pre-roll is still said to come at once.
+constexpr qint64 kSoonNs = 400'000'000;
+
+constexpr double kUnknownShare = -1.0;
+
+constexpr int kCoarseAir = 20; ///< cells: some tens of milliseconds for two hundred steps
+
 constexpr int kCheckerPixels = 16;
 
 /// What is seen behind the smoke in the window.
@@ -38,9 +45,9 @@ QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
 
 } // namespace
 
-Studio::Studio(std::shared_ptr<AirShelf> shelf, Baking baking)
+Studio::Studio(std::shared_ptr<AirShelf> shelf, WorkListener listener)
     : m_shelf(std::move(shelf))
-    , m_baking(std::move(baking))
+    , m_listener(std::move(listener))
 {
 }
 
@@ -59,7 +66,6 @@ int Studio::particlesWhileDragging(const Plan& plan, double preRoll) const
 
 int Studio::particlesToSettle(int all, double preRoll) const
 {
-    constexpr qint64 kSoonNs = 400'000'000;
     const int affordable = m_costs.particlesWithin(kSoonNs, preRoll);
     // Where the whole is not far off, it comes at once.
     constexpr int kNear = 3;
@@ -67,6 +73,48 @@ int Studio::particlesToSettle(int all, double preRoll) const
         return all;
     }
     return CostEstimate::halvedInto(all, affordable);
+}
+
+int Studio::particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const
+{
+    // Those that have begun go on: a new pre-roll for others would be seen.
+    if (m_settling && m_settling->simulation == plan.simulation && m_settling->coarseAir == plan.coarseAir && m_settling->particles <= plan.effect->emitter.count) {
+        return m_settling->particles;
+    }
+    const int soon = m_costs.particlesWithin(kSoonNs, preRoll);
+    return CostEstimate::halvedInto(plan.effect->emitter.count, std::min(soon, m_costs.particlesWithin(kParticleBudgetNs, stepsAFrame)));
+}
+
+bool Studio::lacksAir(const PictureRequest& request, const Plan& plan, const Schedule& schedule) const
+{
+    const Air& air = plan.effect->air;
+    if (!air.enabled || air.resolution <= kCoarseAir || (request.haste != Haste::Dragging && request.haste != Haste::Playing && request.mayBake)) {
+        return false;
+    }
+    const std::int64_t missing = m_shelf->missingSteps(plan.effect, schedule.stepOfFrame(request.frame));
+    // The steps of one frame come with it.
+    const bool areFew = request.haste == Haste::Playing && request.mayBake && missing <= 2 * schedule.stepsPerFrame + 1;
+    return missing > 0 && !areFew;
+}
+
+double Studio::stepsTo(int frame, const std::optional<Running>& running, const Plan& plan, const Schedule& schedule, double preRoll)
+{
+    const bool isWarm = running && running->isFor(plan) && running->lastFrame;
+    const int ahead = isWarm ? frame - *running->lastFrame : -1;
+    return ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
+}
+
+bool Studio::isSlowToBegin(const PictureRequest& request, const Plan& plan, double preRoll) const
+{
+    const bool hasBegun = (m_complete && m_complete->isFor(plan)) || request.prepared;
+    return request.haste == Haste::Playing && !hasBegun && m_costs.particlesWithin(kSoonNs, preRoll) < plan.effect->emitter.count;
+}
+
+void Studio::scaleDown(const PictureRequest& request, Quality quality, Plan& plan) const
+{
+    const double pixels = static_cast<double>(request.width) * request.height;
+    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
+    plan.complete = plan.keepsAll && plan.scale == 1.0 && quality == request.effect->output.quality;
 }
 
 Studio::Plan Studio::planFor(const PictureRequest& request) const
@@ -79,41 +127,56 @@ Studio::Plan Studio::planFor(const PictureRequest& request) const
         asked.output.quality = std::min(asked.output.quality, Quality::Good);
     }
     plan.effect = sampled(asked);
-    if (request.haste == Haste::None) {
-        return plan;
-    }
     const Schedule schedule = makeSchedule(plan.effect);
-    constexpr int kCoarseAir = 20; // cells: some tens of milliseconds for two hundred steps
-    if (request.haste == Haste::Dragging && asked.air.enabled && asked.air.resolution > kCoarseAir && !m_shelf->isBaked(plan.effect, schedule.stepOfFrame(request.frame))) {
+    plan.coarseAir = lacksAir(request, plan, schedule);
+    if (plan.coarseAir) {
         asked.air.resolution = kCoarseAir;
         plan.effect = sampled(asked);
-        plan.coarseAir = true;
     }
     // Particles are of all ages: a pre-roll takes half a life each.
     const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
-    const bool warm = m_complete && m_complete->isFor(plan);
-    const int ahead = request.frame - m_lastFrame;
-    plan.stepsEach = warm && ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame)) : preRoll;
-    if (request.haste == Haste::Dragging) {
-        const int count = particlesWhileDragging(plan, preRoll);
-        plan.keepsAll = count == plan.effect->emitter.count && !plan.coarseAir;
+    const int all = plan.effect->emitter.count;
+    const auto thinTo = [&](int count) {
+        plan.keepsAll = count == all && !plan.coarseAir;
         plan.effect = thinned(plan.effect, count);
-    }
-    if (request.haste == Haste::Settling) {
-        const int count = particlesToSettle(plan.effect->emitter.count, preRoll);
-        plan.keepsAll = count == plan.effect->emitter.count;
+    };
+    plan.stepsEach = stepsTo(request.frame, m_complete, plan, schedule, preRoll);
+    switch (request.haste) {
+    case Haste::None:
+        plan.settles = plan.coarseAir;
+        plan.keepsAll = !plan.coarseAir;
+        plan.complete = plan.keepsAll;
+        break;
+    case Haste::Settling:
         plan.settles = true;
-        plan.effect = thinned(plan.effect, count);
+        thinTo(particlesToSettle(all, preRoll));
         plan.complete = plan.keepsAll && asked.output.quality == request.effect->output.quality;
-        return plan;
+        break;
+    case Haste::Dragging:
+        thinTo(particlesWhileDragging(plan, preRoll));
+        scaleDown(request, asked.output.quality, plan);
+        break;
+    case Haste::Playing:
+        if (plan.coarseAir || isSlowToBegin(request, plan, preRoll)) {
+            plan.settles = true;
+            thinTo(particlesToPlay(plan, preRoll, static_cast<double>(schedule.stepsPerFrame)));
+            plan.stepsEach = stepsTo(request.frame, m_settling, plan, schedule, preRoll);
+        }
+        scaleDown(request, asked.output.quality, plan);
+        break;
     }
-    const double pixels = static_cast<double>(request.width) * request.height;
-    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
-    plan.complete = plan.keepsAll && plan.scale == 1.0 && asked.output.quality == request.effect->output.quality;
     return plan;
 }
 
-Simulator& Studio::simulatorFor(const Plan& plan)
+void Studio::takePrepared(const PictureRequest& request, const Plan& plan)
+{
+    if (request.prepared && request.haste == Haste::Playing && plan.keepsAll && !(m_complete && m_complete->isFor(plan))) {
+        m_complete.emplace(Running{plan.simulation, plan.effect->emitter.count, plan.coarseAir, std::move(*request.prepared), std::nullopt});
+        m_settling.reset();
+    }
+}
+
+Studio::Running& Studio::runningFor(const Plan& plan)
 {
     std::optional<Running>& running = plan.keepsAll ? m_complete : plan.settles ? m_settling
                                                                                 : m_thinned;
@@ -121,9 +184,9 @@ Simulator& Studio::simulatorFor(const Plan& plan)
         running.reset();
         // What cannot be seen needs no checkpoints to come back to.
         const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
-        running.emplace(Running{plan.simulation, plan.effect->emitter.count, plan.coarseAir, Simulator(plan.effect, checkpoints, m_shelf)});
+        running.emplace(Running{plan.simulation, plan.effect->emitter.count, plan.coarseAir, Simulator(plan.effect, checkpoints, m_shelf), std::nullopt});
     }
-    return running->simulator;
+    return *running;
 }
 
 void Studio::noteTrouble(const Error& error)
@@ -136,15 +199,14 @@ void Studio::noteTrouble(const Error& error)
 /// Before particles are timed: what they cost does not depend on whether their air is there.
 bool Studio::bakeAir(const Plan& plan, int frame, Picture& picture, const std::stop_token& stop)
 {
-    const Model& model = simulatorFor(plan).model();
+    const Model& model = runningFor(plan).simulator.model();
     const std::int64_t last = model.schedule().stepOfFrame(frame);
     if (model.air() == nullptr || model.air()->isBaked(last)) {
         return true;
     }
     QElapsedTimer timer;
     timer.start();
-    const Status status = model.air()->bake(last, stop, m_baking);
-    m_baking(1.0);
+    const Status status = model.air()->bake(last, stop, [this](double share) { m_listener(Phase::Air, share); });
     picture.bakeNs = timer.nsecsElapsed();
     return status.ok();
 }
@@ -157,7 +219,7 @@ void Studio::addOverlays(const PictureRequest& request, const Plan& plan, Pictur
         effect.air.resolution = plan.effect->air.resolution; // of the stand-in, where there is one
         picture.tracks = findTracks(effect, request.frame, m_shelf);
     }
-    const Model& model = simulatorFor(plan).model();
+    const Model& model = runningFor(plan).simulator.model();
     if (request.air && model.air() != nullptr) {
         if (const auto field = model.air()->field(model.schedule().stepOfFrame(request.frame), stop)) {
             picture.air = findAirArrows(*field.value(), request.effect->emitter.position, windowView(plan.effect, request.frame, request.width, request.height).forward);
@@ -167,14 +229,15 @@ void Studio::addOverlays(const PictureRequest& request, const Plan& plan, Pictur
 
 std::shared_ptr<const Frame> Studio::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
-    Result<std::shared_ptr<const Frame>> result = simulatorFor(plan).frame(frame, stop);
+    Running& running = runningFor(plan);
+    const Progress progress([this](Work work, int done, int total) { m_listener(work == Work::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total)); });
+    m_listener(Phase::Steps, kUnknownShare);
+    Result<std::shared_ptr<const Frame>> result = running.simulator.frame(frame, stop, progress);
     if (!result) {
         noteTrouble(result.error());
         return nullptr;
     }
-    if (plan.keepsAll) {
-        m_lastFrame = frame;
-    }
+    running.lastFrame = frame;
     return result.value();
 }
 
@@ -219,7 +282,15 @@ bool Studio::paint(const PictureRequest& request, const Plan& plan, Picture& pic
 
 PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& stop)
 {
+    PicturePtr picture = makePicture(request, stop);
+    m_listener(Phase::Idle, 1.0);
+    return picture;
+}
+
+PicturePtr Studio::makePicture(const PictureRequest& request, const std::stop_token& stop)
+{
     const Plan plan = planFor(request);
+    takePrepared(request, plan);
     auto picture = std::make_shared<Picture>();
     m_trouble.reset();
     if (!bakeAir(plan, request.frame, *picture, stop)) {
@@ -239,12 +310,14 @@ PicturePtr Studio::make(const PictureRequest& request, const std::stop_token& st
     const int width = scaled(request.width);
     const int height = scaled(request.height);
     timer.restart();
+    m_listener(Phase::Light, kUnknownShare);
     if (const Status status = m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop); !status) {
         noteTrouble(status.error());
         return nullptr;
     }
     m_costs.noteSprites(particles, timer.nsecsElapsed());
     timer.restart();
+    m_listener(Phase::Paint, kUnknownShare);
     if (!paint(request, plan, *picture, stop)) {
         return nullptr;
     }

@@ -10,7 +10,12 @@ void Readout::count()
         constexpr double kShareOfNewest = 0.15;
         constexpr double kNanosecondsAMillisecond = 1e6;
         const double ms = static_cast<double>(m_sinceLast.nsecsElapsed()) / kNanosecondsAMillisecond;
-        m_intervalMs = m_intervalMs == 0.0 ? ms : m_intervalMs + (ms - m_intervalMs) * kShareOfNewest;
+        constexpr double kLongestMs = 1500.0; // between frames that follow one another
+        if (ms > kLongestMs) {
+            restart();
+        } else {
+            m_intervalMs = m_intervalMs == 0.0 ? ms : m_intervalMs + (ms - m_intervalMs) * kShareOfNewest;
+        }
     }
     m_sinceLast.start();
 }

@@ -17,6 +17,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     , m_player(player)
     , m_surface(makeSurface(support, openGlIsWanted(), this, [this](QPainter& painter) { paintOverlays(painter); }))
     , m_hand(document, m_split, *m_surface->widget(), [this] { return view(); })
+    , m_workLine(new WorkLine(this))
 {
     setObjectName(QStringLiteral("viewport"));
     QWidget* surface = m_surface->widget();
@@ -34,7 +35,17 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
     connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
     connect(&m_feed, &PictureFeed::dropped, this, &Viewport::dropped);
-    connect(&m_feed, &PictureFeed::baking, this, &Viewport::baking);
+    connect(&m_feed, &PictureFeed::working, this, &Viewport::followWork);
+    connect(m_workLine, &WorkLine::stopped, this, &Viewport::stopWork);
+    connect(m_workLine, &WorkLine::resumed, this, [this] {
+        m_workLine->showStopped(false);
+        m_feed.mayWork();
+    });
+    connect(m_workLine, &WorkLine::shownChanged, this, [this] {
+        m_readout.restart(); // frames do not come as often as they did
+        placeWorkLine();
+        m_surface->widget()->update();
+    });
     connect(&m_feed, &PictureFeed::exhausted, this, &Viewport::exhausted);
     connect(&m_feed, &PictureFeed::failed, this, [this](const Error& why) { emit failed(told(why)); });
     connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
@@ -72,6 +83,7 @@ void Viewport::setCompare(Compare compare, const Effect& other)
 void Viewport::followDocument(const EffectChange& change)
 {
     m_feed.setEffect(m_document.effect(), change.stale);
+    m_workLine->showStopped(m_feed.isStopped());
 }
 
 /// Nothing of one document is seen under the name of another, until there is a picture of that.
@@ -100,6 +112,29 @@ void Viewport::followVisibility()
     m_feed.setSeen(isSeen);
 }
 
+void Viewport::followWork(Phase phase, double share)
+{
+    emit baking(phase == Phase::Air ? share : 1.0);
+    m_workLine->follow(phase, share);
+    if (phase == Phase::Idle) {
+        m_workLine->showStopped(m_feed.isStopped());
+    }
+    placeWorkLine();
+}
+
+void Viewport::stopWork()
+{
+    m_feed.stopWork();
+    m_workLine->showStopped(true);
+}
+
+/// At the top, in the middle: nothing else is there.
+void Viewport::placeWorkLine()
+{
+    constexpr int kFromTop = 12;
+    m_workLine->move(std::max(0, (width() - m_workLine->width()) / 2), kFromTop);
+}
+
 void Viewport::display(const PicturePtr& picture)
 {
     m_readout.count();
@@ -110,6 +145,7 @@ void Viewport::display(const PicturePtr& picture)
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    placeWorkLine();
     followSize();
 }
 

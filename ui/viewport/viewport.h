@@ -8,6 +8,7 @@
 #include "ui/viewport/readout.h"
 #include "ui/viewport/surface.h"
 #include "ui/viewport/viewport_hand.h"
+#include "ui/viewport/work_line.h"
 
 #include <QWidget>
 
@@ -74,6 +75,9 @@ private:
     void startAnew();
     void followDocument(const EffectChange& change);
     void followSize();
+    void followWork(Phase phase, double share);
+    void stopWork();
+    void placeWorkLine();
     void followVisibility();
     void display(const PicturePtr& picture);
     void paintOverlays(QPainter& painter);
@@ -87,6 +91,7 @@ private:
     Readout m_readout;
     std::unique_ptr<Surface> m_surface;
     ViewportHand m_hand; ///< after the surface, which it holds
+    WorkLine* m_workLine;
 };
 
 } // namespace fumage::ui

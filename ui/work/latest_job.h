@@ -49,6 +49,14 @@ public:
         m_wake.notify_one();
     }
 
+    /// Forgets what was asked for, and asks the work on what is being done to end, also where it may not be given up for something newer.
+    void stop()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting.reset();
+        m_running.request_stop();
+    }
+
 private:
     struct Assignment {
         Request request;
