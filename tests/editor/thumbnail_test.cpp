@@ -2,7 +2,10 @@
 #include "editor_helpers.h"
 #include "picture_helpers.h"
 
+#include "ui/presets/shipped_thumbnails.h"
 #include "ui/presets/thumbnailer.h"
+
+#include "core/preset/library.h"
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -74,6 +77,56 @@ private slots:
         QCOMPARE(files.size(), 1);
         QVERIFY(QFile::resize(files[0].filePath(), 40));
         QCOMPARE(picture(tinyEffect()), first);
+    }
+
+    void everyBuiltInPresetBringsItsPicture()
+    {
+        const QByteArray folder = qgetenv("FUMAGE_WRITE_THUMBNAILS"); // ./dev thumbnails
+        for (const LibraryEntry& entry : builtinPresets()) {
+            const Effect effect = loadPreset(entry).value().preset.effect;
+            const QString file = shippedThumbnailFile(QString::fromStdString(entry.id), effect);
+            if (!folder.isEmpty()) {
+                constexpr int kQuality = 85;
+                QVERIFY(isThumbnailShipped(effect) || renderThumbnail(effect, kShippedThumbnailEdge).save(QString::fromLocal8Bit(folder) + u'/' + file, "JPG", kQuality));
+                continue;
+            }
+            QVERIFY2(isThumbnailShipped(effect), qPrintable(file + u" is missing: the preset has changed, ./dev thumbnails makes its picture"_q));
+            QVERIFY2(showsSomething(shippedThumbnail(effect, kShippedThumbnailEdge)), qPrintable(file));
+        }
+    }
+
+    void noPictureIsShippedThatNobodyShows()
+    {
+        QStringList wanted;
+        for (const LibraryEntry& entry : builtinPresets()) {
+            wanted += shippedThumbnailFile(QString::fromStdString(entry.id), loadPreset(entry).value().preset.effect);
+        }
+        qint64 bytes = 0;
+        const QFileInfoList shipped = QDir(u":/thumbnails"_q).entryInfoList();
+        for (const QFileInfo& file : shipped) {
+            QVERIFY2(wanted.contains(file.fileName()) || qEnvironmentVariableIsSet("FUMAGE_WRITE_THUMBNAILS"), qPrintable(file.fileName() + u" is of no preset: ./dev thumbnails"_q));
+            bytes += file.size();
+        }
+        QVERIFY2(bytes < 22 * 16 * 1024, qPrintable(QString::number(bytes)));
+    }
+
+    void whatIsAtHandDoesNotWaitForWhatIsRendered()
+    {
+        Thumbnailer thumbnailer(store());
+        QSignalSpy ready(&thumbnailer, &Thumbnailer::ready);
+        thumbnailer.request(u"first"_q, tinyEffect(), kEdge); // may have begun before the others are asked for
+        Effect slow = tinyEffect();
+        slow.emitter.count = 100000;
+        thumbnailer.request(u"slow"_q, slow, kEdge);
+        for (const LibraryEntry& entry : builtinPresets()) {
+            thumbnailer.request(QString::fromStdString(entry.id), loadPreset(entry).value().preset.effect, kEdge);
+        }
+        const qsizetype all = static_cast<qsizetype>(builtinPresets().size()) + 2;
+        QTRY_COMPARE_WITH_TIMEOUT(ready.size(), all, 60000);
+        const auto place = [&](const QString& name) {
+            return std::find_if(ready.begin(), ready.end(), [&](const QList<QVariant>& each) { return each[0].toString() == name; }) - ready.begin();
+        };
+        QVERIFY(place(u"slow"_q) <= 1 || place(u"slow"_q) == all - 1); // it had begun, or it comes last
     }
 
     void theFolderDoesNotGrowForEver()

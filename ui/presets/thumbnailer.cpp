@@ -1,6 +1,7 @@
 #include "ui/presets/thumbnailer.h"
 
 #include "ui/pictures/studio.h"
+#include "ui/presets/shipped_thumbnails.h"
 
 #include "core/effect/sampling.h"
 
@@ -75,9 +76,12 @@ void Thumbnailer::request(const QString& name, const Effect& effect, int edge)
     const std::lock_guard lock(m_mutex);
     const auto same = std::find_if(m_jobs.begin(), m_jobs.end(), [&](const Job& job) { return job.name == name; });
     if (same != m_jobs.end()) {
-        *same = {name, effect, edge};
+        *same = {name, effect, edge, false};
     } else {
-        m_jobs.push_back({name, effect, edge});
+        // What is at hand does not wait for what has to be rendered.
+        const bool isAtHand = isThumbnailShipped(effect);
+        const auto place = isAtHand ? std::find_if(m_jobs.begin(), m_jobs.end(), [](const Job& job) { return !job.isAtHand; }) : m_jobs.end();
+        m_jobs.insert(place, {name, effect, edge, isAtHand});
     }
     m_wake.notify_one();
 }
@@ -91,6 +95,9 @@ void Thumbnailer::clear()
 QImage Thumbnailer::pictureOf(const Job& job, const std::stop_token& stop) const
 {
     QImage image = m_store ? m_store->find(job.effect, job.edge) : QImage();
+    if (image.isNull()) {
+        image = shippedThumbnail(job.effect, job.edge);
+    }
     if (!image.isNull()) {
         return image;
     }

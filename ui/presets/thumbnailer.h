@@ -36,6 +36,7 @@ private:
         QString name;
         Effect effect;
         int edge = 0;
+        bool isAtHand = false;
     };
     static void complain(const Error& why);
     void run(const std::stop_token& stop);
