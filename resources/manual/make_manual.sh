@@ -5,6 +5,7 @@ program=$(realpath "$1")
 what=$2
 folder=$3
 name=$(basename "$program")
+here=$(realpath "$(dirname "$0")")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8 HOME=$work XDG_RUNTIME_DIR=$work
@@ -23,9 +24,9 @@ s/\(INT\|UINT\|FLOAT\) in \[\([0-9.]*\) - \([0-9.]*\)\]/\2..\3/
 s/^\(  .*\) REQUIRED\( \|$\)/\1\2/
 SED
 
-page() { # <page> <what it is> <see also> [subcommand]
-    local page=$1 sentence=$2 also=$3
-    shift 3
+page() { # <page> <what it is> <see also> <more sections> [subcommand]
+    local page=$1 sentence=$2 also=$3 more=$4
+    shift 4
     # help2man asks the program under the name of the page.
     cat > "$work/$page" <<SCRIPT
 #!/bin/sh
@@ -33,7 +34,7 @@ page() { # <page> <what it is> <see also> [subcommand]
 "$program" $* --help | sed -f "$work/style.sed"
 SCRIPT
     chmod +x "$work/$page"
-    printf '[SEE ALSO]\n%s\n' "$also" > "$work/include"
+    printf '%s[SEE ALSO]\n%s\n' "${more:+$more$'\n\n'}" "$also" > "$work/include"
     help2man --no-info --source="Fumage $version" --manual="User Commands" --name="$sentence" --include="$work/include" --output="$work/$page.1" "$work/$page"
     mkdir -p "$folder"
     gzip -9n < "$work/$page.1" > "$folder/$page.1.gz"
@@ -43,12 +44,26 @@ references() { # man's macro for one reference a line, with commas between
     printf '%s\n' "$@" | sed 's/.*/.BR & (1),/; $s/,$//'
 }
 
+# What only the page of the whole program has: keys, where the program prints them, files and environment.
+sections() {
+    if grep -e '--keys' <<< "$help" > /dev/null; then
+        printf '[KEYS]\n'
+        "$program" --keys | sed 's/\\/\\e/g; s/^\(.*\)\t\(.*\)$/.TP\n.B \1\n\2/'
+        printf '\n'
+    fi
+    if [ -f "$here/$name.h2m" ]; then
+        cat "$here/$name.h2m"
+        printf '\n\n'
+    fi
+}
+
 # The subcommands as the help lists them: a name and a sentence a line, up to the next empty line.
-mapfile -t subcommands < <("$program" --help | sed -n '/^Subcommands:$/,/^$/{s/^  \([a-z][a-z-]*\) .*/\1/p}')
+help=$("$program" --help)
+mapfile -t subcommands < <(sed -n '/^Subcommands:$/,/^$/{s/^  \([a-z][a-z-]*\) .*/\1/p}' <<< "$help")
 others=("${subcommands[@]/#/$name-}")
 [ "$name" != fumage ] || others=(fumage-cli)
-page "$name" "$what" "$(references "${others[@]}")"
+page "$name" "$what" "$(references "${others[@]}")" "$(sections)"
 for subcommand in "${subcommands[@]}"; do
     sentence=$("$program" "$subcommand" --help | sed -n 1p)
-    page "$name-$subcommand" "${sentence,}" "$(references "$name")" "$subcommand"
+    page "$name-$subcommand" "${sentence,}" "$(references "$name")" '' "$subcommand"
 done

@@ -5,6 +5,7 @@
 #include "ui/document/number_text.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
+#include "ui/shell/help.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
@@ -13,6 +14,8 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollBar>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QToolTip>
 #include <QTranslator>
@@ -43,6 +46,37 @@ private slots:
         for (const QWidget* child : editor->findChildren<QWidget*>(QRegularExpression(u"^"_q + QRegularExpression::escape(key)))) {
             QVERIFY2(!child->accessibleName().isEmpty(), qPrintable(child->objectName()));
         }
+    }
+
+    void everyPartOfAParameterLeadsToItsHelp_data() { addParameterRows(); }
+    void everyPartOfAParameterLeadsToItsHelp()
+    {
+        QFETCH(QString, key);
+        auto* editor = m_panel->findChild<ParameterEditor*>(key);
+        QVERIFY(editor != nullptr);
+        QList<QWidget*> parts = editor->findChildren<QWidget*>();
+        parts += {editor, m_panel->findChild<QLabel*>(key + u".label"_q), editor->parentWidget()};
+        for (const QWidget* part : std::as_const(parts)) {
+            QCOMPARE(referenceAnchorAt(part), key);
+        }
+        QVERIFY(parameterReference().contains(u"<a name=\"%1\">"_q.arg(key)));
+    }
+
+    void theHelpOpensWhereItIsAskedFor()
+    {
+        QWidget window;
+        int before = -1;
+        for (const char* const anchor : {"emitter", "emitter.count", "look.size", "timeline.length", "look.size"}) {
+            showReference(&window, QString::fromLatin1(anchor));
+            auto* text = window.findChild<QTextBrowser*>();
+            QVERIFY(text != nullptr);
+            const int now = text->verticalScrollBar()->value();
+            QVERIFY2(now != before, anchor);
+            before = now;
+        }
+        QCOMPARE(referenceAnchorAt(m_panel->findChild<QWidget*>(u"group.look.heading"_q)), u"look"_q);
+        QCOMPARE(referenceAnchorAt(&window), QString());
+        QCOMPARE(referenceAnchorAt(nullptr), QString());
     }
 
     void openingThePanelChangesNothing()

@@ -3,6 +3,7 @@
 #include "ui/face/language.h"
 #include "ui/shell/end_signals.h"
 #include "ui/shell/guarded_application.h"
+#include "ui/shell/help.h"
 #include "ui/shell/session.h"
 
 #include "core/base/caught.h"
@@ -162,7 +163,13 @@ int run(int argc, char** argv)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("files"), QCoreApplication::translate("main", "Presets to open, each in a window of its own."), QStringLiteral("[files...]"));
+    const QCommandLineOption keys(QStringLiteral("keys"), QCoreApplication::translate("main", "Prints the keyboard shortcuts."));
+    parser.addOption(keys);
     parser.process(application);
+    if (parser.isSet(keys)) {
+        std::fputs(shortcutLines().toUtf8().constData(), stdout);
+        return EXIT_SUCCESS;
+    }
 
     Session session;
     const EndSignals signalled([&session](int number) {

@@ -7,7 +7,11 @@
 
 #include "core/effect/parameter_table.h"
 
+#include <algorithm>
+
+#include <QApplication>
 #include <QCoreApplication>
+#include <QCursor>
 #include <QDialog>
 #include <QIcon>
 #include <QLineEdit>
@@ -24,11 +28,13 @@ QString helpText(const char* text)
 }
 
 /// A window with a text and a field that finds words in it.
-void showText(QWidget* parent, const QString& name, const QString& title, const QString& html)
+/// @param anchor in the text, where it begins; empty: at the top, or where it was
+void showText(QWidget* parent, const QString& name, const QString& title, const QString& html, const QString& anchor = {})
 {
     if (auto* open = parent->findChild<QDialog*>(name)) {
         open->show();
         open->raise();
+        open->findChild<QTextBrowser*>()->scrollToAnchor(anchor);
         return;
     }
     auto* dialog = new QDialog(parent);
@@ -53,6 +59,40 @@ void showText(QWidget* parent, const QString& name, const QString& title, const 
     constexpr QSize kUsual(720, 640);
     dialog->resize(kUsual);
     dialog->show();
+    text->scrollToAnchor(anchor);
+}
+
+/// The keys of an action, in the words of the system.
+QString keysOf(const ActionSpec& spec)
+{
+    QStringList keys;
+    for (const QKeySequence& sequence : QKeySequence::listFromString(QLatin1String(spec.keys))) {
+        keys += sequence.toString(QKeySequence::NativeText);
+    }
+    return keys.join(QStringLiteral(", "));
+}
+
+/// The key of a parameter in the name of one of its widgets, as "essentials.look.size.label"; empty: it is no parameter's.
+QString parameterIn(const QString& name)
+{
+    const QStringList parts = name.split(QLatin1Char('.'));
+    for (qsizetype i = 0; i + 1 < parts.size(); ++i) {
+        const QString key = parts[i] + QLatin1Char('.') + parts[i + 1];
+        if (findParameter(key.toStdString()) != nullptr) {
+            return key;
+        }
+    }
+    return {};
+}
+
+/// The name of a group in the name of its heading or its box.
+QString groupIn(const QString& name)
+{
+    const QStringList parts = name.split(QLatin1Char('.'));
+    const std::string group = parts.size() > 1 && parts[0] == QLatin1String("group") ? parts[1].toStdString() : std::string();
+    const std::span<const Parameter> table = parameterTable();
+    const bool isGroup = std::any_of(table.begin(), table.end(), [&](const Parameter& parameter) { return parameter.group() == group; });
+    return isGroup ? parts[1] : QString();
 }
 
 } // namespace
@@ -64,7 +104,7 @@ QString parameterReference()
     for (const Parameter& parameter : parameterTable()) {
         if (parameter.group() != group) {
             group = parameter.group();
-            html += QStringLiteral("<h2>%1</h2>").arg(groupLabelOf(group).toHtmlEscaped());
+            html += QStringLiteral("<a name=\"%1\"></a><h2>%2</h2>").arg(toQString(group), groupLabelOf(group).toHtmlEscaped());
         }
         html += QStringLiteral("<a name=\"%1\"></a>%2").arg(toQString(parameter.key), toolTipOf(parameter));
     }
@@ -81,20 +121,47 @@ QString shortcutSheet()
             html += (menu.isEmpty() ? QString() : QStringLiteral("</table>")) + QStringLiteral("<h3>%1</h3><table width=\"100%\" cellpadding=\"3\">").arg(heading.toHtmlEscaped());
             menu = heading;
         }
-        QStringList keys;
-        for (const QKeySequence& sequence : QKeySequence::listFromString(QLatin1String(spec.keys))) {
-            keys += sequence.toString(QKeySequence::NativeText);
-        }
+        const QString keys = keysOf(spec);
         if (!keys.isEmpty()) {
-            html += QStringLiteral("<tr><td width=\"60%\">%1</td><td><b>%2</b></td></tr>").arg(plainText(spec.text).toHtmlEscaped(), keys.join(QStringLiteral(", ")).toHtmlEscaped());
+            html += QStringLiteral("<tr><td width=\"60%\">%1</td><td><b>%2</b></td></tr>").arg(plainText(spec.text).toHtmlEscaped(), keys.toHtmlEscaped());
         }
     }
     return html + QStringLiteral("</table>");
 }
 
-void showReference(QWidget* parent)
+QString shortcutLines()
 {
-    showText(parent, QStringLiteral("referenceDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Parameter reference")), parameterReference());
+    QString lines;
+    for (const ActionSpec& spec : actionSpecs()) {
+        const QString keys = keysOf(spec);
+        if (!keys.isEmpty()) {
+            lines += keys + QLatin1Char('\t') + plainText(spec.text) + QLatin1Char('\n');
+        }
+    }
+    return lines;
+}
+
+QString referenceAnchorAt(const QWidget* widget)
+{
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+        const QString key = parameterIn(widget->objectName());
+        const QString anchor = key.isEmpty() ? groupIn(widget->objectName()) : key;
+        if (!anchor.isEmpty()) {
+            return anchor;
+        }
+    }
+    return {};
+}
+
+QString referenceAnchorAtHand()
+{
+    const QString underMouse = referenceAnchorAt(QApplication::widgetAt(QCursor::pos()));
+    return underMouse.isEmpty() ? referenceAnchorAt(QApplication::focusWidget()) : underMouse;
+}
+
+void showReference(QWidget* parent, const QString& anchor)
+{
+    showText(parent, QStringLiteral("referenceDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Parameter reference")), parameterReference(), anchor);
 }
 
 void showShortcuts(QWidget* parent)

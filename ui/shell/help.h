@@ -12,7 +12,16 @@ namespace fumage::ui {
 /// All shortcuts as rich text, made from the table of actions.
 [[nodiscard]] QString shortcutSheet();
 
-void showReference(QWidget* parent);
+/// The same as plain text: a line each, keys and what they do with a tabulator between.
+[[nodiscard]] QString shortcutLines();
+
+/// What in the reference belongs to a widget: the key of the parameter whose row, label or field it is part of, or the name of the group; empty: nothing.
+[[nodiscard]] QString referenceAnchorAt(const QWidget* widget);
+/// The same of what the mouse is over, or else of what has the keyboard.
+[[nodiscard]] QString referenceAnchorAtHand();
+
+/// @param anchor where to begin: the key of a parameter or the name of a group; empty: at the top
+void showReference(QWidget* parent, const QString& anchor = {});
 void showShortcuts(QWidget* parent);
 void showAbout(QWidget* parent);
 

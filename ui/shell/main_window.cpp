@@ -152,7 +152,7 @@ void MainWindow::connectWindowActions()
         m_actions.get("view.smokeOnly").setChecked(false);
         m_docks.arrange();
     });
-    m_actions.on("help.reference", this, [this] { showReference(this); });
+    m_actions.on("help.reference", this, [this] { showReference(this, referenceAnchorAtHand()); });
     m_actions.on("help.shortcuts", this, [this] { showShortcuts(this); });
     m_actions.on("help.about", this, [this] { showAbout(this); });
 }
