@@ -114,6 +114,23 @@ private slots:
         QVERIFY2(bare.code == 3 && bare.error.contains("carries no preset"), bare.error);
     }
 
+    void framesThatAreJoinedUnderAViewTransformHaveNoBackgroundYet()
+    {
+        const QTemporaryDir folder;
+        const QString frames = folder.filePath("f_##.exr");
+        QStringList smoke{"thesis-2012", "-f", "3-4", "--set", "output.background=colour", "--set", "output.background_colour=[0,1,0]",
+            "--set", "output.width=16", "--set", "output.height=16", "--set", "emitter.count=50"};
+        const auto join = [&] { return run(QStringList{"join"} + smoke + QStringList{"--input", frames, "--grid", "1x2", "-o", folder.filePath("s.png")}); };
+        const auto render = [&](const QStringList& more) { return run(QStringList{"render"} + smoke + more + QStringList{"-o", frames}); };
+        QCOMPARE(render({}).code, 0);
+        QCOMPARE(join().code, 0);
+        smoke += QStringList{"--set", "output.view_transform=filmic"};
+        QCOMPARE(join().code, 3);
+        QVERIFY(join().error.contains("output.background=transparent"));
+        QCOMPARE(render({"--set", "output.background=transparent"}).code, 0);
+        QCOMPARE(join().code, 0);
+    }
+
     void fitWritesNothingAndTakesPresetsOfOneName()
     {
         const Outcome twice = run({"fit", "thesis-2012", "thesis-2012", "--frames", "5"});
