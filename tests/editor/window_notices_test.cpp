@@ -320,9 +320,8 @@ private slots:
         choose("preferences.language", 0);
     }
 
-    void stepsThatAreUndoneStandBackInTheHistory()
+    void coloursHaveTheirValuesInTheHistory()
     {
-        QVERIFY(m_window->isVisible());
         edit(2.0F);
         m_window->document().edit(knownParameter("output.background_colour"), glm::vec3(1.0F, 0.0F, 0.0F));
         QVERIFY2(m_window->document().undoStack()->undoText().contains(u"#ff0000"_q),

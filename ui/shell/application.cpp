@@ -186,13 +186,10 @@ int run(int argc, char** argv)
 int runEditor(int argc, char** argv)
 {
     keepHeapSmall();
+    // Nothing is caught here: then nothing is unwound either, and a window that is half built, without memory, is not torn down.
     std::set_terminate(endByException);
-    try {
-        const std::optional<int> end = checkDisplay(argc, argv);
-        return end ? *end : run(argc, argv);
-    } catch (...) {
-        return sayCaught();
-    }
+    const std::optional<int> end = checkDisplay(argc, argv);
+    return end ? *end : run(argc, argv);
 }
 
 } // namespace fumage::ui
