@@ -3,6 +3,7 @@
 #include "core/export/engines/engine_remarks.h"
 #include "core/export/templates/template_facts.h"
 #include "core/rendering/camera.h"
+#include "core/rendering/view_transform.h"
 
 #include <algorithm>
 #include <array>
@@ -99,6 +100,16 @@ void addPictures(const EngineSheet& sheet, TemplateFacts& facts)
     facts.flag("misread", passes.has(Pass::Motion) && sheet.columns != sheet.rows);
 }
 
+TemplateFacts stopOf(Language language, float position, const glm::vec3& colour)
+{
+    TemplateFacts stop(language);
+    stop.number("at", position);
+    stop.number("red", colour.r);
+    stop.number("green", colour.g);
+    stop.number("blue", colour.b);
+    return stop;
+}
+
 /// What makes colours of the map that says how much smoke glows, where there is such a map and it is not empty.
 /// @return whether there is
 bool addGlow(const EngineSheet& sheet, TemplateFacts& facts)
@@ -108,16 +119,20 @@ bool addGlow(const EngineSheet& sheet, TemplateFacts& facts)
     const bool glows = hasMap && sheet.scales.glow > 0.0F;
     std::vector<TemplateFacts> keys;
     for (int k = 0; k < kGlowKeys; ++k) {
-        const glm::vec3& colour = sheet.scales.ramp.colours[static_cast<std::size_t>(k)];
-        keys.emplace_back(facts.language());
-        keys.back().number("at", glowKeyPosition(k));
-        keys.back().number("red", colour.r);
-        keys.back().number("green", colour.g);
-        keys.back().number("blue", colour.b);
+        keys.push_back(stopOf(facts.language(), glowKeyPosition(k), sheet.scales.ramp.colours[static_cast<std::size_t>(k)]));
+    }
+    // Where gradients are joined in sRGB, more stops than keys keep what is linear between these.
+    constexpr int kStops = 3 * (kGlowKeys - 1);
+    std::vector<TemplateFacts> stops;
+    for (int i = 0; i <= kStops; ++i) {
+        const float position = static_cast<float>(i) / kStops;
+        const glm::vec3 colour = glowColour(sheet.scales.ramp, position);
+        stops.push_back(stopOf(facts.language(), position, {srgbFromLinear(colour.r), srgbFromLinear(colour.g), srgbFromLinear(colour.b)}));
     }
     facts.flag("glows", glows);
     facts.number("glow_scale", sheet.scales.glow);
     facts.list("glow_keys", std::move(keys));
+    facts.list("glow_stops", std::move(stops));
     return glows;
 }
 
