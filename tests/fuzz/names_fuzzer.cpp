@@ -43,7 +43,7 @@ void checkLanguages(const std::string& name)
         FUMAGE_EXPECT(static_cast<unsigned char>(c) >= 0x20 && (c != '"' || isEscaped));
         isEscaped = c == '\\' && !isEscaped;
     }
-    FUMAGE_EXPECT(!isEscaped && isOneLine(godot));
+    FUMAGE_EXPECT(!isEscaped);
     FUMAGE_EXPECT(linesOf(written(Language::Shell, name)) == 0);
 }
 
