@@ -9,6 +9,7 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/export/job_file.h"
+#include "core/export/engines/engine_remarks.h"
 #include "core/export/packing.h"
 #include "core/export/sheet_playback.h"
 
@@ -101,6 +102,18 @@ private slots:
         m_dialog->setKind(ExportKind::Sequence);
         QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
         QVERIFY(!engine->isVisible());
+    }
+
+    void aSpeedThatAnEngineCannotKeepIsSaid()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        auto* engine = child<QComboBox>(u"export.engine"_q);
+        const auto* files = child<QLabel>(u"export.files"_q);
+        engine->setCurrentIndex(engine->findText(u"Godot 4"_q));
+        QVERIFY(!files->text().contains(u"frames a second"_q));
+        engine->setCurrentIndex(engine->findText(u"Effekseer"_q));
+        QVERIFY(!engineRemarks(m_document->effect(), flipbookOf(m_dialog->plan())).empty()); // 64 cells of 100 frames: 19.2 a second
+        QVERIFY2(files->text().contains(u"Effekseer plays this sheet in 3.2 s"_q), qPrintable(files->text()));
     }
 
     void rareChoicesOfAFlipbookAreFoldedAway()

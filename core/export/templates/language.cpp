@@ -140,8 +140,8 @@ std::string escaped(Language language, char32_t c)
     return isSeen(c) ? utf8(c) : "_";
 }
 
-/// Signs of ASCII that mean something between quotes of one of the languages.
-constexpr std::string_view kSpecial = "\"'\\&<>`$";
+/// Signs of ASCII that mean something between quotes of one of the languages; the first two in all.
+constexpr std::string_view kSpecial = "\"\\'&<>`$";
 
 /// 'it'\''s', or $'\x01' where there is what cannot be seen.
 std::string shellWord(std::string_view text)
@@ -171,7 +171,8 @@ std::string written(Language language, std::string_view text)
     std::string out;
     while (!text.empty()) {
         const char32_t c = takeCharacter(text);
-        const bool stays = isPrintableAscii(c) && (language == Language::KeyValue || !isAmong(c, kSpecial));
+        const std::string_view special = language == Language::Godot ? kSpecial.substr(0, 2) : kSpecial;
+        const bool stays = isPrintableAscii(c) && (language == Language::KeyValue || !isAmong(c, special));
         out += stays ? std::string(1, static_cast<char>(c)) : escaped(language, c);
     }
     return out;
