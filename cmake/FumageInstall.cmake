@@ -2,6 +2,7 @@
 #
 # Manual pages and completions of the programs: made by running them, so that they never go stale. Not where a program cannot run here
 # (cross-building without an emulator) or help2man is missing.
+set(FUMAGE_MAINTAINER "The Fumage developers <fumage@users.noreply.github.com>" CACHE STRING "Who answers for packages that are made, as name <address>")
 option(FUMAGE_BUILD_MANUAL "Make manual pages (needs help2man) and completions" ${PROJECT_IS_TOP_LEVEL})
 set(FUMAGE_ZSH_FOLDER ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "Where zsh's completions are installed")
 find_program(HELP2MAN help2man)
@@ -24,7 +25,7 @@ function(fumage_manual target component what)
         COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
         COMMAND bash ${script} $<TARGET_FILE:${target}> ${what} ${folder}
         COMMAND ${CMAKE_COMMAND} -E touch ${folder}.stamp
-        DEPENDS ${target} ${script} COMMENT "Writing the manual of ${target}" VERBATIM)
+        DEPENDS ${target} ${script} ${PROJECT_SOURCE_DIR}/resources/manual/${target}.h2m COMMENT "Writing the manual of ${target}" VERBATIM)
     add_custom_target(${target}-manual ALL DEPENDS ${folder}.stamp)
     install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
 endfunction()
@@ -67,7 +68,24 @@ function(fumage_icons svg component)
     add_custom_target(${name}-icons ALL DEPENDS ${icons})
 endfunction()
 
-# fumage_licence(<package> <component>)
-function(fumage_licence package component)
-    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright COMPONENT ${component})
+# fumage_documents(<package> <component> [pages of resources/docs]...): licence, changelog and README, and what else concerns the package.
+function(fumage_documents package component)
+    set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
+    install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${component})
+    set(made ${PROJECT_BINARY_DIR}/documents/${package})
+    list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/resources/ OUTPUT_VARIABLE sources)
+    set(documents "")
+    foreach(page ${PROJECT_SOURCE_DIR}/README.md ${sources})
+        get_filename_component(name ${page} NAME)
+        list(APPEND documents ${made}/${name})
+    endforeach()
+    add_custom_command(OUTPUT ${documents} ${made}/changelog.gz ${made}/NEWS.md.gz
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${made}
+        COMMAND bash ${PROJECT_SOURCE_DIR}/resources/manual/make_documents.sh ${package} ${PROJECT_VERSION} ${FUMAGE_MAINTAINER} ${PROJECT_SOURCE_DIR} ${made} ${sources}
+        DEPENDS ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/resources/manual/make_documents.sh ${sources}
+        COMMENT "Writing the documents of ${package}" VERBATIM)
+    install(FILES ${documents} ${made}/changelog.gz ${made}/NEWS.md.gz DESTINATION ${folder} COMPONENT ${component} OPTIONAL)
+    if(FUMAGE_BUILD_MANUAL)
+        add_custom_target(${package}-documents ALL DEPENDS ${documents} ${made}/changelog.gz ${made}/NEWS.md.gz)
+    endif()
 endfunction()

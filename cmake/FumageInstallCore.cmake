@@ -13,4 +13,4 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/FumageConfig.cmake.in 
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/FumageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/FumageConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/FumageConfigVersion.cmake
     DESTINATION ${FUMAGE_PACKAGE_FOLDER} COMPONENT dev)
-fumage_licence(libfumage-dev dev)
+fumage_documents(libfumage-dev dev parameters.md docs/games.md)

@@ -17,12 +17,31 @@ package() {
     echo "${found[0]}"
 }
 
-for name in fumage fumage-cli libfumage-dev; do
-    file=$(package $name)
+libraries=("$packages"/libfumage[0-9]*.deb)
+[ ${#libraries[@]} -eq 1 ] && [ -f "${libraries[0]}" ] || fail "there is not one package of the shared library"
+library=$(dpkg-deb --field "${libraries[0]}" Package)
+for name in fumage fumage-cli "$library" libfumage-dev; do
+    file=$(package "$name")
     dpkg-deb --extract "$file" "$root"
     echo "-- $name depends on: $(dpkg-deb --field "$file" Depends)"
-    [ -f "$root/usr/share/doc/$name/copyright" ] || fail "$name has no licence"
+    for document in copyright changelog.gz NEWS.md.gz README.md; do
+        [ -s "$root/usr/share/doc/$name/$document" ] || fail "$name has no $document"
+    done
+    zcat "$root/usr/share/doc/$name/changelog.gz" | dpkg-parsechangelog --file - --all > /dev/null || fail "the changelog of $name is none"
 done
+for page in fumage/farm.md fumage/games.md fumage-cli/farm.md fumage-cli/parameters.md libfumage-dev/games.md; do
+    [ -s "$root/usr/share/doc/$page" ] || fail "there is no $page"
+done
+# A game needs no headers where it runs, and finds the library by the name that it was linked with.
+soname=$(readelf -d "$root"/usr/lib/*/libfumage.so | sed -n 's/.*SONAME.*\[\(.*\)\].*/\1/p')
+[ "$library" = "libfumage${soname#libfumage.so.}" ] || fail "$library is not named after $soname"
+dpkg-deb --contents "${libraries[0]}" | grep "/$soname" > /dev/null || fail "$library has no $soname"
+[ -z "$(dpkg-deb --contents "${libraries[0]}" | grep -E '/include/|libfumage\.so$|\.a$')" ] || fail "$library has what is for those who compile"
+dpkg-deb --field "$(package libfumage-dev)" Depends | grep -F "$library (=" > /dev/null || fail "libfumage-dev does not depend on $library"
+if command -v lintian > /dev/null; then
+    echo "-- lintian"
+    lintian --allow-root --fail-on error,warning --no-tag-display-limit "$packages"/*.deb || fail "lintian complains"
+fi
 # The programs know every library that they load, and one that no display needs loads no Qt.
 dpkg-deb --field "$(package fumage)" Depends | grep libqt6widgets6 > /dev/null || fail "the editor does not depend on Qt"
 dpkg-deb --field "$(package fumage-cli)" Depends | grep 'libpng16-16.*libtbb12\|libtbb12.*libpng16-16' > /dev/null || fail "the command line's dependencies are not found"
@@ -35,7 +54,7 @@ for program in fumage fumage-cli; do
     fi
 done
 if apt-get --version > /dev/null 2>&1; then
-    apt-get --simulate -qq install "$(package fumage)" "$(package fumage-cli)" "$(package libfumage-dev)" > "$root/apt" 2>&1 || { cat "$root/apt"; fail "the packages cannot be installed"; }
+    apt-get --simulate -qq install "$(package fumage)" "$(package fumage-cli)" "${libraries[0]}" "$(package libfumage-dev)" > "$root/apt" 2>&1 || { cat "$root/apt"; fail "the packages cannot be installed"; }
 fi
 
 echo "-- command line"
@@ -53,6 +72,9 @@ for page in "${pages[@]}"; do
     complaints=$(LC_ALL=C.UTF-8 MANROFFSEQ='' man --warnings --local-file "$page" 2>&1 > "$root/page")
     [ -z "$complaints" ] || fail "$page: $complaints"
     grep -q SYNOPSIS "$root/page" || fail "$page has no synopsis"
+done
+for text in 'Ctrl+Shift+P' '/recovery/' 'FUMAGE_OPENGL'; do
+    LC_ALL=C.UTF-8 man --local-file "$root/usr/share/man/man1/fumage.1.gz" 2> /dev/null | grep -F "$text" > /dev/null || fail "the manual of the editor says nothing of $text"
 done
 for subcommand in $("${clean[@]}" fumage-cli --help | sed -n '/^Subcommands:/,/^$/{s/^  \([a-z-]*\) .*/\1/p}'); do
     [ -f "$root/usr/share/man/man1/fumage-cli-$subcommand.1.gz" ] || fail "$subcommand has no manual page"
