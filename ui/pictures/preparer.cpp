@@ -1,7 +1,5 @@
 #include "ui/pictures/preparer.h"
 
-#include "core/base/parallel.h"
-
 #include <algorithm>
 #include <new>
 
@@ -49,7 +47,7 @@ void Preparer::work(const Task& task, const std::stop_token& stop)
     if (task.effect) {
         std::shared_ptr<Simulator> simulator;
         try {
-            runBehindOthers([&] { simulator = simulatorAtFrame(task, stop); });
+            simulator = simulatorAtFrame(task, stop);
         } catch (const std::bad_alloc&) {
             simulator.reset(); // what plays goes on without
         }

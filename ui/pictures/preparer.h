@@ -12,8 +12,9 @@
 
 namespace fumage::ui {
 
-/// Does what takes long before the frames of an effect come one after the other, behind all else: bakes the air, and steps all particles to the frame that
-/// is played. Meanwhile a Studio shows coarser air or fewer particles. Lives on one thread, and works on another.
+/// Does what takes long before the frames of an effect come one after the other: bakes the air, and steps all particles
+/// to the frame that is played. As important as pictures are, or on a busy machine it would never be done. Meanwhile a
+/// Studio shows coarser air or fewer particles. Lives on one thread, and works on another.
 class Preparer : public QObject {
     Q_OBJECT
 
