@@ -7,6 +7,7 @@
 #include "core/base/vector-inl.h"
 #include "core/flow/halfs-inl.h"
 #include "core/flow/project_kernel.h"
+#include "core/flow/speed-inl.h"
 
 #include <algorithm>
 
@@ -109,8 +110,8 @@ void gradientPlane(AirCells& cells, int k)
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
             const std::size_t at = start + i;
             const Vec3<V> forced = load(d, cells.forced.x, cells.forced.y, cells.forced.z, at);
-            const Vec3<V> v = forced - Vec3<V>{gradient(d, faces.x, at), gradient(d, faces.y, at), gradient(d, faces.z, at)};
-            const Vec3<V> carrying{through(d, faces.x, at), through(d, faces.y, at), through(d, faces.z, at)};
+            const Vec3<V> v = boundedSpeed(d, forced - Vec3<V>{gradient(d, faces.x, at), gradient(d, faces.y, at), gradient(d, faces.z, at)});
+            const Vec3<V> carrying = boundedSpeed(d, Vec3<V>{through(d, faces.x, at), through(d, faces.y, at), through(d, faces.z, at)});
             hn::StoreInterleaved4(withoutTraces(d, carrying.x), withoutTraces(d, carrying.y), withoutTraces(d, carrying.z), hn::Zero(d), d, carriers + 4 * i);
             const V heat = hn::Load(d, cells.heat.data() + at);
             hn::StoreInterleaved4(withoutTraces(d, v.x), withoutTraces(d, v.y), withoutTraces(d, v.z), withoutTraces(d, heat), d, quads + 4 * i);
@@ -250,7 +251,7 @@ HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y,
     const auto w = acrossX(z, [&](int side) HWY_ATTR { return 0.25F * sum(rows.z[side + 1]); });
     const auto heat = 0.125F * (sum(rows.heat[1]) + sum(rows.heat[0]));
     HWY_ALIGN float quads[4 * kAirLanes];
-    hn::StoreInterleaved4(hn::Load(d, u + i), v, w, heat, d, quads);
+    hn::StoreInterleaved4(boundedSpeed(d, hn::Load(d, u + i)), boundedSpeed(d, v), boundedSpeed(d, w), heat, d, quads);
     for (std::size_t part = 0; part < 4 * hn::Lanes(d); part += hn::Lanes(d)) {
         storeHalfs(hn::Load(d, quads + part), halfs + 4 * i + part);
     }

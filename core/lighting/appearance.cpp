@@ -5,6 +5,7 @@
 #include "core/lighting/appearance_kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -84,6 +85,15 @@ void findAppearance(
     }
     out.low = all.low;
     out.high = all.high;
+}
+
+Status checkBounds(const Appearance& appearance)
+{
+    const glm::vec3 extent = appearance.high - appearance.low;
+    if (appearance.count == 0 || std::isfinite(extent.x + extent.y + extent.z)) {
+        return Done{};
+    }
+    return Error{ErrorCode::OutOfRange, said("the smoke has left all bounds: a particle is nowhere"), std::string("motion"), said("Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength")};
 }
 
 } // namespace fumage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/aligned_array.h"
+#include "core/base/result.h"
 #include "core/lighting/coverage.h"
 #include "core/simulation/frame.h"
 
@@ -18,7 +19,7 @@ struct Appearance {
     AlignedArray<float> life; ///< share of its life that has passed, in [0, 1)
     AlignedArray<float> left; ///< of what a newborn covers, where texture eats at particles as they age; else empty
     Coverage cover; ///< what particles cover of discs
-    glm::vec3 low{0.0F}; ///< bounds of living centres in the axes that were asked for, m
+    glm::vec3 low{0.0F}; ///< bounds of living centres in the axes that were asked for, m; infinite where one has no place
     glm::vec3 high{0.0F};
     float largestMass = 0.0F; ///< of alpha * radius^2, and what is left of it, m^2
     float largestRadius = 0.0F; ///< m
@@ -42,5 +43,9 @@ struct Axes {
 /// O(particles). Follows lifecycle() to the bit; size and alpha over life come from tables of 1024 entries.
 void findAppearance(
     const Frame& frame, const SampledEffect& effect, const Axes& axes, Appearance& out, const GreyCounts& greys = {});
+
+/// Whether grids can be laid around the particles.
+/// @error OutOfRange: their bounds are not finite
+[[nodiscard]] Status checkBounds(const Appearance& appearance);
 
 } // namespace fumage

@@ -54,6 +54,7 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
     LaneBounds bounds{broadcast(d, nothing.low), broadcast(d, nothing.high)};
     V largestMass = zero;
     V largestRadius = zero;
+    V lost = zero; // not a number where a particle is nowhere: bounds do not show it, since minima pass over it
     std::size_t count = 0;
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
@@ -92,9 +93,15 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         hn::Store(hn::IfThenElseZero(visible, alpha), d, out.alpha.data() + i);
         hn::Store(life, d, out.life.data() + i);
         count += hn::CountTrue(d, visible);
-        bounds.add(inAxes(job.axes, load(d, particles.x, particles.y, particles.z, i)), visible);
+        const Vec3<V> place = inAxes(job.axes, load(d, particles.x, particles.y, particles.z, i));
+        bounds.add(place, visible);
+        lost = lost + hn::IfThenElseZero(visible, (place.x + place.y + place.z) * zero);
     }
-    return {bounds.ofAll(d), hn::GetLane(hn::MaxOfLanes(d, largestMass)), hn::GetLane(hn::MaxOfLanes(d, largestRadius)), count};
+    Bounds all = bounds.ofAll(d);
+    if (!hn::AllTrue(d, hn::Eq(lost, zero))) {
+        all.high = glm::vec3(std::numeric_limits<float>::infinity());
+    }
+    return {all, hn::GetLane(hn::MaxOfLanes(d, largestMass)), hn::GetLane(hn::MaxOfLanes(d, largestRadius)), count};
 }
 
 } // namespace fumage::HWY_NAMESPACE

@@ -74,7 +74,7 @@ GridShape gridShape(const Appearance& appearance, const Light& light, const Axes
     shape.cell = std::max(shape.finest, std::min(longest / kFewestCells, smallestCell(appearance, light)));
     shape.origin = appearance.low - glm::vec3(0.5F * shape.cell);
     // One cell of air on every side, so that bounds never cut a particle in half.
-    const auto count = [&](float length) { return std::min(resolution, static_cast<int>(std::ceil(length / shape.cell)) + 2); };
+    const auto count = [&](float length) { return static_cast<int>(std::min(static_cast<float>(resolution), std::ceil(length / shape.cell) + 2.0F)); };
     shape.nu = count(extent.x);
     shape.nv = count(extent.y);
     shape.nw = count(extent.z);

@@ -49,6 +49,9 @@ Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const 
     {
         const Stopwatch stopwatch(m_times.light);
         findAppearance(frame, effect, lightAxes(effect->light.direction), m_appearance, m_texture->greys(0));
+        if (Status status = checkBounds(m_appearance); !status) {
+            return status;
+        }
         lightSmoke(frame, effect, m_appearance, view.eye, m_lightWorkspace, m_light);
         softenLight(m_light, m_lightWorkspace);
         lightByFire(frame, effect, m_appearance, m_fireWorkspace, m_lightWorkspace, m_light);

@@ -29,13 +29,13 @@ public:
     /// @param effect the look; its simulation part must be that of the frame
     /// @param width,height pixels; the picture is rendered effect.output.supersample times larger and averaged
     /// @param image  resized; linear premultiplied light, before exposure, view transform and background
-    /// @error TooLarge before allocating, Cancelled
+    /// @error TooLarge before allocating, OutOfRange where a particle is nowhere, Cancelled
     /// A pure function of its arguments, to the bit.
     [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop = {});
 
     /// The first part of render(), for those who draw the sprites themselves or look through a view of their own: afterwards batch()
     /// and texture() hold what there is to draw.
-    /// @error Cancelled
+    /// @error OutOfRange where a particle is nowhere, Cancelled
     [[nodiscard]] Status prepare(const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop = {});
 
     /// Paints what prepare() has left, at the size of its view, with transparency.
