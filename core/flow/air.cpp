@@ -3,6 +3,7 @@
 #include "core/flow/blend_kernel.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace fumage {
 
@@ -10,7 +11,7 @@ namespace {
 
 bool fits(const AirPlan& plan, std::size_t budget)
 {
-    return plan.loopSteps > 0 && static_cast<std::size_t>(plan.loopSteps) * fieldBytes(plan.grid) + leastBudget(plan.grid) <= budget;
+    return plan.loopSteps > 0 && static_cast<std::size_t>(plan.loopSteps) * fieldBytes(plan) + leastBudget(plan) <= budget;
 }
 
 std::size_t budgetOfRun(const AirPlan& plan, std::size_t budget)
@@ -18,7 +19,20 @@ std::size_t budgetOfRun(const AirPlan& plan, std::size_t budget)
     if (plan.loopSteps == 0) {
         return budget;
     }
-    return fits(plan, budget) ? leastBudget(plan.grid) : budget / 2;
+    return fits(plan, budget) ? leastBudget(plan) : budget / 2;
+}
+
+/// out = late + share (early - late), part by part: steps a turn apart have the same ones.
+void blend(const AirField& late, const AirField& early, float share, AirField& out)
+{
+    out.wind = late.wind + share * (early.wind - late.wind);
+    out.share = late.share;
+    blendFields(late, early, share, out);
+    assert(late.earlier.size() == early.earlier.size());
+    out.earlier.assign(late.earlier.size(), AirField(late.grid));
+    for (std::size_t i = 0; i < late.earlier.size(); ++i) {
+        blend(late.earlier[i], early.earlier[i], share, out.earlier[i]);
+    }
 }
 
 } // namespace
@@ -48,8 +62,7 @@ AirFieldPtr BakedAir::faded(const AirFieldPtr& late, const AirFieldPtr& early, s
 {
     const float share = static_cast<float>(time - length() + fade()) / static_cast<float>(fade());
     auto field = std::make_shared<AirField>(m_plan.grid);
-    field->wind = late->wind + share * (early->wind - late->wind);
-    blendFields(*late, *early, share, *field);
+    blend(*late, *early, share, *field);
     return field;
 }
 

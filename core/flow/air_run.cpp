@@ -24,34 +24,34 @@ std::size_t mostCheckpoints(const AirGrid& grid, std::size_t budget)
     return std::max<std::size_t>(1, budget / kShareOfCheckpoints / stateBytes(grid));
 }
 
-std::size_t mostFields(const AirGrid& grid, std::size_t budget)
+std::size_t mostFields(const AirPlan& plan, std::size_t budget)
 {
-    const std::size_t states = mostCheckpoints(grid, budget) * stateBytes(grid);
-    return std::max(kFewestFields, (budget - std::min(budget, states)) / fieldBytes(grid));
+    const std::size_t states = mostCheckpoints(plan.grid, budget) * stateBytes(plan.grid);
+    return std::max(kFewestFields, (budget - std::min(budget, states)) / fieldBytes(plan));
 }
 
 } // namespace
 
-std::size_t fieldBytes(const AirGrid& grid)
+std::size_t fieldBytes(const AirPlan& plan)
 {
-    return AirField(grid).bytes();
+    return plan.parts * AirField(plan.grid).bytes();
 }
 
-std::size_t leastBudget(const AirGrid& grid)
+std::size_t leastBudget(const AirPlan& plan)
 {
-    return stateBytes(grid) + kFewestFields * fieldBytes(grid);
+    return stateBytes(plan.grid) + kFewestFields * fieldBytes(plan);
 }
 
-std::size_t airRoom(const AirGrid& grid)
+std::size_t airRoom(const AirPlan& plan)
 {
     constexpr std::size_t kColumns = 16; // of AirCells, of the levels of the pressure together, and of the curl around a few threads
-    return stateBytes(grid) + kColumns * ColumnLayout(grid.cells).size * sizeof(float) + leastBudget(grid);
+    return stateBytes(plan.grid) + kColumns * ColumnLayout(plan.grid.cells).size * sizeof(float) + leastBudget(plan);
 }
 
 AirRun::AirRun(const AirPlan& plan, std::size_t budget)
     : m_plan(plan)
     , m_solver(plan.grid, plan.borders, plan.solids, plan.wind)
-    , m_fields(mostFields(plan.grid, budget))
+    , m_fields(mostFields(plan, budget))
     , m_checkpoints(mostCheckpoints(plan.grid, budget))
 {
     m_checkpoints.keep(0, m_solver.state());
@@ -77,12 +77,9 @@ bool AirRun::goBackBefore(std::int64_t step)
 
 AirFieldPtr AirRun::stepOn()
 {
-    const AirStep step = m_plan.stepTo(m_at + 1);
-    m_solver.step(step);
-    ++m_at;
     auto field = std::make_shared<AirField>(m_plan.grid);
-    field->wind = step.wind;
-    m_solver.read(*field);
+    m_solver.step(m_plan.stepTo(m_at + 1), *field);
+    ++m_at;
     const std::scoped_lock lock(m_keeping);
     m_fields.keep(m_at, field);
     if (m_checkpoints.wants(m_at)) {
@@ -126,7 +123,7 @@ Result<AirFieldPtr> AirRun::field(std::int64_t step, const std::stop_token& stop
 std::size_t AirRun::keptBytes() const
 {
     const std::scoped_lock lock(m_keeping);
-    return m_fields.count() * fieldBytes(m_plan.grid) + m_checkpoints.count() * stateBytes(m_plan.grid);
+    return m_fields.count() * fieldBytes(m_plan) + m_checkpoints.count() * stateBytes(m_plan.grid);
 }
 
 } // namespace fumage

@@ -23,6 +23,7 @@ struct AirPlan {
     std::function<AirStep(std::int64_t step)> stepTo; ///< what moves it from step - 1 to step; a pure function, called by one thread at a time
     std::int64_t firstStep = 0; ///< of what is shown, at least loopSteps; in a loop a multiple of them
     std::int64_t loopSteps = 0; ///< 0: it does not loop
+    std::size_t parts = 1; ///< of most steps
 };
 
 using AirFieldPtr = std::shared_ptr<const AirField>;
@@ -62,13 +63,13 @@ private:
     std::atomic<std::int64_t> m_baked{-1};
 };
 
-/// Memory that a field of a grid takes.
-[[nodiscard]] std::size_t fieldBytes(const AirGrid& grid);
+/// Memory that the field of a step takes.
+[[nodiscard]] std::size_t fieldBytes(const AirPlan& plan);
 
 /// Memory that a run takes with no more than it needs: its solver, its checkpoint and a few fields.
-[[nodiscard]] std::size_t airRoom(const AirGrid& grid);
+[[nodiscard]] std::size_t airRoom(const AirPlan& plan);
 
 /// The least budget of a run.
-[[nodiscard]] std::size_t leastBudget(const AirGrid& grid);
+[[nodiscard]] std::size_t leastBudget(const AirPlan& plan);
 
 } // namespace fumage

@@ -4,6 +4,7 @@
 #include "core/flow/grid.h"
 
 #include <cstdint>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -30,10 +31,19 @@ struct AirField {
     glm::vec3 wind{0.0F}; ///< velocity of the air outside the box, m/s
     std::size_t row = 0; ///< halfs from a node to the one above
     std::size_t plane = 0;
+    float share = 1.0F; ///< of a step, for which it carries
+    std::vector<AirField> earlier; ///< what carries before it, where the step has parts
     AlignedArray<std::uint16_t> quads; ///< bits of (u, v, w, heat) of each node, x fastest; padded to whole vectors
 
-    /// Memory that it takes.
-    [[nodiscard]] std::size_t bytes() const { return quads.size() * sizeof(std::uint16_t); }
+    /// Memory that it takes with its earlier parts.
+    [[nodiscard]] std::size_t bytes() const
+    {
+        std::size_t all = quads.size() * sizeof(std::uint16_t);
+        for (const AirField& part : earlier) {
+            all += part.bytes();
+        }
+        return all;
+    }
 
     /// Velocity, m/s, and heat at a place; outside the box the wind. For looking at: slow.
     [[nodiscard]] glm::vec4 at(const glm::vec3& place) const;

@@ -6,6 +6,8 @@
 
 #include "core/base/math-inl.h"
 #include "core/flow/force_kernel.h"
+#include "core/flow/row_sums-inl.h"
+#include "core/flow/speed-inl.h"
 #include "core/noise/simplex-inl.h"
 
 #include <algorithm>
@@ -15,85 +17,6 @@ namespace fumage::HWY_NAMESPACE {
 
 using D = hn::CappedTag<float, kAirLanes>;
 using V = hn::Vec<D>;
-
-/// Fastest that the air may be in each component, m/s: a forced flow without end would else end in infinity. Half floats hold it.
-constexpr float kMaxAirSpeed = 2000.0F;
-
-/// 1 inside, 0 outside, smooth over a width around the border.
-/// @param inside distance from the border, m
-HWY_INLINE V covered(D d, V inside, float width)
-{
-    return smoothStep(clamp01(d, inside * (1.0F / width) + 0.5F));
-}
-
-/// Noise at a place: of the rim in x, of the speed in y, and of the heat in z, which has an octave more.
-HWY_INLINE Vec3<V> sourceNoise(D d, const AirSource& source, const Vec3<V>& away)
-{
-    Vec3<V> sum = uniform(hn::Zero(d));
-    Vec3<V> none = sum;
-    const auto add = [&](const AirOctave& octave, Vec3<V>& to) HWY_ATTR { addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none); };
-    for (const AirOctave& octave : source.rim) {
-        add(octave, sum);
-    }
-    if (source.unevenness > 0.0F) {
-        Vec3<V> small = uniform(hn::Zero(d));
-        add(source.billow, small);
-        sum.z = sum.z + small.z;
-    }
-    return sum;
-}
-
-/// How much of places lies between the two ends of the source, 0 to 1. A sphere has none.
-HWY_INLINE V betweenEnds(D d, const AirSource& source, const Vec3<V>& away)
-{
-    if (source.shape == EmitterShape::Sphere) {
-        return hn::Set(d, 1.0F);
-    }
-    const V up = dot(away, source.normal);
-    return covered(d, hn::Min(up + 0.5F * source.softness, source.depth - up), source.softness);
-}
-
-/// How much of places the source covers, 0 to 1: within its rim, which wanders, and its two ends.
-HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends, V wander)
-{
-    const V across = dot(away, source.basis.across);
-    const V along = dot(away, source.basis.along);
-    const V edge = 1.0F + source.raggedness * wander;
-    if (source.shape == EmitterShape::Sphere) {
-        return covered(d, edge * source.reach.x - hn::Sqrt(dot(away, away)), source.softness);
-    }
-    if (source.shape == EmitterShape::Rectangle) {
-        return ends * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)), source.softness);
-    }
-    return ends * covered(d, edge * source.reach.x - hn::Sqrt(across * across + along * along), source.softness);
-}
-
-void sourcePlane(AirCells& cells, const AirSource& source, int k)
-{
-    const D d;
-    for (int j = source.first.y; j < source.last.y; ++j) {
-        const glm::vec3 rowStart = cells.grid.corner + cells.grid.cell * (glm::vec3(0.0F, static_cast<float>(j), static_cast<float>(k)) + 0.5F) - source.place;
-        const std::size_t row = cells.column.at(0, j, k);
-        for (auto i = static_cast<std::size_t>(source.first.x); i < static_cast<std::size_t>(source.last.x); i += hn::Lanes(d)) {
-            const std::size_t at = row + i;
-            const Vec3<V> away{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
-            const V ends = betweenEnds(d, source, away);
-            if (hn::AllFalse(d, hn::Gt(ends, hn::Zero(d)))) {
-                continue;
-            }
-            const Vec3<V> noise = sourceNoise(d, source, away);
-            const V cover = coverage(d, source, away, ends, noise.x);
-            const V heat = hn::Load(d, cells.heat.data() + at);
-            const V given = hn::Max(1.0F + source.unevenness * noise.z, hn::Zero(d)) * source.heat;
-            hn::Store(hn::Max(heat, cover * given), d, cells.heat.data() + at);
-            const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
-            // What comes out is as uneven as its rim, and blown along by the air that it comes into.
-            const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);
-            store(v + (lacking * cover * source.grip) * source.normal, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
-            hn::Store(cover * (source.expansion * cells.grid.cell), d, cells.divergence.data() + at);
-        }
-    }
-}
 
 /// Half the difference of the neighbours.
 HWY_INLINE V slope(D d, const float* HWY_RESTRICT at, std::size_t stride)
@@ -189,17 +112,42 @@ HWY_INLINE Vec3<V> stirred(D d, const AirStirring& stirring, const Vec3<V>& plac
     return sum * (share * stirring.strength);
 }
 
-HWY_INLINE Vec3<V> bounded(D d, const Vec3<V>& v)
+/// Cells of a row that are air.
+HWY_INLINE auto airOf(D d, const AirCells& cells, std::size_t at, std::size_t left)
 {
-    const V most = hn::Set(d, kMaxAirSpeed);
-    const auto within = [&](V speed) HWY_ATTR { return hn::Min(hn::Max(speed, hn::Neg(most)), most); };
-    return {within(v.x), within(v.y), within(v.z)};
+    const auto isInRow = hn::FirstN(d, left);
+    return cells.hasObstacles() ? hn::And(isInRow, hn::Ne(hn::Load(d, cells.fluid.data() + at), hn::Zero(d))) : isInRow;
 }
 
-void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& curl)
+/// Sums over a plane of what confinement does.
+struct SwirlSums {
+    RowSums motion, along, own;
+
+    /// @param isAir  which of the cells count
+    /// @param v      velocity against the wind, without the confinement
+    /// @param swirl  what the confinement adds to it
+    template <class M>
+    HWY_INLINE void put(D d, std::size_t i, M isAir, const Vec3<V>& v, const Vec3<V>& swirl)
+    {
+        motion.put(d, i, hn::IfThenElseZero(isAir, dot(v, v)));
+        along.put(d, i, hn::IfThenElseZero(isAir, dot(v, swirl)));
+        own.put(d, i, hn::IfThenElseZero(isAir, dot(swirl, swirl)));
+    }
+
+    HWY_INLINE void add(std::size_t n)
+    {
+        motion.add(n);
+        along.add(n);
+        own.add(n);
+    }
+};
+
+void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& curl, SwirlWork& work)
 {
     const D d;
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
+    const bool confines = step.confinement > 0.0F;
+    SwirlSums sums;
     for (int j = 0; j < cells.grid.cells.y; ++j) {
         const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
         const std::size_t start = cells.column.at(0, j, k);
@@ -210,8 +158,10 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
             const V heat = hn::Load(d, cells.heat.data() + at);
             Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at) + step.windChange;
             v.y = v.y + heat * (step.dt * step.buoyancy);
-            if (step.confinement > 0.0F) {
-                v = v + confinement(d, curl, cells.column.row, step.confinement * step.dt, inPlane + i);
+            if (confines) {
+                const Vec3<V> swirl = confinement(d, curl, cells.column.row, step.confinement * step.dt, inPlane + i);
+                sums.put(d, i, airOf(d, cells, at, n - i), v - step.wind, swirl);
+                v = v + swirl;
             }
             const Vec3<V> place{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
             if (step.swirl.speed != 0.0F) {
@@ -226,10 +176,70 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
             if (cells.hasObstacles()) {
                 v = v * hn::Load(d, cells.fluid.data() + at);
             }
-            store(bounded(d, v), cells.forced.x, cells.forced.y, cells.forced.z, at);
+            store(boundedSpeed(d, v), cells.forced.x, cells.forced.y, cells.forced.z, at);
             hn::Store(heat * step.heatKept, d, cells.heat.data() + at);
         }
+        if (confines) {
+            sums.add(n);
+        }
     }
+    if (confines) {
+        work = {sums.motion.all(), sums.along.all(), sums.own.all()};
+    }
+}
+
+void weakenPlane(AirCells& cells, const AirStep& step, float share, int k, const CurlAround& curl)
+{
+    const D d;
+    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
+    for (int j = 0; j < cells.grid.cells.y; ++j) {
+        const std::size_t start = cells.column.at(0, j, k);
+        const std::size_t inPlane = CurlPlane::at(cells.column, j);
+        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+            const std::size_t at = start + i;
+            Vec3<V> swirl = confinement(d, curl, cells.column.row, share * step.confinement * step.dt, inPlane + i);
+            if (cells.hasObstacles()) {
+                swirl = swirl * hn::Load(d, cells.fluid.data() + at);
+            }
+            const Vec3<V> forced = load(d, cells.forced.x, cells.forced.y, cells.forced.z, at);
+            store(boundedSpeed(d, forced - swirl), cells.forced.x, cells.forced.y, cells.forced.z, at);
+        }
+    }
+}
+
+/// @param at reads the velocity of cells: at(column, quad)
+template <class Velocity>
+HWY_INLINE double motionOfPlane(const AirCells& cells, const glm::vec3& wind, int k, const Velocity& at)
+{
+    const D d;
+    const auto n = static_cast<std::size_t>(cells.grid.cells.x);
+    RowSums sum;
+    for (int j = 0; j < cells.grid.cells.y; ++j) {
+        const std::size_t column = cells.column.at(0, j, k);
+        const std::size_t quad = cells.quad.at(0, j, k);
+        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+            const Vec3<V> v = at(column + i, quad + 4 * i) - wind;
+            sum.put(d, i, hn::IfThenElseZero(airOf(d, cells, column + i, n - i), dot(v, v)));
+        }
+        sum.add(n);
+    }
+    return sum.all();
+}
+
+double motionBefore(const AirCells& cells, const glm::vec3& wind, int k)
+{
+    return motionOfPlane(cells, wind, k, [&](std::size_t /*column*/, std::size_t quad) HWY_ATTR {
+        const D d;
+        Vec3<V> v;
+        V heat;
+        hn::LoadInterleaved4(d, cells.air.data() + quad, v.x, v.y, v.z, heat);
+        return v;
+    });
+}
+
+double motionCarried(const AirCells& cells, const glm::vec3& wind, int k)
+{
+    return motionOfPlane(cells, wind, k, [&](std::size_t column, std::size_t /*quad*/) HWY_ATTR { return load(D(), cells.velocity.x, cells.velocity.y, cells.velocity.z, column); });
 }
 
 } // namespace fumage::HWY_NAMESPACE
@@ -238,14 +248,26 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumage {
 
-HWY_EXPORT(sourcePlane);
 HWY_EXPORT(curlPlane);
 HWY_EXPORT(forcePlane);
+HWY_EXPORT(weakenPlane);
+HWY_EXPORT(motionBefore);
+HWY_EXPORT(motionCarried);
 
-void addSource(AirCells& cells, const AirSource& source, int k)
+void weakenConfinement(AirCells& cells, const AirStep& step, float share, int k, const CurlAround& curl)
 {
-    const auto kernel = HWY_DYNAMIC_DISPATCH(sourcePlane);
-    kernel(cells, source, k);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(weakenPlane);
+    kernel(cells, step, share, k, curl);
+}
+
+double motionOfAir(const AirCells& cells, const glm::vec3& wind, int k)
+{
+    return HWY_DYNAMIC_DISPATCH(motionBefore)(cells, wind, k);
+}
+
+double motionOfCarried(const AirCells& cells, const glm::vec3& wind, int k)
+{
+    return HWY_DYNAMIC_DISPATCH(motionCarried)(cells, wind, k);
 }
 
 void findCurl(const AirCells& cells, int k, CurlPlane& out)
@@ -254,10 +276,10 @@ void findCurl(const AirCells& cells, int k, CurlPlane& out)
     kernel(cells, k, out);
 }
 
-void addForces(AirCells& cells, const AirStep& step, int k, const CurlAround& curl)
+void addForces(AirCells& cells, const AirStep& step, int k, const CurlAround& curl, SwirlWork& work)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(forcePlane);
-    kernel(cells, step, k, curl);
+    kernel(cells, step, k, curl, work);
 }
 
 } // namespace fumage

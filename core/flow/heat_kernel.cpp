@@ -6,38 +6,13 @@
 
 #include "core/base/lanes-inl.h"
 #include "core/flow/heat_kernel.h"
-
-#include <numeric>
+#include "core/flow/row_sums-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
 using D = hn::CappedTag<float, kAirLanes>;
 using V = hn::Vec<D>;
-
-/// Numbers of a row of cells, summed up: number i goes into sum i % kAirLanes.
-class RowSums {
-public:
-    /// Number i of the row and those after it; those of no air are 0.
-    HWY_INLINE void put(D d, std::size_t i, V numbers) { hn::Store(numbers, d, m_row + i); }
-
-    /// Adds the first n of the row, rounded up to whole vectors.
-    HWY_INLINE void add(std::size_t n)
-    {
-        const hn::CappedTag<double, kAirLanes / 2> d;
-        const hn::Rebind<float, decltype(d)> numbers;
-        for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-            double* sum = m_sums + i % kAirLanes;
-            hn::Store(hn::Add(hn::Load(d, sum), hn::PromoteTo(d, hn::Load(numbers, m_row + i))), d, sum);
-        }
-    }
-
-    [[nodiscard]] double all() const { return std::accumulate(std::begin(m_sums), std::end(m_sums), 0.0); }
-
-private:
-    HWY_ALIGN float m_row[kMaxAirCells + kAirLanes];
-    HWY_ALIGN double m_sums[kAirLanes] = {};
-};
 
 /// The heat of quads.
 HWY_INLINE V heatOf(D d, const AirColumn& quads, std::size_t at)

@@ -6,6 +6,7 @@
 #include "core/flow/planes.h"
 #include "core/flow/project_kernel.h"
 #include "core/flow/shift.h"
+#include "core/flow/source_kernel.h"
 
 #include <algorithm>
 #include <cassert>
@@ -71,6 +72,7 @@ AirSolver::AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<c
     : m_cells(cellsWith(grid, borders, solids))
     , m_multigrid(grid.cells, borders, m_cells.open)
     , m_heat(grid.cells.z)
+    , m_swirls(grid.cells.z)
 {
     if (wind != glm::vec3(0.0F)) {
         set([&](const glm::vec3&) { return glm::vec4(wind, 0.0F); }, wind);
@@ -79,24 +81,60 @@ AirSolver::AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<c
 
 void AirSolver::step(const AirStep& step)
 {
+    for (const AirStep& part : step.earlier) {
+        this->step(part);
+    }
+    for (int piece = 0; piece < step.pieces; ++piece) {
+        stepPiece(step);
+    }
+}
+
+void AirSolver::step(const AirStep& step, AirField& field)
+{
+    field.earlier.resize(step.earlier.size());
+    for (std::size_t i = 0; i < step.earlier.size(); ++i) {
+        AirField& part = field.earlier[i];
+        if (part.quads.size() != field.quads.size()) {
+            part = AirField(grid());
+        }
+        this->step(step.earlier[i], part);
+    }
+    for (int piece = 0; piece < step.pieces; ++piece) {
+        stepPiece(step);
+    }
+    field.grid = grid();
+    field.wind = step.wind;
+    field.share = step.share;
+    read(field);
+}
+
+void AirSolver::stepPiece(const AirStep& step)
+{
     AirCells& cells = m_cells;
     const int planes = cells.grid.cells.z;
+    const bool confines = step.confinement > 0.0F;
+    const glm::vec3 wind = step.wind - step.windChange;
     const bool keepsHeat = !step.source.acts; // beside a source the sum is what the source makes it
     forPlanes(cells.column, 0, planes, 1, [&](int k) {
         if (keepsHeat) {
             m_heat.before(cells, step.dt, k);
         }
+        if (confines) {
+            m_swirls.plane(k).before = motionOfAir(cells, wind, k);
+        }
         traceBack(cells, step.dt, k);
         fillQuadGhosts(cells, cells.guess, step.wind, k);
     });
     fillSkin(cells, cells.guess);
-    const bool confines = step.confinement > 0.0F;
     forPlanes(cells.column, 0, planes, 1, [&](int k) {
         correctTrace(cells, step.dt, k);
         if (keepsHeat) {
             m_heat.after(cells, k);
         }
         clearPlane(cells.divergence, cells.column, k);
+        if (confines) {
+            m_swirls.plane(k).carried = motionOfCarried(cells, wind, k);
+        }
         if (step.source.acts && k >= step.source.first.z && k < step.source.last.z) {
             addSource(cells, step.source, k);
         }
@@ -111,12 +149,31 @@ void AirSolver::step(const AirStep& step)
             if (keepsHeat) {
                 HeatBudget::correct(cells, correction, k);
             }
-            addForces(cells, step, k, confines ? curl.around(cells, k, k == first) : CurlAround{});
+            addForces(cells, step, k, confines ? curl.around(cells, k, k == first) : CurlAround{}, m_swirls.plane(k).work);
             slowInflow(cells, step.wind, step.dt, k);
             fillVelocityGhosts(cells, cells.forced, k);
         }
     });
+    if (confines) {
+        keepSwirlsWithin(step);
+    }
     project(step.wind);
+}
+
+void AirSolver::keepSwirlsWithin(const AirStep& step)
+{
+    AirCells& cells = m_cells;
+    const float share = m_swirls.share();
+    if (share == 1.0F) {
+        return;
+    }
+    forSlabs(cells.column, [&](int first, int last) {
+        CurlPlanes& curl = m_curl.local();
+        for (int k = first; k < last; ++k) {
+            weakenConfinement(cells, step, 1.0F - share, k, curl.around(cells, k, k == first));
+            fillVelocityGhosts(cells, cells.forced, k);
+        }
+    });
 }
 
 void AirSolver::project(const glm::vec3& wind)

@@ -7,6 +7,7 @@
 #include "core/flow/multigrid.h"
 #include "core/flow/obstacles.h"
 #include "core/flow/step.h"
+#include "core/flow/swirl_budget.h"
 
 #include <functional>
 #include <memory>
@@ -30,7 +31,7 @@ namespace fumage {
 /// its own axis, the mean of four across it). That smoothing is the same for all three, so as much flows out of each cell as in, and
 /// particles that it carries are neither gathered nor driven apart: their counts stay those of chance.
 ///
-/// Where no source acts, heat is neither gained nor lost on its way, see HeatBudget.
+/// Where no source acts, heat is neither gained nor lost on its way, see HeatBudget. Confinement gives no more than was lost, see SwirlBudget.
 ///
 /// A step allocates nothing; it is the same to the bit for any number of threads, and on every instruction set.
 /// Sources: Stam 1999; Selle et al. 2008 (advection); Almgren, Bell, Szymczak 1996 (projection); Fedkiw et al. 2001 (forces).
@@ -40,8 +41,12 @@ public:
     /// @param solids obstacles; at least one cell has to be left
     AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids = {}, const glm::vec3& wind = glm::vec3(0.0F));
 
-    /// Moves the air on by a step.
+    /// Moves the air on by a step, part after part.
     void step(const AirStep& step);
+
+    /// The same, and reads the air after each part.
+    /// @param field made for the grid; gets the air of its earlier parts too
+    void step(const AirStep& step, AirField& field);
 
     /// Moves the box on by whole cells. Air that stays in it stays where it is in the world, what comes in is cold and moves with the wind.
     /// Allocates only where borders change, or obstacles lie in the box before or after.
@@ -56,7 +61,7 @@ public:
     /// @param wind of the air outside, m/s
     void set(const std::function<glm::vec4(const glm::vec3& place)>& airAt, const glm::vec3& wind = glm::vec3(0.0F));
 
-    /// The state after the last step or set(), for those who read it.
+    /// The state after the last step or set(), for those who read it; what there is of earlier parts stays as it is.
     /// @param field made for the grid
     void read(AirField& field) const;
 
@@ -76,6 +81,10 @@ public:
     static constexpr int kCycles = 2;
 
 private:
+    /// Moves the air on by a piece of a step.
+    void stepPiece(const AirStep& step);
+    /// Takes back what the confinement has given beyond its budget.
+    void keepSwirlsWithin(const AirStep& step);
     /// Everything after the forces: reads and changes forced.
     void project(const glm::vec3& wind);
     /// Takes from every cell of a closed box the mean of what flows out of them: nothing can leave it.
@@ -94,6 +103,7 @@ private:
     PerThread<CurlPlanes> m_curl;
     Multigrid m_multigrid;
     HeatBudget m_heat;
+    SwirlBudget m_swirls;
 };
 
 } // namespace fumage

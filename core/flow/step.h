@@ -5,6 +5,7 @@
 #include "core/noise/curl_slices.h"
 
 #include <array>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -62,15 +63,18 @@ struct AirStirring {
     float calm = 1.0F; ///< distance from it at which the force begins, m; at twice of it all of it acts
 };
 
-/// What happens to the air in one step.
+/// What happens to the air in one step, or in the last part of one that is too long or too violent to be taken at once.
 struct AirStep {
-    float dt = 0.0F; ///< s
+    float dt = 0.0F; ///< of a piece, s
+    int pieces = 1; ///< that it is taken in, all alike
+    float share = 1.0F; ///< of the time of the whole step
+    std::vector<AirStep> earlier; ///< the parts before it; their shares and its own make 1
     float buoyancy = 0.0F; ///< upward acceleration at heat 1, m/s^2
     float heatKept = 1.0F; ///< share of the heat that is left after the step
     float confinement = 0.0F; ///< epsilon of Steinhoff and Underhill
     float friction = 0.0F; ///< drag coefficient of ground and obstacles
     glm::vec3 wind{0.0F}; ///< of the air outside, m/s
-    glm::vec3 windChange{0.0F}; ///< since the step before; all of the air is moved by as much
+    glm::vec3 windChange{0.0F}; ///< in a piece; all of the air is moved by as much
     AirSource source;
     AirSwirl swirl;
     AirStirring stirring;

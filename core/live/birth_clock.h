@@ -13,6 +13,9 @@ public:
     /// @param share of its births, 0 to 1, kept to 1/65536
     [[nodiscard]] std::int64_t next(const Schedule& schedule, float share);
 
+    /// How much of the time after the next step the source acts on the air, see Schedule::actsAfter().
+    [[nodiscard]] float acts(const Schedule& schedule) const { return schedule.actsAfter(m_step); }
+
     /// Whether the next step is one in which particles are born: always but after the end of a burst.
     [[nodiscard]] bool emits(const Schedule& schedule) const { return m_step % schedule.periodSteps < schedule.windowSteps; }
 

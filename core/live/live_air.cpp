@@ -71,7 +71,7 @@ void LiveAir::follow(const glm::vec3& emitter)
     }
 }
 
-void LiveAir::step(const Model& model, std::int64_t number, bool acts)
+void LiveAir::step(const Model& model, std::int64_t number, float acts)
 {
     number = std::max<std::int64_t>(1, number);
     if (m_at == number) {
@@ -80,10 +80,10 @@ void LiveAir::step(const Model& model, std::int64_t number, bool acts)
     m_at = number;
     follow(model.effect()->emitter.position);
     AirStep step = airStep(model, grid(), number, acts);
-    step.windChange = step.wind - m_field.wind; // since the effect before, too
-    m_solver.step(step);
-    m_solver.read(m_field);
-    m_field.wind = step.wind;
+    // Since the effect before, too.
+    AirStep& first = step.earlier.empty() ? step : step.earlier.front();
+    first.windChange = (first.wind - m_field.wind) / static_cast<float>(first.pieces);
+    m_solver.step(step, m_field);
 }
 
 } // namespace fumage

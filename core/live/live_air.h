@@ -21,10 +21,10 @@ public:
     explicit LiveAir(const Model& model);
 
     /// Moves it on to step number, one after the one before, of a model whose air has the cells of grid().
-    /// @param acts whether the source gives anything off
+    /// @param acts share of the step in which the source gives anything off, 0 to 1
     /// Step 0 is as step 1: what carries newborns is the first air that has moved, as in AirRun.
     /// Allocates nothing after the first few steps but where the box moves beside an obstacle, or on or off the ground.
-    void step(const Model& model, std::int64_t number, bool acts);
+    void step(const Model& model, std::int64_t number, float acts);
 
     /// The box as it stands now.
     [[nodiscard]] const AirGrid& grid() const { return m_solver.grid(); }

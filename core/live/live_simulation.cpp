@@ -166,17 +166,18 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
     const double start = now();
     const std::int64_t step = m_frame.step + 1;
     m_model->placeEmitter(pose.position, pose.normal);
-    StepConstants constants = m_model->constants(step);
-    anchorSwirls(constants, m_anchor);
     if (m_air) {
-        const bool emits = m_clock.emits(m_model->schedule()) && share() > 0.0F;
-        m_air->step(*m_model, step, step == 0 ? emits : m_emitted);
-        m_emitted = emits;
-        constants.air.field = &m_air->field();
+        const float acts = share() > 0.0F ? m_clock.acts(m_model->schedule()) : 0.0F;
+        m_air->step(*m_model, step, step == 0 ? acts : m_acted);
+        m_acted = acts;
+    }
+    findParts(*m_model, step, m_air ? &m_air->field() : nullptr, m_parts);
+    for (StepConstants& part : m_parts) {
+        anchorSwirls(part, m_anchor);
     }
     const double afterAir = now();
     bury(step);
-    moveParticles(constants, pose, countBirths());
+    moveParticles(pose, countBirths());
     m_pose = pose;
     m_frame.step = step;
     m_frame.number = static_cast<int>(step / m_model->schedule().stepsPerFrame);
@@ -205,9 +206,9 @@ std::int64_t LiveSimulation::countBirths()
     return std::min(births, places);
 }
 
-void LiveSimulation::moveParticles(const StepConstants& constants, const EmitterPose& pose, std::int64_t births)
+void LiveSimulation::moveParticles(const EmitterPose& pose, std::int64_t births)
 {
-    EmitterTravel travel{pose.position - m_pose.position, m_pose.normal, pose.velocity, constants.betweenSteps};
+    EmitterTravel travel{pose.position - m_pose.position, m_pose.normal, pose.velocity, m_parts.front().betweenSteps};
     if (isFlip(travel.normalBefore, pose.normal)) {
         travel.normalBefore = pose.normal;
     }
@@ -218,10 +219,10 @@ void LiveSimulation::moveParticles(const StepConstants& constants, const Emitter
     parallelFor(particles.chunks(), [&](std::size_t chunk) {
         const bool lives = ring.reaches(chunk, m_first, m_next);
         if (lives) {
-            moveChunk(constants, particles, chunk);
+            moveChunk(m_parts, particles, chunk);
         }
         ring.forChunk(chunk, m_next, end, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
-            bearInChunk(place, constants, low, slot, slot + static_cast<std::size_t>(high - low), particles);
+            bearInChunk(place, m_parts, low, slot, slot + static_cast<std::size_t>(high - low), particles);
         });
         if (lives || ring.reaches(chunk, m_next, end)) {
             ring.clearOthers(particles, chunk, m_first, end); // moved too, though nobody lives there

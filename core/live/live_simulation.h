@@ -118,7 +118,7 @@ private:
     [[nodiscard]] std::int64_t countBirths();
     /// The share of births with which no more live at once than there are places: those who come evenly are fewer, instead of none for a while.
     [[nodiscard]] float placesShare() const;
-    void moveParticles(const StepConstants& constants, const EmitterPose& pose, std::int64_t births);
+    void moveParticles(const EmitterPose& pose, std::int64_t births);
 
     Effect m_effect; ///< as it was set
     LiveOptions m_options;
@@ -132,7 +132,8 @@ private:
     std::shared_ptr<Model> m_model; ///< made anew by setEffect() alone; its emitter moves in each step
     Frame m_frame;
     BirthClock m_clock;
-    bool m_emitted = false; ///< in the last step
+    float m_acted = 0.0F; ///< share of the step after the last one for which the source acts on the air
+    std::vector<StepConstants> m_parts; ///< of the last step
     std::optional<BirthBudget> m_budget;
     float m_share = 1.0F;
     std::int64_t m_first = 0; ///< birth index of the oldest that lives

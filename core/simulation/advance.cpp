@@ -5,6 +5,7 @@
 #include "core/simulation/slot_ring.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace fumage {
@@ -19,7 +20,7 @@ constexpr std::int64_t kStepsAtOnceInAir = 4;
 
 /// A step with the births that it has.
 struct PlannedStep {
-    StepConstants constants;
+    std::vector<StepConstants> parts;
     std::shared_ptr<const AirField> air;
     std::int64_t firstBirth = 0;
     std::int64_t endBirth = 0;
@@ -41,10 +42,10 @@ public:
         bool occupied = m_ring.reaches(chunk, m_schedule.firstAlive(from), firstUnborn(from));
         for (const PlannedStep& step : steps) {
             if (occupied) {
-                moveChunk(step.constants, m_particles, chunk);
+                moveChunk(step.parts, m_particles, chunk);
             }
             m_ring.forChunk(chunk, step.firstBirth, step.endBirth, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
-                bear(low, high, slot, step.constants);
+                bear(low, high, slot, step.parts);
                 occupied = true;
             });
         }
@@ -57,13 +58,13 @@ private:
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.
-    void bear(std::int64_t first, std::int64_t last, std::size_t slot, const StepConstants& constants) const
+    void bear(std::int64_t first, std::int64_t last, std::size_t slot, std::span<const StepConstants> parts) const
     {
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
             const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
             const std::size_t end = slot + static_cast<std::size_t>(count);
-            bearInChunk(m_birthPlace, constants, random, slot, end, m_particles);
+            bearInChunk(m_birthPlace, parts, random, slot, end, m_particles);
             slot = end;
             first += count;
         }
@@ -80,15 +81,15 @@ Result<std::vector<PlannedStep>> plannedSteps(const Model& model, std::int64_t f
 {
     std::vector<PlannedStep> steps;
     for (std::int64_t step = from + 1; step <= to; ++step) {
-        PlannedStep& planned = steps.emplace_back(PlannedStep{model.constants(step), nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
+        PlannedStep& planned = steps.emplace_back(PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
         if (model.air() != nullptr) {
             const auto field = model.air()->field(step, stop);
             if (!field) {
                 return field.error();
             }
             planned.air = field.value();
-            planned.constants.air.field = planned.air.get();
         }
+        findParts(model, step, planned.air.get(), planned.parts);
     }
     return steps;
 }

@@ -250,28 +250,44 @@ HWY_INLINE Vec3<V> insideSource(D d, const StepConstants& constants, VU key, con
     return away + (unitStream(d, key, kBirthDepth) * dome) * constants.air.sourceDepth + constants.pivot;
 }
 
-/// Slots [first, last); neighbours in the same vectors stay as they are.
-void carryJustBorn(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+/// What a particle becomes between its birth and the end of the step.
+/// @param share of the step that it has lived
+/// @param born  with the velocity that the emitter gives it
+HWY_INLINE Carried throughParts(D d, std::span<const StepConstants> parts, VU key, V share, const Carried& born)
 {
-    const D d;
-    for (std::size_t i = first / hn::Lanes(d) * hn::Lanes(d); i < last; i += hn::Lanes(d)) {
-        const VU key = hn::Load(DU(), particles.key.data() + i);
-        const V share = agesInSteps(d, particles, i, key, constants.step, constants.betweenSteps);
-        const Carried before = Carried::from(d, particles, i);
-        const PartOfStep time{share};
+    const StepConstants& whole = parts.front();
+    Carried at = born;
+    at.moving.position = insideSource(d, whole, key, born.moving.position);
+    // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
+    at.relative = born.moving.velocity - whole.air.sourceVelocity;
+    at.shape = Shape::round(d);
+    for (const StepConstants& constants : parts) {
+        const PartOfStep time{clamp01(d, (share - hn::Set(d, constants.rest)) / hn::Set(d, constants.share))};
         Way way;
         way.key = key;
-        way.position = insideSource(d, constants, key, before.moving.position);
-        // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
-        way.relative = before.moving.velocity - constants.air.sourceVelocity;
+        way.position = at.moving.position;
+        way.relative = at.relative;
         setOut(d, constants, way);
         readHere(constants, way);
         accelerate(d, constants, time, way);
         findDetail(d, constants, way);
-        Carried after;
-        after.moving.roll = before.moving.roll + turnOf(constants, time, way.here.slope);
-        after.shape = deformed(d, constants, time, way.here.slope, way.gradient2, Shape::round(d));
-        arrive(d, constants, time, way, after.moving.position, after.moving.velocity, after.relative, after.heat);
+        at.moving.roll = at.moving.roll + turnOf(constants, time, way.here.slope);
+        at.shape = deformed(d, constants, time, way.here.slope, way.gradient2, at.shape);
+        arrive(d, constants, time, way, at.moving.position, at.moving.velocity, at.relative, at.heat);
+    }
+    return at;
+}
+
+/// Slots [first, last); neighbours in the same vectors stay as they are.
+void carryJustBorn(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last)
+{
+    const D d;
+    const StepConstants& whole = parts.front();
+    for (std::size_t i = first / hn::Lanes(d) * hn::Lanes(d); i < last; i += hn::Lanes(d)) {
+        const VU key = hn::Load(DU(), particles.key.data() + i);
+        const V share = agesInSteps(d, particles, i, key, whole.step, whole.betweenSteps);
+        const Carried before = Carried::from(d, particles, i);
+        const Carried after = throughParts(d, parts, key, share, before);
         const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         Carried kept;
         kept.moving.position = chosen(isNewborn, after.moving.position, before.moving.position);
@@ -299,10 +315,10 @@ void carryChunk(const StepConstants& constants, Particles& particles, std::size_
     kernel(constants, particles, chunk);
 }
 
-void carryNewborns(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+void carryNewborns(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(carryJustBorn);
-    kernel(constants, particles, first, last);
+    kernel(parts, particles, first, last);
 }
 
 } // namespace fumage

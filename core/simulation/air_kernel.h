@@ -3,6 +3,8 @@
 #include "core/simulation/model.h"
 #include "core/simulation/particles.h"
 
+#include <span>
+
 namespace fumage {
 
 /// stepChunk() where air carries the particles: the motion of smoke and of what falls through it.
@@ -16,6 +18,7 @@ namespace fumage {
 void carryChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);
 
 /// stepNewborns() where air carries the particles; also where none are born between steps, since they start in moving air.
-void carryNewborns(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last);
+/// @param parts of the step, one or more, each with its air: those born between them go through what is left
+void carryNewborns(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last);
 
 } // namespace fumage

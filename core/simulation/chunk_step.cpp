@@ -11,18 +11,42 @@ Particles::Columns columnsOf(const Model& model)
     return {.rolls = look.roll > 0.0F, .inAir = model.inAir(), .deforms = model.inAir() && look.deformation > 0.0F};
 }
 
-void moveChunk(const StepConstants& constants, Particles& particles, std::size_t chunk)
+void findParts(const Model& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out)
 {
-    const auto move = constants.air.field != nullptr ? &carryChunk : &stepChunk;
-    move(constants, particles, chunk);
+    out.clear();
+    if (air == nullptr) {
+        out.push_back(model.constants(step));
+        return;
+    }
+    float rest = 1.0F;
+    const auto add = [&](const AirField& field) {
+        StepConstants& part = out.emplace_back(model.constants(step, field.share));
+        rest -= field.share;
+        part.rest = rest;
+        part.air.field = &field;
+    };
+    for (const AirField& field : air->earlier) {
+        add(field);
+    }
+    add(*air);
+    out.back().rest = 0.0F; // whatever has been rounded
 }
 
-void bearInChunk(const BirthPlace& place, const StepConstants& constants, std::int64_t randomIndex, std::size_t slot, std::size_t end, Particles& particles)
+void moveChunk(std::span<const StepConstants> parts, Particles& particles, std::size_t chunk)
 {
+    for (const StepConstants& constants : parts) {
+        const auto move = constants.air.field != nullptr ? &carryChunk : &stepChunk;
+        move(constants, particles, chunk);
+    }
+}
+
+void bearInChunk(const BirthPlace& place, std::span<const StepConstants> parts, std::int64_t randomIndex, std::size_t slot, std::size_t end, Particles& particles)
+{
+    const StepConstants& constants = parts.back();
     particles.clearRoll(slot, end);
     bearParticles(place, randomIndex, constants.step, slot, end - slot, particles);
     if (constants.air.field != nullptr) {
-        carryNewborns(constants, particles, slot, end);
+        carryNewborns(parts, particles, slot, end);
     } else if (constants.betweenSteps) {
         stepNewborns(constants, particles, slot, end);
     }

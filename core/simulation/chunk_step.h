@@ -4,20 +4,28 @@
 #include "core/simulation/model.h"
 #include "core/simulation/particles.h"
 
+#include <span>
+#include <vector>
+
 namespace fumage {
 
 /// The columns that the particles of an effect need.
 [[nodiscard]] Particles::Columns columnsOf(const Model& model);
 
+/// The parts of a step: one of it all, or as many as its air has.
+/// @param air of the step, which has to outlive them, or nullptr
+void findParts(const Model& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out);
+
 /// Moves one chunk of particles by one step: by carryChunk() where air carries them, else by stepChunk().
+/// @param parts of the step
 /// Thread-safe for different chunks.
-void moveChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);
+void moveChunk(std::span<const StepConstants> parts, Particles& particles, std::size_t chunk);
 
 /// Gives birth to particles of consecutive index and moves them through the part of the step that they have lived.
-/// @param constants of the step at which they first appear
+/// @param parts of the step at which they first appear
 /// @param randomIndex of the first, see bearParticles()
 /// @param slot,end  slots [slot, end) of one chunk
 /// Thread-safe for different chunks.
-void bearInChunk(const BirthPlace& place, const StepConstants& constants, std::int64_t randomIndex, std::size_t slot, std::size_t end, Particles& particles);
+void bearInChunk(const BirthPlace& place, std::span<const StepConstants> parts, std::int64_t randomIndex, std::size_t slot, std::size_t end, Particles& particles);
 
 } // namespace fumage

@@ -102,7 +102,7 @@ Model::Model(const SampledEffect& effect, const AirGrid& grid)
 {
 }
 
-float Model::wander(std::int64_t step, float rate, std::uint32_t stream) const
+float Model::wander(double step, float rate, std::uint32_t stream) const
 {
     const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
     const std::uint32_t seed = streamBits(m_effect->emitter.seed, stream);
@@ -111,7 +111,7 @@ float Model::wander(std::int64_t step, float rate, std::uint32_t stream) const
     return a + (b - a) * smoothStep(row.fraction);
 }
 
-glm::vec3 Model::windAt(std::int64_t step) const
+glm::vec3 Model::windAt(double step) const
 {
     const Motion& motion = m_effect->motion;
     const float strength = motion.wind * (1.0F + motion.gust * wander(step, motion.gustRate, kGustStrength));
@@ -142,7 +142,7 @@ OctaveAtStep Model::octaveAt(std::int64_t step, int octave) const
     constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it
     out.turns = octave < kLarge;
     const double cellsPerStep = static_cast<double>(turbulence.evolution * portablePow(out.frequency, kTurnoverExponent) * m_schedule.dt);
-    const RowPosition row = rowPosition(step, m_schedule, cellsPerStep);
+    const RowPosition row = rowPosition(static_cast<double>(step), m_schedule, cellsPerStep);
 
     // In a loop the smoke drifts by whole units of the lattice, or the slice that lives through its end would jump. Whole numbers are
     // multiplied before they are divided, so that a quotient is exact where it is whole.
@@ -205,11 +205,11 @@ void Model::placeRings(std::int64_t step, StepConstants& out) const
     out.ringSides = {-plane.along, -plane.across};
 }
 
-StepConstants Model::constants(std::int64_t step) const
+StepConstants Model::constants(std::int64_t step, float share) const
 {
     const Motion& motion = m_effect->motion;
     const Turbulence& turbulence = m_turbulence;
-    const float dt = m_schedule.dt;
+    const float dt = m_schedule.dt * share;
     const float r = motion.randomness;
     const float tau = draggedTime(motion.drag, dt);
 
@@ -217,9 +217,10 @@ StepConstants Model::constants(std::int64_t step) const
     out.key = stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
     out.dt = dt;
     out.step = static_cast<std::int32_t>(step);
+    out.share = share;
     out.betweenSteps = m_schedule.betweenSteps;
     const glm::vec3 gravity{0.0F, motion.gravity / motion.mass, 0.0F};
-    const glm::vec3 acceleration = inAir() ? -gravity : windAt(step) - gravity; // where there is air, it is what the wind moves
+    const glm::vec3 acceleration = inAir() ? -gravity : windAt(static_cast<double>(step)) - gravity; // where there is air, it is what the wind moves
     out.steady = acceleration * ((1.0F - r) * tau);
     out.random = acceleration * (r * drawScale() * tau * 0x1p-31F);
     out.steadyShare = 1.0F - r;
@@ -237,7 +238,7 @@ StepConstants Model::constants(std::int64_t step) const
     }
     out.pivot = m_effect->emitter.position;
     if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
-        out.rotation = rotationAt(step);
+        out.rotation = rotationAt(step) * share;
         out.rotationSin = portableSin(out.rotation);
         out.rotationCos = portableCos(out.rotation);
     }
@@ -278,7 +279,7 @@ void Model::placeAir(StepConstants& out) const
     out.air.obstacle = air.obstacle;
     out.air.obstaclePlace = air.obstaclePlace;
     out.air.obstacleHalf = 0.5F * air.obstacleSize;
-    out.air.shapeLost = 1.0F - portableExp(-m_schedule.dt / m_effect->look.deformationTime);
+    out.air.shapeLost = 1.0F - portableExp(-out.dt / m_effect->look.deformationTime);
 }
 
 } // namespace fumage

@@ -46,6 +46,8 @@ struct StepConstants {
     std::uint32_t key = 0;
     float dt = 0.0F;
     std::int32_t step = 0;
+    float share = 1.0F; ///< of the step's time that dt is
+    float rest = 0.0F; ///< share of it that is left to other parts afterwards
     bool betweenSteps = false; ///< whether particles are born between steps, see Schedule
 
     bool plain = true; ///< nothing but the terms of the 2012 model without rotation
@@ -119,10 +121,12 @@ public:
     [[nodiscard]] BakedAir* air() const { return m_air.get(); }
 
     /// What moves particles from step - 1 to step; without the air's field, which has to be computed first.
-    [[nodiscard]] StepConstants constants(std::int64_t step) const;
+    /// @param share of the step's time, for a part of it
+    [[nodiscard]] StepConstants constants(std::int64_t step, float share = 1.0F) const;
 
     /// Wind acceleration with its gusts at a step, m/s^2: (Vw cos theta, 0, Vw sin theta), eq. III and V.
-    [[nodiscard]] glm::vec3 windAt(std::int64_t step) const;
+    /// @param step 0 or more; parts of steps too
+    [[nodiscard]] glm::vec3 windAt(double step) const;
 
     /// Angle by which the whole cloud turns in one step, radians: particles and their velocities, not the emitter. The emitter is the ground that
     /// smoke rises from; and its angle would be the sum of all draws since step 0, so that no frame could be had without those before it.
@@ -130,7 +134,7 @@ public:
 
 private:
     /// Smooth random value in [-1, 1] of time; whole in a loop.
-    [[nodiscard]] float wander(std::int64_t step, float rate, std::uint32_t stream) const;
+    [[nodiscard]] float wander(double step, float rate, std::uint32_t stream) const;
     /// What random numbers that are drawn anew every step are multiplied by. The source draws once a frame; the sum of n draws in a frame spreads
     /// as far as one of them times sqrt(n), and n steps of a frame are each n times shorter.
     [[nodiscard]] float drawScale() const;

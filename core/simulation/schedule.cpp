@@ -47,14 +47,24 @@ std::int64_t Schedule::capacity() const
     return std::max<std::int64_t>(1, lifetimeSteps / periodSteps * birthsPerPeriod + inRest);
 }
 
-RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep)
+float Schedule::actsAfter(std::int64_t step) const
+{
+    const double left = emittingSteps - static_cast<double>(step % periodSteps);
+    constexpr double kRounding = 1e-4; // of a quotient of floats
+    if (left > 1.0 - kRounding) {
+        return 1.0F;
+    }
+    return left > kRounding ? static_cast<float>(left) : 0.0F;
+}
+
+RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerStep)
 {
     const std::int64_t cells = schedule.loopSteps == 0
         ? 0
         : std::max<std::int64_t>(1, std::llround(cellsPerStep * static_cast<double>(schedule.loopSteps)));
     const double position = cells == 0
-        ? cellsPerStep * static_cast<double>(step)
-        : static_cast<double>(schedule.randomStep(step) * cells) / static_cast<double>(schedule.loopSteps);
+        ? cellsPerStep * step
+        : std::fmod(step, static_cast<double>(schedule.loopSteps)) * static_cast<double>(cells) / static_cast<double>(schedule.loopSteps);
     const double cell = std::floor(position);
     RowPosition row;
     row.cells = cells;
@@ -89,6 +99,10 @@ Schedule makeSchedule(const SampledEffect& effect)
         schedule.firstStep = timeline.prewarm && !burst ? lifetime : 0;
     }
     schedule.birthsPerPeriod = std::max<std::int64_t>(1, schedule.birthsPerPeriod);
+    // One that takes no time gives the air its speed and its expansion for as long as a frame of film, whatever a step is.
+    constexpr double kShortestBurst = 1.0 / 30.0; // s
+    const double emitting = std::max(static_cast<double>(effect->emitter.burstDuration), kShortestBurst) / dt;
+    schedule.emittingSteps = burst ? std::min(static_cast<double>(schedule.periodSteps), emitting) : static_cast<double>(schedule.periodSteps);
     schedule.windowSteps = burst ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect->emitter.burstDuration), dt)) : schedule.periodSteps;
     return schedule;
 }

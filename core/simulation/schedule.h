@@ -16,6 +16,7 @@ struct Schedule {
     std::int64_t birthsPerPeriod = 1;
     std::int64_t periodSteps = 1;
     std::int64_t windowSteps = 1; ///< at most periodSteps
+    double emittingSteps = 1.0; ///< for which the source acts on the air in each period: windowSteps before they are made whole
     std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it
     std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;
@@ -41,6 +42,10 @@ struct Schedule {
     /// The step that randomness and moving fields see: the same in every turn of a loop.
     [[nodiscard]] std::int64_t randomStep(std::int64_t step) const { return loopSteps == 0 ? step : step % loopSteps; }
 
+    /// How much of the time from a step to the next the source acts on the air, 0 to 1: a burst that ends between two steps gives off no more for that.
+    /// @param step 0 or more
+    [[nodiscard]] float actsAfter(std::int64_t step) const;
+
     /// The step whose state is this frame.
     [[nodiscard]] std::int64_t stepOfFrame(std::int64_t frame) const { return firstStep + frame * stepsPerFrame; }
 };
@@ -54,7 +59,8 @@ struct RowPosition {
 };
 
 /// Where a step lies in the row of random values that something has which changes cellsPerStep times a step; whole numbers of them in a loop.
-[[nodiscard]] RowPosition rowPosition(std::int64_t step, const Schedule& schedule, double cellsPerStep);
+/// @param step 0 or more; parts of steps too
+[[nodiscard]] RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerStep);
 
 /// @param effect in range
 [[nodiscard]] Schedule makeSchedule(const SampledEffect& effect);

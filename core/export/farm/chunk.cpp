@@ -44,7 +44,8 @@ FarmCost farmCost(const Effect& effect)
     cost.frame = particles * kPerParticleDrawn + pixels * kPerPixel + static_cast<double>(schedule.stepsPerFrame) * cost.particleStep;
     if (effect.air.enabled && checkAir(smoke)) {
         const glm::ivec3 cells = airGrid(smoke).cells;
-        cost.airStep = static_cast<double>(cells.x) * cells.y * cells.z * kPerCellStep;
+        const int pieces = piecesOfStep(smoke, schedule.dt, smoke->emitter.mode == EmissionMode::Continuous);
+        cost.airStep = static_cast<double>(cells.x) * cells.y * cells.z * pieces * kPerCellStep;
     }
     return cost;
 }

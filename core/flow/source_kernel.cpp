@@ -1,0 +1,152 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/flow/source_kernel.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "core/base/math-inl.h"
+#include "core/flow/source_kernel.h"
+#include "core/noise/simplex-inl.h"
+
+#include <numeric>
+
+HWY_BEFORE_NAMESPACE();
+namespace fumage::HWY_NAMESPACE {
+
+using D = hn::CappedTag<float, kAirLanes>;
+using V = hn::Vec<D>;
+
+/// 1 inside, 0 outside, smooth over a width around the border.
+/// @param inside distance from the border, m
+HWY_INLINE V covered(D d, V inside, float width)
+{
+    return smoothStep(clamp01(d, inside * (1.0F / width) + 0.5F));
+}
+
+/// Noise at a place: of the rim in x, of the speed in y, and of the heat in z, which has an octave more.
+HWY_INLINE Vec3<V> sourceNoise(D d, const AirSource& source, const Vec3<V>& away)
+{
+    Vec3<V> sum = uniform(hn::Zero(d));
+    Vec3<V> none = sum;
+    const auto add = [&](const AirOctave& octave, Vec3<V>& to) HWY_ATTR { addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none); };
+    for (const AirOctave& octave : source.rim) {
+        add(octave, sum);
+    }
+    if (source.unevenness > 0.0F) {
+        Vec3<V> small = uniform(hn::Zero(d));
+        add(source.billow, small);
+        sum.z = sum.z + small.z;
+    }
+    return sum;
+}
+
+/// How much of places lies between the two ends of the source, 0 to 1. A sphere has none.
+HWY_INLINE V betweenEnds(D d, const AirSource& source, const Vec3<V>& away)
+{
+    if (source.shape == EmitterShape::Sphere) {
+        return hn::Set(d, 1.0F);
+    }
+    const V up = dot(away, source.normal);
+    return covered(d, hn::Min(up + 0.5F * source.softness, source.depth - up), source.softness);
+}
+
+/// How much of places the source covers, 0 to 1: within its rim, which wanders, and its two ends.
+HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends, V wander)
+{
+    const V across = dot(away, source.basis.across);
+    const V along = dot(away, source.basis.along);
+    const V edge = 1.0F + source.raggedness * wander;
+    if (source.shape == EmitterShape::Sphere) {
+        return covered(d, edge * source.reach.x - hn::Sqrt(dot(away, away)), source.softness);
+    }
+    if (source.shape == EmitterShape::Rectangle) {
+        return ends * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)), source.softness);
+    }
+    return ends * covered(d, edge * source.reach.x - hn::Sqrt(across * across + along * along), source.softness);
+}
+
+/// Middle of cell (0, j, k), from the source.
+HWY_INLINE glm::vec3 rowFromSource(const AirCells& cells, const AirSource& source, int j, int k)
+{
+    return cells.grid.corner + cells.grid.cell * (glm::vec3(0.0F, static_cast<float>(j), static_cast<float>(k)) + 0.5F) - source.place;
+}
+
+/// Places within the source that fill it evenly, for means.
+constexpr std::size_t kPlaces = 256;
+
+float meanOfUnevenness(const AirSource& source)
+{
+    const D d;
+    // Multiples of powers of the root of x^4 = x + 1 fill a cube evenly (Roberts 2018).
+    const auto spread = [&](std::size_t i, float step) HWY_ATTR {
+        const V at = hn::Iota(d, static_cast<float>(i)) * step;
+        return 2.0F * (at - hn::Floor(at)) - 1.0F;
+    };
+    HWY_ALIGN float heat[kPlaces];
+    HWY_ALIGN float inside[kPlaces];
+    const bool isBall = source.shape == EmitterShape::Sphere;
+    for (std::size_t i = 0; i < kPlaces; i += hn::Lanes(d)) {
+        const V x = spread(i, 0.81917251F);
+        const V y = spread(i, 0.67104361F);
+        const V z = spread(i, 0.54970048F);
+        const V up = isBall ? z * source.reach.x : (0.5F * z + 0.5F) * source.depth;
+        const Vec3<V> away = (x * source.reach.x) * source.basis.across + (y * source.reach.y) * source.basis.along + up * source.normal;
+        const V noise = sourceNoise(d, source, away).z;
+        const V distance2 = isBall ? x * x + y * y + z * z : x * x + y * y;
+        const bool isCube = source.shape == EmitterShape::Rectangle;
+        const V counts = isCube ? hn::Set(d, 1.0F) : hn::IfThenElseZero(hn::Lt(distance2, hn::Set(d, 1.0F)), hn::Set(d, 1.0F));
+        hn::Store(counts, d, inside + i);
+        hn::Store(counts * hn::Max(1.0F + source.unevenness * noise, hn::Zero(d)), d, heat + i);
+    }
+    return static_cast<float>(std::accumulate(heat, heat + kPlaces, 0.0) / std::accumulate(inside, inside + kPlaces, 0.0));
+}
+
+void sourcePlane(AirCells& cells, const AirSource& source, int k)
+{
+    const D d;
+    for (int j = source.first.y; j < source.last.y; ++j) {
+        const glm::vec3 rowStart = rowFromSource(cells, source, j, k);
+        const std::size_t row = cells.column.at(0, j, k);
+        for (auto i = static_cast<std::size_t>(source.first.x); i < static_cast<std::size_t>(source.last.x); i += hn::Lanes(d)) {
+            const std::size_t at = row + i;
+            const Vec3<V> away{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
+            const V ends = betweenEnds(d, source, away);
+            if (hn::AllFalse(d, hn::Gt(ends, hn::Zero(d)))) {
+                continue;
+            }
+            const Vec3<V> noise = sourceNoise(d, source, away);
+            const V cover = coverage(d, source, away, ends, noise.x);
+            const V heat = hn::Load(d, cells.heat.data() + at);
+            const V given = hn::Max(1.0F + source.unevenness * noise.z, hn::Zero(d)) * source.heat;
+            hn::Store(hn::Max(heat, cover * given), d, cells.heat.data() + at);
+            const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
+            // What comes out is as uneven as its rim, and blown along by the air that it comes into.
+            const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);
+            store(v + (lacking * cover * source.grip) * source.normal, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
+            hn::Store(cover * (source.expansion * cells.grid.cell), d, cells.divergence.data() + at);
+        }
+    }
+}
+
+} // namespace fumage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumage {
+
+HWY_EXPORT(meanOfUnevenness);
+HWY_EXPORT(sourcePlane);
+
+float meanUnevenness(const AirSource& source)
+{
+    return HWY_DYNAMIC_DISPATCH(meanOfUnevenness)(source);
+}
+
+void addSource(AirCells& cells, const AirSource& source, int k)
+{
+    const auto kernel = HWY_DYNAMIC_DISPATCH(sourcePlane);
+    kernel(cells, source, k);
+}
+
+} // namespace fumage
+#endif

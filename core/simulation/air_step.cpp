@@ -1,0 +1,276 @@
+#include "core/simulation/air_step.h"
+
+#include "core/base/hash.h"
+#include "core/base/math.h"
+#include "core/flow/source_kernel.h"
+#include "core/simulation/air_source.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+/// Streams of the random numbers of the air.
+enum AirStream : std::uint32_t {
+    kRim = 140,
+    kStirring = 150
+};
+
+/// Drag, 1/s, below which the wind is as fast as if there were this much: without any it would have no speed of its own.
+constexpr float kLeastWindDrag = 0.5F;
+
+/// How soon the air in the source has the emitter's speed, 1/s.
+constexpr float kGrip = 30.0F;
+
+/// The source, as far as it is the same at every step.
+AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
+{
+    const Emitter& emitter = effect->emitter;
+    AirSource source;
+    source.shape = emitter.shape;
+    source.place = emitter.position;
+    source.normal = glm::normalize(emitter.normal);
+    source.basis = planeBasis(source.normal);
+    // Less than a cell and a half is less than the grid can show.
+    const float least = 1.5F * grid.cell;
+    source.reach = glm::max(sourceReach(emitter), glm::vec2(least));
+    const float radius = std::min(source.reach.x, source.reach.y);
+    source.depth = glm::length(sourceDepth(emitter, grid));
+    source.softness = std::max(0.4F * radius, 1.5F * grid.cell);
+    source.raggedness = effect->air.raggedness;
+    source.unevenness = effect->air.unevenness;
+    source.speed = emitter.speed * alongNormal(emitter);
+    source.heat = 1.0F;
+    source.expansion = effect->air.expansion;
+    const float extent = (1.0F + 3.0F * source.raggedness) * std::max(source.reach.x, source.reach.y) * 1.5F + source.depth + source.softness;
+    // Within the box before they are whole numbers: an emitter that a game puts far away lies more cells off than an int holds.
+    const auto cellOf = [&](float sign, float more) {
+        return glm::ivec3(glm::clamp(glm::floor((source.place - grid.corner + sign * extent) / grid.cell) + more, glm::vec3(0.0F), glm::vec3(grid.cells)));
+    };
+    source.first = cellOf(-1.0F, 0.0F);
+    source.last = cellOf(1.0F, 1.0F);
+    constexpr int kLanes = static_cast<int>(kAirLanes);
+    source.first.x = source.first.x / kLanes * kLanes;
+    source.last.x = (source.last.x + kLanes - 1) / kLanes * kLanes;
+    return source;
+}
+
+/// An octave of noise at a step: two slices of time that cross-fade.
+/// @param seed of its own @param frequency 1/m @param rate how often it becomes another, 1/s @param weight of a component's root mean square
+AirOctave octaveAt(double step, const Schedule& schedule, std::uint32_t seed, float frequency, float rate, float weight)
+{
+    const RowPosition row = rowPosition(step, schedule, static_cast<double>(rate * schedule.dt));
+    const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
+    AirOctave octave;
+    octave.frequency = frequency;
+    octave.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
+    octave.slices.key = {keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
+    octave.slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
+    return octave;
+}
+
+/// Mean of max(0, 1 + deviation n), n normally distributed: what unevenness makes of the heat of all sources together.
+float meanOfUneven(float deviation)
+{
+    constexpr float kFarthest = 6.0F; // in deviations: beyond it nothing is cut off
+    const float x = std::min(kFarthest, 1.0F / deviation);
+    const float below = 1.0F / (1.0F + portableExp(-x * (1.5976F + 0.070565F * x * x))); // Page 1977; 2e-4 off at most
+    constexpr float kPeak = 0.39894228F; // 1 / sqrt(2 pi)
+    return below + deviation * kPeak * portableExp(-0.5F * x * x);
+}
+
+/// Makes the mean heat of a source that of all such sources: its largest swirls are larger than itself, and one would else be twice as hot as another.
+void evenOut(AirSource& source)
+{
+    constexpr float kThirdOctave = 1.2F; // its square comes on top of the two others', which are 1
+    constexpr float kLeast = 0.25F; // a source that is all but cold is not made hot
+    const float usual = meanOfUneven(source.unevenness * std::sqrt(kThirdOctave));
+    source.heat *= usual / std::max(kLeast, meanUnevenness(source));
+}
+
+/// The source's noise at a step.
+void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed, float rate, double step)
+{
+    const float radius = std::max(source.reach.x, source.reach.y);
+    const float square = 1.0F + 0.5F * 0.5F;
+    float weight = kCurlNormalisation / std::sqrt(square);
+    float frequency = 0.45F / radius;
+    float often = rate;
+    std::uint32_t stream = kRim;
+    for (AirOctave* octave : {&source.rim[0], &source.rim[1], &source.billow}) {
+        *octave = octaveAt(step, schedule, streamBits(seed, stream), frequency, often, weight);
+        weight *= stream == kRim ? 0.5F : 1.0F; // the smallest is as strong as the one before it: it is what makes billows on billows
+        frequency *= 2.0F;
+        often *= 1.6F;
+        ++stream;
+    }
+    if (source.unevenness > 0.0F) {
+        evenOut(source);
+    }
+}
+
+/// What stirs the air at a step. Each octave has swirls half as large as the one before and 0.7 of its strength, and becomes another about as often as
+/// its swirls turn around.
+AirStirring stirringAt(const SampledEffect& effect, const AirGrid& grid, const Schedule& schedule, double step)
+{
+    const Air& air = effect->air;
+    constexpr float kRoughness = 0.7F;
+    constexpr float kSquares = 1.0F + kRoughness * kRoughness * (1.0F + kRoughness * kRoughness); // of three octaves
+    constexpr float kComponents = 3.0F;
+    constexpr float kTurns = 0.2F;
+    constexpr float kLeastCells = 2.0F; // a smaller swirl is none
+    AirStirring stirring;
+    stirring.strength = air.turbulence;
+    stirring.place = effect->emitter.position;
+    stirring.calm = 0.5F * std::max(sourceRadius(effect->emitter), grid.cell);
+    float size = std::max(air.turbulenceScale, kLeastCells * grid.cell);
+    float weight = kCurlNormalisation / std::sqrt(kComponents * kSquares);
+    float strength = air.turbulence;
+    for (std::uint32_t i = 0; i < kStirringOctaves && size >= kLeastCells * grid.cell; ++i) {
+        const std::uint32_t own = streamBits(effect->emitter.seed, kStirring + i);
+        stirring.octave[i] = octaveAt(step, schedule, own, 1.0F / size, kTurns * std::sqrt(strength / size), weight);
+        stirring.octaves = i + 1;
+        size *= 0.5F;
+        weight *= kRoughness;
+        strength *= kRoughness;
+    }
+    return stirring;
+}
+
+/// The vortex of the effect, about an axis through the emitter. The air takes up its speed while it goes a radius far.
+AirSwirl swirlOf(const SampledEffect& effect, float dt)
+{
+    const Vortex& vortex = effect->vortex;
+    const float rate = std::abs(vortex.strength) / vortex.radius;
+    return {vortex.strength, vortex.radius, vortex.widening, effect->emitter.position, glm::normalize(vortex.axis), 1.0F - portableExp(-rate * dt)};
+}
+
+/// Longest that air is followed at once, s: over more of it heat goes on rising straight where it would have turned, and smoke gets too high.
+constexpr float kLongestPiece = 1.0F / 24.0F;
+
+/// Most that the source adds to the air in a piece, of its own volume: air is traced back along straight ways, which a source that blows up bends.
+constexpr float kMostGrowth = 0.6F;
+
+/// Most parts that are kept for the particles, which go through more pieces than that by several at once.
+constexpr int kMostParts = 8;
+
+/// A part of a step.
+struct Moment {
+    double begin = 0.0; ///< in steps
+    double end = 0.0;
+    float share = 1.0F; ///< end - begin
+    bool acts = false;
+};
+
+/// Parts of a span of time that are all alike.
+struct Division {
+    int parts = 1;
+    int pieces = 1; ///< of each
+};
+
+Division divisionOf(const SampledEffect& effect, float seconds, bool acts)
+{
+    constexpr float kRounding = 1e-4F;
+    const float growth = acts ? effect->air.expansion * seconds : 0.0F;
+    const float least = std::ceil(std::max(seconds / kLongestPiece, growth / kMostGrowth) - kRounding);
+    const int pieces = std::max(1, static_cast<int>(least));
+    const int parts = std::min(pieces, kMostParts);
+    return {parts, (pieces + parts - 1) / parts};
+}
+
+/// Calls visit(moment, pieces) for the parts of a step in their order.
+template <class Visit>
+void forParts(const Model& model, std::int64_t number, float acts, const Visit& visit)
+{
+    const auto start = static_cast<double>(number - 1);
+    const auto divide = [&](double begin, double end, bool active) {
+        const auto span = static_cast<float>(end - begin);
+        const Division division = divisionOf(model.effect(), span * model.schedule().dt, active);
+        for (int i = 0; i < division.parts; ++i) {
+            const auto at = [&](int part) { return start + begin + (end - begin) * part / division.parts; };
+            visit(Moment{at(i), at(i + 1), span / static_cast<float>(division.parts), active}, division.pieces);
+        }
+    };
+    const auto stop = static_cast<double>(acts);
+    if (acts > 0.0F) {
+        divide(0.0, stop, true);
+    }
+    if (acts < 1.0F) {
+        divide(stop, 1.0, false);
+    }
+}
+
+AirStep airPartOfStep(const Model& model, const AirGrid& grid, const Moment& moment, int pieces)
+{
+    const SampledEffect& effect = model.effect();
+    const Schedule& schedule = model.schedule();
+    const Motion& motion = effect->motion;
+    AirStep step;
+    step.share = moment.share;
+    step.pieces = pieces;
+    step.dt = schedule.dt * moment.share / static_cast<float>(pieces);
+    step.buoyancy = motion.buoyancy;
+    step.heatKept = portableExp(-motion.cooling * step.dt);
+    step.confinement = effect->air.vorticity;
+    step.friction = effect->air.friction;
+    step.wind = windSpeed(model.windAt(moment.end), motion);
+    step.windChange = (step.wind - windSpeed(model.windAt(moment.begin), motion)) / static_cast<float>(pieces);
+    step.source = steadySource(effect, grid);
+    step.source.acts = moment.acts;
+    step.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * alongNormal(effect->emitter) * step.dt) : 0.0F;
+    step.swirl = swirlOf(effect, step.dt);
+    if (effect->air.turbulence > 0.0F) {
+        step.stirring = stirringAt(effect, grid, schedule, moment.end);
+    }
+    if (moment.acts && (step.source.raggedness > 0.0F || step.source.unevenness > 0.0F)) {
+        const float radius = std::max(step.source.reach.x, step.source.reach.y);
+        const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(motion.buoyancy) * radius)) / radius;
+        moveSource(step.source, schedule, effect->emitter.seed, rate, moment.end);
+    }
+    return step;
+}
+
+} // namespace
+
+glm::vec3 windSpeed(const glm::vec3& acceleration, const Motion& motion)
+{
+    return acceleration / std::max(motion.drag, kLeastWindDrag);
+}
+
+int piecesOfStep(const SampledEffect& effect, float seconds, bool acts)
+{
+    const Division division = divisionOf(effect, seconds, acts);
+    return division.parts * division.pieces;
+}
+
+std::size_t usualParts(const Model& model)
+{
+    constexpr double kFewSteps = 64.0;
+    int parts = 0;
+    forParts(model, 1, model.schedule().emittingSteps > kFewSteps ? 1.0F : 0.0F, [&](const Moment& /*moment*/, int /*pieces*/) { ++parts; });
+    return static_cast<std::size_t>(parts);
+}
+
+AirStep airStep(const Model& model, const AirGrid& grid, std::int64_t number, float acts)
+{
+    std::vector<AirStep> earlier;
+    AirStep last;
+    bool isFirst = true;
+    forParts(model, number, acts, [&](const Moment& moment, int pieces) {
+        if (!isFirst) {
+            earlier.push_back(last);
+        }
+        isFirst = false;
+        last = airPartOfStep(model, grid, moment, pieces);
+    });
+    last.earlier = std::move(earlier);
+    return last;
+}
+
+} // namespace fumage
