@@ -4,11 +4,13 @@
 #include "app/cli/playing_options.h"
 #include "app/cli/progress.h"
 
+#include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/base/path.h"
 #include "core/export/video.h"
 
 #include <memory>
+#include <span>
 
 namespace fumage::cli {
 
@@ -23,11 +25,30 @@ struct JoinOptions {
     PlayingOptions playing;
 };
 
+/// What is written may be neither the preset nor one of the frames.
+Status refuseInputs(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames,
+    std::span<const std::filesystem::path> files)
+{
+    for (const std::filesystem::path& file : files) {
+        if (isSameFile(file, named.file)) {
+            return wouldOverwrite(named.file);
+        }
+        if (isFileOfAFrame(file, pathFrom(options.input), frames, fileEnding(ImageFormat::ExrHalf))) {
+            return Error{ErrorCode::WouldOverwrite, said("this would overwrite one of the frames that are joined"),
+                file.string(), said("Choose another name")};
+        }
+    }
+    return Done{};
+}
+
 Status joinToVideo(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
 {
     const Result<FileChoice<VideoFormat>> choice = chooseFile(options.output, {}, named.name, kAllVideoFormats);
     if (!choice) {
         return choice.error();
+    }
+    if (Status status = refuseInputs(options, named, frames, std::span(&choice.value().file, 1)); !status) {
+        return status;
     }
     ExportPlan plan;
     plan.kind = ExportKind::Video;
@@ -57,9 +78,12 @@ Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, cons
     if (Status status = chooseOutput(options.output, {}, named.name, plan); !status) {
         return status;
     }
+    FlipbookOptions flipbook = flipbookOf(plan);
+    if (Status status = refuseInputs(options, named, frames, filesOf(flipbook)); !status) {
+        return status;
+    }
     warnOf(named.preset.effect, plan);
     ProgressBar bar("Joining");
-    FlipbookOptions flipbook = flipbookOf(plan);
     flipbook.preset = formatPreset(named.preset);
     const Result<Flipbook> done = withinMemory([&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.listener(), interruption()); });
     if (!done) {

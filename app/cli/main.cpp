@@ -134,8 +134,10 @@ int run(int argc, char** argv)
     program.footer("Start with:\n"
                    "  fumage-cli presets\n"
                    "  fumage-cli render campfire --frames 0-119 --output frames/fire_####.png\n\n"
-                   "Exit codes: 0 done, 1 could not be done, 2 wrong usage, 3 bad preset or value, 4 files are not what verify expects: trying again is of no use. "
-                   "75 the disk is full, memory ran out, or reading or writing failed, 130 interrupted: the same may work another time or on another machine.");
+                   "Exit codes: 0 done, 1 could not be done, 2 wrong usage, 3 bad preset or value, 4 files are not "
+                   "what verify expects: trying again is of no use. "
+                   "75 the disk is full, memory, threads or open files ran out, or reading or writing failed, 130 "
+                   "interrupted: the same may work another time or on another machine.");
     CommonOptions common;
     common.addTo(program);
     Action action;

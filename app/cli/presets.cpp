@@ -1,7 +1,10 @@
 #include "app/cli/command.h"
 #include "app/cli/json_answer.h"
 
+#include "core/base/file.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
+#include "core/export/output_name.h"
 #include "core/preset/library.h"
 
 #include <algorithm>
@@ -69,6 +72,11 @@ Status presetsAsJson()
 Status show(const std::string& name, const std::string& output)
 {
     const Result<PresetReading> reading = readPreset(name);
+    const Result<LibraryEntry> entry = findPreset(name);
+    if (name != kStandardStream && output != kStandardStream && entry
+        && isSameFile(entry.value().path, pathFrom(output))) {
+        return wouldOverwrite(entry.value().path);
+    }
     return reading ? writeOutput(output, formatPreset(reading.value().preset)) : Status(reading.error());
 }
 

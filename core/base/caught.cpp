@@ -1,11 +1,27 @@
 #include "core/base/caught.h"
 
+#include <array>
 #include <exception>
 #include <new>
 #include <string>
 #include <system_error>
 
 namespace fumage {
+
+Error systemFailure(const std::system_error& cause)
+{
+    constexpr std::array kPassing{std::errc::resource_unavailable_try_again, std::errc::not_enough_memory,
+        std::errc::too_many_files_open, std::errc::too_many_files_open_in_system};
+    for (const std::errc lack : kPassing) {
+        if (cause.code() == lack) {
+            return {ErrorCode::OutOfMemory,
+                said("the system gives no more threads, files or memory: %1", cause.code().message()), {},
+                said("End other programs, raise its limits (ulimit -u, -n, -v), or use --threads 1")};
+        }
+    }
+    return {ErrorCode::PermissionDenied, said("the system refuses what is needed: %1", cause.what()), {},
+        said("Use another folder or another machine")};
+}
 
 Error caughtError()
 {
@@ -15,12 +31,8 @@ Error caughtError()
     } catch (const std::bad_alloc&) {
         return {ErrorCode::OutOfMemory, said("there is not enough memory"), {},
             said("Use a smaller picture or fewer particles")};
-    } catch (const std::system_error& error) {
-        if (error.code() == std::errc::resource_unavailable_try_again) {
-            return {ErrorCode::OutOfMemory, said("no more threads can be started"), {},
-                said("Close other programs, or let this one have more threads")};
-        }
-        return {kUnexpected, said("something failed inside Fumage: %1", std::string(error.what())), {}, report};
+    } catch (const std::system_error& cause) {
+        return systemFailure(cause);
     } catch (const std::exception& error) {
         return {kUnexpected, said("something failed inside Fumage: %1", std::string(error.what())), {}, report};
     } catch (...) {

@@ -1,5 +1,7 @@
 #include "core/base/child_errors.h"
 
+#include "core/base/file_error.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -12,9 +14,11 @@ void keepEnd(std::string& said, std::string_view more)
     said.erase(0, said.size() - std::min(said.size(), kMostChildSays));
 }
 
-Error childNotStarted(ErrorCode code, const std::string& program, const std::string& reason)
+Error childNotStarted(int number, const std::string& program, const std::string& reason)
 {
-    return {code, said("the program cannot be started: %1", reason), program, {}};
+    Error error = fileError(number, pathFrom(program), ErrorCode::FileNotFound, FileUse::Read);
+    error.message = said("the program cannot be started: %1", reason);
+    return error;
 }
 
 Error childFailed(const std::string& program, std::string_view words)

@@ -15,8 +15,9 @@ inline constexpr std::size_t kMostChildSays = 4096; ///< bytes; the end of what 
 /// Appends to what a program has said, and forgets the beginning of what is too long.
 void keepEnd(std::string& said, std::string_view more);
 
+/// @param number as fileError() takes it
 /// @param reason in the system's words
-[[nodiscard]] Error childNotStarted(ErrorCode code, const std::string& program, const std::string& reason);
+[[nodiscard]] Error childNotStarted(int number, const std::string& program, const std::string& reason);
 /// @param words what the program has said
 [[nodiscard]] Error childFailed(const std::string& program, std::string_view words);
 [[nodiscard]] Error childCancelled();

@@ -16,7 +16,8 @@ class ChildProcess {
 public:
     /// @param program   a name on the search path, or a path
     /// @param arguments those after its name
-    /// @error FileNotFound, PermissionDenied; the place is the program
+    /// @error FileNotFound, PermissionDenied, NotAFile; OutOfMemory where the system has no more processes or files to
+    /// give; the place is the program
     [[nodiscard]] static Result<ChildProcess> start(const std::string& program, const std::vector<std::string>& arguments);
 
     ~ChildProcess();

@@ -195,7 +195,7 @@ Result<ChildProcess> ChildProcess::start(const std::string& program, const std::
     failure = failure != 0 ? failure : messages.open();
     failure = failure != 0 ? failure : spawn(program, arguments, input.theirs.get(), messages.theirs.get(), id);
     if (failure != 0) {
-        return childNotStarted(failure == EACCES ? ErrorCode::PermissionDenied : ErrorCode::FileNotFound, program, std::strerror(failure));
+        return childNotStarted(failure, program, std::strerror(failure));
     }
     return ChildProcess(std::make_unique<Running>(program, id, std::move(input.ours), std::move(messages.ours)));
 }

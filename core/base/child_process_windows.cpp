@@ -249,7 +249,7 @@ Result<ChildProcess> ChildProcess::start(const std::string& program, const std::
     const bool isOpen = input.open(true) && messages.open(false);
     const DWORD failure = isOpen ? spawn(commandLine(program, arguments), input.theirs.get(), messages.theirs.get(), process) : ::GetLastError();
     if (failure != 0) {
-        return childNotStarted(failure == ERROR_ACCESS_DENIED ? ErrorCode::PermissionDenied : ErrorCode::FileNotFound, program, systemText(failure));
+        return childNotStarted(static_cast<int>(failure), program, systemText(failure));
     }
     return ChildProcess(std::make_unique<Running>(program, std::move(process), std::move(input.ours), std::move(messages.ours)));
 }

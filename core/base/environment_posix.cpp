@@ -22,10 +22,15 @@ std::string environmentVariable(const char* name)
     return value == nullptr ? std::string() : value;
 }
 
+std::filesystem::path userHome()
+{
+    return absoluteFolder("HOME");
+}
+
 std::filesystem::path userDataFolder()
 {
     const std::filesystem::path base = absoluteFolder("XDG_DATA_HOME");
-    const std::filesystem::path home = absoluteFolder("HOME");
+    const std::filesystem::path home = userHome();
     return !base.empty() || home.empty() ? base : home / ".local" / "share";
 }
 

@@ -14,10 +14,26 @@ std::string environmentVariable(const char* name)
     return utf8From(value);
 }
 
+namespace {
+
+/// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the
+/// working folder
+std::filesystem::path absoluteFolder(const char* variable)
+{
+    const std::filesystem::path folder = pathFrom(environmentVariable(variable));
+    return folder.is_absolute() ? folder : std::filesystem::path();
+}
+
+} // namespace
+
+std::filesystem::path userHome()
+{
+    return absoluteFolder("USERPROFILE");
+}
+
 std::filesystem::path userDataFolder()
 {
-    const std::filesystem::path folder = pathFrom(environmentVariable("APPDATA"));
-    return folder.is_absolute() ? folder : std::filesystem::path();
+    return absoluteFolder("APPDATA");
 }
 
 } // namespace fumage

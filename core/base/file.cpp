@@ -1,6 +1,7 @@
 #include "core/base/file.h"
 
 #include "core/base/file_draft.h"
+#include "core/base/file_error.h"
 #include "core/base/open_file.h"
 
 #include <algorithm>
@@ -34,7 +35,10 @@ Status makeFolderOf(const std::filesystem::path& file)
     if (!folder.empty() && !std::filesystem::is_directory(folder, failure)) {
         std::filesystem::create_directories(folder, failure);
         if (failure) {
-            return Error{ErrorCode::PermissionDenied, said("the folder cannot be made: %1", failure.message()), folder.string(), said("Choose another place")};
+            Error error = fileError(failure.value(), folder, ErrorCode::WriteFailed, FileUse::Write);
+            error.message = said("the folder cannot be made: %1", failure.message());
+            error.remedy = error.remedy.empty() ? said("Choose another place") : error.remedy;
+            return error;
         }
     }
     clearLeftovers(folder);

@@ -21,7 +21,7 @@ namespace fumage {
 [[nodiscard]] Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t mostBytes);
 
 /// Makes the folder that a file is to lie in, and those above it; clears away what writers that were killed have left in it.
-/// @error PermissionDenied
+/// @error those of writeFileAtomically()
 [[nodiscard]] Status makeFolderOf(const std::filesystem::path& file);
 
 /// Removes the temporary files of writers that were killed. Those of running programs stay. O(files in the folder).

@@ -26,6 +26,8 @@ enum class FileFailure {
     DiskFull,
     TooLargeForDisk,
     NotAFile, ///< a device, a pipe
+    Unusable, ///< a name or a use that the file system does not know
+    Exhausted, ///< the system has no more files, processes or memory to give at the time
     Other,
 };
 

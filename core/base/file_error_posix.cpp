@@ -21,6 +21,23 @@ FileFailure failureOf(int number)
     case ENOSPC:
     case EDQUOT: return FileFailure::DiskFull;
     case EFBIG: return FileFailure::TooLargeForDisk;
+    case EINVAL:
+    case EILSEQ:
+    case ENODEV:
+    case ENXIO:
+    case ENOSYS:
+    case ENOEXEC:
+    case EXDEV:
+    case EOPNOTSUPP:
+#if ENOTSUP != EOPNOTSUPP
+    case ENOTSUP:
+#endif
+    case EOVERFLOW: return FileFailure::Unusable;
+    case EAGAIN:
+    case EMFILE:
+    case ENFILE:
+    case ENOBUFS:
+    case ENOMEM: return FileFailure::Exhausted;
     default: return FileFailure::Other;
     }
 }

@@ -31,6 +31,12 @@ FileFailure failureOf(DWORD number)
     case ERROR_HANDLE_DISK_FULL:
     case ERROR_DISK_FULL:
     case kQuotaExceeded: return FileFailure::DiskFull;
+    case ERROR_TOO_MANY_OPEN_FILES:
+    case ERROR_NOT_ENOUGH_MEMORY:
+    case ERROR_OUTOFMEMORY:
+    case ERROR_NO_SYSTEM_RESOURCES:
+    case ERROR_MAX_THRDS_REACHED:
+    case ERROR_COMMITMENT_LIMIT: return FileFailure::Exhausted;
     case ERROR_FILE_TOO_LARGE: return FileFailure::TooLargeForDisk;
     default: return FileFailure::Other;
     }

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -22,6 +23,10 @@ public:
     /// @param size of what is read; less where the file has become shorter
     /// @error ReadFailed; the place is the path
     [[nodiscard]] Result<std::string> read(std::size_t size) const;
+
+    /// The same from any place; where read() goes on afterwards is not said.
+    /// @param at from the beginning; behind what was the end when the file was opened there is nothing
+    [[nodiscard]] Result<std::string> readAt(std::uint64_t at, std::size_t size) const;
 
 private:
     OpenFile(std::filesystem::path path, Descriptor descriptor, std::size_t size)

@@ -2,6 +2,7 @@
 
 #include "core/base/file_error.h"
 
+#include <algorithm>
 #include <cerrno>
 
 #include <fcntl.h>
@@ -9,6 +10,32 @@
 #include <unistd.h>
 
 namespace fumage {
+
+namespace {
+
+/// @param readSome as read() does, told how much there is already
+template <class ReadSome>
+Result<std::string> readWhole(std::size_t size, const std::filesystem::path& path, const ReadSome& readSome)
+{
+    std::string text(size, '\0');
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t count = readSome(text.data() + done, text.size() - done, done);
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            return fileError(errno, path, ErrorCode::ReadFailed, FileUse::Read);
+        }
+        if (count == 0) {
+            text.resize(done);
+        }
+        done += static_cast<std::size_t>(count);
+    }
+    return text;
+}
+
+} // namespace
 
 Result<OpenFile> OpenFile::open(const std::filesystem::path& path)
 {
@@ -28,22 +55,16 @@ Result<OpenFile> OpenFile::open(const std::filesystem::path& path)
 
 Result<std::string> OpenFile::read(std::size_t size) const
 {
-    std::string text(size, '\0');
-    std::size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t count = ::read(m_descriptor.get(), text.data() + done, text.size() - done);
-        if (count < 0 && errno == EINTR) {
-            continue;
-        }
-        if (count < 0) {
-            return fileError(errno, m_path, ErrorCode::ReadFailed, FileUse::Read);
-        }
-        if (count == 0) {
-            text.resize(done);
-        }
-        done += static_cast<std::size_t>(count);
-    }
-    return text;
+    return readWhole(size, m_path,
+        [this](char* to, std::size_t count, std::size_t) { return ::read(m_descriptor.get(), to, count); });
+}
+
+Result<std::string> OpenFile::readAt(std::uint64_t at, std::size_t size) const
+{
+    const std::size_t there = at < m_size ? m_size - static_cast<std::size_t>(at) : 0;
+    return readWhole(std::min(size, there), m_path, [this, at](char* to, std::size_t count, std::size_t done) {
+        return ::pread(m_descriptor.get(), to, count, static_cast<off_t>(at + done));
+    });
 }
 
 } // namespace fumage

@@ -37,6 +37,16 @@ Result<OpenFile> OpenFile::open(const std::filesystem::path& path)
     return OpenFile(path, std::move(file), static_cast<std::size_t>(size.QuadPart));
 }
 
+Result<std::string> OpenFile::readAt(std::uint64_t at, std::size_t size) const
+{
+    LARGE_INTEGER place{};
+    place.QuadPart = static_cast<LONGLONG>(at);
+    if (::SetFilePointerEx(m_descriptor.get(), place, nullptr, FILE_BEGIN) == 0) {
+        return readError(::GetLastError(), m_path);
+    }
+    return read(std::min(size, at < m_size ? m_size - static_cast<std::size_t>(at) : 0));
+}
+
 Result<std::string> OpenFile::read(std::size_t size) const
 {
     constexpr std::size_t kMostAtOnce = std::size_t{1} << 30U;

@@ -171,6 +171,24 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
     return best;
 }
 
+bool isUtf8(std::string_view text)
+{
+    while (!text.empty()) {
+        const std::string_view character = text.substr(0, characterLength(text));
+        const auto lead = static_cast<unsigned char>(character.front());
+        const bool isStray = character.size() == 1 && lead >= 0x80U;
+        // Longer than it need be, half of a pair of UTF-16, and beyond the last character.
+        const bool isForbidden = (character >= "\xE0\x80" && character < "\xE0\xA0")
+            || (character >= "\xED\xA0" && character < "\xEE") || (character >= "\xF0\x80" && character < "\xF0\x90")
+            || character >= "\xF4\x90";
+        if (isStray || isForbidden) {
+            return false;
+        }
+        text.remove_prefix(character.size());
+    }
+    return true;
+}
+
 std::string printable(std::string_view text)
 {
     std::string out;

@@ -55,7 +55,9 @@ Result<PackedChannel> parseChannel(std::string_view text)
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     const std::string_view near = nearestName(wanted, candidates);
     return Error{ErrorCode::UnknownName, said("there is no channel %1", inQuotes(text)), {},
-        near.empty() ? said("Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1") : said("Did you mean %1?", inQuotes(near))};
+        near.empty() ? said("Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, "
+                            "six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1")
+                     : said("Did you mean %1?", inQuotes(near))};
 }
 
 bool isLetterOrDigit(char c)

@@ -96,7 +96,9 @@ Result<ChildProcess> startFfmpeg(const std::vector<std::string>& arguments)
     Result<ChildProcess> program = ChildProcess::start(programForVideos(), arguments);
     if (!program) {
         Error error = program.error();
-        error.remedy = said("Videos are made by ffmpeg: install it, or render pictures");
+        if (error.code != ErrorCode::OutOfMemory) {
+            error.remedy = said("Videos are made by ffmpeg: install it, or render pictures");
+        }
         return error;
     }
     return program;
@@ -119,6 +121,16 @@ void widen(EncodedImage<Channel>& image, const std::array<int, 2>& size)
         }
     }
     image = std::move(wide);
+}
+
+/// A program may end well without having done anything, as "true" does.
+Status refuseEmpty(const std::filesystem::path& video)
+{
+    std::error_code unknown;
+    const bool isEmpty = std::filesystem::file_size(video, unknown) == 0 && !unknown;
+    return isEmpty ? Error{ErrorCode::NotAFile, said("the program has written no video"), programForVideos(),
+               said("Let FUMAGE_FFMPEG name an ffmpeg, or leave it out")}
+                   : Status(Done{});
 }
 
 /// Frames as ffmpeg takes them.
@@ -227,6 +239,9 @@ Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameS
         return fed;
     }
     if (Status status = program.value().finish(stop); !status) {
+        return status;
+    }
+    if (Status status = refuseEmpty(draft.value().path()); !status) {
         return status;
     }
     if (Status status = draft.value().flush(); !status) {

@@ -237,11 +237,21 @@ private:
     Error m_error;
 };
 
-/// JSON begins with an ASCII character, so that UTF-16 has a zero byte there, unless it begins with a mark.
-bool isUtf16(std::string_view text)
+/// JSON begins with an ASCII character, so that UTF-16 and UTF-32 have zero bytes there, unless they begin with a mark.
+/// @return the encoding of a text that is not UTF-8; empty where it may be
+std::string_view otherEncodingOf(std::string_view text)
 {
-    const std::string_view begin = text.substr(0, 2);
-    return begin == "\xFF\xFE" || begin == "\xFE\xFF" || (begin.size() == 2 && (begin[0] == '\0') != (begin[1] == '\0'));
+    using namespace std::string_view_literals;
+    const std::string_view begin = text.substr(0, 4);
+    const auto areZeros = [&](std::size_t at, std::size_t count) {
+        return begin.size() == 4 && begin.substr(at, count).find_first_not_of('\0') == std::string_view::npos;
+    };
+    const bool isMarked32 = begin == "\xFF\xFE\0\0"sv || begin == "\0\0\xFE\xFF"sv;
+    if (isMarked32 || (areZeros(1, 3) && begin[0] != '\0') || (areZeros(0, 3) && begin[3] != '\0')) {
+        return "UTF-32";
+    }
+    const bool isMarked16 = begin.starts_with("\xFF\xFE") || begin.starts_with("\xFE\xFF");
+    return isMarked16 || (begin.size() >= 2 && (begin[0] == '\0') != (begin[1] == '\0')) ? "UTF-16" : "";
 }
 
 } // namespace
@@ -254,8 +264,9 @@ const JsonNode* JsonNode::find(std::string_view key) const
 
 Result<JsonNode> parseJson(std::string_view text)
 {
-    if (isUtf16(text)) {
-        return Error{ErrorCode::NotUtf8, said("the text is UTF-16"), placeInText(text, 0), said("Save the file as UTF-8")};
+    if (const std::string_view encoding = otherEncodingOf(text); !encoding.empty()) {
+        return Error{
+            ErrorCode::NotUtf8, said("the text is %1", encoding), placeInText(text, 0), said("Save the file as UTF-8")};
     }
     // The parser would take a zero byte for the end of the text.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {

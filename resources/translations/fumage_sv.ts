@@ -959,10 +959,6 @@
 <context>
     <name>fumage::ui::ExportQueue</name>
     <message>
-        <source>Not begun: left from before</source>
-        <translation>Inte påbörjad: kvar sedan tidigare</translation>
-    </message>
-    <message>
         <source>Waiting</source>
         <translation>Väntar</translation>
     </message>
@@ -989,6 +985,10 @@
     <message>
         <source>%1, %2 s left</source>
         <translation>%1, %2 s kvar</translation>
+    </message>
+    <message>
+        <source>Not finished: left from before</source>
+        <translation>Inte färdig: kvar sedan tidigare</translation>
     </message>
 </context>
 <context>
@@ -1668,10 +1668,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Ta bort en av dem</translation>
     </message>
     <message>
-        <source>the text is UTF-16</source>
-        <translation>texten är UTF-16</translation>
-    </message>
-    <message>
         <source>this is not JSON: there is a zero byte</source>
         <translation>detta är inte JSON: det finns en nollbyte</translation>
     </message>
@@ -1910,10 +1906,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>there is no channel %1</source>
         <translation>det finns ingen kanal %1</translation>
-    </message>
-    <message>
-        <source>Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
-        <translation>Välj bland alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, deras .g, .b och .a, 0 och 1</translation>
     </message>
     <message>
         <source>a packed picture cannot be named %1</source>
@@ -2368,14 +2360,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Rapportera det gärna, tillsammans med förinställningen du hade</translation>
     </message>
     <message>
-        <source>no more threads can be started</source>
-        <translation>inga fler trådar kan startas</translation>
-    </message>
-    <message>
-        <source>Close other programs, or let this one have more threads</source>
-        <translation>Stäng andra program, eller låt detta ha fler trådar</translation>
-    </message>
-    <message>
         <source>something failed inside Fumage: %1</source>
         <translation>något misslyckades inuti Fumage: %1</translation>
     </message>
@@ -2406,6 +2390,82 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>control characters</source>
         <translation>styrtecken</translation>
+    </message>
+    <message>
+        <source>Choose another name or another disk</source>
+        <translation>Välj ett annat namn eller en annan disk</translation>
+    </message>
+    <message>
+        <source>the system has no more files, processes or memory to give: %1</source>
+        <translation>systemet har inte fler filer, processer eller mer minne att ge: %1</translation>
+    </message>
+    <message>
+        <source>End other programs, raise its limits (ulimit -n, -u, -v), or try again later</source>
+        <translation>Avsluta andra program, höj dess gränser (ulimit -n, -u, -v) eller försök igen senare</translation>
+    </message>
+    <message>
+        <source>the system gives no more threads, files or memory: %1</source>
+        <translation>systemet ger inte fler trådar, filer eller mer minne: %1</translation>
+    </message>
+    <message>
+        <source>End other programs, raise its limits (ulimit -u, -n, -v), or use --threads 1</source>
+        <translation>Avsluta andra program, höj dess gränser (ulimit -u, -n, -v) eller använd --threads 1</translation>
+    </message>
+    <message>
+        <source>the system refuses what is needed: %1</source>
+        <translation>systemet vägrar det som behövs: %1</translation>
+    </message>
+    <message>
+        <source>Use another folder or another machine</source>
+        <translation>Använd en annan mapp eller en annan dator</translation>
+    </message>
+    <message>
+        <source>the program has written no video</source>
+        <translation>programmet har inte skrivit någon video</translation>
+    </message>
+    <message>
+        <source>Let FUMAGE_FFMPEG name an ffmpeg, or leave it out</source>
+        <translation>Låt FUMAGE_FFMPEG ange ett ffmpeg, eller utelämna den</translation>
+    </message>
+    <message>
+        <source>the text is %1</source>
+        <translation>texten är %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the smoke has left all bounds: a particle is nowhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the box of the air has no finite size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn air.fit off and give air.size, or make the emitter smaller or slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the air of a loop of %1 frames is baked whole before its first picture, which would take very long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorten timeline.length, lower air.resolution, or turn timeline.loop off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the air has to be moved on for a whole life of the smoke before its first picture, which would take very long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5071,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Presets to open, each in a window of its own.</source>
         <translation>Förinställningar att öppna, var och en i ett eget fönster.</translation>
+    </message>
+    <message>
+        <source>Prints the keyboard shortcuts.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

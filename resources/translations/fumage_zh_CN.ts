@@ -959,10 +959,6 @@
 <context>
     <name>fumage::ui::ExportQueue</name>
     <message>
-        <source>Not begun: left from before</source>
-        <translation>尚未开始：上次遗留</translation>
-    </message>
-    <message>
         <source>Waiting</source>
         <translation>等待中</translation>
     </message>
@@ -989,6 +985,10 @@
     <message>
         <source>%1, %2 s left</source>
         <translation>%1，剩余 %2 秒</translation>
+    </message>
+    <message>
+        <source>Not finished: left from before</source>
+        <translation>尚未完成：上次遗留</translation>
     </message>
 </context>
 <context>
@@ -1668,10 +1668,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>请删除其中一个</translation>
     </message>
     <message>
-        <source>the text is UTF-16</source>
-        <translation>文本是 UTF-16</translation>
-    </message>
-    <message>
         <source>this is not JSON: there is a zero byte</source>
         <translation>这不是 JSON：其中有零字节</translation>
     </message>
@@ -1910,10 +1906,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>there is no channel %1</source>
         <translation>没有通道 %1</translation>
-    </message>
-    <message>
-        <source>Choose among alpha, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
-        <translation>可选：alpha、depth、temperature、shadow、colour.r、six-way-a.r、six-way-b.r、motion.r、normal.r、emission.r、albedo.r，它们的 .g、.b 和 .a，以及 0 和 1</translation>
     </message>
     <message>
         <source>a packed picture cannot be named %1</source>
@@ -2368,14 +2360,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>请连同当时的预设一起报告此问题</translation>
     </message>
     <message>
-        <source>no more threads can be started</source>
-        <translation>无法再启动更多线程</translation>
-    </message>
-    <message>
-        <source>Close other programs, or let this one have more threads</source>
-        <translation>请关闭其他程序，或允许本程序使用更多线程</translation>
-    </message>
-    <message>
         <source>something failed inside Fumage: %1</source>
         <translation>Fumage 内部出错：%1</translation>
     </message>
@@ -2406,6 +2390,82 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>control characters</source>
         <translation>控制字符</translation>
+    </message>
+    <message>
+        <source>Choose another name or another disk</source>
+        <translation>请选择其他名称或其他磁盘</translation>
+    </message>
+    <message>
+        <source>the system has no more files, processes or memory to give: %1</source>
+        <translation>系统已没有可用的文件、进程或内存：%1</translation>
+    </message>
+    <message>
+        <source>End other programs, raise its limits (ulimit -n, -u, -v), or try again later</source>
+        <translation>请关闭其他程序、提高系统限制（ulimit -n、-u、-v），或稍后再试</translation>
+    </message>
+    <message>
+        <source>the system gives no more threads, files or memory: %1</source>
+        <translation>系统不再提供线程、文件或内存：%1</translation>
+    </message>
+    <message>
+        <source>End other programs, raise its limits (ulimit -u, -n, -v), or use --threads 1</source>
+        <translation>请关闭其他程序、提高系统限制（ulimit -u、-n、-v），或使用 --threads 1</translation>
+    </message>
+    <message>
+        <source>the system refuses what is needed: %1</source>
+        <translation>系统拒绝了所需的操作：%1</translation>
+    </message>
+    <message>
+        <source>Use another folder or another machine</source>
+        <translation>请使用其他文件夹或其他机器</translation>
+    </message>
+    <message>
+        <source>the program has written no video</source>
+        <translation>该程序没有写出视频</translation>
+    </message>
+    <message>
+        <source>Let FUMAGE_FFMPEG name an ffmpeg, or leave it out</source>
+        <translation>请让 FUMAGE_FFMPEG 指向 ffmpeg，或不设置它</translation>
+    </message>
+    <message>
+        <source>the text is %1</source>
+        <translation>文本是 %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the smoke has left all bounds: a particle is nowhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the box of the air has no finite size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn air.fit off and give air.size, or make the emitter smaller or slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the air of a loop of %1 frames is baked whole before its first picture, which would take very long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorten timeline.length, lower air.resolution, or turn timeline.loop off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the air has to be moved on for a whole life of the smoke before its first picture, which would take very long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5071,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Presets to open, each in a window of its own.</source>
         <translation>要打开的预设，每个一个窗口。</translation>
+    </message>
+    <message>
+        <source>Prints the keyboard shortcuts.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -1,13 +1,21 @@
 #include "tests/helpers.h"
 
+#include "core/base/child_errors.h"
 #include "core/base/file.h"
 #include "core/base/file_draft.h"
 #include "core/base/file_error.h"
+#include "core/base/memory.h"
+#include "core/base/open_file.h"
 #include "core/base/path.h"
 
 #include <QTemporaryDir>
 
+#include <cerrno>
 #include <csignal>
+#include <cstring>
+#include <set>
+#include <system_error>
+
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -48,6 +56,64 @@ private slots:
         QVERIFY(writeFileAtomically(path, std::string_view("second")));
         QCOMPARE(readFile(path, 100).value(), std::string("second"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
+    void whatTryingAgainMayMendIsToldFromWhatItCannot()
+    {
+        using enum ErrorCode;
+        // Of these the command line says "try again"; of all others that it is of no use.
+        const std::set<ErrorCode> passing{DiskFull, OutOfMemory, ReadFailed, WriteFailed};
+        for (const int number :
+            {EAGAIN, EMFILE, ENFILE, ENOMEM, ENOBUFS, ENOSPC, EDQUOT, EFBIG, EIO, EBUSY, ESTALE, ETIMEDOUT, EINTR}) {
+            for (const FileUse use : {FileUse::Read, FileUse::Write}) {
+                const Error error = fileError(number, "a", use == FileUse::Read ? ReadFailed : WriteFailed, use);
+                QVERIFY2(passing.contains(error.code), std::strerror(number));
+            }
+            QVERIFY2(passing.contains(childNotStarted(number, "ffmpeg", "").code) || number == EIO || number == EBUSY
+                    || number == ESTALE || number == ETIMEDOUT || number == EINTR,
+                std::strerror(number));
+        }
+        for (const int number : {ENOENT, EACCES, EPERM, EROFS, EISDIR, ENOTDIR, ELOOP, ENAMETOOLONG, EINVAL, EILSEQ,
+                 ENODEV, ENXIO, ENOSYS, ENOTSUP, EXDEV, EOVERFLOW, ENOEXEC}) {
+            for (const FileUse use : {FileUse::Read, FileUse::Write}) {
+                const Error error = fileError(number, "a", use == FileUse::Read ? ReadFailed : WriteFailed, use);
+                QVERIFY2(!passing.contains(error.code), std::strerror(number));
+                QVERIFY2(!error.remedy.empty(), std::strerror(number));
+            }
+            QVERIFY2(!passing.contains(childNotStarted(number, "ffmpeg", "").code), std::strerror(number));
+        }
+        for (const std::errc lack :
+            {std::errc::resource_unavailable_try_again, std::errc::too_many_files_open, std::errc::not_enough_memory}) {
+            const auto refused = withinMemory([&]() -> Status { throw std::system_error(std::make_error_code(lack)); });
+            QVERIFY(!refused && refused.error().code == OutOfMemory
+                && refused.error().text().find("threads") != std::string::npos && !refused.error().remedy.empty());
+        }
+        QCOMPARE(withinMemory(
+                     []() -> Status { throw std::system_error(std::make_error_code(std::errc::permission_denied)); })
+                     .error()
+                     .code,
+            PermissionDenied);
+    }
+
+    void namesThatAreTooLongAreNotTriedAgain()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath(QString(300, 'x')).toStdString();
+        QCOMPARE(readFile(path, 100).error().code, ErrorCode::NotAFile);
+        QCOMPARE(writeFileAtomically(path, std::string_view("x")).error().code, ErrorCode::NotAFile);
+        QCOMPARE(makeFolderOf(path / "a").error().code, ErrorCode::NotAFile);
+    }
+
+    void partsOfAFileAreReadFromAnyPlace()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("a").toStdString();
+        QVERIFY(writeFileAtomically(path, std::string_view("0123456789")));
+        const OpenFile file = OpenFile::open(path).value();
+        QCOMPARE(file.readAt(7, 2).value(), std::string("78"));
+        QCOMPARE(file.readAt(0, 3).value(), std::string("012"));
+        QCOMPARE(file.readAt(8, std::size_t{1} << 40U).value(), std::string("89"));
+        QVERIFY(file.readAt(10, 1).value().empty() && file.readAt(std::uint64_t{1} << 40U, 1).value().empty());
     }
 
     void unreadableFilesAreErrorsThatNameThem()

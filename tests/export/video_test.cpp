@@ -16,6 +16,9 @@
 #include <numeric>
 #include <optional>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -135,6 +138,36 @@ private slots:
         const Status status = renderVideo(smallSmoke(), {output(".gif"), {0, 2, 1}, VideoFormat::Gif}, {});
         QVERIFY(!status.ok() && status.error().text().find("disk full") != std::string::npos);
         QCOMPARE(filesThere(), QStringList("ffmpeg"));
+    }
+
+    void aProgramThatWritesNothingLeavesNoVideo()
+    {
+        pretend("cat > /dev/null");
+        for (const VideoFormat format : kAllVideoFormats) {
+            const Status status = renderVideo(smallSmoke(), {output(fileEnding(format)), {0, 2, 1}, format}, {});
+            QVERIFY(!status.ok() && status.error().text().find("has written no video") != std::string::npos);
+            QCOMPARE(status.error().code, ErrorCode::NotAFile);
+            QCOMPARE(filesThere(), QStringList("ffmpeg"));
+        }
+    }
+
+    void whatThereIsTooLittleOfIsNamedInPlaceOfFfmpeg()
+    {
+        pretend("cat > /dev/null");
+        rlimit before{};
+        QCOMPARE(getrlimit(RLIMIT_NOFILE, &before), 0);
+        const int next = ::dup(0);
+        ::close(next);
+        rlimit few = before;
+        few.rlim_cur = static_cast<rlim_t>(next) + 3; // the draft and its folder, and no connection to a program
+        QCOMPARE(setrlimit(RLIMIT_NOFILE, &few), 0);
+        const Status status = renderVideo(smallSmoke(), {output(".mp4"), {0, 2, 1}, VideoFormat::Mp4}, {});
+        QCOMPARE(setrlimit(RLIMIT_NOFILE, &before), 0);
+        QVERIFY(!status.ok());
+        QCOMPARE(status.error().code, ErrorCode::OutOfMemory);
+        QVERIFY2(status.error().text().find("install") == std::string::npos
+                && status.error().text().find("ulimit") != std::string::npos,
+            status.error().text().c_str());
     }
 
     void withoutTheProgramTheRemedyIsNamed()

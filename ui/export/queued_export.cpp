@@ -38,7 +38,7 @@ QString placeOf(const ExportPlan& plan)
 QString usualText(ExportState state)
 {
     switch (state) {
-    case ExportState::Held: return ExportQueue::tr("Not begun: left from before");
+    case ExportState::Held: return ExportQueue::tr("Not finished: left from before");
     case ExportState::Starting:
     case ExportState::Waiting: return ExportQueue::tr("Waiting");
     case ExportState::Running: return ExportQueue::tr("Begun");
