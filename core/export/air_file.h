@@ -29,7 +29,7 @@ inline constexpr std::array kAllAirFormats{AirFormat::Fga, AirFormat::Vf};
 [[nodiscard]] std::string encodeAir(const AirField& air, AirFormat format);
 
 struct AirSequenceOptions {
-    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    std::filesystem::path output; ///< ## becomes the frame number; see framePath()
     FrameRange frames;
     AirFormat format = AirFormat::Fga;
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none

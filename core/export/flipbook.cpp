@@ -8,6 +8,7 @@
 #include "core/export/engines/engine_files.h"
 #include "core/export/flipbook_description.h"
 #include "core/export/loop.h"
+#include "core/export/output_name.h"
 #include "core/export/sheet.h"
 #include "core/rendering/framing.h"
 
@@ -36,6 +37,9 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     if (!inRange(options.columns) || !inRange(options.rows)) {
         return Error{ErrorCode::OutOfRange, said("a flipbook of %1 x %2 cells", options.columns, options.rows), {},
             said("Use 1 to %1 columns and rows", kMaxSheetCells)};
+    }
+    if (const std::string name = options.output.filename().string(); !isUtf8(name)) {
+        return nameNotUtf8(options.output);
     }
     if (Status status = checkEngine(options.engine, options.passes, options.format); !status) {
         return status;
@@ -320,14 +324,18 @@ Result<Flipbook> writeFlipbook(const Effect& effect, const FlipbookOptions& opti
         return status.error();
     }
     const std::vector<std::filesystem::path> all = filesOf(options);
-    for (const std::filesystem::path& file : all) {
-        if (Status status = makeFolderOf(file); !status) {
-            return status.error();
-        }
+    if (Status status = makeFolderOf(options.output); !status) {
+        return status.error();
     }
     const Result<MadeFlipbook> made = makeFlipbook(effect, options, all, fill, stop);
     if (!made) {
         return made.error();
+    }
+    // Folders of an engine only now, so that what is ended before leaves none that are empty.
+    for (const std::filesystem::path& file : all) {
+        if (Status status = makeFolderOf(file); !status) {
+            return status.error();
+        }
     }
     std::vector<FileContents> files;
     for (const FlipbookFile& file : made.value().files) {

@@ -4,23 +4,36 @@
 #include "core/base/text.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace fumage {
 
 namespace {
 
-/// Replaces printf's way to number files, as in "%04d", by a run of #.
-std::string withHashes(const std::string& name)
+/// The last run of two or more of a letter.
+std::optional<NumberPlace> lastRunOf(char letter, std::string_view name)
 {
-    constexpr std::int64_t kMostDigits = 9;
-    const std::size_t percent = name.find('%');
-    const std::size_t letter = percent == std::string::npos ? percent : name.find_first_not_of("0123456789", percent + 1);
-    if (letter == std::string::npos || name[letter] != 'd') {
-        return name;
+    for (std::size_t past = name.find_last_of(letter) + 1; past != 0;
+         past = name.substr(0, past - 1).find_last_of(letter) + 1) {
+        const std::size_t before = name.substr(0, past).find_last_not_of(letter) + 1; // 0 where there is none
+        if (past - before > 1) {
+            return NumberPlace{before, past - before, past - before};
+        }
     }
-    const std::int64_t width = parseInteger(std::string_view(name).substr(percent + 1, letter - percent - 1)).value_or(1);
-    return name.substr(0, percent) + std::string(static_cast<std::size_t>(std::clamp<std::int64_t>(width, 1, kMostDigits)), '#') + name.substr(letter + 1);
+    return std::nullopt;
+}
+
+/// The last of what printf calls "%04d", with one digit or more.
+std::optional<NumberPlace> lastConversionIn(std::string_view name)
+{
+    constexpr std::size_t kLength = 4;
+    for (std::size_t at = name.rfind("%0"); at != std::string_view::npos;
+         at = at == 0 ? std::string_view::npos : name.rfind("%0", at - 1)) {
+        const std::string_view rest = name.substr(at, kLength);
+        if (rest.size() == kLength && rest[2] >= '1' && rest[2] <= '9' && rest[3] == 'd') {
+            return NumberPlace{at, kLength, static_cast<std::size_t>(rest[2] - '0')};
+        }
+    }
+    return std::nullopt;
 }
 
 std::string listOf(std::span<const std::string_view> endings)
@@ -36,18 +49,34 @@ std::string listOf(std::span<const std::string_view> endings)
 
 } // namespace
 
+std::optional<NumberPlace> numberPlaceIn(std::string_view name)
+{
+    const std::optional<NumberPlace> run = lastRunOf('#', name);
+    return run ? run : lastConversionIn(name);
+}
+
 std::string endingOf(const std::filesystem::path& path)
 {
     const std::string ending = path.extension().string();
-    return ending.find_first_not_of(".#") == std::string::npos ? std::string() : inSmallLetters(ending);
+    const std::optional<NumberPlace> place = numberPlaceIn(ending);
+    const bool isNumber = ending.find_first_not_of(".#") == std::string::npos || (place && place->length + 1 == ending.size());
+    return isNumber ? std::string() : inSmallLetters(ending);
 }
 
 std::string nameWithoutNumber(const std::filesystem::path& output)
 {
     std::string name = output.stem().string();
-    name.erase(std::remove(name.begin(), name.end(), '#'), name.end());
+    if (const std::optional<NumberPlace> place = numberPlaceIn(name)) {
+        name.erase(place->at, place->length);
+    }
     name.erase(name.find_last_not_of("_-. ") + 1);
     return name.empty() ? "frames" : name;
+}
+
+Error nameNotUtf8(const std::filesystem::path& output)
+{
+    return {ErrorCode::NotUtf8, said("this name is not UTF-8, and has to be written down in a file beside it"),
+        output.string(), said("Choose another name")};
 }
 
 Error wouldOverwrite(const std::filesystem::path& source)
@@ -66,7 +95,6 @@ Result<std::filesystem::path> outputPath(const std::string& named, const OutputN
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
         return Error{ErrorCode::NotAFile, said("cannot write: %1", said("it is not a regular file")), named, said("Name a file, or - for standard output")};
     }
-    path.replace_filename(pathFrom(withHashes(path.filename().string())));
     const std::string ending = endingOf(path);
     if (!ending.empty() && std::find(names.endings.begin(), names.endings.end(), ending) == names.endings.end()) {
         return Error{ErrorCode::UnknownName, said("the ending %1 does not fit", inQuotes(ending)), named, said("Use %1", listOf(names.endings))};

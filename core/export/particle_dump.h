@@ -41,7 +41,7 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 [[nodiscard]] Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop = {}, UpAxis up = UpAxis::Y, const Progress& progress = {});
 
 struct ParticleSequenceOptions {
-    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    std::filesystem::path output; ///< ## becomes the frame number; see framePath()
     FrameRange frames;
     ParticleFormat format = ParticleFormat::Csv;
     UpAxis up = UpAxis::Y;

@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/memory.h"
+#include "core/base/text.h"
 #include "core/export/fit_camera.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
@@ -25,7 +26,10 @@ FrameRange framesOf(const ExportPlan& plan)
 
 SequenceOptions sequenceOf(const ExportPlan& plan, std::string preset = {})
 {
-    return {plan.output, framesOf(plan), plan.format, plan.passes, plan.style.premultiplied, std::move(preset)};
+    SequenceOptions options{
+        plan.output, framesOf(plan), plan.format, plan.passes, plan.style.premultiplied, std::move(preset)};
+    options.isNumbered = plan.kind == ExportKind::Sequence;
+    return options;
 }
 
 /// The file of a frame.
@@ -105,6 +109,10 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
         return options.error();
     }
     options.value().preset = projectOf(effect, plan);
+    if (const std::filesystem::path& manifest = plan.recording.manifest;
+        !manifest.empty() && !isUtf8(withinFolderOf(manifest, plan.output).string())) {
+        return nameNotUtf8(plan.output);
+    }
     const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), progress, stop);
     if (!flipbook) {
         return flipbook.error();
@@ -178,6 +186,7 @@ std::filesystem::path firstFile(const ExportPlan& plan)
     case ExportKind::Flipbook: return filesOf(plan).front();
     case ExportKind::Video:
     case ExportKind::NoiseTexture: return plan.output;
+    case ExportKind::Picture: return withEnding(plan.output, fileEnding(plan));
     default: return fileOf(plan, plan.frames.first);
     }
 }

@@ -41,7 +41,8 @@ inline constexpr std::size_t kExportKinds = 8;
 /// All that decides what an export writes, but for the effect.
 struct ExportPlan {
     ExportKind kind = ExportKind::Sequence;
-    std::filesystem::path output; ///< of numbered files: # stands for the frame number, a missing ending is added; else the file as it is named
+    std::filesystem::path output; ///< of numbered files: ## stands for the frame number, a missing ending is added;
+                                  ///< else the file as it is named
     FrameRange frames; ///< of one picture: the first
     ImageFormat format = ImageFormat::Png8;
     VideoFormat video = VideoFormat::Mp4;

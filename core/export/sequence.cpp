@@ -176,10 +176,8 @@ std::filesystem::path framePath(const std::filesystem::path& output, const Frame
 {
     constexpr std::size_t kDigits = 4;
     std::string name = withEnding(output, ending).filename().string();
-    const std::size_t first = name.find('#');
-    if (first != std::string::npos) {
-        const std::size_t past = std::min(name.size(), name.find_first_not_of('#', first));
-        name.replace(first, past - first, padded(frame, past - first));
+    if (const std::optional<NumberPlace> place = numberPlaceIn(name)) {
+        name.replace(place->at, place->length, padded(frame, place->digits));
     } else if (frames.count() > 1) {
         name.insert(name.size() - ending.size(), "_" + padded(frame, kDigits));
     }
@@ -198,7 +196,8 @@ bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::pa
 
 std::filesystem::path framePath(const SequenceOptions& options, int frame)
 {
-    return framePath(options.output, options.frames, fileEnding(options.format), frame);
+    return options.isNumbered ? framePath(options.output, options.frames, fileEnding(options.format), frame)
+                              : withEnding(options.output, fileEnding(options.format));
 }
 
 std::vector<int> numbersOf(const SequenceOptions& options)

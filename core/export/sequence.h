@@ -38,8 +38,8 @@ inline constexpr int kMaxFrame = 1'000'000;
 /// What parseFrameRange() reads.
 [[nodiscard]] std::string textOf(const FrameRange& frames);
 
-/// The file of a frame: a run of # in the name is replaced by the number with as many digits; a name without # gets _0000 before its ending when there
-/// are several frames.
+/// The file of a frame: what stands for the number, see numberPlaceIn(), is replaced by it with as many digits; a name
+/// without gets _0000 before its ending when there are several frames.
 /// @param ending with its dot; added where it is missing
 [[nodiscard]] std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame);
 
@@ -51,7 +51,7 @@ inline constexpr int kMaxFrame = 1'000'000;
 using FrameSink = std::function<Status(int frame, std::span<const std::byte> bytes)>;
 
 struct SequenceOptions {
-    std::filesystem::path output; ///< a run of # in the file name becomes the frame number; see framePath()
+    std::filesystem::path output; ///< ## in the file name becomes the frame number; see framePath()
     FrameRange frames;
     ImageFormat format = ImageFormat::Png8;
     PassSet passes{Pass::Colour}; ///< with others than the colour each file is an EXR of layers; see encodeLayers()
@@ -59,6 +59,7 @@ struct SequenceOptions {
     std::string preset{}; ///< that the pictures carry, as JSON; empty: none
     std::vector<int> leftOut{}; ///< frames of the range that are not rendered; they rise
     FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
+    bool isNumbered = true; ///< else one picture: its name is as it stands
 };
 
 [[nodiscard]] std::filesystem::path framePath(const SequenceOptions& options, int frame);
@@ -67,7 +68,7 @@ struct SequenceOptions {
 
 /// Files that are numbered by their frames.
 struct NumberedFiles {
-    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    std::filesystem::path output; ///< ## becomes the frame number; see framePath()
     FrameRange frames;
     std::string_view ending; ///< with its dot
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none

@@ -21,7 +21,7 @@ namespace fumage {
 inline constexpr std::string_view kVdbEnding = ".vdb";
 
 struct VolumeSequenceOptions {
-    std::filesystem::path output; ///< a run of # becomes the frame number; see framePath()
+    std::filesystem::path output; ///< ## becomes the frame number; see framePath()
     FrameRange frames;
     int longest = 128; ///< cells along the longest edge of the smoke of the whole timeline, kMinVolumeCells to kMaxVolumeCells
     std::optional<float> voxel; ///< edge of a cell, kMinVoxel to kMaxVoxel, m, in place of the one that longest comes to

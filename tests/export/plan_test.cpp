@@ -73,10 +73,10 @@ private slots:
         add("sequence without numbers and ending", ExportKind::Sequence, "a", {"a_0003.png", "a_0007.png", "a_0005.png"});
         add("flipbook", ExportKind::Flipbook, "book", {"book.png", "book.png", "book.flipbook.json"});
         add("picture", ExportKind::Picture, "a", {"a.png", "a.png"});
-        add("numbered picture", ExportKind::Picture, "a_###", {"a_003.png", "a_003.png"});
+        add("picture with number signs", ExportKind::Picture, "a_###", {"a_###.png", "a_###.png"});
         add("noise", ExportKind::NoiseTexture, "n.png", {"n.png", "n.png"});
         add("noise as it is named", ExportKind::NoiseTexture, "n", {"n", "n"});
-        add("particles", ExportKind::Particles, "p_#.csv", {"p_3.csv", "p_7.csv", "p_5.csv"});
+        add("particles", ExportKind::Particles, "p_##.csv", {"p_03.csv", "p_07.csv", "p_05.csv"});
         add("volumes without numbers and ending", ExportKind::Volumes, "v", {"v_0003.vdb", "v_0007.vdb", "v_0005.vdb"});
         add("air", ExportKind::Air, "air_##.fga", {"air_03.fga", "air_07.fga", "air_05.fga"});
     }
@@ -301,16 +301,87 @@ private slots:
         QCOMPARE(pathOfName(""), std::string("smoke.png"));
         QCOMPARE(pathOfName("none/"), std::string("none/smoke.png"));
         QCOMPARE(pathOfName(m_folder->path().toStdString()), pathOf(u"smoke.png"_qs));
-        QCOMPARE(pathOfName("a/x_%04d.png"), std::string("a/x_####.png"));
-        QCOMPARE(pathOfName("x%d"), std::string("x#"));
-        QCOMPARE(pathOfName("x%99999999d"), std::string("x#########"));
-        for (const std::string same : {"x", "x.PNG", "x.####", "100%", "%", "%x.exr", "a%d/b", ".hidden"}) {
+        for (const std::string same :
+            {"a/x_%04d.png", "x%d", "50%d#.png", "x.%04d", "x", "x.PNG", "x.####", "100%", "%", "%x.exr", "a%d/b", ".hidden"}) {
             QCOMPARE(pathOfName(same), same);
         }
         for (const std::string wrong : {"x.jpg", "x.png.gz", "x.p", "v1.2"}) {
             QCOMPARE(outputPath(wrong, names).error().code, ErrorCode::UnknownName);
         }
         QCOMPARE(outputPath("/dev/null", names).error().code, ErrorCode::NotAFile);
+    }
+
+    void signsInNamesAreLettersButWhereTheNumberStands_data()
+    {
+        QTest::addColumn<QString>("name"); // without ending
+        QTest::addColumn<QString>("numbered"); // for frame 7 of several
+        const auto row = [](const char* name, const char* numbered) {
+            QTest::newRow(name) << QString::fromLatin1(name) << QString::fromLatin1(numbered);
+        };
+        row("100%dust", "100%dust_0007");
+        row("50%done", "50%done_0007");
+        row("shot#3_####", "shot#3_0007");
+        row("#1", "#1_0007");
+        row("a_#", "a_#_0007");
+        row("a##b###", "a##b007");
+        row("a###b#", "a007b#");
+        row("##_a_##_#", "##_a_07_#");
+        row("x_%04d", "x_0007");
+        row("x_%02d_y", "x_07_y");
+        row("%03d_%04d", "%03d_0007");
+        row("%04d_##", "%04d_07");
+        row("%d", "%d_0007");
+        row("%4d", "%4d_0007");
+        row("%00d", "%00d_0007");
+        row("%0", "%0_0007");
+        row("100%", "100%_0007");
+        row("%s%n%%", "%s%n%%_0007");
+        row("smoke-#2-50%d", "smoke-#2-50%d_0007");
+    }
+    void signsInNamesAreLettersButWhereTheNumberStands()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, numbered);
+        for (std::size_t i = 0; i < kExportKinds; ++i) {
+            ExportPlan plan = planFor(static_cast<ExportKind>(i), name);
+            plan.frames = {7, 9, 1};
+            plan.output = plan.output.parent_path() / (name.toStdString() + std::string(fileEnding(plan)));
+            const QString wanted = isNumbered(plan.kind) ? numbered : name;
+            QCOMPARE(QString::fromStdString(firstFile(plan).filename().string()),
+                wanted + QString::fromStdString(std::string(fileEnding(plan))));
+            if (isNumbered(plan.kind)) {
+                QVERIFY(lastFile(plan) != firstFile(plan));
+            }
+        }
+    }
+
+    void whatIsEndedEarlyLeavesNothing()
+    {
+        std::stop_source stop;
+        stop.request_stop();
+        for (const Engine engine : kAllEngines) {
+            ExportPlan plan = planFor(ExportKind::Flipbook, u"a.png"_qs);
+            plan.engine = engine;
+            plan.passes = passesFor(engine);
+            plan.columns = plan.rows = 1;
+            QCOMPARE(runExport(smallEffect(), plan, {}, stop.get_token()).error().code, ErrorCode::Cancelled);
+            QVERIFY(std::filesystem::is_empty(plan.output.parent_path()));
+        }
+    }
+
+    void everyKindClearsAwayWhatKilledProgramsLeft()
+    {
+        Effect effect = smallEffect();
+        effect.air.enabled = true;
+        effect.air.resolution = 16;
+        for (std::size_t i = 0; i < kExportKinds; ++i) {
+            ExportPlan plan = planFor(static_cast<ExportKind>(i), u"a%1"_qs.arg(i));
+            plan.columns = plan.rows = 1;
+            const std::filesystem::path left = plan.output.parent_path() / ".fumage-999999999-0";
+            QVERIFY(writeFileAtomically(left, std::string_view("half")).ok());
+            static_cast<void>(runExport(effect, plan, {})); // not all kinds can be done here
+            QVERIFY2(!std::filesystem::exists(left), nameOf(plan.kind).data());
+        }
     }
 
     void everyKindCanBeCancelled()

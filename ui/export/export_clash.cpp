@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/export/manifest/manifest_parts.h"
+#include "core/export/output_name.h"
 
 #include <array>
 
@@ -23,10 +24,13 @@ std::string withNextNumber(const std::string& name)
 }
 
 /// The next number stands before that of the frame, and before the ending.
-std::filesystem::path withNextNumber(const std::filesystem::path& path)
+std::filesystem::path withNextNumber(const std::filesystem::path& path, ExportKind kind)
 {
     const std::string name = path.filename().string();
-    std::size_t end = std::min(name.find('#'), name.size() - path.extension().string().size());
+    std::size_t end = name.size() - path.extension().string().size();
+    if (const std::optional<NumberPlace> place = isNumbered(kind) ? numberPlaceIn(name) : std::nullopt) {
+        end = std::min(end, place->at);
+    }
     while (end > 1 && std::string_view("_-. ").find(name[end - 1]) != std::string_view::npos) {
         --end;
     }
@@ -60,7 +64,7 @@ ExportPlan numberedOn(ExportPlan plan, const JobFiles& others)
 {
     const bool hasManifest = !manifestOf(plan).empty();
     do {
-        plan.output = withNextNumber(plan.output);
+        plan.output = withNextNumber(plan.output, plan.kind);
         if (hasManifest) {
             plan.recording.manifest = manifestBeside(plan.output);
         }

@@ -57,6 +57,12 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
 
 } // namespace
 
+std::filesystem::path withinFolderOf(const std::filesystem::path& manifest, const std::filesystem::path& file)
+{
+    return std::filesystem::absolute(file).lexically_normal().lexically_relative(
+        std::filesystem::absolute(folderOf(manifest)).lexically_normal());
+}
+
 std::filesystem::path manifestBeside(const std::filesystem::path& output)
 {
     return output.parent_path() / pathFrom(nameWithoutNumber(output) + std::string(kEnding));
@@ -77,12 +83,16 @@ Result<Manifest> readManifest(const std::filesystem::path& path)
     return text ? parseManifest(text.value(), path.string()) : text.error();
 }
 
-Result<std::vector<FoundManifest>> findManifests(const std::filesystem::path& folder)
+Result<std::vector<FoundManifest>> findManifests(const std::filesystem::path& folder, std::vector<Error>* broken)
 {
     std::error_code error;
     std::vector<FoundManifest> found;
     for (const std::filesystem::path& path : manifestsIn(folder, error)) {
         Result<Manifest> manifest = readManifest(path);
+        if (!manifest && broken != nullptr) {
+            broken->push_back(manifest.error());
+            continue;
+        }
         if (!manifest) {
             return manifest.error();
         }
@@ -115,7 +125,7 @@ Status ManifestRecorder::add(const std::filesystem::path& file, std::optional<in
 
 Status ManifestRecorder::add(const std::filesystem::path& file, std::optional<int> frame, Content content)
 {
-    const std::filesystem::path within = std::filesystem::absolute(file).lexically_normal().lexically_relative(std::filesystem::absolute(folderOf(m_manifest)).lexically_normal());
+    const std::filesystem::path within = withinFolderOf(m_manifest, file);
     if (within.empty() || *within.begin() == "..") {
         return Error{ErrorCode::OutOfRange, said("%1 does not lie in the folder of its manifest", inQuotes(file.string())), m_manifest.string(), said("Name one in the folder of the pictures, or above it")};
     }

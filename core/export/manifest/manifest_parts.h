@@ -9,6 +9,10 @@ namespace fumage {
 
 /// Tasks that share a folder write a part each, so that none has to wait for another or can spoil what it wrote, on any file system: fire.0-7.manifest.json.
 
+/// The path of a file as a manifest names it: from the manifest's folder, be it within it or not.
+[[nodiscard]] std::filesystem::path withinFolderOf(
+    const std::filesystem::path& manifest, const std::filesystem::path& file);
+
 /// The manifest that stands for an output where nobody names one: fire.manifest.json for fire_####.png.
 [[nodiscard]] std::filesystem::path manifestBeside(const std::filesystem::path& output);
 
@@ -28,8 +32,10 @@ struct FoundManifest {
 [[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
 
 /// All that lie in a folder, by name.
-/// @error those of readManifest(); FileNotFound
-[[nodiscard]] Result<std::vector<FoundManifest>> findManifests(const std::filesystem::path& folder);
+/// @param broken where it is given, what is wrong with those that cannot be read goes there, and the others are read
+/// @error without it those of readManifest(); FileNotFound
+[[nodiscard]] Result<std::vector<FoundManifest>> findManifests(
+    const std::filesystem::path& folder, std::vector<Error>* broken = nullptr);
 
 /// Writes down what files hold, and at the end a manifest of it.
 class ManifestRecorder {
