@@ -82,13 +82,17 @@ std::string nameOf(const CheckedFile& file)
     return file.file.empty() ? "frame " + std::to_string(file.frame.value_or(0)) : printable(file.file);
 }
 
-Status answerInText(const Finding& finding)
+Status answerInText(const Finding& finding, const ManifestSet& set)
 {
     std::ostringstream out;
+    for (const Error& error : set.broken) {
+        out << "unreadable manifest: " << printable(error.text()) << '\n';
+    }
     for (const FileState state : kAllFileStates) {
         for (const CheckedFile& file : finding.files) {
             if (file.state == state && state != FileState::Same) {
-                out << nameOf(state) << ": " << nameOf(file) << '\n';
+                out << (state == FileState::NotAFile ? "not a file" : nameOf(state)) << ": " << nameOf(file)
+                    << (file.why.empty() ? "" : " (" + printable(file.why.text()) + ")") << '\n';
             }
         }
     }
@@ -99,7 +103,9 @@ Status answerInText(const Finding& finding)
 
 Status answerInJson(const Finding& finding, const ManifestSet& set)
 {
-    nlohmann::ordered_json answer{{"folder", set.folder.string()}, {"manifests", set.manifests.size()}, {"rendered", finding.rendered}, {"clean", finding.isClean()}, {"same", finding.count(FileState::Same)}};
+    nlohmann::ordered_json answer{{"folder", set.folder.string()}, {"manifests", set.manifests.size()},
+        {"rendered", finding.rendered}, {"clean", finding.isClean() && set.broken.empty()},
+        {"same", finding.count(FileState::Same)}};
     for (const FileState state : kAllFileStates) {
         if (state == FileState::Same) {
             continue;
@@ -111,6 +117,10 @@ Status answerInJson(const Finding& finding, const ManifestSet& set)
             }
         }
         answer[std::string(nameOf(state))] = files;
+    }
+    answer["unreadable_manifests"] = nlohmann::ordered_json::array();
+    for (const Error& error : set.broken) {
+        answer["unreadable_manifests"].push_back(error.text());
     }
     return printJson(answer);
 }
@@ -126,8 +136,9 @@ Status verify(const VerifyOptions& options)
     if (!finding) {
         return finding.error();
     }
-    Status told = options.asJson ? answerInJson(finding.value(), set.value()) : answerInText(finding.value());
-    if (!told || finding.value().isClean()) {
+    Status told =
+        options.asJson ? answerInJson(finding.value(), set.value()) : answerInText(finding.value(), set.value());
+    if (!told || (finding.value().isClean() && set.value().broken.empty())) {
         return told;
     }
     const Message remedy = finding.value().rendered ? Message() : said("Render them again; with --skip-existing what is there stays");

@@ -10,6 +10,7 @@
 #include "core/export/loop.h"
 #include "core/export/output_name.h"
 #include "core/export/sheet.h"
+#include "core/export/sheet_note.h"
 #include "core/rendering/framing.h"
 
 #include <algorithm>
@@ -167,7 +168,7 @@ Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& shee
 {
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
-    const PictureNotes notes{0, options.preset, frameOfCell(options, 0)};
+    const PictureNotes notes{0, options.preset, frameOfCell(options, 0), sheetNoteOf(options)};
     const Packer packer(sheet, pictures, options.style, effect, options.format);
     std::vector<Result<std::vector<std::byte>>> encoded(files.size(), std::vector<std::byte>());
     parallelFor(files.size(), [&](std::size_t i) {

@@ -11,6 +11,8 @@ namespace fumage {
 
 namespace {
 
+constexpr std::size_t kMostFrameBytes = std::size_t{4} << 30U;
+
 /// Puts four channels side by side. @return whether they are there
 bool interleave(const ExrNumbers& numbers, Image& image)
 {
@@ -29,7 +31,7 @@ bool interleave(const ExrNumbers& numbers, Image& image)
 
 Status read(const std::filesystem::path& file, int width, int height, Image& image)
 {
-    const Result<std::string> bytes = readFile(file, kMaxCheckedBytes);
+    const Result<std::string> bytes = readFile(file, kMostFrameBytes);
     if (!bytes) {
         return bytes.error();
     }

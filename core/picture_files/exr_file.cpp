@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -51,31 +52,84 @@ private:
     std::size_t m_at = 0;
 };
 
-/// The same to read from.
-class MemorySource : public Imf::IStream {
+/// The same to read from, a part at a time.
+class PartStream : public Imf::IStream {
 public:
-    explicit MemorySource(std::span<const std::byte> bytes)
-        : Imf::IStream("memory")
-        , m_bytes(bytes)
+    explicit PartStream(const PartReader& file)
+        : Imf::IStream("file")
+        , m_file(file)
     {
     }
     bool read(char to[], int count) override
     {
-        const auto size = static_cast<std::size_t>(count);
-        if (m_at > m_bytes.size() || size > m_bytes.size() - m_at) {
-            throw std::runtime_error("it ends too soon"); // as this library wants it; caught in readExr()
+        auto size = static_cast<std::size_t>(count);
+        while (size > 0) {
+            if (m_at < m_begin || m_at >= m_begin + m_part.size()) {
+                fetch();
+            }
+            const std::size_t within = static_cast<std::size_t>(m_at - m_begin);
+            const std::size_t some = std::min(size, m_part.size() - within);
+            std::memcpy(to, m_part.data() + within, some);
+            to += some; // NOLINT(cppcoreguidelines-pro-bounds-pointer-arithmetic)
+            m_at += some;
+            size -= some;
         }
-        std::memcpy(to, m_bytes.data() + m_at, size);
-        m_at += size;
-        return m_at < m_bytes.size();
+        return true; // whether more follows, the next reading tells
     }
     std::uint64_t tellg() override { return m_at; }
     void seekg(std::uint64_t position) override { m_at = position; }
 
+    /// Why the file could not be read, where it is not the picture that is to blame.
+    [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
+
 private:
-    std::span<const std::byte> m_bytes;
+    void fetch()
+    {
+        constexpr std::size_t kPart = std::size_t{1} << 16U;
+        Result<std::string> part = m_file(m_at, kPart);
+        if (!part) {
+            m_failure = part.error();
+        }
+        if (!part || part.value().empty()) {
+            throw std::runtime_error("it ends too soon"); // as this library wants it; caught in readExrParts()
+        }
+        m_part = std::move(part).value();
+        m_begin = m_at;
+    }
+
+    const PartReader& m_file;
+    std::string m_part;
+    std::uint64_t m_begin = 0; ///< of the part
     std::uint64_t m_at = 0;
+    std::optional<Error> m_failure;
 };
+
+/// The attribute that has a part of a note, counted from 1.
+std::string partOfNote(std::string_view note, std::size_t number)
+{
+    return std::string(note) + "." + std::to_string(number);
+}
+
+/// A note in parts that every reader can skip.
+void insertNote(std::string_view note, std::string_view text, Imf::Header& header)
+{
+    const auto isContinuation = [](char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U; };
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        std::size_t length = std::min(text.size(), kMostExrTextBytes);
+        while (length > 1 && length < text.size() && isContinuation(text[length])) {
+            --length; // readers may take each part for UTF-8
+        }
+        header.insert(partOfNote(note, number), Imf::StringAttribute(std::string(text.substr(0, length))));
+        text.remove_prefix(length);
+    }
+}
+
+void describePreset(const PictureNotes& notes, Imf::Header& header)
+{
+    insertNote(kPresetNote, notes.preset, header);
+    insertNote(kSheetNote, notes.sheet, header);
+    header.insert(kFrameNote.data(), Imf::IntAttribute(notes.frame));
+}
 
 /// Says what the numbers mean: linear light in the primaries of Rec. 709 and sRGB, which are those that readers take where nothing is said.
 void describe(const ExrPixels& pixels, Imf::Header& header)
@@ -90,8 +144,7 @@ void describe(const ExrPixels& pixels, Imf::Header& header)
         Imf::addFramesPerSecond(header, Imf::Rational(pixels.notes.frameRate, 1));
     }
     if (!pixels.notes.preset.empty()) {
-        header.insert(kPresetNote.data(), Imf::StringAttribute(pixels.notes.preset));
-        header.insert(kFrameNote.data(), Imf::IntAttribute(pixels.notes.frame));
+        describePreset(pixels.notes, header);
     }
 }
 
@@ -138,27 +191,61 @@ Status checkShape(std::int64_t width, std::int64_t height, const Imf::ChannelLis
     return Done{};
 }
 
-Result<ExrNumbers> numbersOf(Imf::InputFile& file)
+constexpr std::size_t kNumbersAtOnce = std::size_t{1} << 22U; ///< 16 MiB of them
+
+using ChannelSink = std::function<void(const std::string& channel, std::span<const float> part)>;
+
+/// Reads rows of some channels, and hands them out one after the other.
+void readSome(Imf::InputFile& file, std::span<const std::string> channels, int firstRow, int rows,
+    std::vector<std::vector<float>>& numbers, const ChannelSink& sink)
+{
+    const Imath::Box2i window = file.header().dataWindow();
+    const int width = window.max.x - window.min.x + 1;
+    const std::size_t rowStride = sizeof(float) * static_cast<std::size_t>(width);
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        numbers[i].resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows));
+        buffer.insert(channels[i],
+            Imf::Slice::Make(
+                Imf::FLOAT, numbers[i].data(), {window.min.x, firstRow}, width, rows, sizeof(float), rowStride));
+    }
+    file.setFrameBuffer(buffer);
+    file.readPixels(firstRow, firstRow + rows - 1);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        sink(channels[i], numbers[i]);
+    }
+}
+
+Status readChannels(
+    Imf::InputFile& file, const std::function<void(int width, int height)>& begin, const ChannelSink& sink)
 {
     const Imath::Box2i window = file.header().dataWindow();
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    const Imf::ChannelList& channels = file.header().channels();
-    if (Status status = checkShape(width, height, channels); !status) {
-        return status.error();
+    const Imf::ChannelList& list = file.header().channels();
+    if (Status status = checkShape(width, height, list); !status) {
+        return status;
     }
-    ExrNumbers numbers{static_cast<int>(width), static_cast<int>(height), {}};
-    for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
-        numbers.channels.push_back({channel.name(), std::vector<float>(static_cast<std::size_t>(width * height))});
+    begin(static_cast<int>(width), static_cast<int>(height));
+    std::vector<std::string> names;
+    for (auto channel = list.begin(); channel != list.end(); ++channel) {
+        names.emplace_back(channel.name());
     }
-    Imf::FrameBuffer buffer;
-    for (ExrNumbers::Channel& channel : numbers.channels) {
-        const std::size_t rowStride = sizeof(float) * static_cast<std::size_t>(width);
-        buffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), window, sizeof(float), rowStride));
+    // As many whole channels as there is room for, or one in as many rows.
+    const auto pixels = static_cast<std::size_t>(width * height);
+    const std::size_t atOnce = std::max<std::size_t>(1, kNumbersAtOnce / pixels);
+    const int rows = pixels <= kNumbersAtOnce
+        ? static_cast<int>(height)
+        : std::max(1, static_cast<int>(kNumbersAtOnce / static_cast<std::size_t>(width)));
+    std::vector<std::vector<float>> numbers(atOnce);
+    for (std::size_t first = 0; first < names.size(); first += atOnce) {
+        const std::span<const std::string> some =
+            std::span(names).subspan(first, std::min(atOnce, names.size() - first));
+        for (int row = 0; row < height; row += rows) {
+            readSome(file, some, window.min.y + row, std::min(rows, static_cast<int>(height) - row), numbers, sink);
+        }
     }
-    file.setFrameBuffer(buffer);
-    file.readPixels(window.min.y, window.max.y);
-    return numbers;
+    return Done{};
 }
 
 /// A callback of OpenEXR's C library, which has no limits but those of what it reads from.
@@ -180,14 +267,34 @@ std::int64_t sizeOfHead(exr_const_context_t /*context*/, void* user)
 
 void ignore(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*message*/) { }
 
+/// Nothing where there is no such attribute.
+std::optional<std::string_view> textOf(exr_const_context_t file, const std::string& name)
+{
+    const char* text = nullptr;
+    std::int32_t length = 0;
+    const bool found = exr_attr_get_string(file, 0, name.c_str(), &length, &text) == EXR_ERR_SUCCESS && length > 0;
+    return found ? std::optional(std::string_view(text, static_cast<std::size_t>(length))) : std::nullopt;
+}
+
+/// All of a note, be it in parts or, as it was once written, in one; at most a byte more than is read.
+std::string noteOf(exr_const_context_t file, std::string_view note)
+{
+    std::string whole(textOf(file, std::string(note)).value_or(std::string_view()));
+    for (std::size_t number = 1; whole.size() <= kMostNoteBytes; ++number) {
+        const std::optional<std::string_view> part = textOf(file, partOfNote(note, number));
+        if (!part) {
+            break;
+        }
+        whole += *part;
+    }
+    return whole.substr(0, kMostNoteBytes + 1);
+}
+
 PictureNotes notesOf(exr_const_context_t file)
 {
     PictureNotes notes;
-    const char* text = nullptr;
-    std::int32_t length = 0;
-    if (exr_attr_get_string(file, 0, kPresetNote.data(), &length, &text) == EXR_ERR_SUCCESS && length > 0 && static_cast<std::size_t>(length) <= kMostNoteBytes) {
-        notes.preset.assign(text, static_cast<std::size_t>(length));
-    }
+    notes.preset = noteOf(file, kPresetNote);
+    notes.sheet = noteOf(file, kSheetNote);
     std::int32_t frame = 0;
     if (exr_attr_get_int(file, 0, kFrameNote.data(), &frame) == EXR_ERR_SUCCESS) {
         notes.frame = frame;
@@ -235,20 +342,41 @@ Result<PictureNotes> readExrNotes(std::string_view head)
     }
     const PictureNotes notes = notesOf(file);
     exr_finish(&file);
-    return notes;
+    return notes.preset.size() > kMostNoteBytes || notes.sheet.size() > kMostNoteBytes ? damagedNote()
+                                                                                       : Result<PictureNotes>(notes);
+}
+
+Status readExrParts(
+    const PartReader& file, const std::function<void(int width, int height)>& begin, const ChannelSink& part)
+{
+    PartStream stream(file);
+    try {
+        Imf::InputFile input(stream, 0);
+        return readChannels(input, begin, part);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::OutOfMemory, said("there is not enough memory"), {}, {}};
+    } catch (const std::exception& cause) {
+        return stream.failure() ? *stream.failure()
+                                : Error{ErrorCode::Syntax, said("the picture is broken: %1", cause.what()), {}, {}};
+    }
 }
 
 Result<ExrNumbers> readExr(std::span<const std::byte> file)
 {
-    try {
-        MemorySource source(file);
-        Imf::InputFile input(source, 0);
-        return numbersOf(input);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::OutOfMemory, said("there is not enough memory"), {}, {}};
-    } catch (const std::exception& cause) {
-        return Error{ErrorCode::Syntax, said("the picture is broken: %1", cause.what()), {}, {}};
-    }
+    ExrNumbers numbers;
+    const auto begin = [&](int width, int height) {
+        numbers.width = width;
+        numbers.height = height;
+    };
+    const auto keep = [&](const std::string& channel, std::span<const float> part) {
+        if (numbers.channels.empty() || numbers.channels.back().name != channel) {
+            numbers.channels.push_back({channel, {}});
+        }
+        std::vector<float>& values = numbers.channels.back().values;
+        values.insert(values.end(), part.begin(), part.end());
+    };
+    const Status status = readExrParts(partsOf({reinterpret_cast<const char*>(file.data()), file.size()}), begin, keep);
+    return status ? Result<ExrNumbers>(std::move(numbers)) : status.error();
 }
 
 } // namespace fumage

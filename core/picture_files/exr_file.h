@@ -5,6 +5,7 @@
 #include "core/picture_files/picture_pixels.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -33,11 +34,23 @@ struct ExrPixels {
     bool isLight = true; ///< premultiplied colours; else numbers that have no primaries
 };
 
+/// Longest text of an attribute that is written, in bytes: ffmpeg up to 5.1 goes on reading attributes within one that
+/// is longer than 255.
+inline constexpr std::size_t kMostExrTextBytes = 240;
+
 /// @error WriteFailed, Cancelled
 [[nodiscard]] Result<std::vector<std::byte>> encodeExr(const ExrPixels& pixels, const std::stop_token& stop = {});
 
 /// readPictureNotes() of an EXR.
 [[nodiscard]] Result<PictureNotes> readExrNotes(std::string_view head);
+
+/// Reads the channels of an EXR to its end, one after the other by their names, in parts of some MiB, so that memory is
+/// bounded. The file is read again for every few channels.
+/// @param begin told width and height before all else
+/// @param part  numbers that follow on those before, rows from the top; a name that is another begins a channel
+/// @error as readPixels(); that of the reader
+[[nodiscard]] Status readExrParts(const PartReader& file, const std::function<void(int width, int height)>& begin,
+    const std::function<void(const std::string& channel, std::span<const float> part)>& part);
 
 /// Reads all channels of an EXR that anybody may have made, to its end.
 /// @error as readPixels()

@@ -1,13 +1,18 @@
 #include "core/picture_files/picture_notes.h"
 
 #include "core/picture_files/exr_file.h"
+#include "core/picture_files/png_chunks.h"
 #include "core/picture_files/png_file.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
 
 namespace fumage {
 
 namespace {
 
-constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::size_t kSignatureBytes = 8;
 constexpr std::string_view kExrSignature = "\x76\x2f\x31\x01";
 // TGA begins with what it holds: no text, no palette, and grey or colours in runs.
 constexpr std::string_view kGreyTga("\0\0\3\0\0\0\0\0", 8);
@@ -32,15 +37,60 @@ bool isPicture(std::string_view head)
     return kindOf(head) != PictureKind::None;
 }
 
-Result<PictureNotes> readPictureNotes(std::string_view head)
+PartReader partsOf(std::string_view bytes)
 {
-    switch (kindOf(head)) {
-    case PictureKind::Png: return readPngNotes(head);
-    case PictureKind::Exr: return readExrNotes(head);
+    return [bytes](std::uint64_t at, std::size_t size) -> Result<std::string> {
+        return std::string(bytes.substr(std::min<std::uint64_t>(at, bytes.size()), size));
+    };
+}
+
+Result<PictureNotes> readPictureNotes(const PartReader& file)
+{
+    const Result<std::string> head = file(0, kSignatureBytes);
+    if (!head) {
+        return head.error();
+    }
+    switch (kindOf(head.value())) {
+    case PictureKind::Png: {
+        const Result<PngTexts> texts = textsOfPng(file);
+        return texts ? readPngNotes(texts.value()) : texts.error();
+    }
+    case PictureKind::Exr: {
+        const Result<std::string> beginning = file(0, kPictureHead);
+        return beginning ? readExrNotes(beginning.value()) : beginning.error();
+    }
     case PictureKind::Tga: return PictureNotes{};
     case PictureKind::None: break;
     }
     return Error{ErrorCode::Syntax, said("this is neither a PNG nor an EXR"), {}, {}};
+}
+
+Result<PictureNotes> readPictureNotes(std::string_view file)
+{
+    return readPictureNotes(partsOf(file));
+}
+
+Error damagedNote()
+{
+    return {ErrorCode::Syntax,
+        said("the preset that this picture carries is damaged, or longer than the %1 bytes that are read",
+            kMostNoteBytes),
+        {}, said("Choose another picture, or the preset's own file")};
+}
+
+std::string asciiJson(std::string_view json)
+{
+    std::string out;
+    const auto isAscii = [](char letter) { return static_cast<unsigned char>(letter) < 0x80U; };
+    for (auto at = json.begin(); at != json.end();) {
+        const auto plain = std::find_if_not(at, json.end(), isAscii);
+        out.append(at, plain);
+        at = std::find_if(plain, json.end(), isAscii);
+        const std::string quoted =
+            nlohmann::json(std::string(plain, at)).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+        out.append(quoted, 1, quoted.size() - 2);
+    }
+    return out;
 }
 
 } // namespace fumage

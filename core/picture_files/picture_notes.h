@@ -3,6 +3,8 @@
 #include "core/base/result.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -13,13 +15,15 @@ struct PictureNotes {
     int frameRate = 0; ///< frames/s of the pictures that it is one of, in EXR; 0: not said
     std::string preset; ///< that it was made of, as JSON; empty: not said
     int frame = 0; ///< of the preset that it shows, the first of a sheet; only with a preset
+    std::string sheet{}; ///< of a sheet: how its cells are made, see sheetNoteOf(); only with a preset
 };
 
 // Texts of PNG and attributes of EXR: EXR has 31 letters for a name.
 inline constexpr std::string_view kPresetNote = "fumage:preset";
 inline constexpr std::string_view kFrameNote = "fumage:frame";
+inline constexpr std::string_view kSheetNote = "fumage:sheet";
 
-/// Notes stand before the pixels: this much of a file is enough for readPictureNotes().
+/// Notes of an EXR stand within this much of its beginning; so much of a PNG is looked at, too, its pixels left out.
 inline constexpr std::size_t kPictureHead = std::size_t{2} << 20U;
 /// A preset that is longer, packed or not, is not read.
 inline constexpr std::size_t kMostNoteBytes = std::size_t{1} << 20U;
@@ -36,10 +40,27 @@ enum class PictureKind {
 /// Whether a file that begins with these bytes, eight or more, is a PNG, an EXR, or a TGA as encodeTga() makes it.
 [[nodiscard]] bool isPicture(std::string_view head);
 
-/// Reads the notes of a picture that anybody may have made; no pixel is looked at. O(head + kMostNoteBytes).
-/// @param head the first bytes of the file: all of them, or kPictureHead
-/// @return     preset and frame; without a preset where the picture carries none, as TGA never does, or one that is damaged
-/// @error      Syntax: it is none of them, or broken before its pixels
-[[nodiscard]] Result<PictureNotes> readPictureNotes(std::string_view head);
+/// Reads a part of a file: less than its size where the file ends within it, nothing where it ends before.
+using PartReader = std::function<Result<std::string>(std::uint64_t at, std::size_t size)>;
+
+/// That of bytes in memory, which must stay.
+[[nodiscard]] PartReader partsOf(std::string_view bytes);
+
+/// Reads the notes of a picture that anybody may have made; no pixel is looked at. Those of a PNG may stand behind its
+/// pixels, where other programs put them. O(kPictureHead + kMostNoteBytes), and a part of a few bytes a chunk of a PNG.
+/// @return preset, frame and sheet; without a preset where the picture carries none, as TGA never does
+/// @error  Syntax: it is none of them, or broken before its pixels, or its preset is damaged or too long; that of the
+/// reader
+[[nodiscard]] Result<PictureNotes> readPictureNotes(const PartReader& file);
+/// The same of a file in memory.
+/// @param file all of its bytes; of an EXR its head will do
+[[nodiscard]] Result<PictureNotes> readPictureNotes(std::string_view file);
+
+/// What is said of a preset in a picture that cannot be read.
+[[nodiscard]] Error damagedNote();
+
+/// JSON with every letter beyond ASCII as \uXXXX, which means the same: what programs that know but Latin-1 leave as it
+/// is.
+[[nodiscard]] std::string asciiJson(std::string_view json);
 
 } // namespace fumage

@@ -7,6 +7,8 @@
 #include "core/picture_files/tga_file.h"
 
 #include <bit>
+#include <optional>
+#include <string>
 
 namespace fumage {
 
@@ -19,11 +21,11 @@ std::string_view textOf(std::span<const std::byte> bytes)
 
 /// Adds numbers with the low byte first.
 template <class Word, class Number>
-void addNumbers(Sha256& hash, const std::vector<Number>& numbers)
+void addNumbers(Sha256& hash, std::span<const Number> numbers)
 {
     static_assert(sizeof(Word) == sizeof(Number));
     if constexpr (std::endian::native == std::endian::little) {
-        hash.add(std::as_bytes(std::span(numbers)));
+        hash.add(std::as_bytes(numbers));
         return;
     }
     for (const Number number : numbers) {
@@ -40,19 +42,66 @@ std::string headOf(const char* kind, int width, int height)
     return std::string(kind) + " " + std::to_string(width) + " " + std::to_string(height) + "\n";
 }
 
-Result<PictureHash> exrHash(std::span<const std::byte> file)
+/// A hash that is told the size first.
+struct SizedHash {
+    const char* kind;
+    PictureHash picture{};
+    Sha256 sum{};
+
+    void begin(int width, int height)
+    {
+        picture.width = width;
+        picture.height = height;
+        sum.add(headOf(kind, width, height));
+    }
+    [[nodiscard]] Result<PictureHash> after(const Status& status)
+    {
+        picture.hash = sum.finish();
+        return status ? Result<PictureHash>(picture) : status.error();
+    }
+};
+
+constexpr const char* kRgba = "rgba16";
+
+Result<PictureHash> exrHash(const PartReader& file)
 {
-    const Result<ExrNumbers> numbers = readExr(file);
-    if (!numbers) {
-        return numbers.error();
+    SizedHash hash{"exr"};
+    std::optional<std::string> last;
+    const auto add = [&](const std::string& channel, std::span<const float> part) {
+        if (last != channel) {
+            hash.sum.add(channel + "\n");
+            last = channel;
+        }
+        addNumbers<std::uint32_t>(hash.sum, part);
+    };
+    return hash.after(readExrParts(
+        file, [&](int width, int height) { hash.begin(width, height); }, add));
+}
+
+Result<PictureHash> pngHash(const PartReader& file)
+{
+    SizedHash hash{kRgba};
+    const auto add = [&](std::span<const std::uint16_t> row) { addNumbers<std::uint16_t>(hash.sum, row); };
+    return hash.after(readPngRows(
+        file, [&](int width, int height) { hash.begin(width, height); }, add));
+}
+
+/// A TGA is read whole: no more of it than its largest picture takes.
+Result<PictureHash> tgaHash(const PartReader& file)
+{
+    constexpr std::size_t kMostBytes = kMostReadPixels * 5; // of a run of one pixel
+    const Result<std::string> text = file(0, kMostBytes);
+    if (!text) {
+        return text.error();
     }
-    Sha256 hash;
-    hash.add(headOf("exr", numbers.value().width, numbers.value().height));
-    for (const ExrNumbers::Channel& channel : numbers.value().channels) {
-        hash.add(channel.name + "\n");
-        addNumbers<std::uint32_t>(hash, channel.values);
+    const Result<RgbaPixels> pixels = readTga(std::as_bytes(std::span(text.value())));
+    if (!pixels) {
+        return pixels.error();
     }
-    return PictureHash{numbers.value().width, numbers.value().height, hash.finish()};
+    SizedHash hash{kRgba};
+    hash.begin(pixels.value().width, pixels.value().height);
+    addNumbers<std::uint16_t>(hash.sum, std::span<const std::uint16_t>(pixels.value().values));
+    return hash.after(Done{});
 }
 
 } // namespace
@@ -68,19 +117,25 @@ Result<RgbaPixels> readPixels(std::span<const std::byte> file)
     return Error{ErrorCode::Syntax, said("this is neither a PNG nor a TGA"), {}, {}};
 }
 
+Result<PictureHash> pictureHash(const PartReader& file)
+{
+    constexpr std::size_t kSignatureBytes = 8;
+    const Result<std::string> head = file(0, kSignatureBytes);
+    if (!head) {
+        return head.error();
+    }
+    switch (kindOf(head.value())) {
+    case PictureKind::Png: return pngHash(file);
+    case PictureKind::Exr: return exrHash(file);
+    case PictureKind::Tga: return tgaHash(file);
+    case PictureKind::None: break;
+    }
+    return Error{ErrorCode::Syntax, said("this is neither a PNG nor a TGA nor an EXR"), {}, {}};
+}
+
 Result<PictureHash> pictureHash(std::span<const std::byte> file)
 {
-    if (kindOf(textOf(file)) == PictureKind::Exr) {
-        return exrHash(file);
-    }
-    const Result<RgbaPixels> pixels = readPixels(file);
-    if (!pixels) {
-        return pixels.error();
-    }
-    Sha256 hash;
-    hash.add(headOf("rgba16", pixels.value().width, pixels.value().height));
-    addNumbers<std::uint16_t>(hash, pixels.value().values);
-    return PictureHash{pixels.value().width, pixels.value().height, hash.finish()};
+    return pictureHash(partsOf(textOf(file)));
 }
 
 } // namespace fumage

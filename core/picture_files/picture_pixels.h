@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/picture_files/picture_notes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -47,5 +48,8 @@ struct PictureHash {
 /// then of each channel by name "NAME\n" and its numbers as 32-bit floats, the low byte first. So it stays the same where a file is compressed anew.
 /// @error as readPixels()
 [[nodiscard]] Result<PictureHash> pictureHash(std::span<const std::byte> file);
+/// The same of a file that is read a part at a time: memory is bounded, but for an interlaced PNG and for TGA.
+/// @error that of the reader
+[[nodiscard]] Result<PictureHash> pictureHash(const PartReader& file);
 
 } // namespace fumage

@@ -1,12 +1,15 @@
 #include "core/picture_files/png_file.h"
 
+#include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/version.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include <png.h>
@@ -31,20 +34,61 @@ void append(png_structp png, png_bytep data, png_size_t size)
 
 void flush(png_structp /*png*/) { }
 
-/// What they read from.
-struct Source {
-    std::string_view head;
-    std::size_t at = 0;
+/// What they read from, a part at a time.
+class Source {
+public:
+    explicit Source(const PartReader& file)
+        : m_file(file)
+    {
+    }
+
+    /// @return whether there was so much
+    bool take(png_bytep to, std::size_t size)
+    {
+        while (size > 0) {
+            if (m_used == m_part.size() && !fetch()) {
+                return false;
+            }
+            const std::size_t count = std::min(size, m_part.size() - m_used);
+            std::memcpy(to, m_part.data() + m_used, count);
+            m_used += count;
+            to += count; // NOLINT(cppcoreguidelines-pro-bounds-pointer-arithmetic)
+            size -= count;
+        }
+        return true;
+    }
+
+    /// Why the file could not be read, where it is not the picture that is to blame.
+    [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
+
+private:
+    bool fetch()
+    {
+        constexpr std::size_t kPart = std::size_t{1} << 16U;
+        Result<std::string> part =
+            withinMemory([&] { return m_file(m_at, kPart); }); // no exception may cross the library
+        if (!part) {
+            m_failure = part.error();
+            return false;
+        }
+        m_part = std::move(part).value();
+        m_at += m_part.size();
+        m_used = 0;
+        return !m_part.empty();
+    }
+
+    const PartReader& m_file;
+    std::string m_part;
+    std::size_t m_used = 0; ///< of the part
+    std::uint64_t m_at = 0; ///< of the part's end
+    std::optional<Error> m_failure;
 };
 
 void take(png_structp png, png_bytep data, png_size_t size)
 {
-    auto* source = static_cast<Source*>(png_get_io_ptr(png));
-    if (size > source->head.size() - source->at) {
+    if (!static_cast<Source*>(png_get_io_ptr(png))->take(data, size)) {
         png_error(png, "it ends too soon");
     }
-    std::memcpy(data, source->head.data() + source->at, size);
-    source->at += size;
 }
 
 /// @param png with the text for the message as its pointer for errors
@@ -67,7 +111,8 @@ void release(png_structp /*png*/, png_voidp memory)
     std::free(memory); // NOLINT(cppcoreguidelines-no-malloc)
 }
 
-/// @param compression PNG_TEXT_COMPRESSION_NONE: Latin-1 as it stands; PNG_ITXT_COMPRESSION_zTXt: UTF-8, packed
+/// Latin-1; not as UTF-8, which ImageMagick drops.
+/// @param compression PNG_TEXT_COMPRESSION_NONE: as it stands; PNG_TEXT_COMPRESSION_zTXt: packed
 void setText(png_structp png, png_infop info, const char* key, const char* value, int compression = PNG_TEXT_COMPRESSION_NONE)
 {
     png_text text{};
@@ -80,8 +125,15 @@ void setText(png_structp png, png_infop info, const char* key, const char* value
 
 // Between setjmp and longjmp no object may be made that needs its destructor: all of them live in the caller.
 
-/// @param frame that the notes name
-bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const char* frame, const std::stop_token& stop)
+/// Notes as texts of ASCII.
+struct WrittenNotes {
+    std::string preset;
+    std::string frame;
+    std::string sheet;
+};
+
+bool writePng(
+    png_structp png, png_infop info, const PngPixels& pixels, const WrittenNotes& notes, const std::stop_token& stop)
 {
     if (setjmp(png_jmpbuf(png)) != 0) { // NOLINT(cert-err52-cpp): libpng's way to report errors
         return false;
@@ -105,9 +157,12 @@ bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const ch
     if (!pixels.srgb) {
         setText(png, info, "Comment", "Linear data, not sRGB");
     }
-    if (!pixels.notes.preset.empty()) {
-        setText(png, info, kPresetNote.data(), pixels.notes.preset.c_str(), PNG_ITXT_COMPRESSION_zTXt);
-        setText(png, info, kFrameNote.data(), frame);
+    if (!notes.preset.empty()) {
+        setText(png, info, kPresetNote.data(), notes.preset.c_str(), PNG_TEXT_COMPRESSION_zTXt);
+        setText(png, info, kFrameNote.data(), notes.frame.c_str());
+    }
+    if (!notes.preset.empty() && !notes.sheet.empty()) {
+        setText(png, info, kSheetNote.data(), notes.sheet.c_str());
     }
     png_write_info(png, info);
     if (pixels.bits == 16 && std::endian::native == std::endian::little) {
@@ -124,7 +179,7 @@ bool writePng(png_structp png, png_infop info, const PngPixels& pixels, const ch
     return true;
 }
 
-/// Reads all that stands before the pixels. A text that is damaged, or larger than a note may be, is left out by the library.
+/// Reads the texts. One that is damaged, or larger than a note may be, is left out by the library.
 bool readHead(png_structp png, png_infop info)
 {
     if (setjmp(png_jmpbuf(png)) != 0) { // NOLINT(cert-err52-cpp)
@@ -159,8 +214,11 @@ bool readShape(png_structp png, png_infop info, RgbaPixels& pixels)
     return true;
 }
 
+using RowSink = std::function<void(std::span<const std::uint16_t> row)>;
+
 /// Reads all rows, and on to the end of the file.
-bool readRows(png_structp png, png_infop info, RgbaPixels& pixels)
+/// @param pixels with as many values as are kept: all of them where the picture is interlaced, else one row
+bool readRows(png_structp png, png_infop info, RgbaPixels& pixels, const RowSink& row)
 {
     if (setjmp(png_jmpbuf(png)) != 0) { // NOLINT(cert-err52-cpp)
         return false;
@@ -168,9 +226,15 @@ bool readRows(png_structp png, png_infop info, RgbaPixels& pixels)
     const int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
     const std::size_t stride = static_cast<std::size_t>(pixels.width) * 4;
+    const auto at = [&](int y) {
+        return pixels.values.data() + (passes > 1 ? static_cast<std::size_t>(y) * stride : 0);
+    };
     for (int pass = 0; pass < passes; ++pass) {
         for (int y = 0; y < pixels.height; ++y) {
-            png_read_row(png, reinterpret_cast<png_bytep>(pixels.values.data() + static_cast<std::size_t>(y) * stride), nullptr);
+            png_read_row(png, reinterpret_cast<png_bytep>(at(y)), nullptr);
+            if (pass + 1 == passes) {
+                row({at(y), stride});
+            }
         }
     }
     png_read_end(png, nullptr);
@@ -190,6 +254,8 @@ PictureNotes notesAmong(png_structp png, png_infop info)
             notes.preset = text.text;
         } else if (text.key == kFrameNote) {
             notes.frame = static_cast<int>(parseInteger(text.text).value_or(0));
+        } else if (text.key == kSheetNote) {
+            notes.sheet = text.text;
         }
     }
     return notes;
@@ -230,7 +296,8 @@ Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::sto
 {
     Sink sink;
     std::string message;
-    const std::string frame = std::to_string(pixels.notes.frame);
+    const WrittenNotes notes{
+        asciiJson(pixels.notes.preset), std::to_string(pixels.notes.frame), asciiJson(pixels.notes.sheet)};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, fail, ignore);
     png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
     if (info == nullptr) {
@@ -238,7 +305,7 @@ Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::sto
         return Error{ErrorCode::WriteFailed, said("the PNG library could not be started"), {}, {}};
     }
     png_set_write_fn(png, &sink, append, flush);
-    const bool written = writePng(png, info, pixels, frame.c_str(), stop);
+    const bool written = writePng(png, info, pixels, notes, stop);
     png_destroy_write_struct(&png, &info);
     if (stop.stop_requested()) {
         return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
@@ -249,35 +316,55 @@ Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::sto
     return std::move(sink.bytes);
 }
 
-Result<PictureNotes> readPngNotes(std::string_view head)
+Result<PictureNotes> readPngNotes(const PngTexts& texts)
 {
-    Source source{head};
+    const PartReader file = partsOf(texts.file);
+    Source source(file);
     Reader reader(source);
     if (!reader) {
         return reader.error();
     }
     const bool read = readHead(reader.png, reader.info);
     const PictureNotes notes = notesAmong(reader.png, reader.info);
-    return read ? Result<PictureNotes>(notes) : reader.error();
+    if (!read) {
+        return reader.error();
+    }
+    const bool isTooLong = notes.preset.size() > kMostNoteBytes || notes.sheet.size() > kMostNoteBytes;
+    return isTooLong || (texts.hasPreset && notes.preset.empty()) ? damagedNote() : Result<PictureNotes>(notes);
 }
 
-Result<RgbaPixels> readPng(std::span<const std::byte> file)
+Status readPngRows(const PartReader& file, const std::function<void(int width, int height)>& begin, const RowSink& row)
 {
-    Source source{{reinterpret_cast<const char*>(file.data()), file.size()}};
+    Source source(file);
     Reader reader(source);
+    const auto error = [&] { return source.failure() ? *source.failure() : reader.error(); };
     RgbaPixels pixels;
     if (!reader || !readShape(reader.png, reader.info, pixels)) {
-        return reader.error();
+        return error();
     }
     const std::size_t count = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
     if (count > kMostReadPixels) {
         return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", pixels.width, pixels.height), {}, {}};
     }
-    pixels.values.resize(count * 4);
-    if (!readRows(reader.png, reader.info, pixels)) {
-        return reader.error();
-    }
-    return pixels;
+    begin(pixels.width, pixels.height);
+    const bool isInterlaced = png_get_interlace_type(reader.png, reader.info) != PNG_INTERLACE_NONE;
+    pixels.values.resize(4 * (isInterlaced ? count : static_cast<std::size_t>(pixels.width)));
+    return readRows(reader.png, reader.info, pixels, row) ? Status(Done{}) : error();
+}
+
+Result<RgbaPixels> readPng(std::span<const std::byte> file)
+{
+    RgbaPixels pixels;
+    const auto begin = [&](int width, int height) {
+        pixels.width = width;
+        pixels.height = height;
+        pixels.values.reserve(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    };
+    const auto keep = [&](std::span<const std::uint16_t> row) {
+        pixels.values.insert(pixels.values.end(), row.begin(), row.end());
+    };
+    const Status status = readPngRows(partsOf({reinterpret_cast<const char*>(file.data()), file.size()}), begin, keep);
+    return status ? Result<RgbaPixels>(std::move(pixels)) : status.error();
 }
 
 } // namespace fumage

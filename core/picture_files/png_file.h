@@ -3,9 +3,11 @@
 #include "core/base/result.h"
 #include "core/picture_files/picture_notes.h"
 #include "core/picture_files/picture_pixels.h"
+#include "core/picture_files/png_chunks.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <string_view>
@@ -29,7 +31,15 @@ struct PngPixels {
 [[nodiscard]] Result<std::vector<std::byte>> encodePng(const PngPixels& pixels, const std::stop_token& stop = {});
 
 /// readPictureNotes() of a PNG.
-[[nodiscard]] Result<PictureNotes> readPngNotes(std::string_view head);
+[[nodiscard]] Result<PictureNotes> readPngNotes(const PngTexts& texts);
+
+/// Reads a PNG to its end, row by row as they come, so that memory is bounded; only of one that is interlaced are all
+/// rows kept until then.
+/// @param begin told width and height before the first row
+/// @param row   straight RGBA of 16 bits, see RgbaPixels
+/// @error as readPixels(); that of the reader
+[[nodiscard]] Status readPngRows(const PartReader& file, const std::function<void(int width, int height)>& begin,
+    const std::function<void(std::span<const std::uint16_t> row)>& row);
 
 /// readPixels() of a PNG.
 [[nodiscard]] Result<RgbaPixels> readPng(std::span<const std::byte> file);

@@ -1,6 +1,7 @@
 #include "core/preset/preset.h"
 
 #include "core/base/file.h"
+#include "core/base/open_file.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
@@ -163,9 +164,9 @@ private:
 
     [[nodiscard]] Result<Clamped> valueOf(const Parameter& parameter, const JsonNode& node) const
     {
-        const bool isText = node.type == JsonNode::Type::String && parameter.kind == Kind::Choice;
+        const bool isChoice = isText(node) && parameter.kind == Kind::Choice;
         const bool isFlag = node.type == JsonNode::Type::Bool && parameter.kind == Kind::Bool;
-        if (isText) {
+        if (isChoice) {
             return parseValue(parameter, node.string);
         }
         if (isFlag) {
@@ -173,10 +174,15 @@ private:
         }
         std::vector<double> numbers;
         if (!collectNumbers(parameter, node, numbers)) {
-            return Error{ErrorCode::WrongType, said("expected %1, found %2", kindName(parameter.kind), inQuotes(m_text.substr(node.begin, node.end - node.begin))), std::string(parameter.key), {}};
+            return Error{ErrorCode::WrongType,
+                said("expected %1, found %2", kindName(parameter.kind),
+                    inQuotes(isText(node) ? node.string : m_text.substr(node.begin, node.end - node.begin))),
+                std::string(parameter.key), {}};
         }
         return valueFromNumbers(parameter, numbers);
     }
+
+    static bool isText(const JsonNode& node) { return node.type == JsonNode::Type::String; }
 
     /// A number, a list of three, or a list of lists, just as the kind asks.
     static bool collectNumbers(const Parameter& parameter, const JsonNode& node, std::vector<double>& numbers)
@@ -197,8 +203,14 @@ private:
         case Kind::Direction:
         case Kind::Vector:
         case Kind::Colour: return flat(node, 3);
-        case Kind::Curve: return std::all_of(node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 2); });
-        case Kind::Gradient: return std::all_of(node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 4); });
+        case Kind::Curve:
+            return node.type == JsonNode::Type::Array
+                && std::all_of(
+                    node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 2); });
+        case Kind::Gradient:
+            return node.type == JsonNode::Type::Array
+                && std::all_of(
+                    node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 4); });
         case Kind::Bool:
         case Kind::Choice: return false;
         }
@@ -247,11 +259,12 @@ void writeUnknown(const Preset& preset, std::string_view group, std::string_view
 /// The preset that a picture carries.
 Result<PresetReading> readPicture(const std::filesystem::path& path)
 {
-    const Result<std::string> head = readFileHead(path, kPictureHead);
-    if (!head) {
-        return head.error();
+    const Result<OpenFile> file = OpenFile::open(path);
+    if (!file) {
+        return file.error();
     }
-    const Result<PictureNotes> notes = readPictureNotes(head.value());
+    const Result<PictureNotes> notes =
+        readPictureNotes([&](std::uint64_t at, std::size_t size) { return file.value().readAt(at, size); });
     if (!notes) {
         Error error = notes.error();
         error.place = path.string();
@@ -261,9 +274,13 @@ Result<PresetReading> readPicture(const std::filesystem::path& path)
         return Error{ErrorCode::WrongType, said("this picture carries no preset"), path.string(), said("Choose a PNG or EXR that Fumage has written, or the preset's own file")};
     }
     Result<PresetReading> reading = parsePreset(notes.value().preset, path.string());
-    if (reading) {
-        reading.value().frame = std::max(0, notes.value().frame);
+    if (!reading) {
+        Error error = reading.error();
+        error.message = said("the preset that this picture carries cannot be read: %1", error.message);
+        return error;
     }
+    reading.value().frame = std::max(0, notes.value().frame);
+    reading.value().sheet = notes.value().sheet;
     return reading;
 }
 

@@ -34,6 +34,7 @@ struct Preset {
 struct PresetReading {
     Preset preset;
     std::optional<int> frame; ///< that the picture shows which carries the preset; none: the file is the preset's own
+    std::string sheet; ///< where that picture is a sheet: how its cells are made, as anybody may have written it
     std::vector<Message> warnings; ///< unknown keys with the nearest known one, clamped values, missing parameters; the first 20, then how many more
 };
 

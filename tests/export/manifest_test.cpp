@@ -11,6 +11,8 @@
 
 #include <map>
 
+#include <sys/stat.h>
+
 using namespace fumage;
 using namespace fumage::tests;
 
@@ -183,6 +185,109 @@ private slots:
         QCOMPARE(found[FileState::Broken], Names{"s_04.png"});
         QCOMPARE(found[FileState::Extra], Names{"s_09.png"});
         QCOMPARE(found[FileState::Same], (Names{"s_00.png", "s_03.png"}));
+    }
+
+    void whatCannotBeReadIsSaidAndTheOthersAreLookedAt()
+    {
+        Folder folder;
+        folder.render({0, 6, 1});
+        for (const char* gone : {"s_01.png", "s_02.png", "s_03.png", "s_05.png"}) {
+            std::filesystem::remove(folder.path(gone));
+        }
+        QCOMPARE(mkfifo(folder.path("s_01.png").c_str(), 0600), 0);
+        std::filesystem::create_directory(folder.path("s_02.png"));
+        std::filesystem::create_symlink("/dev/null", folder.path("s_03.png"));
+        std::filesystem::create_symlink("s_05.png", folder.path("s_05.png"));
+        Manifest manifest = readManifest(folder.path("s.0-6.manifest.json")).value();
+        manifest.files.push_back({std::string(300, 'n') + ".png", 9, manifest.files[0].content});
+        QVERIFY(writeFileAtomically(folder.path("s.0-6.manifest.json"), formatManifest(manifest)).ok());
+        QVERIFY(writeFileAtomically(folder.path("a.manifest.json"), std::string_view("{")).ok());
+        manifest.files = {{"../up.png", 1, manifest.files[0].content}};
+        QVERIFY(writeFileAtomically(folder.path("z.manifest.json"), formatManifest(manifest)).ok());
+        auto found = folder.check();
+        QCOMPARE(found[FileState::NotAFile], (Names{"s_01.png", "s_02.png", "s_03.png", "s_05.png"}));
+        QCOMPARE(found[FileState::Missing], Names{std::string(300, 'n') + ".png"});
+        QCOMPARE(found[FileState::Same], (Names{"s_00.png", "s_04.png", "s_06.png"}));
+        const ManifestSet set = openManifests(folder.path()).value();
+        QCOMPARE(set.manifests.size(), std::size_t{1});
+        QCOMPARE(set.broken.size(), std::size_t{2});
+        QVERIFY(set.broken[0].text().find("a.manifest.json") != std::string::npos
+            && set.broken[1].text().find("../up.png") != std::string::npos);
+        for (const CheckedFile& file : checkFiles(set, {}, {}).value()) {
+            QCOMPARE(file.why.empty(), file.state != FileState::NotAFile);
+        }
+    }
+
+    void memoryDoesNotGrowWithTheFile()
+    {
+        constexpr std::uint64_t kLength = std::uint64_t{100} << 20U;
+        std::size_t largest = 0;
+        const auto zerosAfter = [&](const std::string& head, const std::string& tail) -> PartReader {
+            return [&largest, head, tail](std::uint64_t at, std::size_t size) -> Result<std::string> {
+                largest = std::max(largest, size);
+                const std::uint64_t end = head.size() + kLength + tail.size();
+                std::string part(
+                    static_cast<std::size_t>(std::min<std::uint64_t>(size, end - std::min(at, end))), '\0');
+                for (std::size_t i = 0; i < part.size(); ++i) {
+                    const std::uint64_t place = at + i;
+                    part[i] = place < head.size()        ? head[place]
+                        : place >= head.size() + kLength ? tail[place - head.size() - kLength]
+                                                         : '\0';
+                }
+                return part;
+            };
+        };
+        const Content plain = contentOf(zerosAfter("head", "tail")).value();
+        QVERIFY(!plain.ofPixels);
+        // A picture with a chunk of any length that means nothing shows what it shows without.
+        Folder folder;
+        folder.render({0, 0, 1});
+        const std::string png = readFile(folder.path("s_00.png"), std::size_t{1} << 20U).value();
+        const std::size_t pixels = png.find("IDAT") - 4;
+        std::string head = png.substr(0, pixels);
+        for (unsigned shift = 32; shift > 0; shift -= 8) {
+            head += static_cast<char>(kLength >> (shift - 8));
+        }
+        const Content large = contentOf(zerosAfter(head + "juNK", "sum!" + png.substr(pixels))).value();
+        QVERIFY(large == contentOf(std::as_bytes(std::span(png))).value());
+        QVERIFY2(largest <= std::size_t{1} << 20U, std::to_string(largest).c_str());
+    }
+
+    void namesThatAreNotUtf8AreRefusedBeforeAnythingIsWritten()
+    {
+        for (std::size_t i = 0; i < kExportKinds; ++i) {
+            Folder folder;
+            ExportPlan plan;
+            plan.kind = static_cast<ExportKind>(i);
+            plan.output = folder.path("b\xff") += std::string(fileEnding(plan));
+            plan.frames = {0, 3, 1};
+            plan.columns = plan.rows = 2;
+            plan.recording.manifest =
+                canBeRecorded(plan.kind) ? folder.path("b.manifest.json") : std::filesystem::path();
+            if (!canBeRecorded(plan.kind)) {
+                continue;
+            }
+            const auto done = runExport(smallSmoke(), plan, {});
+            QVERIFY(!done.ok());
+            QCOMPARE(done.error().code, ErrorCode::NotUtf8);
+            QVERIFY(!done.error().remedy.empty());
+            QVERIFY(std::filesystem::is_empty(folder.path()));
+        }
+        // Where nobody has to write the name down it is a name like any other.
+        Folder folder;
+        ExportPlan plan;
+        plan.output = folder.path("b\xff##.png");
+        plan.frames = {0, 1, 1};
+        QVERIFY(runExport(smallSmoke(), plan, {}).ok());
+        for (const char* number : {"00", "01"}) {
+            QVERIFY(
+                std::filesystem::remove(folder.path(std::string("b\xff") + number + ".png"))); // Qt does not see them
+        }
+        // One that is UTF-8 is in the manifest as it is.
+        plan.output = folder.path("煙 #1 é_##.png");
+        plan.recording.manifest = folder.path("煙.manifest.json");
+        QVERIFY(runExport(smallSmoke(), plan, {}).ok());
+        QCOMPARE(folder.check()[FileState::Same].size(), std::size_t{2});
     }
 
     void partsAreOneWhole()

@@ -206,6 +206,37 @@ private slots:
         QVERIFY(parsePreset("\xEF\xBB\xBF" + formatPreset({})).ok());
     }
 
+    void utf32IsNamed()
+    {
+        std::string little;
+        std::string big;
+        for (const char letter : formatPreset({})) {
+            little += std::string(1, letter) + std::string(3, '\0');
+            big += std::string(3, '\0') + std::string(1, letter);
+        }
+        for (const std::string& text :
+            {little, big, std::string("\xFF\xFE\0\0", 4) + little, std::string("\0\0\xFE\xFF", 4) + big}) {
+            const Error error = parsePreset(text).error();
+            QCOMPARE(error.code, ErrorCode::NotUtf8);
+            QVERIFY2(error.text().find("UTF-32") != std::string::npos, error.text().c_str());
+        }
+    }
+
+    void whatWasFoundIsQuotedOnce()
+    {
+        for (const Parameter& parameter : parameterTable()) {
+            if (parameter.kind == Kind::Choice) {
+                continue;
+            }
+            const std::string name(parameter.name());
+            const Error error = parsePreset(R"({"format": "fumage-preset", "version": 1, ")"
+                + std::string(parameter.group()) + R"(": {")" + name + R"(": "5"}})")
+                                    .error();
+            QCOMPARE(error.code, ErrorCode::WrongType);
+            QVERIFY2(error.text().find("found \"5\"") != std::string::npos, error.text().c_str());
+        }
+    }
+
     void everyPrefixOfAPresetIsAnError()
     {
         const std::string json = formatPreset({});

@@ -26,6 +26,8 @@ QString describe(const CheckedFile& file)
     case FileState::Broken: return ExportCheck::tr("%1 is broken").arg(name);
     case FileState::Contradicted: return ExportCheck::tr("the manifest says two things of %1").arg(name);
     case FileState::Extra: return ExportCheck::tr("%1 is not in the manifest").arg(name);
+    case FileState::NotAFile: return ExportCheck::tr("%1 is not a file").arg(name);
+    case FileState::Unreadable: return ExportCheck::tr("%1 cannot be read").arg(name);
     case FileState::Same: break;
     }
     return {};

@@ -1,5 +1,6 @@
 #include "core/export/manifest/manifest.h"
 
+#include "core/base/open_file.h"
 #include "core/base/path.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
@@ -172,10 +173,49 @@ private:
 
 } // namespace
 
+namespace {
+
+/// The sum of all bytes of a file.
+Result<Content> plainContentOf(const PartReader& file)
+{
+    constexpr std::size_t kPart = std::size_t{1} << 20U;
+    Sha256 sum;
+    for (std::uint64_t at = 0;;) {
+        const Result<std::string> part = file(at, kPart);
+        if (!part) {
+            return part.error();
+        }
+        if (part.value().empty()) {
+            return Content{false, sum.finish()};
+        }
+        sum.add(part.value());
+        at += part.value().size();
+    }
+}
+
+} // namespace
+
 Result<Content> contentOf(std::span<const std::byte> file)
 {
-    if (!isPicture({reinterpret_cast<const char*>(file.data()), file.size()})) {
-        return Content{false, sha256Of(file)};
+    return contentOf(partsOf({reinterpret_cast<const char*>(file.data()), file.size()}));
+}
+
+Result<Content> contentOfFile(const std::filesystem::path& path)
+{
+    const Result<OpenFile> file = OpenFile::open(path);
+    return file ? contentOf([&](std::uint64_t at, std::size_t size) { return file.value().readAt(at, size); })
+                : file.error();
+}
+
+Result<Content> contentOf(const PartReader& file)
+{
+    constexpr std::size_t kSignatureBytes = 8;
+    const Result<std::string> head = file(0, kSignatureBytes);
+    if (!head) {
+        return head.error();
+    }
+    if (!isPicture(head.value())) {
+        return plainContentOf(file);
     }
     Result<PictureHash> picture = pictureHash(file);
     return picture ? Result<Content>(Content{true, std::move(picture.value().hash)}) : picture.error();

@@ -2,9 +2,11 @@
 
 #include "core/base/result.h"
 #include "core/effect/effect.h"
+#include "core/picture_files/picture_notes.h"
 #include "core/version.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -18,8 +20,6 @@ inline constexpr std::string_view kManifestFormat = "fumage-manifest";
 inline constexpr int kManifestVersion = 1;
 /// A manifest that is larger is not read: this is some hundred thousand files.
 inline constexpr std::size_t kMaxManifestBytes = std::size_t{32} << 20U;
-/// A file that is larger is not checked.
-inline constexpr std::size_t kMaxCheckedBytes = std::size_t{4} << 30U;
 
 /// What a file is known by.
 struct Content {
@@ -31,6 +31,12 @@ struct Content {
 /// The pixels of a PNG, TGA or EXR, and the bytes of any other file.
 /// @error those of pictureHash(): a picture that is broken
 [[nodiscard]] Result<Content> contentOf(std::span<const std::byte> file);
+/// The same of a file that is read a part at a time; see pictureHash().
+/// @error that of the reader
+[[nodiscard]] Result<Content> contentOf(const PartReader& file);
+/// The same of a file of any size.
+/// @error those of OpenFile
+[[nodiscard]] Result<Content> contentOfFile(const std::filesystem::path& path);
 
 /// What files are made of: the same job makes the same files, on every machine.
 struct ManifestJob {

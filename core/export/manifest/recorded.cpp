@@ -1,10 +1,11 @@
 #include "core/export/manifest/recorded.h"
 
-#include "core/base/file.h"
+#include "core/base/open_file.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/cell_frames.h"
 #include "core/export/manifest/manifest_parts.h"
+#include "core/export/output_name.h"
 #include "core/picture_files/picture_notes.h"
 #include "core/picture_files/picture_pixels.h"
 
@@ -18,17 +19,18 @@ namespace {
 /// The content of a file, where it is the whole picture of a frame.
 std::optional<Content> contentOfFrame(const std::filesystem::path& file, const Effect& effect, const SequenceOptions& options, int frame)
 {
-    const Result<std::string> text = readFile(file, kMaxCheckedBytes);
-    if (!text) {
+    const Result<OpenFile> open = OpenFile::open(file);
+    if (!open) {
         return {};
     }
-    const Result<PictureHash> picture = pictureHash(std::as_bytes(std::span(text.value())));
-    const Result<PictureNotes> notes = readPictureNotes(text.value());
+    const PartReader parts = [&](std::uint64_t at, std::size_t size) { return open.value().readAt(at, size); };
+    const Result<PictureHash> picture = pictureHash(parts);
+    const Result<PictureNotes> notes = readPictureNotes(parts);
     if (!picture || !notes || picture.value().width != effect.output.width || picture.value().height != effect.output.height) {
         return {};
     }
     const bool carries = !options.preset.empty() && !notes.value().preset.empty();
-    if (carries && (notes.value().preset != options.preset || notes.value().frame != frame)) {
+    if (carries && (asciiJson(notes.value().preset) != asciiJson(options.preset) || notes.value().frame != frame)) {
         return {};
     }
     return Content{true, picture.value().hash};
@@ -178,6 +180,9 @@ Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions
 Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Progress& progress, const std::stop_token& stop)
 {
     std::optional<ManifestRecorder> recorder;
+    if (!recording.manifest.empty() && !isUtf8(withinFolderOf(recording.manifest, options.output).string())) {
+        return nameNotUtf8(options.output);
+    }
     if (!recording.manifest.empty()) {
         recorder.emplace(jobOf(effect, options), recording.manifest, options.frames);
         options.written = [&recorder, options](int frame, std::span<const std::byte> bytes) { return recorder->add(framePath(options, frame), frame, bytes); };
@@ -200,6 +205,9 @@ Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manif
     if (manifest.empty()) {
         return write({});
     }
+    if (!isUtf8(withinFolderOf(manifest, files.output).string())) {
+        return nameNotUtf8(files.output);
+    }
     ManifestRecorder recorder(job, manifest, files.frames);
     const Status written = write([&](int frame, std::span<const std::byte> bytes) { return recorder.add(framePath(files.output, files.frames, files.ending, frame), frame, bytes); });
     const Status recorded = recorder.write();
@@ -210,11 +218,11 @@ Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, cons
 {
     ManifestRecorder recorder(jobOf(effect, options), manifest, std::nullopt);
     for (const std::filesystem::path& file : filesOf(options)) {
-        const Result<std::string> bytes = readFile(file, kMaxCheckedBytes);
-        if (!bytes) {
-            return bytes.error();
+        Result<Content> content = contentOfFile(file);
+        if (!content) {
+            return content.error();
         }
-        if (Status status = recorder.add(file, std::nullopt, std::as_bytes(std::span(bytes.value()))); !status) {
+        if (Status status = recorder.add(file, std::nullopt, std::move(content).value()); !status) {
             return status;
         }
     }

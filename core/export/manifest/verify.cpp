@@ -33,23 +33,34 @@ std::map<std::string, Expectation> expectationsOf(const ManifestSet& set)
     return all;
 }
 
-Result<FileState> stateOf(const std::filesystem::path& file, const Expectation& expected)
+/// What is wrong with a file that could not be opened, or read to its end.
+FileState stateAfter(const Error& error, const std::filesystem::path& file)
 {
-    const Result<std::string> bytes = readFile(file, kMaxCheckedBytes);
-    if (!bytes && (bytes.error().code == ErrorCode::FileNotFound || bytes.error().code == ErrorCode::NotAFile)) {
-        return FileState::Missing;
+    std::error_code unknown;
+    switch (error.code) {
+    case ErrorCode::FileNotFound: return FileState::Missing;
+    case ErrorCode::NotAFile:
+        return std::filesystem::exists(std::filesystem::symlink_status(file, unknown)) ? FileState::NotAFile
+                                                                                       : FileState::Missing;
+    case ErrorCode::Syntax:
+    case ErrorCode::TooLarge: return FileState::Broken;
+    default: return FileState::Unreadable;
     }
-    if (!bytes) {
-        return bytes.error();
-    }
-    if (expected.contradicted) {
-        return FileState::Contradicted;
-    }
-    const Result<Content> content = contentOf(std::as_bytes(std::span(bytes.value())));
+}
+
+CheckedFile checkFile(const std::string& name, const std::filesystem::path& file, const Expectation& expected)
+{
+    const Result<Content> content = contentOfFile(file);
+    CheckedFile checked{name, expected.frame, FileState::Same};
     if (!content) {
-        return FileState::Broken;
+        checked.state = stateAfter(content.error(), file);
+        checked.why = checked.state == FileState::Missing ? Message() : content.error().message;
+    } else if (expected.contradicted) {
+        checked.state = FileState::Contradicted;
+    } else {
+        checked.state = content.value() == expected.content ? FileState::Same : FileState::Different;
     }
-    return content.value() == expected.content ? FileState::Same : FileState::Different;
+    return checked;
 }
 
 /// Files that have the ending of one that is named, and are not.
@@ -185,6 +196,8 @@ std::string_view nameOf(FileState state)
     case FileState::Broken: return "broken";
     case FileState::Contradicted: return "contradicted";
     case FileState::Extra: return "extra";
+    case FileState::NotAFile: return "not_a_file";
+    case FileState::Unreadable: return "unreadable";
     }
     return {};
 }
@@ -201,14 +214,18 @@ Result<ManifestSet> openManifests(const std::filesystem::path& folderOrManifest)
         set.manifests.push_back({folderOrManifest, std::move(manifest).value()});
         return set;
     }
-    Result<std::vector<FoundManifest>> found = findManifests(folderOrManifest);
+    std::vector<Error> broken;
+    Result<std::vector<FoundManifest>> found = findManifests(folderOrManifest, &broken);
     if (!found) {
         return found.error();
+    }
+    if (found.value().empty() && !broken.empty()) {
+        return broken.front();
     }
     if (found.value().empty()) {
         return Error{ErrorCode::FileNotFound, said("there is no manifest in this folder"), folderOrManifest.string(), said("Write pictures with --manifest")};
     }
-    return ManifestSet{folderOrManifest, true, std::move(found).value()};
+    return ManifestSet{folderOrManifest, true, std::move(found).value(), std::move(broken)};
 }
 
 Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop)
@@ -220,11 +237,7 @@ Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::o
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
         }
-        const Result<FileState> state = stateOf(set.folder / pathFrom(file), expectation);
-        if (!state) {
-            return state.error();
-        }
-        checked.push_back({file, expectation.frame, state.value()});
+        checked.push_back(checkFile(file, set.folder / pathFrom(file), expectation));
         progress(Work::Frames, static_cast<int>(checked.size()), total);
     }
     std::vector<CheckedFile> others = set.whole ? extrasOf(set, expected) : std::vector<CheckedFile>();
