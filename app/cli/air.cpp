@@ -17,7 +17,7 @@ namespace {
 struct AirOptions {
     EffectOptions effect;
     std::string output;
-    std::string frames = "0";
+    std::string frames;
     std::string format;
     ManifestOption manifest;
 };
@@ -25,7 +25,7 @@ struct AirOptions {
 Result<AirSequenceOptions> sequenceOf(const AirOptions& options, const NamedPreset& named)
 {
     AirSequenceOptions sequence;
-    const Result<FrameRange> frames = parseFrameRange(options.frames);
+    const Result<FrameRange> frames = oneFrameFor(options.frames, named);
     if (!frames) {
         return frames.error();
     }
@@ -80,7 +80,7 @@ void addAir(CLI::App& program, Action& action)
     auto options = std::make_shared<AirOptions>();
     CLI::App* command = program.add_subcommand("air", "Write the air that carries the smoke as vector fields for engines");
     options->effect.addTo(*command);
-    command->add_option("-f,--frame,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
+    command->add_option("-f,--frame,--frames", options->frames, kOneFrameHelp)->type_name("RANGE");
     command->add_option("--format", options->format, "fga (Unreal) or vf (Unity's Volume File). Default: by the ending of the file, else fga")->check(CLI::IsMember({"fga", "vf"}));
     command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
     options->manifest.addTo(*command);

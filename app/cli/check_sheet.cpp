@@ -21,7 +21,7 @@ constexpr double kPercent = 100.0;
 
 struct CheckArguments {
     PictureOptions picture;
-    std::string grid = "4x4";
+    std::string grid;
     int lit = 2;
     bool asJson = false;
 };
@@ -65,13 +65,13 @@ nlohmann::ordered_json jsonOf(const std::string& name, const SheetScore& score)
 
 Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedPreset& named)
 {
-    const Result<PictureJob> job = arguments.picture.jobFor(named);
+    const Result<PictureJob> job = arguments.picture.jobFor(named, ExportKind::Flipbook);
     if (!job) {
         return job.error();
     }
     FlipbookOptions options;
     options.frames = job.value().plan.frames;
-    if (Status status = parseGrid(arguments.grid, options.columns, options.rows); !status) {
+    if (Status status = gridFor(arguments.grid, "4x4", named, options.columns, options.rows); !status) {
         return status.error();
     }
     options.format = job.value().plan.format;
@@ -107,10 +107,16 @@ void addCheckSheet(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("check-sheet", "Measure how well a flipbook's light maps and motion vectors do");
     PictureOptions& picture = arguments->picture;
     picture.effect.addTo(*command);
-    command->add_option("-f,--frames", picture.frames, "Frames: 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
+    command
+        ->add_option("-f,--frames", picture.frames,
+            "Frames: 0-119 or 0-119:2. Default: the whole timeline, or those of the sheet that carries the preset")
+        ->type_name("RANGE");
     command->add_option("--size", picture.size, "Size of a cell: 256 or 320x180. Default: the preset's")->type_name("SIZE");
     command->add_option("--format", picture.format, "Of the pictures that are measured: png (8 bit), png16, exr. Default: png")->check(CLI::IsMember({"png", "png16", "exr"}));
-    command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    command
+        ->add_option("--grid", arguments->grid,
+            "Columns and rows: 8 or 8x4. Default: 4x4, or of a sheet that carries its preset its own")
+        ->type_name("GRID");
     addWhole(*command, "--lit", arguments->lit, 1, kMostLit, "Cells in which light is measured, each under 20 lights. Default: 2");
     addJson(*command, arguments->asJson);
     command->footer("six-way: pictures that an engine makes of the two light maps, against the smoke under that light, premultiplied, of 20 directions together and of the worst of\n"

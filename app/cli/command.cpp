@@ -19,7 +19,7 @@ Result<NamedPreset> load(const std::string& preset, const std::vector<std::strin
     for (const Message& warning : reading.value().warnings) {
         warn(warning.text());
     }
-    NamedPreset named{reading.value().preset, "smoke", {}};
+    NamedPreset named{reading.value().preset, "smoke", {}, shownBy(reading.value())};
     if (preset != kStandardStream) {
         const Result<LibraryEntry> entry = findPreset(preset);
         named.name = entry ? entry.value().id : named.name;
@@ -133,6 +133,18 @@ Result<std::vector<NamedPreset>> EffectOptions::loadAll() const
 void addJson(CLI::App& command, bool& asJson)
 {
     command.add_flag("--json", asJson, "Answer in JSON, for programs to read");
+}
+
+Result<FrameRange> framesFor(const std::string& asked, const NamedPreset& named, ExportKind kind)
+{
+    return asked.empty() ? Result<FrameRange>(framesOf(kind, named.preset.effect.timeline, named.shown))
+                         : parseFrameRange(asked);
+}
+
+Result<FrameRange> oneFrameFor(const std::string& asked, const NamedPreset& named)
+{
+    const int frame = named.shown.frame.value_or(0);
+    return asked.empty() ? Result<FrameRange>(FrameRange{frame, frame, 1}) : parseFrameRange(asked);
 }
 
 Result<PresetReading> readPreset(const std::string& name)

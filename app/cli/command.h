@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/effect/effect.h"
+#include "core/export/shown.h"
 #include "core/preset/library.h"
 
 #include <filesystem>
@@ -38,6 +39,7 @@ struct NamedPreset {
     Preset preset;
     std::string name; ///< files are named after it where the user does not say how
     std::filesystem::path file; ///< of the preset; empty where it is built in or came from standard input
+    Shown shown; ///< by the picture that it was read from
 };
 
 /// Effects as the command line names them: presets, then changes to them.
@@ -60,6 +62,18 @@ private:
 
 /// Adds --json to a subcommand whose answer a program may want to read.
 void addJson(CLI::App& command, bool& asJson);
+
+/// The frames that somebody asks for with --frames.
+/// @param asked empty: those of framesOf()
+/// @error that of parseFrameRange()
+[[nodiscard]] Result<FrameRange> framesFor(const std::string& asked, const NamedPreset& named, ExportKind kind);
+/// The same for what is of one frame by default.
+/// @param asked empty: the frame of the picture that the preset was read from, else 0
+[[nodiscard]] Result<FrameRange> oneFrameFor(const std::string& asked, const NamedPreset& named);
+/// What the help says of them.
+inline constexpr const char* kFramesHelp = "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline";
+inline constexpr const char* kOneFrameHelp =
+    "Frames: 7, 0-119 or 0-119:2. Default: 0, or of a picture that carries its preset the one that it shows";
 
 /// Reads a preset that a person names; "-" is standard input.
 [[nodiscard]] Result<PresetReading> readPreset(const std::string& name);

@@ -17,7 +17,7 @@ namespace {
 struct DumpOptions {
     EffectOptions effect;
     std::string output{kStandardStream};
-    std::string frames = "0";
+    std::string frames;
     std::string format;
     std::string up = "y";
     ManifestOption manifest;
@@ -51,7 +51,7 @@ Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, Particl
 Status dumpOne(const DumpOptions& options, const NamedPreset& named)
 {
     ParticleSequenceOptions sequence;
-    const Result<FrameRange> frames = parseFrameRange(options.frames);
+    const Result<FrameRange> frames = oneFrameFor(options.frames, named);
     if (!frames) {
         return frames.error();
     }
@@ -82,7 +82,7 @@ void addDump(CLI::App& program, Action& action)
     auto options = std::make_shared<DumpOptions>();
     CLI::App* command = program.add_subcommand("dump", "Write the particles of frames as CSV, PLY or a point cache");
     options->effect.addTo(*command);
-    command->add_option("-f,--frame,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
+    command->add_option("-f,--frame,--frames", options->frames, kOneFrameHelp)->type_name("RANGE");
     command->add_option("--format", options->format, "csv, ply (binary), or pcache (Unity's point cache, in Unity's axes). Default: by the ending of the file")->check(CLI::IsMember({"csv", "ply", "pcache"}));
     command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
     command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")->type_name("FILE")->capture_default_str();

@@ -7,6 +7,7 @@
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/base/path.h"
+#include "core/base/text.h"
 #include "core/export/farm/chunk.h"
 #include "core/export/farm/farm.h"
 #include "core/export/output_name.h"
@@ -67,17 +68,22 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
     if (!options.then.empty() && picture.format.empty() && endingOf(pathFrom(picture.output)).empty()) {
         picture.format = nameOf(ImageFormat::ExrHalf);
     }
-    Result<PictureJob> job = picture.jobFor(named);
+    Result<PictureJob> job =
+        picture.jobFor(named, ExportKind::Video); // all frames, also of a preset that one picture carries
     if (!job) {
         return job;
     }
     ExportPlan& plan = job.value().plan;
+    plan.kind = ExportKind::Sequence;
     if (Status status = options.passes.applyTo(plan); !status) {
         return status.error();
     }
     if (plan.output == kStandardStream) {
         return Error{ErrorCode::OutOfRange, said("a farm writes no frames to standard output"), std::string("--output"),
             said("Name a file in a folder that all machines see")};
+    }
+    if (!isUtf8(std::filesystem::absolute(plan.output).string())) {
+        return nameNotUtf8(plan.output);
     }
     if (!options.then.empty() && plan.format != ImageFormat::ExrHalf && plan.format != ImageFormat::ExrFloat) {
         return Error{ErrorCode::OutOfRange, said("frames that are to be joined are EXR"), "--then " + options.then, said("Write --format exr")};
@@ -100,7 +106,7 @@ FarmJob jobOf(const FarmOptions& options, Farm farm, const Effect& seen, const E
     job.folder = std::filesystem::absolute(plan.output).lexically_normal().parent_path();
     job.name = nameWithoutNumber(plan.output);
     job.output = plan.output.filename().string();
-    if (job.output.find('#') == std::string::npos) {
+    if (!numberPlaceIn(job.output)) {
         job.output = job.name + "_####" + std::string(fileEnding(plan.format)); // a task of one frame must not name it otherwise than others do
     }
     job.frames = plan.frames;

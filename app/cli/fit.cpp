@@ -38,7 +38,8 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
 Status fit(const PictureOptions& options)
 {
     return options.effect.forEach([&](const NamedPreset& named) -> Status {
-        const Result<PictureJob> job = options.jobWithoutOutput(named);
+        const Result<PictureJob> job =
+            options.jobWithoutOutput(named, ExportKind::Video); // render --fit looks at the whole timeline, too
         if (!job) {
             return job.error();
         }
@@ -54,7 +55,7 @@ void addFit(CLI::App& program, Action& action)
     auto options = std::make_shared<PictureOptions>();
     CLI::App* command = program.add_subcommand("fit", "Find where the camera sees all smoke, and print it as options of other commands");
     options->effect.addTo(*command);
-    command->add_option("-f,--frames", options->frames, "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
+    command->add_option("-f,--frame,--frames", options->frames, kFramesHelp)->type_name("RANGE");
     command->add_option("--size", options->size, "Picture size, of which the shape matters: 512 or 640x360. Default: the preset's")->type_name("SIZE");
     command->footer(
         "The camera looks the way it does; it moves until no border of any frame has smoke on it, and the smoke fills the picture. render and flipbook do the\n"

@@ -17,7 +17,7 @@ namespace {
 
 struct FlipbookArguments {
     PictureOptions picture;
-    std::string grid = "8x8";
+    std::string grid; ///< empty: see gridFor()
     PassOptions passes;
     bool powerOfTwo = false;
     bool trim = false;
@@ -44,12 +44,14 @@ std::string complaint(const Flipbook& flipbook)
     return text.str();
 }
 
+constexpr const char* kUsualGrid = "8x8";
+
 /// A sheet that ends in _8x8 says itself how many cells it has: several tools read it off.
 NamedPreset namedForItsGrid(const FlipbookArguments& arguments, NamedPreset named)
 {
     int columns = 0;
     int rows = 0;
-    if (arguments.passes.isForAnEngine() && parseGrid(arguments.grid, columns, rows)) {
+    if (arguments.passes.isForAnEngine() && gridFor(arguments.grid, kUsualGrid, named, columns, rows)) {
         named.name += "_" + std::to_string(columns) + "x" + std::to_string(rows);
     }
     return named;
@@ -72,13 +74,12 @@ Status tellSize(const PictureJob& job)
 
 Result<PictureJob> jobOf(const FlipbookArguments& arguments, const NamedPreset& named)
 {
-    Result<PictureJob> job = arguments.picture.jobFor(named);
+    Result<PictureJob> job = arguments.picture.jobFor(named, ExportKind::Flipbook);
     if (!job) {
         return job.error();
     }
     ExportPlan& plan = job.value().plan;
-    plan.kind = ExportKind::Flipbook;
-    if (Status status = parseGrid(arguments.grid, plan.columns, plan.rows); !status) {
+    if (Status status = gridFor(arguments.grid, kUsualGrid, named, plan.columns, plan.rows); !status) {
         return status.error();
     }
     if (Status status = arguments.passes.applyTo(plan); !status) {
@@ -86,6 +87,9 @@ Result<PictureJob> jobOf(const FlipbookArguments& arguments, const NamedPreset& 
     }
     plan.powerOfTwo = arguments.powerOfTwo;
     plan.trim = arguments.trim;
+    if (named.shown.sheet && arguments.picture.frames.empty()) {
+        plan.retime = named.shown.sheet->retime;
+    }
     if (!arguments.retime.empty()) {
         const Result<Curve> curve = parseRetime(arguments.retime);
         if (!curve) {
@@ -150,10 +154,16 @@ void addFlipbook(CLI::App& program, Action& action)
 {
     auto arguments = std::make_shared<FlipbookArguments>();
     CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
-    arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name", "Size of a cell: 256 or 320x180. Default: the preset's");
+    arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name",
+        "Size of a cell: 256 or 320x180. Default: the preset's",
+        "Frames: 0-119 or 0-119:2. Default: the whole timeline, or those of the sheet that carries the preset");
     arguments->picture.addFormat(*command);
     arguments->picture.manifest.addTo(*command);
-    CLI::Option* grid = command->add_option("--grid", arguments->grid, "Columns and rows: 8 or 8x4")->type_name("GRID")->capture_default_str();
+    CLI::Option* grid =
+        command
+            ->add_option("--grid", arguments->grid,
+                "Columns and rows: 8 or 8x4. Default: 8x8, or of a sheet that carries its preset its own")
+            ->type_name("GRID");
     command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
     command->add_option("--optimise", arguments->budget,
                "Memory that the pictures may take as BC7, such as 4MB: tries grids with cells as large as fits, at most --size, prints how well each plays, and takes the best")

@@ -17,7 +17,17 @@ namespace fumage::cli {
 
 namespace {
 
-Status asText(const Preset& preset, const Schedule& schedule)
+/// What the picture shows that the preset was read from; empty where it has a file of its own.
+std::string shownText(const Shown& shown)
+{
+    if (shown.sheet) {
+        return "shows       a sheet of " + std::to_string(shown.sheet->columns) + " x "
+            + std::to_string(shown.sheet->rows) + " cells, frames " + textOf(shown.sheet->frames) + "\n";
+    }
+    return shown.frame ? "shows       frame " + std::to_string(*shown.frame) + "\n" : "";
+}
+
+Status asText(const Preset& preset, const Schedule& schedule, const Shown& shown)
 {
     const Effect& effect = preset.effect;
     std::ostringstream out;
@@ -25,7 +35,8 @@ Status asText(const Preset& preset, const Schedule& schedule)
         << printable(preset.description) << "\n\n";
     out << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
     out << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " frames/s" << (effect.timeline.loop ? ", looping" : "") << "\n";
-    out << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n\n";
+    out << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n"
+        << shownText(shown) << "\n";
     out << "What differs from a new document:\n";
     for (const Parameter* parameter : differences(effect, Effect{})) {
         out << "  " << parameter->key << " = " << formatText(*parameter, parameter->get(effect), true) << "\n";
@@ -33,7 +44,7 @@ Status asText(const Preset& preset, const Schedule& schedule)
     return print(out.str());
 }
 
-Status asJson(const Preset& preset, const Schedule& schedule)
+nlohmann::ordered_json asJson(const Preset& preset, const Schedule& schedule)
 {
     const Effect& effect = preset.effect;
     const JsonValues values(preset);
@@ -41,8 +52,10 @@ Status asJson(const Preset& preset, const Schedule& schedule)
     for (const Parameter* parameter : differences(effect, Effect{})) {
         changed[std::string(parameter->key)] = values.of(*parameter);
     }
-    return printJson({{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()}, {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt},
-        {"frames", effect.timeline.length}, {"frameRate", effect.timeline.frameRate}, {"loop", effect.timeline.loop}, {"width", effect.output.width}, {"height", effect.output.height}, {"changed", changed}});
+    return {{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()},
+        {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt}, {"frames", effect.timeline.length},
+        {"frameRate", effect.timeline.frameRate}, {"loop", effect.timeline.loop}, {"width", effect.output.width},
+        {"height", effect.output.height}, {"changed", changed}};
 }
 
 Status info(const std::string& name, bool json)
@@ -53,7 +66,19 @@ Status info(const std::string& name, bool json)
     }
     const Preset& preset = reading.value().preset;
     const Schedule schedule = makeSchedule(sampled(preset.effect));
-    return json ? asJson(preset, schedule) : asText(preset, schedule);
+    const Shown shown = shownBy(reading.value());
+    if (!json) {
+        return asText(preset, schedule, shown);
+    }
+    nlohmann::ordered_json answer = asJson(preset, schedule);
+    if (shown.frame) {
+        answer["frame"] = *shown.frame;
+    }
+    if (shown.sheet) {
+        answer["sheet"] = {
+            {"columns", shown.sheet->columns}, {"rows", shown.sheet->rows}, {"frames", textOf(shown.sheet->frames)}};
+    }
+    return printJson(answer);
 }
 
 Status machineAsJson()

@@ -50,11 +50,22 @@ Status parseGrid(const std::string& text, int& columns, int& rows)
     return Done{};
 }
 
-void PictureOptions::addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp)
+Status gridFor(const std::string& asked, const char* usual, const NamedPreset& named, int& columns, int& rows)
+{
+    if (!asked.empty() || !named.shown.sheet) {
+        return parseGrid(asked.empty() ? usual : asked, columns, rows);
+    }
+    columns = named.shown.sheet->columns;
+    rows = named.shown.sheet->rows;
+    return Done{};
+}
+
+void PictureOptions::addTo(
+    CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp, const std::string& framesHelp)
 {
     effect.addTo(command);
     command.add_option("-o,--output", output, outputHelp)->type_name("FILE");
-    command.add_option("-f,--frames", frames, "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline")->type_name("RANGE");
+    command.add_option("-f,--frame,--frames", frames, framesHelp)->type_name("RANGE");
     command.add_option("--size", size, sizeHelp)->type_name("SIZE");
     command.add_option_function<std::string>(
         "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
@@ -74,9 +85,9 @@ void PictureOptions::addSkipping(CLI::App& command)
     command.add_flag("--skip-existing", skipExisting, "Leave frames alone whose file is there as a whole, in this size, and made of this preset as far as it says so");
 }
 
-Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
+Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named, ExportKind kind) const
 {
-    Result<PictureJob> job = jobWithoutOutput(named);
+    Result<PictureJob> job = jobWithoutOutput(named, kind);
     if (job) {
         if (Status status = chooseOutput(output, format, named.name, job.value().plan); !status) {
             return status.error();
@@ -88,9 +99,10 @@ Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named) const
     return job;
 }
 
-Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named) const
+Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named, ExportKind kind) const
 {
     PictureJob job;
+    job.plan.kind = kind;
     job.effect = named.preset.effect;
     job.plan.source = named.file;
     if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
@@ -99,14 +111,11 @@ Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named) co
     if (supersample > 0) {
         job.effect.output.supersample = supersample;
     }
-    job.plan.frames = {0, job.effect.timeline.length - 1, 1};
-    if (!frames.empty()) {
-        const Result<FrameRange> range = parseFrameRange(frames);
-        if (!range) {
-            return range.error();
-        }
-        job.plan.frames = range.value();
+    const Result<FrameRange> range = framesFor(frames, named, kind);
+    if (!range) {
+        return range.error();
     }
+    job.plan.frames = range.value();
     job.plan.fitCamera = fit;
     if (carriesPreset) {
         job.plan.project = named.preset;

@@ -16,6 +16,11 @@ namespace fumage::cli {
 /// What --grid says: columns and rows of a flipbook, or one number for both.
 [[nodiscard]] Status parseGrid(const std::string& text, int& columns, int& rows);
 
+/// The same where nobody may have named a grid.
+/// @param asked    empty: that of the sheet which carries the preset, or else the usual one
+[[nodiscard]] Status gridFor(
+    const std::string& asked, const char* usual, const NamedPreset& named, int& columns, int& rows);
+
 /// What pictures are to be rendered.
 struct PictureJob {
     Effect effect;
@@ -35,15 +40,17 @@ struct PictureOptions {
     ManifestOption manifest;
     bool skipExisting = false;
 
-    void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp);
+    void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp,
+        const std::string& framesHelp = kFramesHelp);
     /// Adds what only pictures have.
     void addFormat(CLI::App& command);
     /// Adds what only frames have, of which some may be there already.
     void addSkipping(CLI::App& command);
     /// What is to be done with one of the presets.
-    [[nodiscard]] Result<PictureJob> jobFor(const NamedPreset& named) const;
+    /// @param kind decides about the frames where none are named; see framesOf()
+    [[nodiscard]] Result<PictureJob> jobFor(const NamedPreset& named, ExportKind kind) const;
     /// The same, but for what it is to be written to.
-    [[nodiscard]] Result<PictureJob> jobWithoutOutput(const NamedPreset& named) const;
+    [[nodiscard]] Result<PictureJob> jobWithoutOutput(const NamedPreset& named, ExportKind kind) const;
 };
 
 /// Fills in format and path of a plan for pictures.

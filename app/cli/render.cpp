@@ -29,22 +29,56 @@ void addJobsTo(CLI::App& command, RenderArguments& arguments)
     command.get_option("preset")->required(false);
 }
 
+/// The sheet that carries the preset, once more. What somebody says of passes counts.
+Status makeSheetAgain(const RenderArguments& arguments, const FlipbookOptions& sheet, PictureJob& job)
+{
+    const ExportPlan asked = job.plan;
+    takeSheet(sheet, job.plan);
+    job.plan.passes = arguments.passes.passes.empty() ? job.plan.passes : asked.passes;
+    job.plan.style.premultiplied =
+        arguments.passes.alpha.empty() ? job.plan.style.premultiplied : asked.style.premultiplied;
+    job.plan.recording.skipExisting = false;
+    Output& output = job.effect.output;
+    if (!arguments.picture.size.empty()) { // it is that of the picture, as everywhere in this command
+        if (output.width % sheet.columns != 0 || output.height % sheet.rows != 0) {
+            return Error{ErrorCode::OutOfRange,
+                said("a sheet of %1 x %2 cells cannot have %3 x %4 pixels", sheet.columns, sheet.rows, output.width,
+                    output.height),
+                std::string("--size"), said("Choose multiples of %1 and %2", sheet.columns, sheet.rows)};
+        }
+        output.width /= sheet.columns;
+        output.height /= sheet.rows;
+    }
+    tell("the preset comes from a sheet of " + std::to_string(sheet.columns) + " x " + std::to_string(sheet.rows)
+        + " cells, which is made again; --frames renders frames");
+    return Done{};
+}
+
+Status renderOne(const RenderArguments& arguments, const NamedPreset& named)
+{
+    Result<PictureJob> job = arguments.picture.jobFor(named, ExportKind::Sequence);
+    if (!job) {
+        return job.error();
+    }
+    if (Status status = arguments.passes.applyTo(job.value().plan); !status) {
+        return status;
+    }
+    if (named.shown.sheet && arguments.picture.frames.empty()) {
+        if (Status status = makeSheetAgain(arguments, *named.shown.sheet, job.value()); !status) {
+            return status;
+        }
+    }
+    const Result<std::optional<Flipbook>> done = writePictures(job.value());
+    return done ? Status(Done{}) : done.error();
+}
+
 Status render(const RenderArguments& arguments)
 {
     if (!arguments.jobs.empty()) {
         return doJobs(arguments.jobs, arguments.asJson);
     }
-    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedPreset& named) -> Status {
-        Result<PictureJob> job = arguments.picture.jobFor(named);
-        if (!job) {
-            return job.error();
-        }
-        if (Status status = arguments.passes.applyTo(job.value().plan); !status) {
-            return status;
-        }
-        const Result<std::optional<Flipbook>> done = writePictures(job.value());
-        return done ? Status(Done{}) : done.error();
-    });
+    return arguments.picture.effect.forEach(
+        arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named); });
 }
 
 } // namespace
@@ -53,7 +87,12 @@ void addRender(CLI::App& program, Action& action)
 {
     auto arguments = std::make_shared<RenderArguments>();
     CLI::App* command = program.add_subcommand("render", "Render frames of a preset to numbered pictures");
-    arguments->picture.addTo(*command, "File to write; #### stands for the frame number, - is standard output (one frame). In a folder, and by default, the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
+    arguments->picture.addTo(*command,
+        "File to write; #### stands for the frame number, - is standard output (one frame). In a folder, and by "
+        "default, the preset's name",
+        "Picture size: 512 or 640x360. Default: the preset's",
+        "Frames: 7, 0-119 or 0-119:2. Default: the whole timeline; of a picture that carries its preset the frame that "
+        "it shows, and a sheet is made again");
     arguments->picture.addFormat(*command);
     arguments->picture.manifest.addTo(*command);
     arguments->picture.addSkipping(*command);
@@ -64,6 +103,7 @@ void addRender(CLI::App& program, Action& action)
                     "Examples:\n"
                     "  fumage-cli render chimney --frames 40 --output chimney.png\n"
                     "  fumage-cli render my.json --frames 0-63 --size 1024 --set look.opacity=8 --output out/smoke_####.exr\n"
+                    "  fumage-cli render chimney.png --size 2048 --output large.png\n"
                     "  fumage-cli render explosion --passes all --output out/boom_####.exr\n"
                     "  fumage-cli render --jobs tonight.json");
     command->callback([arguments, &action] {

@@ -54,11 +54,10 @@ Status video(const VideoArguments& arguments)
 {
     const PictureOptions& options = arguments.picture;
     return options.effect.forEach(options.output, [&](const NamedPreset& named) -> Status {
-        Result<PictureJob> job = options.jobWithoutOutput(named);
+        Result<PictureJob> job = options.jobWithoutOutput(named, ExportKind::Video);
         if (!job) {
             return job.error();
         }
-        job.value().plan.kind = ExportKind::Video;
         if (Status status = arguments.playing.applyTo(job.value().plan); !status) {
             return status;
         }

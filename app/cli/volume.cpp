@@ -19,7 +19,7 @@ namespace {
 struct VolumeArguments {
     EffectOptions effect;
     std::string output;
-    std::string frames = "0";
+    std::string frames;
     std::string up = "z";
     int cells = VolumeSequenceOptions().longest;
     float voxel = 0.0F; ///< 0: not named
@@ -30,7 +30,7 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
 {
     static constexpr std::array kEndings{kVdbEnding};
     VolumeSequenceOptions options;
-    const Result<FrameRange> frames = parseFrameRange(arguments.frames);
+    const Result<FrameRange> frames = oneFrameFor(arguments.frames, named);
     if (!frames) {
         return frames.error();
     }
@@ -71,7 +71,7 @@ void addVolume(CLI::App& program, Action& action)
     auto arguments = std::make_shared<VolumeArguments>();
     CLI::App* command = program.add_subcommand("volume", "Write the smoke of frames as OpenVDB volumes");
     arguments->effect.addTo(*command);
-    command->add_option("-f,--frame,--frames", arguments->frames, "Frames: 7, 0-119 or 0-119:2")->type_name("RANGE")->capture_default_str();
+    command->add_option("-f,--frame,--frames", arguments->frames, kOneFrameHelp)->type_name("RANGE");
     CLI::Option* cells = addWhole(*command, "--cells", arguments->cells, kMinVolumeCells, kMaxVolumeCells, "Voxels along the longest edge of the smoke of the whole timeline. Default: 128");
     addNumber(*command, "--voxel", arguments->voxel, kMinVoxel, kMaxVoxel, "Edge of a voxel in metres, in place of --cells; the timeline is not looked at then")->excludes(cells);
     command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")->check(CLI::IsMember({"y", "z"}))->capture_default_str();

@@ -1,9 +1,12 @@
 #include "core/export/job_file.h"
 
+#include "core/base/environment.h"
 #include "core/base/memory.h"
+#include "core/base/path.h"
 #include "core/base/text.h"
 #include "core/export/job_fields.h"
 #include "core/export/output_name.h"
+#include "core/export/shown.h"
 #include "core/preset/library.h"
 #include "core/preset/preset_node.h"
 
@@ -26,9 +29,10 @@ void takeEnding(const std::filesystem::path& output, const std::array<Format, kC
 
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& place)
+    Reader(std::string_view text, const std::string& place, const std::filesystem::path& folder)
         : m_text(text)
         , m_place(place)
+        , m_folder(folder)
     {
     }
 
@@ -98,13 +102,21 @@ private:
                 takeFormatOfOutput(job.plan);
             }
         }
+        const Result<std::filesystem::path> source = placed(node, job.plan.source);
+        if (!source) {
+            return source.error();
+        }
+        job.plan.source = source.value();
         if (Status status = readPresetOf(node, job); !status) {
             return status;
         }
-        if (job.plan.output.filename().empty()) {
+        if (!isNameOfFile(job.plan.output.filename())) {
             return errorAt(node, ErrorCode::WrongType, said("the job %1 names no file that it writes", inQuotes(job.name)), said("Write \"output\": \"smoke.png\""));
         }
         complete(node, job);
+        if (Status status = placePaths(node, job.plan); !status) {
+            return status;
+        }
         m_reading.jobs.push_back(std::move(job));
         return Done{};
     }
@@ -122,6 +134,39 @@ private:
         return Done{};
     }
 
+    /// Whether it is more than dots and spaces, which name folders or nothing.
+    static bool isNameOfFile(const std::filesystem::path& name)
+    {
+        return name.string().find_first_not_of(". ") != std::string::npos;
+    }
+
+    /// A path of the list as it is from the working folder.
+    /// @param node for the place of the error
+    [[nodiscard]] Result<std::filesystem::path> placed(const JsonNode& node, const std::filesystem::path& path) const
+    {
+        if (path.empty() || *path.begin() != "~") {
+            return path.empty() ? path : m_folder / path;
+        }
+        const std::filesystem::path home = userHome();
+        if (home.empty()) {
+            return errorAt(
+                node, ErrorCode::FileNotFound, said("nobody says which folder ~ is"), said("Write the whole path"));
+        }
+        return home / path.lexically_relative("~");
+    }
+
+    Status placePaths(const JsonNode& node, ExportPlan& plan) const
+    {
+        for (std::filesystem::path* path : {&plan.output, &plan.recording.manifest}) {
+            Result<std::filesystem::path> whole = placed(node, *path);
+            if (!whole) {
+                return whole.error();
+            }
+            *path = std::move(whole).value();
+        }
+        return Done{};
+    }
+
     Status readPresetOf(const JsonNode& node, ExportJob& job)
     {
         const JsonNode* preset = node.find(kPreset);
@@ -130,6 +175,12 @@ private:
         }
         const bool isName = preset->type == JsonNode::Type::String;
         const Result<PresetReading> reading = isName ? loadNamed(*preset, job) : readPreset(m_text, *preset, m_place, kMostWarnings - std::min(kMostWarnings, m_reading.warnings.size()));
+        m_shown = reading ? shownBy(reading.value()) : Shown();
+        if (!reading && isName) {
+            job.refusal = reading.error();
+            job.presetName = preset->string;
+            return Done{};
+        }
         if (!reading) {
             return reading.error();
         }
@@ -142,12 +193,29 @@ private:
     /// A preset that stands elsewhere, and is not to be written over.
     [[nodiscard]] Result<PresetReading> loadNamed(const JsonNode& name, ExportJob& job) const
     {
-        const Result<LibraryEntry> entry = findPreset(name.string);
+        const Result<LibraryEntry> entry = find(name);
         if (!entry) {
             return errorAt(name, entry.error().code, entry.error().message, entry.error().remedy);
         }
         job.plan.source = job.plan.source.empty() ? entry.value().path : job.plan.source;
         return loadPreset(entry.value());
+    }
+
+    /// One of the library, or else a file from where the list's paths begin.
+    [[nodiscard]] Result<LibraryEntry> find(const JsonNode& name) const
+    {
+        Result<LibraryEntry> entry = findPreset(name.string);
+        if (entry && (entry.value().path.empty() || entry.value().path.is_absolute())) {
+            return entry;
+        }
+        const Result<std::filesystem::path> file = placed(name, pathFrom(name.string));
+        if (!file) {
+            return file.error();
+        }
+        std::error_code missing;
+        return entry || std::filesystem::exists(file.value(), missing)
+            ? LibraryEntry{file.value().stem().string(), file.value()}
+            : entry;
     }
 
     static void takeFormatOfOutput(ExportPlan& plan)
@@ -159,12 +227,16 @@ private:
     }
 
     /// What a person may leave out.
-    static void complete(const JsonNode& node, ExportJob& job)
+    void complete(const JsonNode& node, ExportJob& job) const
     {
         job.name = job.name.empty() ? job.plan.output.filename().string() : job.name;
         job.plan.output = withEnding(job.plan.output, fileEnding(job.plan));
         if (node.find("frames") == nullptr) {
-            job.plan.frames = {0, job.preset.effect.timeline.length - 1, 1};
+            job.plan.frames = framesOf(job.plan.kind, job.preset.effect.timeline, m_shown);
+        }
+        if (m_shown.sheet && node.find("columns") == nullptr && node.find("rows") == nullptr) {
+            job.plan.columns = m_shown.sheet->columns;
+            job.plan.rows = m_shown.sheet->rows;
         }
         if (job.plan.project) {
             job.plan.project = isPicture(job.plan.kind) ? std::optional(job.preset) : std::nullopt;
@@ -173,7 +245,9 @@ private:
 
     std::string_view m_text;
     const std::string& m_place;
+    const std::filesystem::path& m_folder;
     JobsReading m_reading;
+    Shown m_shown; ///< by the picture that the last preset was read from
 };
 
 std::string formatJob(const ExportJob& job)
@@ -183,6 +257,9 @@ std::string formatJob(const ExportJob& job)
         if (const std::optional<std::string> value = field.written(job)) {
             out += "\n      " + quoteJson(field.key) + ": " + *value + ",";
         }
+    }
+    if (job.refusal) {
+        return out + "\n      " + quoteJson(kPreset) + ": " + quoteJson(job.presetName) + "\n    }";
     }
     // As it stands in a file of its own: what this version does not know in it must not change from one writing to the next.
     std::string preset = formatPreset(job.preset);
@@ -230,15 +307,18 @@ std::optional<ExportPlan> parsePlan(std::string_view json)
     return job.plan;
 }
 
-Result<JobsReading> parseJobs(std::string_view json, const std::string& place)
+Result<JobsReading> parseJobs(std::string_view json, const std::string& place, const std::filesystem::path& folder)
 {
-    return withinMemory([&]() -> Result<JobsReading> { return Reader(json, place).read(); });
+    return withinMemory([&]() -> Result<JobsReading> { return Reader(json, place, folder).read(); });
 }
 
 Result<JobsReading> readJobsFile(const std::filesystem::path& path)
 {
     const Result<std::string> text = readFile(path, kMaxJobsBytes);
-    return text ? parseJobs(text.value(), path.string()) : text.error();
+    // Names stay as short as they are written where the list lies in the working folder.
+    const std::filesystem::path folder = path.parent_path();
+    return text ? parseJobs(text.value(), path.string(), isSameFile(folder, ".") ? std::filesystem::path() : folder)
+                : text.error();
 }
 
 Status writeJobsFile(const std::filesystem::path& path, std::span<const ExportJob> jobs, FileAccess access)

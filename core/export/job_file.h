@@ -24,14 +24,20 @@ struct JobsReading {
 /// characters. parseJobs() of it gives the same jobs; writing those again gives the same text.
 [[nodiscard]] std::string formatJobs(std::span<const ExportJob> jobs);
 
-/// Reads jobs from a text that may be anything. What is missing is as the command line has it: the whole timeline, the format that the ending of the
-/// output asks for, the passes of the engine. The preset may be the name of one, as loadPreset() takes it. Outputs get the ending of their format.
-/// @param place name of the source for messages, usually the file; may be empty
-/// @error Syntax, NotUtf8, NotFinite, TooDeep, TooLarge, WrongType, WrongVersion, OutOfRange, UnknownName; UnknownKey with the nearest one: a slip would cost
-///        hours; those of loadPreset(). Places have line and column. OutOfMemory
+/// Reads jobs from a text that may be anything. What is missing is as the command line has it: the whole timeline, the
+/// format that the ending of the output asks for, the passes of the engine. The preset may be the name of one, as
+/// loadPreset() takes it; a job whose preset cannot be read has a refusal, and the others stay. Outputs get the ending
+/// of their format; "~/" at the beginning of a path is the user's home.
+/// @param place  name of the source for messages, usually the file; may be empty
+/// @param folder where paths that are not whole begin; empty: the working folder
+/// @error Syntax, NotUtf8, NotFinite, TooDeep, TooLarge, WrongType, WrongVersion, OutOfRange, UnknownName; UnknownKey
+/// with the nearest one: a slip would cost
+///        hours. Places have line and column. OutOfMemory
 /// O(n log n) in the text.
-[[nodiscard]] Result<JobsReading> parseJobs(std::string_view json, const std::string& place = "");
+[[nodiscard]] Result<JobsReading> parseJobs(
+    std::string_view json, const std::string& place = "", const std::filesystem::path& folder = {});
 
+/// parseJobs() of a file, whose folder its paths begin in.
 /// @error those of readFile() and parseJobs()
 [[nodiscard]] Result<JobsReading> readJobsFile(const std::filesystem::path& path);
 /// Writes formatJobs(), whole or not at all.

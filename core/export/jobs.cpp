@@ -32,6 +32,9 @@ std::vector<std::string> placesOf(const ExportPlan& plan)
 
 Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& progress, const std::stop_token& stop)
 {
+    if (job.refusal) {
+        return *job.refusal;
+    }
     ExportPlan plan = job.plan;
     if (plan.project) {
         plan.project = job.preset;

@@ -14,6 +14,8 @@ struct ExportJob {
     std::string name; ///< what people call it
     Preset preset; ///< whose smoke is exported
     ExportPlan plan; ///< where its project is set, pictures carry the preset, whatever stands in the project
+    std::optional<Error> refusal{}; ///< why it cannot be done: the preset that it names cannot be read
+    std::string presetName{}; ///< which, as it was named
 };
 
 /// Most jobs of one list, and most files that they write.
@@ -23,7 +25,7 @@ inline constexpr std::size_t kMostJobFiles = std::size_t{1} << 20U;
 /// Does a job. On the calling thread.
 /// @param progress as runExport()
 /// @return the flipbook, where that is what was made
-/// @error those of runExport()
+/// @error its refusal; those of runExport()
 [[nodiscard]] Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& progress, const std::stop_token& stop = {});
 
 /// The files that jobs write, manifests among them, to find those that one would write over another's. Folders are the same by whatever way they are named.

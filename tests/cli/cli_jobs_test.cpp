@@ -42,19 +42,21 @@ private slots:
         const QTemporaryDir folder;
         QVERIFY(writePresetFile(folder.filePath("mine.json").toStdString(), Preset()).ok());
         const QString list = writeList(folder,
-            R"({"name": "good", "output": "a/x_#.png", "frames": "0-1", $small},)"
+            R"({"name": "good", "output": "a/x_##.png", "frames": "0-1", $small},)"
             R"({"name": "nowhere", "output": "/proc/nowhere/b.png", "kind": "picture", $small},)"
             R"({"name": "large", "output": "large.exr", "kind": "picture", $large},)"
             R"({"name": "itself", "output": "c.png", "kind": "picture", "source": "c.png", $small},)"
             R"({"name": "book", "output": "d.png", "kind": "flipbook", "columns": 2, "rows": 1, "frames": "0-3", $small})");
         QVERIFY(QFile::copy(folder.filePath("mine.json"), folder.filePath("c.png")));
         // A limit on the size of files fails as a full disk does.
-        const Outcome outcome = run({"render", "--jobs", list, "--json"}, "cd '" + folder.path() + "' && trap '' XFSZ; ulimit -f 60; \"$0\" \"$@\"");
+        QVERIFY(list == folder.filePath("list.json"));
+        const Outcome outcome = run({"render", "--jobs", "list.json", "--json"},
+            "cd '" + folder.path() + "' && trap '' XFSZ; ulimit -f 60; \"$0\" \"$@\"");
         QCOMPARE(outcome.code, 1);
         QVERIFY2(outcome.error.contains("job 3 of 5: large\n"), outcome.error.constData());
         QVERIFY2(outcome.error.contains("fumage-cli: nowhere: ") && outcome.error.contains("fumage-cli: large: ") && outcome.error.contains("fumage-cli: itself: c.png: this would overwrite"), outcome.error.constData());
         QVERIFY2(outcome.error.trimmed().endsWith(": 3 of 5 jobs failed. Mend what is said above, and do them again"), outcome.error.constData());
-        QCOMPARE(QDir(folder.filePath("a")).entryList(QDir::Files), (QStringList{"x_0.png", "x_1.png"}));
+        QCOMPARE(QDir(folder.filePath("a")).entryList(QDir::Files), (QStringList{"x_00.png", "x_01.png"}));
         QVERIFY(QFile::exists(folder.filePath("d.flipbook.json")) && !QFile::exists(folder.filePath("large.exr")));
         const QJsonObject answer = QJsonDocument::fromJson(outcome.out).object();
         QCOMPARE(answer["done"].toInt(), 2);
@@ -63,13 +65,36 @@ private slots:
         QCOMPARE(jobs.size(), 5);
         QCOMPARE(jobs[0].toObject()["outcome"].toString(), QString("done"));
         QCOMPARE(jobs[0].toObject()["files"].toInt(), 2);
-        QCOMPARE(jobs[0].toObject()["last"].toString(), QString("a/x_1.png"));
+        QCOMPARE(jobs[0].toObject()["last"].toString(), QString("a/x_01.png"));
         QCOMPARE(jobs[1].toObject()["outcome"].toString(), QString("failed"));
         QVERIFY(jobs[2].toObject()["error"].toString().contains("large.exr"));
         QCOMPARE(jobs[4].toObject()["last"].toString(), QString("d.flipbook.json"));
         // All of them done is a success, and standard input will do.
         const Outcome fine = run({"render", "--jobs", "-"}, "cd '" + folder.path() + "' && \"$0\" \"$@\" < " + writeList(folder, R"({"output": "e.png", "kind": "picture", $small})"));
         QVERIFY2(fine.code == 0 && fine.error.trimmed().endsWith("wrote e.png"), fine.error.constData());
+    }
+
+    void aListIsDoneFromAnyFolder()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkpath("deep"));
+        Preset preset;
+        preset.effect.emitter.count = 300;
+        preset.effect.output.width = preset.effect.output.height = 32;
+        QVERIFY(writePresetFile(folder.filePath("deep/my.json").toStdString(), preset).ok());
+        const std::string list =
+            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", "preset": "missing.json", "kind": "picture", "output": "a.png"},
+            {"name": "B", "preset": "my.json", "kind": "picture", "frames": "5", "output": "out/b.png"}, {"name": "C", "preset": "my.json", "frames": "5-6", "output": "jj_%04d.png"}]})";
+        QVERIFY(writeFileAtomically(folder.filePath("deep/jobs.json").toStdString(), list).ok());
+        const Outcome outcome = runIn(folder, {"render", "--jobs", "deep/jobs.json", "--json"});
+        QCOMPARE(outcome.code, 1); // as of a preset that is not there
+        QVERIFY2(outcome.error.contains("fumage-cli: A: deep/missing.json: cannot read"), outcome.error.constData());
+        QVERIFY(QFile::exists(folder.filePath("deep/out/b.png")) && QFile::exists(folder.filePath("deep/jj_0005.png"))
+            && QFile::exists(folder.filePath("deep/jj_0006.png")));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::NoDotAndDotDot | QDir::AllEntries), QStringList{"deep"});
+        const QJsonArray jobs = QJsonDocument::fromJson(outcome.out).object()["jobs"].toArray();
+        QCOMPARE(jobs[0].toObject()["outcome"].toString(), QString("failed"));
+        QCOMPARE(jobs[1].toObject()["first"].toString(), QString("deep/out/b.png"));
     }
 
     void jobsKeepTheirManifestAndWhatIsThere()

@@ -180,7 +180,7 @@ private slots:
         row("noise in tga", {"bake-noise", "thesis-2012", "-o", "n.tga"}, {"n.tga"});
         row("format without an ending", one + QStringList{"x", "--format", "exr"}, {"x.exr"});
         row("printf", two + QStringList{"x_%03d.png"}, {"x_007.png", "x_008.png"});
-        row("printf without width", two + QStringList{"x%d"}, {"x7.png", "x8.png"});
+        row("printf without width", two + QStringList{"x%d"}, {"x%d_0007.png", "x%d_0008.png"});
         row("hashes and no ending", two + QStringList{"x.##"}, {"x.07.png", "x.08.png"});
         row("a folder that is there", two + QStringList{"d"}, {"d/thesis-2012_0007.png", "d/thesis-2012_0008.png"});
         row("a folder to be made", one + QStringList{"e/"}, {"e/thesis-2012.png"});
@@ -271,6 +271,48 @@ private slots:
         QCOMPARE(run({"validate", "-"}, "echo rubbish | \"$0\" \"$@\"").code, 3);
     }
 
+    void aJoinNeverOverwritesAFrame()
+    {
+        const QTemporaryDir folder;
+        QCOMPARE(runIn(folder, QStringList{"render", "default", "-f", "0-3", "-o", "a_##.exr"} + kSmall).code, 0);
+        const QByteArray before = contents(folder.path());
+        const Outcome outcome =
+            runIn(folder, {"join", "a_00.exr", "-i", "a_##.exr", "-f", "0-3", "--grid", "2", "-o", "a_02.exr"});
+        QVERIFY2(outcome.code == 3 && outcome.error.contains("one of the frames"), outcome.error.constData());
+        QVERIFY(contents(folder.path()) == before);
+    }
+
+    void aLackOfThreadsOrFilesIsToBeTriedAgain()
+    {
+        const QTemporaryDir folder;
+        QVERIFY(QFile(folder.path()).setPermissions(QFileDevice::Permissions(0x7777)));
+        const QStringList arguments =
+            QStringList{"render", "default", "-f", "0-3", "-o", folder.filePath("a_##.png")} + kSmall;
+        const QString asNobody = geteuid() == 0 ? "setpriv --reuid=65533 --clear-groups " : "";
+        const Outcome threads =
+            run(arguments, "cd / && " + asNobody + "bash -c 'ulimit -u 1; exec \"$0\" \"$@\"' \"$0\" \"$@\"");
+        QVERIFY2(threads.code == 75 && threads.error.contains("threads") && threads.error.contains("ulimit"),
+            threads.error.constData());
+        const Outcome files = run(arguments, "ulimit -n 4; \"$0\" \"$@\"");
+        QVERIFY2(files.code == 75 && files.error.contains("ulimit"), files.error.constData());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void namesThatAreTooLongAreNotTriedAgain()
+    {
+        const QTemporaryDir folder;
+        const QString name(300, 'x');
+        for (const QStringList& arguments : {QStringList{"render", name + ".json"},
+                 QStringList{"render", "default", "-f", "0", "-o", name + ".png"} + kSmall, QStringList{"verify", name},
+                 QStringList{"validate", name + ".json"},
+                 QStringList{"dump", "default", "--set", "emitter.count=5", "-o", name + ".csv"},
+                 QStringList{"render", "--jobs", name}, QStringList{"presets", "--show", "default", "-o", name},
+                 QStringList{"flipbook", "default", "--grid", "1", "-f", "0", "-o", name + ".png"} + kSmall}) {
+            const Outcome outcome = runIn(folder, arguments);
+            QVERIFY2(outcome.code == 1 && outcome.error.contains("too long"), outcome.error.constData());
+        }
+    }
+
     void aCommandNeverOverwritesItsPreset_data()
     {
         QTest::addColumn<QStringList>("arguments");
@@ -280,13 +322,21 @@ private slots:
         row("dump of frames", {"dump", "p_02.csv", "-f", "0-3", "-o", "p_##.csv"});
         row("noise", {"bake-noise", "my.png", "-o", "my.png"});
         row("render", {"render", "f_0003.png", "-f", "0-5", "-o", "f.png"});
+        row("a preset as JSON", {"presets", "--show", "my.json", "-o", "my.json"});
+        row("a preset as JSON through a link", {"presets", "--show", "my.csv", "-o", "link.csv"});
+        row("join to a sheet", {"join", "my.png", "-i", "x_##.exr", "-f", "0-3", "--grid", "2", "-o", "my.png"});
+        row("join to a video", {"join", "my.mp4", "-i", "x_##.exr", "-f", "0-3", "-o", "my.mp4"});
+        row("video", {"video", "my.gif", "-f", "0", "-o", "my.gif"});
+        row("volume", {"volume", "my.vdb", "-o", "my.vdb"});
+        row("air", {"air", "my.fga", "--set", "air.enabled=true", "-o", "my.fga"});
+        row("farm", {"farm", "my.fumage.json", "--for", "slurm", "-o", "my_##.exr"});
         row("flipbook's description", {"flipbook", "my.flipbook.json", "--grid", "1", "-f", "0", "-o", "my"});
     }
     void aCommandNeverOverwritesItsPreset()
     {
         QFETCH(QStringList, arguments);
         const QTemporaryDir folder;
-        const QString preset = folder.filePath(arguments[1]);
+        const QString preset = folder.filePath(arguments[1].startsWith('-') ? arguments[2] : arguments[1]);
         QVERIFY(writePresetFile(preset.toStdString(), Preset()).ok());
         QVERIFY(QFile::link(preset, folder.filePath("link.csv")));
         const QByteArray before = contents(folder.path());

@@ -2,6 +2,7 @@
 #include "core/export/cell_frames.h"
 #include "tests/helpers.h"
 
+#include "core/base/environment.h"
 #include "core/base/file.h"
 #include "core/export/job_file.h"
 
@@ -166,6 +167,56 @@ private slots:
         QVERIFY(reading.value().jobs[1].plan.source.empty());
     }
 
+    void aPresetThatCannotBeReadIsOneJobsAffair()
+    {
+        QVERIFY(writeFileAtomically(at("broken.json"), "{\"format\": 3").ok());
+        QVERIFY(writePresetFile(at("good.json"), smallPreset()).ok());
+        const std::string list =
+            R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a.png", "kind": "picture", "preset": "none.json"}, {"output": "b.png", "kind": "picture", "preset": "good.json"},
+            {"output": "c.png", "kind": "picture", "preset": "broken.json"}, {"output": "d.png", "kind": "picture", "preset": "campfir"}]})";
+        const JobsReading reading = parseJobs(list, "list.json", at("")).value();
+        const auto codeOf = [&](std::size_t i) {
+            return reading.jobs.at(i).refusal ? std::optional(reading.jobs[i].refusal->code) : std::nullopt;
+        };
+        QVERIFY(codeOf(0) == ErrorCode::FileNotFound && !codeOf(1) && codeOf(2) == ErrorCode::Syntax
+            && codeOf(3) == ErrorCode::UnknownName);
+        QVERIFY(reading.jobs[3].refusal->text().find("campfire") != std::string::npos);
+        for (const ExportJob& job : reading.jobs) {
+            const Result<std::optional<Flipbook>> done = runJob(job, {});
+            QCOMPARE(done.ok(), !job.refusal.has_value());
+            QCOMPARE(QFile::exists(QString::fromStdString(job.plan.output.string())), done.ok());
+        }
+        // What cannot be done is not another thing when it is written and read again.
+        const JobsReading again = parseJobs(formatJobs(reading.jobs), "list.json", at("")).value();
+        QCOMPARE(formatJobs(again.jobs), formatJobs(reading.jobs));
+        QVERIFY(again.jobs[0].refusal && !again.jobs[1].refusal && again.jobs[2].refusal && again.jobs[3].refusal);
+    }
+
+    void pathsOfAListBeginInItsFolder()
+    {
+        QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("deep/out")));
+        QVERIFY(writePresetFile(at("deep/my.json"), smallPreset()).ok());
+        std::string list = R"({"format": "fumage-jobs", "version": 1, "jobs": [)";
+        list += R"({"output": "out/a.png", "kind": "picture", "manifest": "out/a", "preset": "my.json"}, )";
+        list += R"({"output": "../b.png", "kind": "picture", "preset": "./my.json"}, )";
+        list += "{\"output\": \"" + at("c.png")
+            + "\", \"kind\": \"picture\", \"preset\": \"campfire\", \"source\": \"my.json\"}, ";
+        list += R"({"output": "~/d.png", "kind": "picture", "preset": "../deep/my.json"}]})";
+        QVERIFY(writeFileAtomically(at("deep/list.json"), list).ok());
+        const JobsReading reading = readJobsFile(at("deep/list.json")).value();
+        const auto placeOf = [&](const std::filesystem::path& path) { return path.lexically_normal().string(); };
+        QCOMPARE(placeOf(reading.jobs[0].plan.output), at("deep/out/a.png"));
+        QCOMPARE(placeOf(reading.jobs[0].plan.recording.manifest), at("deep/out/a"));
+        QCOMPARE(placeOf(reading.jobs[0].plan.source), at("deep/my.json"));
+        QCOMPARE(placeOf(reading.jobs[1].plan.output), at("b.png"));
+        QCOMPARE(placeOf(reading.jobs[2].plan.output), at("c.png"));
+        QCOMPARE(placeOf(reading.jobs[2].plan.source), at("deep/my.json"));
+        QCOMPARE(placeOf(reading.jobs[3].plan.output), placeOf(userHome() / "d.png"));
+        for (const ExportJob& job : reading.jobs) {
+            QVERIFY(!job.refusal);
+        }
+    }
+
     void badListsAreRefusedWithTheirPlace_data()
     {
         QTest::addColumn<QByteArray>("text");
@@ -179,6 +230,9 @@ private slots:
         row("a job that is none", R"({"format": "fumage-jobs", "version": 1, "jobs": [3]})", ErrorCode::WrongType, "line 1, column 50");
         row("a slip", listOf("\"output\": \"a.png\",\n \"colums\": 4"), ErrorCode::UnknownKey, "list.json, line 2, column 12: a job has no \"colums\". Did you mean \"columns\"?");
         row("no output", listOf(R"("name": "x")"), ErrorCode::WrongType, "\"x\" names no file");
+        for (const char* name : {".", "..", "a/..", "...", " . "}) {
+            row(name, listOf("\"output\": \"" + std::string(name) + "\""), ErrorCode::WrongType, "names no file");
+        }
         row("a folder", listOf(R"("output": "a/")"), ErrorCode::WrongType, "names no file");
         row("a zero byte", listOf(R"("output": "/home/me/.profile\u0000.png")"), ErrorCode::Syntax, "output: there is a zero byte");
         row("a path without end", listOf(R"("output": ")" + std::string(5000, 'a') + R"(")"), ErrorCode::TooLarge, "4096");
@@ -196,7 +250,6 @@ private slots:
         row("six packs", listOf(R"("output": "a", "packs": ["a=0", "b=0", "c=0", "d=0", "e=0", "f=0"])"), ErrorCode::WrongType, "up to 5");
         row("retime", listOf(R"("output": "a", "retime": [[0, 3]])"), ErrorCode::OutOfRange, "retime: ");
         row("no preset", R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a"}]})", ErrorCode::WrongType, "has no preset");
-        row("unknown preset", R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a", "preset": "campfir"}]})", ErrorCode::UnknownName, "campfire");
         row("bad preset", "{\"format\": \"fumage-jobs\", \"version\": 1, \"jobs\": [{\"output\": \"a\",\n\"preset\": {\"format\": \"fumage-preset\",\n \"version\": 1, \"motion\": 3}}]}", ErrorCode::WrongType, "list.json, line 3, column 26");
         row("too deep", std::string(100, '['), ErrorCode::TooDeep, "nested");
         row("too large", std::string(kMaxJobsBytes + 1, ' '), ErrorCode::TooLarge, "at most 4194304");
@@ -306,9 +359,9 @@ private slots:
 
     void moreFilesThanCanBeComparedAreRefused()
     {
-        std::vector<ExportJob> jobs(2, jobFor(ExportKind::Sequence, at("a_#.png")));
+        std::vector<ExportJob> jobs(2, jobFor(ExportKind::Sequence, at("a_##.png")));
         jobs[0].plan.frames = jobs[1].plan.frames = {0, 600'000, 1};
-        jobs[1].plan.output = at("b_#.png");
+        jobs[1].plan.output = at("b_##.png");
         const Status status = checkJobs(jobs);
         QVERIFY(!status.ok());
         QCOMPARE(status.error().code, ErrorCode::TooLarge);
