@@ -66,16 +66,15 @@ bool hasDecimalComma()
 
 } // namespace
 
-QString formatNumber(double value)
+QString formatNumber(double value, int digits)
 {
-    constexpr int kDigits = 5;
     constexpr double kLargestWhole = 4294967295.0;
-    constexpr double kNoFraction = 99999.5; // from here on kDigits are not even enough for the whole number
+    constexpr double kNoFraction = 99999.5; // from here on five digits are not even enough for the whole number
     const bool isWhole = value == std::round(value) || std::abs(value) >= kNoFraction;
     if (isWhole && std::abs(value) <= kLargestWhole) {
         return QString::number(std::llround(value));
     }
-    QString text = QLocale::c().toString(value, 'g', kDigits);
+    QString text = QLocale::c().toString(value, 'g', digits);
     return hasDecimalComma() ? text.replace(QLatin1Char('.'), QLatin1Char(',')) : text;
 }
 
@@ -88,17 +87,26 @@ QString formatNumbers(std::initializer_list<double> values)
     return texts.join(hasDecimalComma() ? QStringLiteral("; ") : QStringLiteral(", "));
 }
 
-QString formatNumber(double value, Unit unit)
+QString formatNumber(double value, Unit unit, int digits)
 {
-    const QString number = formatNumber(value);
+    const QString number = formatNumber(value, digits);
     const QString symbol = toQString(unitSymbol(unit));
     const bool attached = unit == Unit::Degrees;
     return symbol.isEmpty() ? number : number + (attached ? QString() : QStringLiteral(" ")) + symbol;
 }
 
-std::optional<double> parseNumber(const QString& text, Unit unit)
+QString formatFixed(double value, int decimals)
 {
-    const std::optional<Calculation> calculation = calculate(text);
+    QString text = QLocale::c().toString(value, 'f', decimals);
+    return hasDecimalComma() ? text.replace(QLatin1Char('.'), QLatin1Char(',')) : text;
+}
+
+std::optional<double> parseNumber(const QString& text, Unit unit, bool whole)
+{
+    const QLocale language;
+    const auto sign = [](const QString& of) { return of.isEmpty() ? QChar() : of[0]; };
+    const NumberSigns signs{sign(language.decimalPoint()), sign(language.groupSeparator()), whole};
+    const std::optional<Calculation> calculation = calculate(text, signs);
     const std::optional<double> factor = calculation ? factorOf(calculation->rest.toString(), unit) : std::nullopt;
     if (!factor || !std::isfinite(calculation->value * *factor)) {
         return std::nullopt;

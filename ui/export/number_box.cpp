@@ -2,13 +2,13 @@
 
 #include "ui/face/plain_text.h"
 
-#include <QSpinBox>
+#include "ui/panels/whole_box.h"
 
 namespace fumage::ui {
 
 QSpinBox* makeNumberBox(const QString& name, const QString& spoken, int least, int most, QWidget* parent)
 {
-    auto* field = new QSpinBox(parent);
+    auto* field = new WholeBox(parent);
     field->setObjectName(name);
     field->setAccessibleName(spoken);
     field->setToolTip(plainToolTip(spoken));

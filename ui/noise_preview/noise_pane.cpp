@@ -1,6 +1,7 @@
 #include "ui/noise_preview/noise_pane.h"
 
 #include "ui/document/text.h"
+#include "ui/document/number_text.h"
 #include "ui/face/icons.h"
 
 #include <QComboBox>
@@ -166,7 +167,7 @@ void NoisePane::receive(const NoisePicturePtr& picture)
     m_picture = picture;
     m_canvas->show(picture);
     plot();
-    m_facts->setText(tr("%1 × %1 px   mean %2   deviation %3").arg(picture->tile.size).arg(picture->mean, 0, 'f', 2).arg(picture->deviation, 0, 'f', 2));
+    m_facts->setText(tr("%1 × %1 px   mean %2   deviation %3").arg(picture->tile.size).arg(formatFixed(picture->mean, 2), formatFixed(picture->deviation, 2)));
     emit pictureShown();
 }
 

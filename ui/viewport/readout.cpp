@@ -1,5 +1,7 @@
 #include "ui/viewport/readout.h"
 
+#include "ui/document/number_text.h"
+
 #include <QPainter>
 
 namespace fumage::ui {
@@ -22,18 +24,18 @@ void Readout::count()
 
 void Readout::paint(QPainter& painter, const Picture& picture, bool rate, int height) const
 {
-    const auto ms = [](std::chrono::nanoseconds time) { return QString::number(std::chrono::duration<double, std::milli>(time).count(), 'f', 1); };
+    const auto ms = [](std::chrono::nanoseconds time) { return formatFixed(std::chrono::duration<double, std::milli>(time).count(), 1); };
     QStringList figures;
     if (rate && m_intervalMs > 0.0) {
         figures += tr("%1 frames/s").arg(1000.0 / m_intervalMs, 0, 'f', 0);
     }
-    figures += tr("%L1 particles").arg(picture.particles);
+    figures += tr("%1 particles").arg(picture.particles);
     if (picture.coarseAir) {
         figures += tr("coarse air");
     }
     constexpr qint64 kWorthTelling = 10'000'000;
     if (picture.bakeNs > kWorthTelling) {
-        figures += tr("air %1 s").arg(std::chrono::duration<double>(std::chrono::nanoseconds(picture.bakeNs)).count(), 0, 'f', 2);
+        figures += tr("air %1 s").arg(formatFixed(std::chrono::duration<double>(std::chrono::nanoseconds(picture.bakeNs)).count(), 2));
     }
     figures += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(picture.stepNs)));
     figures += tr("light %1 ms").arg(ms(picture.times.light + picture.times.sprites));
