@@ -7,9 +7,6 @@
 
 namespace fumage::ui {
 
-namespace {
-
-/// The main window that a widget belongs to, be it in a panel that floats; null in a dialog.
 QMainWindow* mainWindowOf(const QWidget& widget)
 {
     for (QWidget* around = widget.parentWidget(); around != nullptr; around = around->parentWidget()) {
@@ -22,8 +19,6 @@ QMainWindow* mainWindowOf(const QWidget& widget)
     }
     return nullptr;
 }
-
-} // namespace
 
 bool isInMainWindow(const QWidget& widget)
 {

@@ -2,10 +2,14 @@
 
 #include <QObject>
 
+class QMainWindow;
 class QSpinBox;
 class QWidget;
 
 namespace fumage::ui {
+
+/// The main window that a widget belongs to, be it in a panel that floats; null in a dialog.
+[[nodiscard]] QMainWindow* mainWindowOf(const QWidget& widget);
 
 /// Hands the keyboard from a field to what its window is about, the centre of a main window: what was typed is done, and keys are shortcuts
 /// again. In a dialog the field keeps it.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QEvent>
+#include <QPointF>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -11,8 +13,39 @@ namespace fumage::ui {
     return event.angleDelta().y() / static_cast<double>(QWheelEvent::DefaultDeltasPerStep);
 }
 
-/// Steps of the wheel or of a key that follow closely on one another are one gesture, and so one step of undo. start() at each step; the
-/// gesture has ended when ended() comes.
+/// Tells what is dragged, and then what is around it, that the drag is taken back; whoever accepts it puts back what
+/// was there at the press. The release comes after it.
+class DragCancel : public QEvent {
+public:
+    DragCancel()
+        : QEvent(type())
+    {
+        ignore();
+    }
+    [[nodiscard]] static Type type();
+};
+
+/// The way of a mouse that is dragged, as if the screen had no edges: where it ends, the pointer comes in again at the
+/// other side.
+class EndlessWay {
+public:
+    /// @param along the ways that are of interest
+    explicit EndlessWay(Qt::Orientations along = Qt::Horizontal | Qt::Vertical)
+        : m_along(along)
+    {
+    }
+    void begin(const QMouseEvent& press);
+    /// @return pixels since the press
+    [[nodiscard]] QPointF to(const QMouseEvent& move);
+
+private:
+    QPointF m_last; ///< on the screen
+    QPointF m_way;
+    Qt::Orientations m_along;
+};
+
+/// Steps of the wheel or of a key that follow closely on one another are one gesture, and so one step of undo. start()
+/// at each step; the gesture has ended when ended() comes.
 class Burst : public QTimer {
     Q_OBJECT
 

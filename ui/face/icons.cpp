@@ -36,6 +36,9 @@ public:
 private:
     [[nodiscard]] QPixmap rendered(const QSize& size, QIcon::Mode mode, QIcon::State state) const
     {
+        if (size.isEmpty()) { // of a button that is squeezed to nothing
+            return {};
+        }
         const QPalette palette = QGuiApplication::palette();
         QColor colour = palette.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::ButtonText);
         if (state == QIcon::On) {

@@ -1,6 +1,8 @@
 #include "ui/noise_preview/noise_canvas.h"
 
+#include "ui/document/number_text.h"
 #include "ui/face/hand.h"
+#include "ui/face/hand_guard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,7 @@ NoiseCanvas::NoiseCanvas(QWidget* parent)
 {
     setObjectName(QStringLiteral("noiseCanvas"));
     setAccessibleName(tr("Noise texture"));
+    HandGuard::leaveAllButtons(*this);
     setToolTip(tr("Wheel: zoom. Left button: move the profile line. Middle button: move the picture. Double-click: whole tile."));
 }
 
@@ -83,21 +86,45 @@ void NoiseCanvas::paintEvent(QPaintEvent*)
 
 void NoiseCanvas::mousePressEvent(QMouseEvent* event)
 {
-    m_mouse = event->position();
-    mouseMoveEvent(event);
+    if (m_button == Qt::NoButton && (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton)) {
+        m_button = event->button();
+        m_mouse = event->position();
+        m_before = {m_line, m_offset};
+        mouseMoveEvent(event);
+    }
 }
 
 void NoiseCanvas::mouseMoveEvent(QMouseEvent* event)
 {
-    if (event->buttons().testFlag(Qt::LeftButton)) {
+    if (m_button == Qt::LeftButton) {
         const double place = (event->position().y() - corner().y()) / tileEdge();
         m_line = place - std::floor(place);
         emit lineMoved();
-    } else if (event->buttons().testFlag(Qt::MiddleButton)) {
+    } else if (m_button == Qt::MiddleButton) {
         m_offset += event->position() - m_mouse;
         m_mouse = event->position();
     }
     update();
+}
+
+void NoiseCanvas::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == m_button) {
+        m_button = Qt::NoButton;
+    }
+}
+
+bool NoiseCanvas::event(QEvent* event)
+{
+    if (event->type() == DragCancel::type() && m_button != Qt::NoButton) {
+        m_line = m_before.line;
+        m_offset = m_before.offset;
+        emit lineMoved();
+        update();
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void NoiseCanvas::wheelEvent(QWheelEvent* event)
@@ -112,8 +139,11 @@ void NoiseCanvas::wheelEvent(QWheelEvent* event)
     event->accept();
 }
 
-void NoiseCanvas::mouseDoubleClickEvent(QMouseEvent*)
+void NoiseCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 {
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
     m_zoom = kFarthest;
     m_offset = {};
     update();
@@ -168,8 +198,8 @@ void NoisePlots::paintProfile(QPainter& painter, const QRectF& area) const
     painter.setPen(QPen(mark, 1.5));
     painter.drawLine(QLineF(area.left() + 1.0, area.bottom() - 2.0, area.left() + across, area.bottom() - 2.0));
     painter.setPen(palette().text().color());
-    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignTop | Qt::AlignRight, tr("amplitude %1").arg(static_cast<double>(high - low), 0, 'f', 2));
-    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignBottom | Qt::AlignLeft, tr("λ %1").arg(m_wavelength, 0, 'g', 3));
+    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignTop | Qt::AlignRight, tr("amplitude %1").arg(formatFixed(static_cast<double>(high - low), 2)));
+    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignBottom | Qt::AlignLeft, tr("λ %1").arg(formatNumber(std::round(m_wavelength * 1000.0) / 1000.0)));
 }
 
 void NoisePlots::paintHistogram(QPainter& painter, const QRectF& area) const

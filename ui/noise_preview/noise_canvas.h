@@ -28,6 +28,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
@@ -42,6 +44,11 @@ private:
     QPointF m_offset;
     QPointF m_mouse;
     double m_line = 0.5;
+    Qt::MouseButton m_button = Qt::NoButton; ///< that drags
+    struct {
+        double line = 0.0;
+        QPointF offset;
+    } m_before; ///< the drag
 };
 
 /// Figure 4 of the 2012 model: the profile of the noise along a line, with amplitude and wavelength marked; and its histogram.

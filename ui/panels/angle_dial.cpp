@@ -46,18 +46,27 @@ void AngleDial::turnTo(const QPointF& mouse, bool snap)
 
 void AngleDial::mousePressEvent(QMouseEvent* event)
 {
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
     m_burst.end();
+    m_turning = true;
     turnTo(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
 }
 
 void AngleDial::mouseMoveEvent(QMouseEvent* event)
 {
-    turnTo(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
+    if (m_turning) {
+        turnTo(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
+    }
 }
 
-void AngleDial::mouseReleaseEvent(QMouseEvent*)
+void AngleDial::mouseReleaseEvent(QMouseEvent* event)
 {
-    emit edited(m_angle, true);
+    if (m_turning && event->button() == Qt::LeftButton) {
+        m_turning = false;
+        emit edited(m_angle, true);
+    }
 }
 
 void AngleDial::keyPressEvent(QKeyEvent* event)

@@ -30,6 +30,7 @@ private:
     void turnTo(const QPointF& mouse, bool snap);
 
     double m_angle = 0.0;
+    bool m_turning = false;
     Burst m_burst;
 };
 

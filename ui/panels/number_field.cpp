@@ -10,6 +10,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QStyleOptionFrame>
 #include <QToolTip>
 
 namespace fumage::ui {
@@ -19,6 +20,7 @@ namespace {
 constexpr double kDragThreshold = 3.0; ///< pixels
 constexpr double kFine = 0.1;
 constexpr double kCoarse = 10.0;
+constexpr double kThousand = 1000.0; ///< a field that cannot hold it has no thousands to part
 
 } // namespace
 
@@ -50,9 +52,45 @@ void NumberField::setValue(double value)
     }
 }
 
+/// With as many digits as there is room for while it is only looked at, and then without the unit: a number that is cut
+/// off would be another one.
+QString NumberField::fittingText() const
+{
+    const QMargins margins = textMargins();
+    const QStyleOptionFrame option = [this] {
+        QStyleOptionFrame made;
+        initStyleOption(&made);
+        return made;
+    }();
+    constexpr int kPadding = 4; // of QLineEdit, to both sides
+    const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - margins.left() - margins.right() - kPadding;
+    const QString whole = formatNumber(m_value, m_scale.unit);
+    if (hasFocus() || room <= 0) {
+        return whole;
+    }
+    const auto fits = [&](const QString& text) { return fontMetrics().horizontalAdvance(text) <= room; };
+    constexpr int kLeastDigits = 3;
+    for (const Unit unit : {m_scale.unit, Unit::None}) {
+        for (int digits = kShownDigits; digits >= kLeastDigits; --digits) {
+            if (const QString text = formatNumber(m_value, unit, digits); fits(text)) {
+                return text;
+            }
+        }
+    }
+    return formatNumber(m_value, kLeastDigits);
+}
+
+void NumberField::resizeEvent(QResizeEvent* event)
+{
+    QLineEdit::resizeEvent(event);
+    if (!hasFocus()) {
+        showValue();
+    }
+}
+
 void NumberField::showValue()
 {
-    setText(formatNumber(m_value, m_scale.unit));
+    setText(fittingText());
     setCursorPosition(0);
     if (hasFocus()) {
         selectAll();
@@ -65,7 +103,7 @@ void NumberField::commitText()
     if (!isModified()) {
         return;
     }
-    const std::optional<double> number = parseNumber(text(), m_scale.unit);
+    const std::optional<double> number = parseNumber(text(), m_scale.unit, m_scale.whole && m_scale.hard.high >= kThousand);
     setModified(false);
     if (!number) {
         const QString unit = toQString(unitSymbol(m_scale.unit));
@@ -103,7 +141,7 @@ void NumberField::mousePressEvent(QMouseEvent* event)
     }
     m_pressed = true;
     m_dragged = false;
-    m_pressedAt = event->position();
+    m_way.begin(*event);
     m_valueAtPress = m_value;
 }
 
@@ -113,7 +151,7 @@ void NumberField::mouseMoveEvent(QMouseEvent* event)
         QLineEdit::mouseMoveEvent(event);
         return;
     }
-    const double way = event->position().x() - m_pressedAt.x();
+    const double way = m_way.to(*event).x();
     if (!m_dragged && std::abs(way) < kDragThreshold) {
         return;
     }
@@ -133,7 +171,7 @@ void NumberField::mouseMoveEvent(QMouseEvent* event)
 
 void NumberField::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (!m_pressed) {
+    if (!m_pressed || event->button() != Qt::LeftButton) {
         QLineEdit::mouseReleaseEvent(event);
         return;
     }
@@ -185,6 +223,7 @@ void NumberField::keyPressEvent(QKeyEvent* event)
 void NumberField::focusInEvent(QFocusEvent* event)
 {
     QLineEdit::focusInEvent(event);
+    showValue(); // all of it
     setCursor(Qt::IBeamCursor);
     selectAll();
 }
@@ -195,6 +234,7 @@ void NumberField::focusOutEvent(QFocusEvent* event)
     m_burst.end();
     setCursor(Qt::SizeHorCursor);
     QLineEdit::focusOutEvent(event);
+    showValue();
     deselect();
     setCursorPosition(0);
 }

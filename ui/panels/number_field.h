@@ -31,11 +31,13 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
     void showValue();
+    [[nodiscard]] QString fittingText() const;
     void commitText();
     void stepBy(double steps);
 
@@ -44,7 +46,7 @@ private:
     Burst m_burst;
     bool m_pressed = false;
     bool m_dragged = false;
-    QPointF m_pressedAt;
+    EndlessWay m_way{Qt::Horizontal};
     double m_valueAtPress = 0.0;
 };
 

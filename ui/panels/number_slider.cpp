@@ -59,18 +59,19 @@ void NumberSlider::follow(int position)
 
 void NumberSlider::mousePressEvent(QMouseEvent* event)
 {
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
     m_burst.end();
-    if (event->button() == Qt::LeftButton) {
-        QStyleOptionSlider option;
-        initStyleOption(&option);
-        const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
-        if (!handle.contains(event->position().toPoint())) {
-            const int way = static_cast<int>(event->position().x()) - handle.width() / 2;
-            // The handle is now under the mouse, and the base class takes it: one gesture until the release.
-            m_jumping = true;
-            setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), way, width() - handle.width()));
-            m_jumping = false;
-        }
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    if (!handle.contains(event->position().toPoint())) {
+        const int way = static_cast<int>(event->position().x()) - handle.width() / 2;
+        // The handle is now under the mouse, and the base class takes it: one gesture until the release.
+        m_jumping = true;
+        setSliderPosition(QStyle::sliderValueFromPosition(minimum(), maximum(), way, width() - handle.width()));
+        m_jumping = false;
     }
     QSlider::mousePressEvent(event);
 }

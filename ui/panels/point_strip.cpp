@@ -46,11 +46,10 @@ void PointStrip::addActions(QMenu& menu, const QPoint& global)
 
 void PointStrip::mousePressEvent(QMouseEvent* event)
 {
-    const int index = pointAt(event->position());
     if (event->button() != Qt::LeftButton) {
-        select(index >= 0 ? index : m_selected); // for the menu that follows
         return;
     }
+    const int index = pointAt(event->position());
     if (index >= 0) {
         m_dragging = true;
         select(index);
@@ -68,9 +67,9 @@ void PointStrip::mouseMoveEvent(QMouseEvent* event)
     }
 }
 
-void PointStrip::mouseReleaseEvent(QMouseEvent*)
+void PointStrip::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (m_dragging) {
+    if (m_dragging && event->button() == Qt::LeftButton) {
         m_dragging = false;
         emit changed(true);
     }

@@ -14,7 +14,6 @@
 #include <QRandomGenerator>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QWheelEvent>
 
 namespace fumage::ui {
 
@@ -39,22 +38,6 @@ double numberOf(const Value& value)
     }
     return static_cast<double>(std::get<float>(value));
 }
-
-/// What a wheel over a list that has no focus would do is scroll the panel.
-class PatientComboBox : public QComboBox {
-public:
-    using QComboBox::QComboBox;
-
-protected:
-    void wheelEvent(QWheelEvent* event) override
-    {
-        if (hasFocus()) {
-            QComboBox::wheelEvent(event);
-        } else {
-            event->ignore();
-        }
-    }
-};
 
 bool goesAllAround(const Parameter& parameter)
 {
@@ -128,10 +111,9 @@ void BoolEditor::setValue(const Value& value)
 
 ChoiceEditor::ChoiceEditor(const Parameter& parameter, QWidget* parent)
     : ParameterEditor(parameter, parent)
-    , m_box(new PatientComboBox(this))
+    , m_box(new QComboBox(this))
 {
     name(*m_box, QStringLiteral("box"), {});
-    m_box->setFocusPolicy(Qt::StrongFocus);
     for (const std::string_view choice : parameter.choices) {
         m_box->addItem(choiceLabelOf(choice));
     }

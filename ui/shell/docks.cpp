@@ -15,10 +15,32 @@
 
 #include <QMainWindow>
 #include <QMenu>
+#include <QScrollArea>
 
 namespace fumage::ui {
 
 namespace {
+
+/// Lets a panel be lower than what is in it: on a small screen it would push the window beyond the edge.
+class LowPanel : public QScrollArea {
+public:
+    explicit LowPanel(QWidget* content)
+    {
+        setObjectName(content->objectName() + QStringLiteral(".scroll"));
+        setWidget(content);
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    }
+
+    QSize minimumSizeHint() const override
+    {
+        constexpr int kLeast = 120;
+        return {widget()->minimumSizeHint().width(), kLeast};
+    }
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+};
 
 void bringToFront(QDockWidget& dock)
 {
@@ -37,9 +59,9 @@ Docks::Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue&
     , m_queuePanel(new QueuePanel(exports, askForFile))
     , m_presets(makeDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser))
     , m_parameters(makeDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel))
-    , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), m_noisePane))
+    , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), new LowPanel(m_noisePane)))
     , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), new HistoryView(document.undoStack())))
-    , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new VariationsPanel(document, locks)))
+    , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new LowPanel(new VariationsPanel(document, locks))))
     , m_queue(makeDock(QStringLiteral("dock.queue"), tr("Exports"), m_queuePanel))
 {
     constexpr std::array kBesideTheNoise{&knownParameter("noise.octaves"), &knownParameter("noise.sharpness")};

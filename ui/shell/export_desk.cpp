@@ -2,28 +2,17 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
+#include "ui/face/window_keeper.h"
 #include "ui/shell/action_table.h"
 #include "ui/shell/settings.h"
 
 #include "core/export/job_file.h"
-
-#include <algorithm>
-
-#include <QScreen>
 
 namespace fumage::ui {
 
 namespace {
 
 const QString kChoices = QStringLiteral("exports/choices");
-
-/// Puts a dialog right of a window, as far as the screen goes: what is framed in the middle stays in sight.
-void placeBeside(const QWidget& window, QWidget& dialog)
-{
-    const QRect screen = window.screen()->availableGeometry();
-    const int most = screen.right() + 1 - dialog.frameGeometry().width();
-    dialog.move(std::max(screen.left(), std::min(window.frameGeometry().right() + 1, most)), window.frameGeometry().top());
-}
 
 } // namespace
 

@@ -1,5 +1,7 @@
 #include "ui/shell/key_guard.h"
 
+#include "ui/face/field_keys.h"
+#include "ui/face/physical_key.h"
 #include "ui/panels/angle_dial.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
@@ -7,8 +9,13 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QTextEdit>
 
 namespace fumage::ui {
 
@@ -44,19 +51,72 @@ bool hasUseFor(const QObject* widget, int key)
     return moves && isMoving(key);
 }
 
+bool takesText(const QObject& widget)
+{
+    return qobject_cast<const QLineEdit*>(&widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr
+        || qobject_cast<const QAbstractItemView*>(&widget) != nullptr || qobject_cast<const QTextEdit*>(&widget) != nullptr;
+}
+
+/// Does what the key means by its place. @return whether it means something
+bool actByPlace(const QWidget& widget, const QKeyEvent& event)
+{
+    const std::optional<int> key = physicalKey(event);
+    if (!key || takesText(widget)) {
+        return false;
+    }
+    const auto* itself = qobject_cast<const QMainWindow*>(&widget);
+    const QMainWindow* window = itself != nullptr ? itself : mainWindowOf(widget);
+    if (window == nullptr) {
+        return false;
+    }
+    const QKeySequence wanted(QKeyCombination(event.modifiers(), static_cast<Qt::Key>(*key)));
+    for (QAction* action : window->actions()) {
+        if (action->isEnabled() && action->shortcuts().contains(wanted)) {
+            action->trigger();
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Once the event is over: what it does may still need the focus.
+void leaveSoon(QWidget& field)
+{
+    QMetaObject::invokeMethod(
+        &field, [&field] { leaveField(field); }, Qt::QueuedConnection);
+}
+
 } // namespace
 
 bool KeyGuard::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride) {
+    if (!watched->isWidgetType()) {
+        return false;
+    }
+    auto& widget = static_cast<QWidget&>(*watched);
+    switch (event->type()) {
+    case QEvent::ShortcutOverride: {
         const auto& key = static_cast<const QKeyEvent&>(*event);
         const bool plain = (key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
         if (plain && hasUseFor(watched, key.key())) {
             event->accept();
             return true;
         }
+        return false;
     }
-    return QObject::eventFilter(watched, event);
+    case QEvent::KeyPress: return actByPlace(widget, static_cast<const QKeyEvent&>(*event));
+    case QEvent::Hide:
+        if (auto* list = qobject_cast<QComboBox*>(widget.parentWidget()); list != nullptr && widget.isWindow()) {
+            leaveSoon(*list);
+        }
+        return false;
+    case QEvent::MouseButtonRelease:
+        if (qobject_cast<QAbstractButton*>(&widget) != nullptr && widget.hasFocus()) {
+            leaveSoon(widget);
+        }
+        return false;
+    default: return false;
+    }
 }
 
 } // namespace fumage::ui

@@ -1,7 +1,9 @@
 #include "ui/shell/session.h"
 
 #include "ui/face/message_bar.h"
+#include "ui/face/hand_guard.h"
 #include "ui/face/plain_text.h"
+#include "ui/face/window_keeper.h"
 #include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
 
@@ -53,6 +55,8 @@ Session::Session(AskForFile askForFile, AskForChoice askForChoice, QObject* pare
     ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
     qApp->installEventFilter(new KeyGuard(this));
     qApp->installEventFilter(new PlainLabels(this));
+    qApp->installEventFilter(new HandGuard(this));
+    qApp->installEventFilter(new WindowKeeper(this));
 }
 
 Session::~Session()

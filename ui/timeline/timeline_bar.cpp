@@ -1,23 +1,28 @@
 #include "ui/timeline/timeline_bar.h"
 
+#include "ui/document/number_text.h"
 #include "ui/document/parameter_text.h"
 #include "ui/face/field_keys.h"
+#include "ui/face/hand.h"
 #include "ui/face/icons.h"
+#include "ui/panels/whole_box.h"
 
 #include "core/effect/known_parameter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -83,8 +88,13 @@ int TimelineRuler::frameAt(double x) const
 
 void TimelineRuler::mousePressEvent(QMouseEvent* event)
 {
+    if (event->button() != Qt::LeftButton || m_grip != Grip::None) {
+        return;
+    }
+    leaveField(*this); // keys are shortcuts again
     const QPointF at = event->position();
     m_grip = Grip::Cursor;
+    m_before = {m_player.frame(), m_player.first(), m_player.last()};
     if (at.y() <= kRangeTop + kRangeHeight + 2.0) {
         if (std::abs(at.x() - xOf(m_player.first())) < kGripReach) {
             m_grip = Grip::First;
@@ -110,8 +120,22 @@ void TimelineRuler::mouseMoveEvent(QMouseEvent* event)
     }
 }
 
-void TimelineRuler::mouseReleaseEvent(QMouseEvent*)
+bool TimelineRuler::event(QEvent* event)
 {
+    if (event->type() == DragCancel::type() && m_grip != Grip::None) {
+        m_player.setRange(m_before.first, m_before.last);
+        m_player.setFrame(m_before.frame);
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void TimelineRuler::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
     m_grip = Grip::None;
     if (m_wasPlaying) {
         m_wasPlaying = false;
@@ -177,7 +201,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     , m_player(player)
     , m_controls(new QHBoxLayout)
     , m_ruler(new TimelineRuler(player, this))
-    , m_frame(new QSpinBox(this))
+    , m_frame(new WholeBox(this))
     , m_time(new QLabel(this))
 {
     setObjectName(QStringLiteral("timeline"));
@@ -186,6 +210,7 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
     addFrameAndTime(*m_controls);
     addLoop(*m_controls);
     addSpeedAndRate(*m_controls);
+    addMore(*m_controls);
     auto* layout = new QVBoxLayout(this);
     layout->setSizeConstraint(QLayout::SetNoConstraint); // minimumSizeHint() says what is needed
     layout->setContentsMargins(8, 4, 8, 6);
@@ -245,10 +270,10 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
     m_speed->setAccessibleName(tr("Speed"));
     m_speed->setToolTip(tr("Speed of playing"));
     for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
-        m_speed->addItem(QStringLiteral("%1×").arg(factor), factor);
+        m_speed->addItem(formatNumber(factor) + QStringLiteral("×"), factor);
     }
     m_speed->setCurrentIndex(m_speed->findData(1.0));
-    m_rate = new QSpinBox(this);
+    m_rate = new WholeBox(this);
     m_rate->setObjectName(QStringLiteral("frameRateField"));
     m_rate->setAccessibleName(tr("Frames per second"));
     m_rate->setToolTip(tr("Frames per second of the effect"));
@@ -258,6 +283,51 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
     new SpinBoxKeys(*m_rate);
     controls.addWidget(m_speed);
     controls.addWidget(m_rate);
+}
+
+void TimelineBar::addMore(QHBoxLayout& controls)
+{
+    m_more = new QToolButton(this);
+    m_more->setObjectName(QStringLiteral("moreControls"));
+    m_more->setText(QStringLiteral("⋯"));
+    m_more->setAutoRaise(true);
+    m_more->setToolTip(tr("What there is no room for"));
+    m_more->setAccessibleName(m_more->toolTip());
+    m_more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(m_more);
+    menu->setObjectName(QStringLiteral("moreControls.menu"));
+    m_more->setMenu(menu);
+    controls.addWidget(m_more);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMore(*menu); });
+}
+
+void TimelineBar::fillMore(QMenu& menu)
+{
+    menu.clear();
+    if (m_loop->isHidden()) {
+        QAction* loop = menu.addAction(m_loop->text(), m_loop, &QCheckBox::click);
+        loop->setCheckable(true);
+        loop->setChecked(m_loop->isChecked());
+    }
+    const auto addChoice = [](QMenu& to, const QString& text, bool chosen, const std::function<void()>& choose) {
+        QAction* action = to.addAction(text, choose);
+        action->setCheckable(true);
+        action->setChecked(chosen);
+    };
+    if (m_speed->isHidden()) {
+        QMenu* speeds = menu.addMenu(m_speed->toolTip());
+        for (int i = 0; i < m_speed->count(); ++i) {
+            addChoice(*speeds, m_speed->itemText(i), i == m_speed->currentIndex(), [this, i] { m_speed->setCurrentIndex(i); });
+        }
+    }
+    if (m_rate->isHidden()) {
+        QMenu* rates = menu.addMenu(m_rate->toolTip());
+        std::set<int> offered{12, 15, 24, 25, 30, 48, 50, 60, 120};
+        offered.insert(m_rate->value());
+        for (const int rate : offered) {
+            addChoice(*rates, QString::number(rate), rate == m_rate->value(), [this, rate] { m_rate->setValue(rate); });
+        }
+    }
 }
 
 void TimelineBar::connectPlayer()
@@ -290,6 +360,7 @@ std::array<QWidget*, 4> TimelineBar::dispensable() const
 QSize TimelineBar::minimumSizeHint() const
 {
     int needed = QWidget::minimumSizeHint().width();
+    needed += m_more->isHidden() ? m_more->sizeHint().width() + m_controls->spacing() : 0;
     for (const QWidget* first : dispensable()) {
         needed -= first->isHidden() ? 0 : first->minimumSizeHint().width() + m_controls->spacing();
     }
@@ -311,11 +382,16 @@ void TimelineBar::giveWay()
         const QLayoutItem& item = *m_controls->itemAt(i);
         needed += m_controls->spacing() + (item.widget() != nullptr ? item.widget()->sizeHint().width() : item.sizeHint().width());
     }
+    const int more = m_more->sizeHint().width() + m_controls->spacing();
+    needed -= more;
+    const bool all = needed <= width();
+    needed += all ? 0 : more;
     for (QWidget* first : dispensable()) {
         const bool fits = needed <= width();
         first->setVisible(fits);
         needed -= fits ? 0 : first->sizeHint().width() + m_controls->spacing();
     }
+    m_more->setVisible(!all);
 }
 
 void TimelineBar::sync()
@@ -334,7 +410,7 @@ void TimelineBar::showTime()
 {
     const QSignalBlocker blocker(m_frame);
     m_frame->setValue(m_player.frame());
-    m_time->setText(tr("%1 s").arg(static_cast<double>(m_player.frame()) / m_document.effect().timeline.frameRate, 0, 'f', 2));
+    m_time->setText(tr("%1 s").arg(formatFixed(static_cast<double>(m_player.frame()) / m_document.effect().timeline.frameRate, 2)));
 }
 
 } // namespace fumage::ui

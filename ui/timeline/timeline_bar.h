@@ -11,6 +11,7 @@ class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
+class QMenu;
 class QSpinBox;
 class QToolButton;
 
@@ -32,6 +33,7 @@ public:
     QSize sizeHint() const override { return {400, 40}; }
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -53,6 +55,11 @@ private:
     double m_baking = 1.0;
     Grip m_grip = Grip::None;
     bool m_wasPlaying = false;
+    struct {
+        int frame = 0;
+        int first = 0;
+        int last = 0;
+    } m_before; ///< the drag
 };
 
 /// Play, step, scrub, range, repeat, seamless loop, speed and frame rate.
@@ -77,6 +84,9 @@ private:
     void addFrameAndTime(QHBoxLayout& controls);
     void addLoop(QHBoxLayout& controls);
     void addSpeedAndRate(QHBoxLayout& controls);
+    void addMore(QHBoxLayout& controls);
+    /// What the bar has no room for.
+    void fillMore(QMenu& menu);
     void connectPlayer();
     void followDocument();
     void sync();
@@ -88,6 +98,7 @@ private:
     TimelineRuler* m_ruler;
     QToolButton* m_play;
     QToolButton* m_repeat;
+    QToolButton* m_more; ///< there while something is hidden
     QCheckBox* m_loop; ///< a parameter of the document
     QSpinBox* m_frame;
     QLabel* m_time;
