@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -335,7 +336,7 @@ Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
         return Error{ErrorCode::Syntax, said("%1 has no \"=\"", inQuotes(assignment)), {}, said("Write key=value, for example motion.wind=1.5")};
     }
     const std::string_view key = trimmed(assignment.substr(0, equals));
-    const Parameter* parameter = findParameter(key);
+    const Parameter* parameter = findShownParameter(key);
     if (parameter == nullptr) {
         const std::string_view near = nearestParameterKey(key);
         return Error{ErrorCode::UnknownKey, said("there is no parameter %1", inQuotes(key)), {}, near.empty() ? said("List them with: fumage-cli parameters") : said("Did you mean %1?", inQuotes(near))};
@@ -344,7 +345,9 @@ Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
     if (!value) {
         return value.error();
     }
-    return setClamped(effect, *parameter, value.value());
+    const Value stored = storedValue(*parameter, value.value().value, effect);
+    const bool changed = setClamped(effect, storedParameter(*parameter), stored);
+    return changed || value.value().changed || clampValue(*parameter, value.value().value).changed;
 }
 
 } // namespace fumage

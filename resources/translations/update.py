@@ -13,7 +13,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "Readout", "QCommandLineParser", "main"]
+PLAIN_CONTEXTS = ["Actions", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "GradientPresets", "Readout", "QCommandLineParser", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 
@@ -26,7 +26,7 @@ def table_texts() -> list[str]:
         rows += re.findall(rf"\.(?:label|tip|source) = ({literal}(?:\s+{literal})*)", source)
         for names in re.findall(r"string_view, \d+> k\w+\{(.*?)\};", source):
             choices += re.findall(literal, names)
-        headings += re.findall(rf"kGroup<\w+>\{{.*, ({literal})\}};", source)
+        headings += re.findall(rf"(?:kGroup<\w+>|kShown\w+)\{{.*, ({literal})\}};", source)
     texts = ["".join(part[1:-1] for part in re.findall(literal, text)) for text in rows + choices + headings]
     return list(dict.fromkeys(texts))
 

@@ -6,6 +6,7 @@
 
 #include "core/base/file.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
 #include "core/effect/value.h"
 
 #include <algorithm>
@@ -77,10 +78,11 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
 {
     std::vector<EditCommand::Change> changes;
     for (const Assignment& assignment : assignments) {
-        const Value before = assignment.parameter->get(effect());
-        const Value after = clampValue(*assignment.parameter, assignment.value).value;
+        const Parameter& stored = storedParameter(*assignment.parameter);
+        const Value before = stored.get(effect());
+        const Value after = clampValue(stored, storedValue(*assignment.parameter, assignment.value, effect())).value;
         if (before != after) {
-            changes.push_back({assignment.parameter, before, after});
+            changes.push_back({&stored, before, after});
         }
     }
     if (!changes.empty()) {
@@ -97,7 +99,8 @@ void Document::replaceEffect(const Effect& effect, const QString& text, Gesture 
 
 void Document::reset(const Parameter& parameter)
 {
-    edit({{&parameter, parameter.get(m_reference)}}, tr("Reset %1").arg(fullLabelOf(parameter)));
+    const Parameter& stored = storedParameter(parameter);
+    edit({{&stored, stored.get(m_reference)}}, tr("Reset %1").arg(fullLabelOf(parameter)));
 }
 
 void Document::moveCamera(const Camera& camera, Gesture gesture)

@@ -4,7 +4,7 @@
 #include "ui/document/text.h"
 
 #include "core/base/text.h"
-#include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ QString labelOf(const Parameter& parameter)
 
 QString groupLabelOf(std::string_view group)
 {
-    return translated(groupLabel(group));
+    return translated(shownGroupLabel(group));
 }
 
 QString choiceLabelOf(std::string_view choice)
@@ -89,7 +89,7 @@ QString choiceLabelOf(std::string_view choice)
 
 QString fullLabelOf(const Parameter& parameter)
 {
-    return QStringLiteral("%1: %2").arg(groupLabelOf(parameter.group()), labelOf(parameter));
+    return QStringLiteral("%1: %2").arg(groupLabelOf(shownGroup(parameter)), labelOf(parameter));
 }
 
 QString valueTextOf(const Parameter& parameter, const Value& value)
@@ -112,13 +112,12 @@ QString valueTextOf(const Parameter& parameter, const Value& value)
     return {};
 }
 
-QString searchTextOf(const Parameter& parameter)
+SearchTexts searchTextsOf(const Parameter& parameter)
 {
-    QStringList words{fullLabelOf(parameter), translated(parameter.tip)};
-    for (const std::string_view text : {groupLabel(parameter.group()), parameter.label, parameter.tip, parameter.key, parameter.synonyms}) {
-        words += toQString(text);
-    }
-    return words.join(QLatin1Char(' '));
+    const auto both = [](const QString& theirs, std::string_view ours) { return theirs + QLatin1Char(' ') + toQString(ours); };
+    const std::string_view group = shownGroup(parameter);
+    return {both(labelOf(parameter), parameter.label), toQString(parameter.synonyms), both(groupLabelOf(group), shownGroupLabel(group)),
+        both(translated(parameter.tip), parameter.tip) + QLatin1Char(' ') + toQString(parameter.key)};
 }
 
 QString toolTipOf(const Parameter& parameter)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/document/search_index.h"
+
 #include "core/effect/parameter.h"
 
 #include <QString>
@@ -18,8 +20,8 @@ namespace fumage::ui {
 /// "Motion: Wind angle", as undo steps and lists name a parameter outside of its panel.
 [[nodiscard]] QString fullLabelOf(const Parameter& parameter);
 
-/// All words that a parameter is found by: of label, group, tip, key and synonyms, in the language of the user and as they stand in the table.
-[[nodiscard]] QString searchTextOf(const Parameter& parameter);
+/// All that a parameter is found by, in the language of the user and as it stands in the table.
+[[nodiscard]] SearchTexts searchTextsOf(const Parameter& parameter);
 
 /// What a parameter does, its unit, range, key and source, as rich text.
 [[nodiscard]] QString toolTipOf(const Parameter& parameter);

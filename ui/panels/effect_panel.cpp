@@ -5,10 +5,12 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
 #include "core/effect/value.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <QApplication>
 #include <QClipboard>
@@ -27,6 +29,7 @@ namespace {
 
 constexpr int kMargin = 8;
 const QString kEssentialsName = QStringLiteral("essentials");
+const QString kClosed = QStringLiteral("-"); ///< before the name of a group that is folded
 
 /// What an artist needs first, once more above all groups.
 constexpr std::array kEssentials{
@@ -42,15 +45,17 @@ constexpr std::array kEssentials{
     &knownParameter("timeline.loop"),
 };
 
-std::vector<std::string_view> groups()
+/// Gives widgets of a layout the order of a list; what else is in it stays behind them.
+template <class Widget>
+void arrange(QBoxLayout& layout, const std::vector<Widget*>& order)
 {
-    std::vector<std::string_view> names;
-    for (const Parameter& parameter : parameterTable()) {
-        if (std::find(names.begin(), names.end(), parameter.group()) == names.end()) {
-            names.push_back(parameter.group());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const int place = static_cast<int>(i);
+        if (layout.indexOf(order[i]) != place) {
+            layout.removeWidget(order[i]);
+            layout.insertWidget(place, order[i]);
         }
     }
-    return names;
 }
 
 } // namespace
@@ -61,6 +66,7 @@ ParameterGroup::ParameterGroup(const QString& name, const QString& label, std::v
     , m_heading(new QToolButton(this))
     , m_content(new QWidget(this))
     , m_rows(std::move(rows))
+    , m_scores(m_rows.size(), 0.0)
     , m_label(label)
 {
     setObjectName(QStringLiteral("group.") + name);
@@ -74,11 +80,11 @@ ParameterGroup::ParameterGroup(const QString& name, const QString& label, std::v
     layout->setSpacing(0);
     layout->addWidget(m_heading);
     layout->addWidget(m_content);
-    auto* list = new QVBoxLayout(m_content);
-    list->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin);
-    list->setSpacing(2);
+    m_list = new QVBoxLayout(m_content);
+    m_list->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin);
+    m_list->setSpacing(2);
     for (ParameterRow* row : m_rows) {
-        list->addWidget(row);
+        m_list->addWidget(row);
     }
     showMark();
     connect(m_heading, &QToolButton::toggled, this, &ParameterGroup::setOpen);
@@ -90,10 +96,14 @@ bool ParameterGroup::isOpen() const
     return m_heading->isChecked();
 }
 
+bool ParameterGroup::holdsAnyOf(const QStringList& stored) const
+{
+    return name() != kEssentialsName && std::any_of(m_rows.begin(), m_rows.end(), [&](const ParameterRow* row) { return stored.contains(toQString(row->parameter().group())); });
+}
+
 void ParameterGroup::setOpen(bool open)
 {
     m_heading->setChecked(open);
-    m_heading->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     showRows();
 }
 
@@ -108,7 +118,9 @@ void ParameterGroup::sync()
 void ParameterGroup::sync(const std::vector<const Parameter*>& changed)
 {
     for (ParameterRow* row : m_rows) {
-        if (std::find(changed.begin(), changed.end(), &row->parameter()) != changed.end()) {
+        // A derived one may follow from any.
+        const bool isDerived = &row->stored() != &row->parameter();
+        if (isDerived || std::find(changed.begin(), changed.end(), &row->parameter()) != changed.end()) {
             row->sync();
         }
     }
@@ -118,9 +130,11 @@ void ParameterGroup::sync(const std::vector<const Parameter*>& changed)
 void ParameterGroup::showRows()
 {
     // While something is searched for, what is found is seen, folded or not.
-    m_content->setVisible(isOpen() || !m_words.isEmpty() || m_onlyChanged);
-    for (ParameterRow* row : m_rows) {
-        row->setVisible(fumage::isVisible(row->parameter(), m_document.effect()) && isWanted(*row));
+    const bool open = isOpen() || m_isSearched || m_onlyChanged;
+    m_content->setVisible(open);
+    m_heading->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i]->setVisible(fumage::isVisible(m_rows[i]->parameter(), m_document.effect()) && isWanted(i));
     }
     showMark();
 }
@@ -131,19 +145,32 @@ void ParameterGroup::showMark()
     m_heading->setText((changed ? QStringLiteral("• ") : QString()) + m_label);
 }
 
-bool ParameterGroup::isWanted(const ParameterRow& row) const
+bool ParameterGroup::isWanted(std::size_t row) const
 {
-    return row.matches(m_words) && (row.isChanged() || !m_onlyChanged);
+    return (!m_isSearched || m_scores[row] > 0.0) && (m_rows[row]->isChanged() || !m_onlyChanged);
 }
 
-bool ParameterGroup::filter(const QStringList& words, bool onlyChanged)
+double ParameterGroup::filter(const std::vector<double>& scores, bool onlyChanged)
 {
-    m_words = words;
+    m_isSearched = !scores.empty();
+    m_scores = m_isSearched ? scores : std::vector<double>(m_rows.size(), 0.0);
     m_onlyChanged = onlyChanged;
+    double best = 0.0;
+    std::vector<std::pair<double, ParameterRow*>> ranked;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        ranked.emplace_back(m_scores[i], m_rows[i]);
+        constexpr double kUnseen = 1e-3; // found, but of no use as the effect stands: it gives its group no place
+        const double score = !fumage::isVisible(m_rows[i]->parameter(), m_document.effect()) ? kUnseen : m_isSearched ? m_scores[i]
+                                                                                                                      : 1.0;
+        best = isWanted(i) ? std::max(best, score) : best;
+    }
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<ParameterRow*> order;
+    std::transform(ranked.begin(), ranked.end(), std::back_inserter(order), [](const auto& one) { return one.second; });
+    arrange(*m_list, order);
     showRows();
-    const bool any = std::any_of(m_rows.begin(), m_rows.end(), [this](const ParameterRow* row) { return isWanted(*row); });
-    setVisible(any);
-    return any;
+    setVisible(best > 0.0);
+    return best;
 }
 
 void ParameterGroup::copy() const
@@ -151,6 +178,9 @@ void ParameterGroup::copy() const
     QStringList lines;
     for (const ParameterRow* row : m_rows) {
         const Parameter& parameter = row->parameter();
+        if (&row->stored() != &parameter) {
+            continue; // what it writes has a line of its own
+        }
         lines += toQString(parameter.key) + QLatin1Char('=') + toQString(formatText(parameter, parameter.get(m_document.effect())));
     }
     QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
@@ -182,7 +212,7 @@ void ParameterGroup::reset()
 {
     std::vector<Assignment> before;
     for (const ParameterRow* row : m_rows) {
-        before.push_back({&row->parameter(), row->parameter().get(m_document.reference())});
+        before.push_back({&row->stored(), row->stored().get(m_document.reference())});
     }
     m_document.edit(before, tr("Reset “%1”").arg(m_label));
 }
@@ -195,6 +225,9 @@ void ParameterGroup::contextMenuEvent(QContextMenuEvent* event)
     menu.addSeparator();
     menu.addAction(tr("Copy the group"), this, &ParameterGroup::copy);
     menu.addAction(tr("Paste into the group"), this, &ParameterGroup::paste)->setEnabled(!pasted().empty());
+    menu.addSeparator();
+    menu.addAction(tr("Expand all groups"), this, [this] { emit foldRequested(true); });
+    menu.addAction(tr("Collapse all groups"), this, [this] { emit foldRequested(false); });
     menu.exec(event->globalPos());
 }
 
@@ -253,12 +286,14 @@ QStringList EffectPanel::usualGroups()
 QWidget* EffectPanel::makeGroups(Locks& locks)
 {
     auto* content = new QWidget(m_scroll);
-    auto* list = new QVBoxLayout(content);
-    list->setContentsMargins(0, 0, 0, 0);
-    list->setSpacing(1);
+    m_list = new QVBoxLayout(content);
+    m_list->setContentsMargins(0, 0, 0, 0);
+    m_list->setSpacing(1);
     const auto add = [&](const QString& name, const QString& label, std::vector<ParameterRow*> rows) {
-        m_groups.push_back(new ParameterGroup(name, label, std::move(rows), m_document, content));
-        list->addWidget(m_groups.back());
+        auto* group = new ParameterGroup(name, label, std::move(rows), m_document, content);
+        m_groups.push_back(group);
+        m_list->addWidget(group);
+        connect(group, &ParameterGroup::foldRequested, this, &EffectPanel::foldAll);
     };
     std::vector<ParameterRow*> essentials;
     for (const Parameter* parameter : kEssentials) {
@@ -266,17 +301,25 @@ QWidget* EffectPanel::makeGroups(Locks& locks)
         essentials.back()->prefixNames(kEssentialsName + QLatin1Char('/'));
     }
     add(kEssentialsName, tr("Essentials"), std::move(essentials));
-    for (const std::string_view group : groups()) {
+    const std::vector<const Parameter*>& all = shownParameters();
+    for (auto first = all.begin(); first != all.end();) {
+        const std::string_view group = shownGroup(**first);
         std::vector<ParameterRow*> rows;
-        for (const Parameter& parameter : parameterTable()) {
-            if (parameter.group() == group) {
-                rows.push_back(new ParameterRow(parameter, m_document, locks, content));
-            }
+        for (; first != all.end() && shownGroup(**first) == group; ++first) {
+            rows.push_back(new ParameterRow(**first, m_document, locks, content));
+            m_index.add(searchTextsOf(**first));
         }
         add(toQString(group), groupLabelOf(group), std::move(rows));
     }
-    list->addStretch();
+    m_list->addStretch();
     return content;
+}
+
+void EffectPanel::foldAll(bool open)
+{
+    for (ParameterGroup* group : m_groups) {
+        group->setOpen(open);
+    }
 }
 
 void EffectPanel::sync()
@@ -299,16 +342,29 @@ void EffectPanel::follow(const EffectChange& change)
 void EffectPanel::filter()
 {
     const QString text = m_search->text();
-    const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const bool isSearched = !text.trimmed().isEmpty();
     const bool onlyChanged = m_onlyChanged->isChecked();
-    bool any = false;
+    const std::vector<double> scores = isSearched ? m_index.scores(text) : std::vector<double>();
+    auto next = scores.begin();
+    std::vector<std::pair<double, ParameterGroup*>> ranked;
     for (ParameterGroup* group : m_groups) {
-        any = group->filter(words, onlyChanged) || any;
+        std::vector<double> part;
+        if (isSearched && group != m_groups.front()) { // what stands in the first once more is not to be found twice
+            part.assign(next, next + static_cast<std::ptrdiff_t>(group->size()));
+            next += static_cast<std::ptrdiff_t>(group->size());
+        }
+        ranked.emplace_back(group->filter(part, onlyChanged), group);
     }
-    // What stands there once more is not to be found twice.
-    m_groups.front()->setVisible(words.isEmpty() && !onlyChanged);
+    m_groups.front()->setVisible(!isSearched && !onlyChanged);
+    const bool any = std::any_of(ranked.begin() + 1, ranked.end(), [](const auto& one) { return one.first > 0.0; });
+    if (isSearched) { // the best on top
+        std::stable_sort(ranked.begin() + 1, ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    }
+    std::vector<ParameterGroup*> order;
+    std::transform(ranked.begin(), ranked.end(), std::back_inserter(order), [](const auto& one) { return one.second; });
+    arrange(*m_list, order);
     m_nothing->setVisible(!any);
-    m_nothing->setText(words.isEmpty() ? tr("Nothing differs from the preset.") : tr("No parameter is found by “%1”. Try a part of a word, or another word.").arg(text));
+    m_nothing->setText(isSearched ? tr("No parameter is found by “%1”. Try a part of a word, or another word.").arg(text) : tr("Nothing differs from the preset."));
 }
 
 void EffectPanel::showGroup(std::string_view name)
@@ -330,7 +386,7 @@ void EffectPanel::showParameter(const QString& key)
     if (editor == nullptr) {
         return;
     }
-    showGroup(editor->parameter().group());
+    showGroup(shownGroup(editor->parameter()));
     m_scroll->ensureWidgetVisible(editor);
     editor->setFocus(Qt::ShortcutFocusReason);
 }
@@ -345,9 +401,7 @@ QStringList EffectPanel::openGroups() const
 {
     QStringList names;
     for (const ParameterGroup* group : m_groups) {
-        if (group->isOpen()) {
-            names += group->objectName().mid(QStringLiteral("group.").size());
-        }
+        names += group->isOpen() ? group->name() : kClosed + group->name();
     }
     return names;
 }
@@ -355,7 +409,9 @@ QStringList EffectPanel::openGroups() const
 void EffectPanel::setOpenGroups(const QStringList& names)
 {
     for (ParameterGroup* group : m_groups) {
-        group->setOpen(names.contains(group->objectName().mid(QStringLiteral("group.").size())));
+        // Who names groups by what is stored means all that is shown of it.
+        const bool isMeant = !names.contains(kClosed + group->name()) && group->holdsAnyOf(names);
+        group->setOpen(names.contains(group->name()) || isMeant);
     }
 }
 

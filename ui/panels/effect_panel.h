@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/search_index.h"
 #include "ui/panels/parameter_row.h"
 
 #include <QScrollArea>
@@ -9,6 +10,7 @@
 class QLabel;
 class QLineEdit;
 class QToolButton;
+class QVBoxLayout;
 
 namespace fumage::ui {
 
@@ -25,8 +27,14 @@ public:
     void sync();
     /// The rows of some parameters.
     void sync(const std::vector<const Parameter*>& changed);
-    /// Shows the rows that match and are of use as the effect stands. @return whether there is one
-    bool filter(const QStringList& words, bool onlyChanged);
+    [[nodiscard]] QString name() const { return objectName().mid(QStringLiteral("group.").size()); }
+    [[nodiscard]] std::size_t size() const { return m_rows.size(); }
+    /// Whether a row of it is stored in one of these groups.
+    [[nodiscard]] bool holdsAnyOf(const QStringList& stored) const;
+    /// Shows the rows that are found and of use as the effect stands, the best first.
+    /// @param scores of the rows, see SearchIndex; empty: nothing is searched for
+    /// @return the best of those that are wanted; 0: none is
+    double filter(const std::vector<double>& scores, bool onlyChanged);
 
     /// All values as lines of "key=value", on the clipboard.
     void copy() const;
@@ -35,21 +43,27 @@ public:
     /// Puts all back to what the preset says, in one step.
     void reset();
 
+signals:
+    /// Of all groups.
+    void foldRequested(bool open);
+
 protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void showRows();
     void showMark();
-    [[nodiscard]] bool isWanted(const ParameterRow& row) const;
+    [[nodiscard]] bool isWanted(std::size_t row) const;
     [[nodiscard]] std::vector<Assignment> pasted() const;
 
     Document& m_document;
     QToolButton* m_heading;
     QWidget* m_content;
-    std::vector<ParameterRow*> m_rows;
+    QVBoxLayout* m_list = nullptr;
+    std::vector<ParameterRow*> m_rows; ///< in their usual order
+    std::vector<double> m_scores; ///< of the rows
+    bool m_isSearched = false;
     QString m_label;
-    QStringList m_words;
     bool m_onlyChanged = false;
 };
 
@@ -67,6 +81,7 @@ public:
     void showParameter(const QString& key);
     /// Puts the cursor into the search field.
     void search();
+    /// Which groups are open, for setOpenGroups().
     [[nodiscard]] QStringList openGroups() const;
     void setOpenGroups(const QStringList& groups);
     /// Those that are open as long as nobody says otherwise.
@@ -78,6 +93,7 @@ private:
     void sync();
     void follow(const EffectChange& change);
     void filter();
+    void foldAll(bool open);
     [[nodiscard]] QWidget* makeGroups(Locks& locks);
 
     Document& m_document;
@@ -85,7 +101,9 @@ private:
     QToolButton* m_onlyChanged;
     QLabel* m_nothing; ///< says that nothing was found
     QScrollArea* m_scroll;
-    std::vector<ParameterGroup*> m_groups;
+    QVBoxLayout* m_list = nullptr; ///< of the groups
+    std::vector<ParameterGroup*> m_groups; ///< in their usual order
+    SearchIndex m_index; ///< of the rows of all groups but the first
 };
 
 } // namespace fumage::ui

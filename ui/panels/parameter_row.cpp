@@ -2,12 +2,11 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
+#include "ui/face/hand.h"
 #include "ui/face/icons.h"
 #include "ui/face/message_box.h"
 
 #include "core/effect/value.h"
-
-#include <algorithm>
 
 #include <QApplication>
 #include <QClipboard>
@@ -60,14 +59,31 @@ void ParameterRow::edit(const Value& value, bool finished)
 {
     if (m_gesture.id == 0) {
         m_gesture = m_document.beginGesture();
+        m_before = stored().get(m_document.effect());
     }
-    m_document.edit(parameter(), value, m_gesture);
+    if (m_isTakenBack) {
+        m_document.edit(stored(), m_before, m_gesture);
+    } else {
+        m_document.edit(parameter(), value, m_gesture);
+    }
     if (finished) {
         m_gesture = {};
+        m_isTakenBack = false;
         // What the document made of it: clamped perhaps, or unchanged.
         m_hasShown = false;
         sync();
     }
+}
+
+bool ParameterRow::event(QEvent* event)
+{
+    // The release that follows ends the gesture where it began, which leaves no step.
+    if (event->type() == DragCancel::type() && m_gesture.id != 0) {
+        m_isTakenBack = true;
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void ParameterRow::sync()
@@ -83,7 +99,7 @@ void ParameterRow::sync()
 
 void ParameterRow::showState()
 {
-    const State state{!(m_shown == parameter().get(m_document.reference())), m_locks.contains(parameter())};
+    const State state{!(m_shown == parameter().get(m_document.reference())), m_locks.contains(stored())};
     if (state == m_state) {
         return;
     }
@@ -117,7 +133,7 @@ void ParameterRow::showLock(bool locked)
         inside->setContentsMargins(0, 0, 2, 0);
         inside->addStretch();
         inside->addWidget(m_lock);
-        connect(m_lock, &QToolButton::clicked, this, [this] { m_locks.set(parameter(), false); });
+        connect(m_lock, &QToolButton::clicked, this, [this] { m_locks.set(stored(), false); });
     }
     if (m_lock != nullptr) {
         m_lock->setVisible(locked);
@@ -133,15 +149,6 @@ void ParameterRow::prefixNames(const QString& prefix)
         }
     }
     setObjectName(prefix + objectName());
-}
-
-bool ParameterRow::matches(const QStringList& words) const
-{
-    if (words.isEmpty()) {
-        return true;
-    }
-    const QString all = searchTextOf(parameter());
-    return std::all_of(words.begin(), words.end(), [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
 }
 
 bool ParameterRow::eventFilter(QObject* watched, QEvent* event)
@@ -176,7 +183,7 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
     m_editor->addActions(menu, event->globalPos());
     QAction* reset = menu.addAction(tr("Reset"), this, [this] { m_document.reset(parameter()); });
     reset->setEnabled(!(m_shown == parameter().get(m_document.reference())));
-    menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(parameter(), parameter().get(Effect())); });
+    menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(stored(), stored().get(Effect())); });
     menu.addSeparator();
     menu.addAction(tr("Copy"), this, [this] { copy(false); });
     menu.addAction(tr("Paste"), this, &ParameterRow::paste)->setEnabled(!QApplication::clipboard()->text().trimmed().isEmpty());
@@ -184,8 +191,8 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
     menu.addSeparator();
     QAction* lock = menu.addAction(tr("Lock against randomising"));
     lock->setCheckable(true);
-    lock->setChecked(m_locks.contains(parameter()));
-    connect(lock, &QAction::toggled, this, [this](bool on) { m_locks.set(parameter(), on); });
+    lock->setChecked(m_locks.contains(stored()));
+    connect(lock, &QAction::toggled, this, [this](bool on) { m_locks.set(stored(), on); });
     menu.exec(event->globalPos());
 }
 

@@ -4,6 +4,8 @@
 #include "ui/document/locks.h"
 #include "ui/panels/parameter_editor.h"
 
+#include "core/effect/shown_table.h"
+
 #include <QLabel>
 
 class QToolButton;
@@ -17,9 +19,11 @@ class ParameterRow : public QWidget {
 public:
     ParameterRow(const Parameter& parameter, Document& document, Locks& locks, QWidget* parent);
 
-    static constexpr int kLabelWidth = 128; ///< pixels; other rows may line up with it
+    static constexpr int kLabelWidth = 136; ///< pixels; other rows may line up with it
 
     [[nodiscard]] const Parameter& parameter() const { return m_editor->parameter(); }
+    /// The one that the effect holds; another where this one is derived.
+    [[nodiscard]] const Parameter& stored() const { return storedParameter(parameter()); }
     [[nodiscard]] ParameterEditor& editor() const { return *m_editor; }
 
     /// Shows what the document holds.
@@ -30,10 +34,9 @@ public:
     void prefixNames(const QString& prefix);
     /// Whether the document differs from the preset here.
     [[nodiscard]] bool isChanged() const { return m_state.changed; }
-    /// @param words all of which have to be found; see searchTextOf()
-    [[nodiscard]] bool matches(const QStringList& words) const;
 
 protected:
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
@@ -58,6 +61,8 @@ private:
     QToolButton* m_lock = nullptr; ///< the mark of a lock, inside the label; null until there was one
     ParameterEditor* m_editor;
     Gesture m_gesture; ///< of the edits since the last finished one
+    Value m_before; ///< the gesture
+    bool m_isTakenBack = false; ///< the gesture ends where it began
     Value m_shown;
     State m_state;
     bool m_hasShown = false;

@@ -25,7 +25,7 @@ struct ActionSpec {
     const char* icon = ""; ///< empty: none
     ActionKind kind = ActionKind::Command;
     bool lineAbove = false; ///< in the menu
-    const char* words = ""; ///< key for tr(); other words that it is found by; empty: none
+    const char* words = ""; ///< others that it is looked for by, with spaces between, the nearest first
 };
 
 [[nodiscard]] std::span<const ActionSpec> actionSpecs();

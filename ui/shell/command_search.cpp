@@ -3,7 +3,7 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 
-#include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr int kWordsRole = Qt::UserRole; ///< what an item is found by
+constexpr int kPlaceRole = Qt::UserRole; ///< among all commands, in the order in which they were added
 
 } // namespace
 
@@ -54,10 +54,11 @@ CommandSearch::CommandSearch(ActionSet& actions, QWidget* parent)
     connect(m_list, &QListWidget::itemClicked, this, &CommandSearch::choose);
 }
 
-QListWidgetItem* CommandSearch::add(const QString& text, const QString& words, std::function<void()> act)
+QListWidgetItem* CommandSearch::add(const QString& text, const SearchTexts& texts, std::function<void()> act)
 {
     auto* item = new QListWidgetItem(text, m_list);
-    item->setData(kWordsRole, words.isEmpty() ? text : words);
+    item->setData(kPlaceRole, static_cast<int>(m_acts.size()));
+    m_index.add(texts);
     m_acts.push_back(std::move(act));
     return item;
 }
@@ -76,26 +77,23 @@ void CommandSearch::addCommands()
         if (!action.isEnabled()) {
             continue;
         }
+        const SearchTexts texts{plainText(spec.text), toQString(spec.words), plainText(spec.menu), {}};
         if (spec.kind == ActionKind::Submenu) {
             for (QAction* choice : m_actions.submenu(spec.id).actions()) {
-                add(fullName(spec) + QStringLiteral(": ") + choice->text().remove(QLatin1Char('&')), {}, [choice] { choice->trigger(); });
+                const QString name = choice->text().remove(QLatin1Char('&'));
+                add(fullName(spec) + QStringLiteral(": ") + name, {name, texts.synonyms, texts.name, texts.group}, [choice] { choice->trigger(); });
             }
             continue;
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        const QString text = fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys);
-        // Also by the English words, as parameters are.
-        const QString words = spec.words[0] == '\0'
-            ? QString()
-            : QStringLiteral("%1 %2 %3").arg(text, actionText(spec.words), QLatin1String(spec.words));
-        add(text, words, [&action] { action.trigger(); })->setIcon(action.icon());
+        add(fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys), texts, [&action] { action.trigger(); });
     }
 }
 
 void CommandSearch::addParameters()
 {
-    for (const Parameter& parameter : parameterTable()) {
-        add(fullLabelOf(parameter), searchTextOf(parameter), [this, key = toQString(parameter.key)] { emit parameterChosen(key); })->setToolTip(toolTipOf(parameter));
+    for (const Parameter* parameter : shownParameters()) {
+        add(fullLabelOf(*parameter), searchTextsOf(*parameter), [this, key = toQString(parameter->key)] { emit parameterChosen(key); })->setToolTip(toolTipOf(*parameter));
     }
 }
 
@@ -103,20 +101,31 @@ void CommandSearch::addPresets()
 {
     for (const auto& shelf : {builtinPresets(), presetsIn(userPresetFolder())}) {
         for (const LibraryEntry& entry : shelf) {
-            add(tr("Preset: %1").arg(toQString(entry.id)), {}, [this, entry] { emit presetChosen(entry); });
+            add(tr("Preset: %1").arg(toQString(entry.id)), {toQString(entry.id), {}, tr("Presets"), {}}, [this, entry] { emit presetChosen(entry); });
         }
     }
 }
 
 void CommandSearch::filter(const QString& text)
 {
-    const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const bool isSearched = !text.trimmed().isEmpty();
+    const std::vector<double> scores = m_index.scores(text);
+    std::vector<QListWidgetItem*> items;
+    while (m_list->count() > 0) {
+        items.push_back(m_list->takeItem(m_list->count() - 1));
+    }
+    const auto place = [](const QListWidgetItem* item) { return static_cast<std::size_t>(item->data(kPlaceRole).toInt()); };
+    const auto isBetter = [&](const QListWidgetItem* a, const QListWidgetItem* b) {
+        const auto [left, right] = isSearched ? std::pair(scores[place(a)], scores[place(b)]) : std::pair(0.0, 0.0);
+        return left != right ? left > right : place(a) < place(b);
+    };
+    std::sort(items.begin(), items.end(), isBetter);
     int first = -1;
-    for (int i = 0; i < m_list->count(); ++i) {
-        const QString known = m_list->item(i)->data(kWordsRole).toString();
-        const bool found = std::all_of(words.begin(), words.end(), [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); });
-        m_list->item(i)->setHidden(!found);
-        first = found && first < 0 ? i : first;
+    for (QListWidgetItem* item : items) {
+        m_list->addItem(item);
+        const bool found = !isSearched || scores[place(item)] > 0.0;
+        item->setHidden(!found);
+        first = found && first < 0 ? m_list->row(item) : first;
     }
     m_list->setCurrentRow(first);
     m_nothing->setVisible(first < 0);
@@ -130,7 +139,7 @@ void CommandSearch::choose()
         return;
     }
     accept();
-    m_acts[static_cast<std::size_t>(m_list->row(item))]();
+    m_acts[static_cast<std::size_t>(item->data(kPlaceRole).toInt())]();
 }
 
 bool CommandSearch::eventFilter(QObject* watched, QEvent* event)

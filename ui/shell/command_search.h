@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/search_index.h"
 #include "ui/shell/action_table.h"
 
 #include "core/preset/library.h"
@@ -35,8 +36,8 @@ private:
     void addCommands();
     void addParameters();
     void addPresets();
-    /// @param words it is found by; empty: by its text
-    QListWidgetItem* add(const QString& text, const QString& words, std::function<void()> act);
+    /// @param texts it is found by
+    QListWidgetItem* add(const QString& text, const SearchTexts& texts, std::function<void()> act);
     void filter(const QString& text);
     void choose();
 
@@ -44,7 +45,8 @@ private:
     QLineEdit* m_search;
     QListWidget* m_list;
     QLabel* m_nothing; ///< says that nothing was found
-    std::vector<std::function<void()>> m_acts; ///< one an item, in their order
+    SearchIndex m_index;
+    std::vector<std::function<void()>> m_acts; ///< one an item, in the order in which they were added
 };
 
 } // namespace fumage::ui

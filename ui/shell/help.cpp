@@ -5,7 +5,7 @@
 #include "ui/face/message_box.h"
 #include "ui/shell/action_table.h"
 
-#include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
 
 #include <algorithm>
 
@@ -90,8 +90,8 @@ QString groupIn(const QString& name)
 {
     const QStringList parts = name.split(QLatin1Char('.'));
     const std::string group = parts.size() > 1 && parts[0] == QLatin1String("group") ? parts[1].toStdString() : std::string();
-    const std::span<const Parameter> table = parameterTable();
-    const bool isGroup = std::any_of(table.begin(), table.end(), [&](const Parameter& parameter) { return parameter.group() == group; });
+    const auto& shown = shownParameters();
+    const bool isGroup = std::any_of(shown.begin(), shown.end(), [&](const Parameter* each) { return shownGroup(*each) == group; });
     return isGroup ? parts[1] : QString();
 }
 
@@ -101,9 +101,10 @@ QString parameterReference()
 {
     QString html;
     std::string_view group;
-    for (const Parameter& parameter : parameterTable()) {
-        if (parameter.group() != group) {
-            group = parameter.group();
+    for (const Parameter* shown : shownParameters()) {
+        const Parameter& parameter = *shown;
+        if (shownGroup(parameter) != group) {
+            group = shownGroup(parameter);
             html += QStringLiteral("<a name=\"%1\"></a><h2>%2</h2>").arg(toQString(group), groupLabelOf(group).toHtmlEscaped());
         }
         html += QStringLiteral("<a name=\"%1\"></a>%2").arg(toQString(parameter.key), toolTipOf(parameter));

@@ -14,7 +14,7 @@ inline constexpr std::array kRows<Air>{
     row<&Air::enabled>({
         .key = "air.enabled",
         .label = "Moving air",
-        .synonyms = "fluid solver simulation flow grid fire realistic billow roll mushroom",
+        .synonyms = "fluid solver simulation flow grid fire real realistic billow roll mushroom",
         .tip = "The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows around obstacles. Buoyancy, cooling, "
                "wind, gusts and the speed of the emitter act on the air; turbulence is the detail below its grid, and vortex rings come by themselves.",
         .source = "Fedkiw, Stam, Jensen 2001",
@@ -63,7 +63,7 @@ inline constexpr std::array kRows<Air>{
     row<&Air::vorticity>({
         .key = "air.vorticity",
         .label = "Vorticity",
-        .synonyms = "confinement swirl curl turbulence detail",
+        .synonyms = "confinement swirl curl turbulence detail curly",
         .hard = {0, 10},
         .soft = kUnit,
         .step = 0.01,
@@ -94,7 +94,7 @@ inline constexpr std::array kRows<Air>{
     row<&Air::turbulence>({
         .key = "air.turbulence",
         .label = "Turbulence",
-        .synonyms = "disturbance shredding force noise stir chaos break up spread billow",
+        .synonyms = "disturbance shredding force noise stir chaos break up spread billow rough wild",
         .hard = {0, 1000},
         .soft = {0, 20},
         .step = 0.1,
@@ -142,7 +142,7 @@ inline constexpr std::array kRows<Air>{
     row<&Air::expansion>({
         .key = "air.expansion",
         .label = "Expansion",
-        .synonyms = "explosion blast pressure burst divergence",
+        .synonyms = "explosion blast pressure burst divergence big",
         .hard = {0, 1000},
         .soft = {0, 30},
         .step = 0.5,

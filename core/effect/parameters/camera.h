@@ -22,7 +22,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::yaw>({
         .key = "camera.yaw",
         .label = "Yaw",
-        .synonyms = "turn orbit angle azimuth heading",
+        .synonyms = "turn orbit rotate angle azimuth heading",
         .hard = {-360, 360},
         .soft = {-180, 180},
         .step = 1,
@@ -34,7 +34,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::pitch>({
         .key = "camera.pitch",
         .label = "Pitch",
-        .synonyms = "tilt elevation angle",
+        .synonyms = "tilt elevation angle above below",
         .hard = {-89, 89},
         .step = 1,
         .unit = Unit::Degrees,
@@ -45,7 +45,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::distance>({
         .key = "camera.distance",
         .label = "Distance",
-        .synonyms = "zoom dolly range",
+        .synonyms = "zoom near far close dolly range",
         .hard = {0.01, 10000},
         .soft = {0.5, 50},
         .step = 0.05,
@@ -107,7 +107,7 @@ inline constexpr std::array kRows<Camera>{
     row<&Camera::focalLength>({
         .key = "camera.focal_length",
         .label = "Focal length",
-        .synonyms = "zoom lens field of view fov",
+        .synonyms = "zoom lens wide field of view fov",
         .hard = {5, 1000},
         .soft = {15, 200},
         .step = 1,

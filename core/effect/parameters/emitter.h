@@ -15,7 +15,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::count>({
         .key = "emitter.count",
         .label = "Particles",
-        .synonyms = "number amount quantity density thick rate spawn",
+        .synonyms = "thick dense more number amount quantity density rate spawn",
         .hard = {1, kMaxParticles},
         .soft = {1000, 1000000},
         .step = 1000,
@@ -35,7 +35,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::radius>({
         .key = "emitter.radius",
         .label = "Radius",
-        .synonyms = "size diameter source width",
+        .synonyms = "source wide narrow size diameter width",
         .hard = {0, 1000},
         .soft = {0, 3},
         .step = 0.01,
@@ -45,7 +45,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::width>({
         .key = "emitter.width",
         .label = "Width",
-        .synonyms = "size source",
+        .synonyms = "source size wide narrow",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.01,
@@ -91,7 +91,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::speed>({
         .key = "emitter.speed",
         .label = "Speed",
-        .synonyms = "velocity fast slow initial",
+        .synonyms = "velocity fast slow initial jet throw strong weak",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.01,
@@ -102,7 +102,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::velocityRandomness>({
         .key = "emitter.velocity_randomness",
         .label = "Velocity randomness",
-        .synonyms = "random chaos jitter irregular",
+        .synonyms = "random chaos jitter irregular uneven wild",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: every particle leaves at the full speed. 1: each component of the velocity is multiplied by its "
@@ -112,7 +112,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::spread>({
         .key = "emitter.spread",
         .label = "Spread",
-        .synonyms = "cone angle nozzle",
+        .synonyms = "wide narrow cone angle nozzle fan direction focused",
         .hard = {0, 180},
         .soft = {0, 90},
         .step = 0.5,
@@ -122,7 +122,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::mode>({
         .key = "emitter.mode",
         .label = "Emission",
-        .synonyms = "burst explosion puff continuous",
+        .synonyms = "burst explosion puff continuous once",
         .tip = "Continuous smoke, or one burst at the start of the timeline.",
         .choices = kEmissionModes,
     }),

@@ -12,7 +12,7 @@ inline constexpr std::array kRows<Life>{
     row<&Life::fadeRate>({
         .key = "life.fade_rate",
         .label = "Fade rate",
-        .synonyms = "lifetime life duration age disappear vanish dissolve lifespan fade out",
+        .synonyms = "fade vanish disappear dissolve fast slow lifetime life duration age lifespan out die",
         .hard = {0.001, 100},
         .soft = {0.005, 0.2},
         .step = 0.001,

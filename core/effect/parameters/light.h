@@ -24,7 +24,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::intensity>({
         .key = "light.intensity",
         .label = "Intensity",
-        .synonyms = "brightness sun bright dark strength",
+        .synonyms = "bright dark brightness sun strength dim light",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.05,
@@ -34,7 +34,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::shadow>({
         .key = "light.shadow",
         .label = "Shadow",
-        .synonyms = "dark self-shadow shade absorption thick",
+        .synonyms = "dark self-shadow shade black absorption thick contrast",
         .hard = {0, 100},
         .soft = {0, 4},
         .step = 0.02,
@@ -44,7 +44,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::scattering>({
         .key = "light.scattering",
         .label = "Scattering",
-        .synonyms = "bright translucent soft milky",
+        .synonyms = "bright translucent soft milky white",
         .hard = {0, 0.95},
         .step = 0.01,
         .tip = "Light that is scattered many times and reaches deep into dense smoke, so that it is not black.",
@@ -66,7 +66,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::ambient>({
         .key = "light.ambient",
         .label = "Ambient",
-        .synonyms = "fill sky brightness",
+        .synonyms = "fill sky brightness bright dark dim",
         .hard = {0, 1000},
         .soft = {0, 4},
         .step = 0.02,
@@ -76,7 +76,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::colour>({
         .key = "light.colour",
         .label = "Colour",
-        .synonyms = "color sun tint",
+        .synonyms = "color sun tint warm cold",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,
@@ -119,7 +119,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emission>({
         .key = "light.emission",
         .label = "Emission",
-        .synonyms = "fire glow flame heat burn",
+        .synonyms = "flame fire glow burn heat hot incandescent",
         .hard = {0, 1000},
         .soft = {0, 20},
         .step = 0.1,
@@ -129,7 +129,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emissionCooling>({
         .key = "light.emission_cooling",
         .label = "Emission cooling",
-        .synonyms = "fire glow flame fade",
+        .synonyms = "fade glow flame fire smoky soot",
         .hard = {0, 100},
         .soft = {0, 10},
         .step = 0.05,
@@ -140,7 +140,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::hotCore>({
         .key = "light.hot_core",
         .label = "Hot core",
-        .synonyms = "fire flame center inside",
+        .synonyms = "center inside white hot fire flame",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much cooler the rim glows than the inside: air cools what lies open to it, and fire shows in the "
@@ -150,7 +150,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::flameOpacity>({
         .key = "light.flame_opacity",
         .label = "Flame opacity",
-        .synonyms = "fire clear transparent soot additive",
+        .synonyms = "clear transparent soot additive fire",
         .hard = {0.01, 1},
         .step = 0.01,
         .tip = "How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that "
@@ -160,7 +160,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::fireLight>({
         .key = "light.fire_light",
         .label = "Light of the fire",
-        .synonyms = "flame glow bounce illuminate indirect",
+        .synonyms = "flame glow bounce illuminate indirect lit",
         .hard = {0, 100},
         .soft = {0, 4},
         .step = 0.05,
@@ -170,7 +170,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emissionColour>({
         .key = "light.emission_colour",
         .label = "Emission from",
-        .synonyms = "color fire flame blackbody",
+        .synonyms = "blackbody color fire flame",
         .tip = "Colours of your choice, or those of a body that glows by its temperature.",
         .choices = kEmissionColours,
         .stage = Stage::Shade,
@@ -178,7 +178,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::temperature>({
         .key = "light.temperature",
         .label = "Temperature",
-        .synonyms = "heat kelvin fire blackbody",
+        .synonyms = "heat kelvin hot cold fire blackbody red blue",
         .hard = {600, 20000},
         .soft = {900, 4000},
         .step = 10,
@@ -192,7 +192,7 @@ inline constexpr std::array kRows<Light>{
     row<&Light::emissionGradient>({
         .key = "light.emission_colours",
         .label = "Emission colours",
-        .synonyms = "color colors fire flame ramp gradient",
+        .synonyms = "color colors fire flame ramp gradient green blue magic",
         .hard = kColours,
         .soft = kUnit,
         .step = 0.01,

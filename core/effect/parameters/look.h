@@ -14,7 +14,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::opacity>({
         .key = "look.opacity",
         .label = "Opacity",
-        .synonyms = "density thick thickness thin transparent transparency alpha dense",
+        .synonyms = "thick transparent thin dense mist fog haze density transparency thickness heavy faint alpha solid see-through",
         .hard = {0, 1000},
         .soft = {0.05, 50},
         .step = 0.05,
@@ -25,7 +25,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::size>({
         .key = "look.size",
         .label = "Size",
-        .synonyms = "scale big small particle diameter large",
+        .synonyms = "big small large scale particle puff diameter tiny huge fat soft thick",
         .hard = {0.001, 100},
         .soft = {0.01, 3},
         .step = 0.005,
@@ -37,7 +37,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::colour>({
         .key = "look.colour",
         .label = "Colour",
-        .synonyms = "color tint albedo gray grey",
+        .synonyms = "color tint white black dark bright light albedo gray grey dirty",
         .kind = Kind::Colour,
         .hard = kColours,
         .soft = kUnit,
@@ -58,7 +58,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::texture>({
         .key = "look.texture",
         .label = "Texture",
-        .synonyms = "detail noise transparent holes",
+        .synonyms = "detail noise holes transparent grain texture",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much the noise disturbs the transparency of a particle.",
@@ -68,7 +68,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::erosion>({
         .key = "look.erosion",
         .label = "Erosion",
-        .synonyms = "dissolve holes wispy break up",
+        .synonyms = "dissolve holes wispy ragged torn break up",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How far the noise eats into a particle by the end of its life.",
@@ -86,7 +86,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::softness>({
         .key = "look.softness",
         .label = "Softness",
-        .synonyms = "soft hard edge blur feather rim",
+        .synonyms = "soft hard edge crisp sharp blur feather rim smooth mist",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: a disc with a hard rim. 1: a puff that fades from its centre.",
@@ -96,7 +96,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::relief>({
         .key = "look.relief",
         .label = "Relief",
-        .synonyms = "bump normal depth volume",
+        .synonyms = "bump normal depth volume plastic",
         .hard = {0, 4},
         .soft = {0, 2},
         .step = 0.02,
@@ -106,7 +106,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::roundness>({
         .key = "look.roundness",
         .label = "Roundness",
-        .synonyms = "ball volume puffy shading",
+        .synonyms = "ball round volume puffy fluffy shading",
         .hard = {0, 2},
         .soft = {0, 1},
         .step = 0.02,
@@ -125,7 +125,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::dilution>({
         .key = "look.dilution",
         .label = "Dilution",
-        .synonyms = "thin expand density mass",
+        .synonyms = "thin mist expand density mass haze",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much a particle thins out as it grows; 1 keeps its amount of smoke constant.",
@@ -134,7 +134,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::overlap>({
         .key = "look.overlap",
         .label = "Overlap",
-        .synonyms = "dots grain lone haze merge blend grow neighbours smooth",
+        .synonyms = "dots grain lone haze merge blend grow neighbours smooth mist fog",
         .hard = {0, 64},
         .soft = {0, 16},
         .step = 0.5,
@@ -186,7 +186,7 @@ inline constexpr std::array kRows<Look>{
     row<&Look::spin>({
         .key = "look.spin",
         .label = "Spin",
-        .synonyms = "rotate rotation turn",
+        .synonyms = "rotate rotation turn fast",
         .hard = {-3600, 3600},
         .soft = {-180, 180},
         .step = 1,

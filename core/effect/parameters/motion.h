@@ -12,7 +12,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::buoyancy>({
         .key = "motion.buoyancy",
         .label = "Buoyancy",
-        .synonyms = "rise lift heat hot up",
+        .synonyms = "rise lift tall high fast heat hot up float climb",
         .hard = {-1000, 1000},
         .soft = {-2, 10},
         .step = 0.05,
@@ -23,7 +23,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::wind>({
         .key = "motion.wind",
         .label = "Wind",
-        .synonyms = "blow breeze force air",
+        .synonyms = "blow breeze force air sideways drift lean fast strong",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.01,
@@ -46,7 +46,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::gravity>({
         .key = "motion.gravity",
         .label = "Gravity",
-        .synonyms = "fall weight down heavy",
+        .synonyms = "fall weight down heavy sink drop light",
         .hard = {-1000, 1000},
         .soft = {-10, 10},
         .step = 0.05,
@@ -57,7 +57,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::drag>({
         .key = "motion.drag",
         .label = "Drag",
-        .synonyms = "friction air resistance slow damping",
+        .synonyms = "friction slow air resistance damping brake calm",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.05,
@@ -67,7 +67,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::cooling>({
         .key = "motion.cooling",
         .label = "Cooling",
-        .synonyms = "heat cold temperature",
+        .synonyms = "heat cold temperature short low",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.01,
@@ -77,7 +77,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::randomness>({
         .key = "motion.randomness",
         .label = "Randomness",
-        .synonyms = "chaos jitter random noise",
+        .synonyms = "chaos jitter random noise irregular wild messy",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: forces act steadily. 1: each is multiplied by a new random number every frame and acts as a random "
@@ -113,7 +113,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::pull>({
         .key = "motion.pull",
         .label = "Pull to axis",
-        .synonyms = "attract inflow narrow column",
+        .synonyms = "attract inflow narrow thin column tight",
         .hard = {-100, 100},
         .soft = {-2, 5},
         .step = 0.05,
@@ -124,7 +124,7 @@ inline constexpr std::array kRows<Motion>{
     row<&Motion::rotation>({
         .key = "motion.rotation",
         .label = "Rotation",
-        .synonyms = "spin turn swirl twist",
+        .synonyms = "spin turn swirl twist whirl",
         .hard = {-3600, 3600},
         .soft = {-180, 180},
         .step = 1,

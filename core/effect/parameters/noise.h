@@ -26,7 +26,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::sharpness>({
         .key = "noise.sharpness",
         .label = "Sharpness",
-        .synonyms = "contrast crisp hard",
+        .synonyms = "sharp crisp contrast hard soft",
         .hard = {0.05, 20},
         .soft = {0.25, 6},
         .step = 0.05,
@@ -38,7 +38,7 @@ inline constexpr std::array kRows<Noise>{
     row<&Noise::wavelength>({
         .key = "noise.wavelength",
         .label = "Wavelength",
-        .synonyms = "frequency scale size",
+        .synonyms = "frequency scale size coarse fine",
         .hard = {0.005, 1},
         .soft = {0.05, 1},
         .step = 0.01,

@@ -16,7 +16,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::width>({
         .key = "output.width",
         .label = "Width",
-        .synonyms = "size resolution pixels",
+        .synonyms = "resolution size pixels wide",
         .hard = {1, kMaxOutputEdge},
         .soft = {64, 2048},
         .step = 1,
@@ -27,7 +27,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::height>({
         .key = "output.height",
         .label = "Height",
-        .synonyms = "size resolution pixels",
+        .synonyms = "resolution size pixels tall high",
         .hard = {1, kMaxOutputEdge},
         .soft = {64, 2048},
         .step = 1,
@@ -54,7 +54,7 @@ inline constexpr std::array kRows<Output>{
     row<&Output::exposure>({
         .key = "output.exposure",
         .label = "Exposure",
-        .synonyms = "brightness bright dark gamma",
+        .synonyms = "bright dark brightness gamma light dim",
         .hard = {-20, 20},
         .soft = {-4, 4},
         .step = 0.05,

@@ -12,7 +12,7 @@ inline constexpr std::array kRows<Timeline>{
     row<&Timeline::length>({
         .key = "timeline.length",
         .label = "Length",
-        .synonyms = "duration frames end time",
+        .synonyms = "duration frames end time long short",
         .hard = {1, 100000},
         .soft = {1, 600},
         .step = 1,
@@ -22,7 +22,7 @@ inline constexpr std::array kRows<Timeline>{
     row<&Timeline::loop>({
         .key = "timeline.loop",
         .label = "Seamless loop",
-        .synonyms = "repeat cycle tile endless",
+        .synonyms = "loop seamless repeat cycle tile endless forever",
         .tip = "The frame after the last is the first again, to the bit.",
     }),
     row<&Timeline::prewarm>({
@@ -35,7 +35,7 @@ inline constexpr std::array kRows<Timeline>{
     row<&Timeline::frameRate>({
         .key = "timeline.frame_rate",
         .label = "Frame rate",
-        .synonyms = "fps speed",
+        .synonyms = "fps speed fast slow playback",
         .hard = {1, 240},
         .soft = {12, 60},
         .step = 1,

@@ -12,7 +12,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::strength>({
         .key = "turbulence.strength",
         .label = "Strength",
-        .synonyms = "swirl chaos wild curl noise",
+        .synonyms = "swirl chaos wild wavy turbulent messy calm curl noise rough smooth",
         .hard = {0, 1000},
         .soft = {0, 5},
         .step = 0.02,
@@ -23,7 +23,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::scale>({
         .key = "turbulence.scale",
         .label = "Scale",
-        .synonyms = "swirl size eddies",
+        .synonyms = "swirl size eddies big small coarse fine",
         .hard = {0.001, 1000},
         .soft = {0.1, 10},
         .step = 0.02,
@@ -34,7 +34,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::octaves>({
         .key = "turbulence.octaves",
         .label = "Octaves",
-        .synonyms = "detail layers swirl",
+        .synonyms = "detail layers swirl fine",
         .hard = {1, kMaxTurbulenceOctaves},
         .soft = {1, 6},
         .step = 1,
@@ -51,7 +51,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::evolution>({
         .key = "turbulence.evolution",
         .label = "Evolution",
-        .synonyms = "speed change animate",
+        .synonyms = "speed change animate fast slow",
         .hard = {0, 100},
         .soft = {0, 3},
         .step = 0.02,
@@ -71,7 +71,7 @@ inline constexpr std::array kRows<Turbulence>{
     row<&Turbulence::growth>({
         .key = "turbulence.growth",
         .label = "Growth with height",
-        .synonyms = "bigger larger height",
+        .synonyms = "height taller high bigger larger",
         .hard = {0, 10},
         .soft = {0, 2},
         .step = 0.02,
