@@ -4,8 +4,11 @@
 #include "ui/shell/action_table.h"
 #include "ui/viewport/viewport.h"
 
+#include <QClipboard>
 #include <QColorDialog>
 #include <QEvent>
+#include <QGuiApplication>
+#include <QMenu>
 #include <QWidget>
 
 namespace fumage::ui {
@@ -55,6 +58,9 @@ ViewActions::ViewActions(const ActionSet& actions, Document& document, Viewport&
     for (const Side& side : kSides) {
         m_actions.on(side.action, this, [this, side] { m_viewport.lookFrom(side.yaw, side.pitch); });
     }
+    m_actions.on("view.resetCamera", &m_viewport, &Viewport::resetCamera);
+    m_actions.on("view.copyFrame", this, [this] { QGuiApplication::clipboard()->setImage(m_viewport.shownPicture()); });
+    connect(&m_viewport, &Viewport::menuRequested, this, &ViewActions::showMenu);
     connectOverlays();
     connectBackdrop();
     connectFullScreen();
@@ -85,6 +91,27 @@ void ViewActions::connectBackdrop()
         });
         connect(&dialog, &QDialog::rejected, &checker, [&checker, wasChecked] { checker.setChecked(wasChecked); });
     });
+}
+
+void ViewActions::showMenu(QPoint global)
+{
+    auto* menu = new QMenu(&m_window);
+    menu->setObjectName(QStringLiteral("viewportMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const auto add = [&](std::initializer_list<const char*> ids) {
+        for (const char* id : ids) {
+            menu->addAction(&m_actions.get(id));
+        }
+        menu->addSeparator();
+    };
+    add({"view.frameAll", "view.frameAnimation", "view.resetCamera"});
+    add({"view.front", "view.right", "view.top", "view.back", "view.left", "view.bottom"});
+    for (const OverlayAction& entry : kOverlayActions) {
+        menu->addAction(&m_actions.get(entry.action));
+    }
+    add({"view.checker", "view.backdrop"});
+    add({"view.copyFrame", "file.export"});
+    menu->popup(global);
 }
 
 void ViewActions::connectFullScreen()

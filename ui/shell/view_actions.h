@@ -33,6 +33,8 @@ private:
     void connectOverlays();
     void connectBackdrop();
     void connectFullScreen();
+    /// What the right button offers over the picture.
+    void showMenu(QPoint global);
 
     const ActionSet& m_actions;
     Viewport& m_viewport;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <QCoreApplication>
 #include <QLineF>
@@ -319,21 +320,58 @@ void paintSun(QPainter& painter, QPointF at, const QColor& colour, bool hot)
     painter.drawEllipse(at, kDisc, kDisc);
 }
 
-/// Writes beyond the end of a line, so that the line does not cross the text.
-/// @param taken labels before this one; it is added
-void paintLabel(QPainter& painter, const QLineF& line, const QString& text, const QColor& colour, std::vector<QRectF>& taken)
+/// A label that waits until all lines are drawn, so that none crosses it.
+struct Label {
+    QRectF place;
+    QString text;
+    QColor colour;
+};
+
+/// Where a label stands: beyond the end of its line, and not where another one is.
+QRectF placeOfLabel(const QFontMetrics& metrics, const QLineF& line, const QString& text, int viewWidth, const std::vector<Label>& others)
 {
     constexpr double kGap = 14.0;
-    const QFontMetrics metrics = painter.fontMetrics();
-    const double width = metrics.horizontalAdvance(text);
+    constexpr double kPadding = 4.0;
+    const double width = metrics.horizontalAdvance(text) + 2.0 * kPadding;
     const double beside = line.dx() < -0.5 * line.length() ? -kGap - width : kGap;
-    const QPointF wanted = line.p2() + QPointF(beside, 4.0);
-    taken.push_back(freePlace({wanted.x(), wanted.y() - metrics.ascent(), width, static_cast<double>(metrics.height())}, taken));
-    const QPointF at = taken.back().topLeft() + QPointF(0.0, metrics.ascent());
-    painter.setPen(QColor(0, 0, 0, 160));
-    painter.drawText(at + QPointF(1.0, 1.0), text);
-    painter.setPen(colour);
-    painter.drawText(at, text);
+    const double most = viewWidth - width - kPadding;
+    const QPointF wanted(std::min(line.p2().x() + beside, most), line.p2().y() + 4.0 - metrics.ascent());
+    std::vector<QRectF> taken;
+    std::transform(others.begin(), others.end(), std::back_inserter(taken), [](const Label& label) { return label.place; });
+    return freePlace({wanted.x(), wanted.y(), width, metrics.height() + 1.0}, taken);
+}
+
+/// On a dark plate: readable on any smoke and any background.
+void paintLabel(QPainter& painter, const Label& label, bool hot)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(18, 20, 24, hot ? 220 : 170));
+    painter.drawRoundedRect(label.place, 4.0, 4.0);
+    constexpr int kPale = 130;
+    painter.setPen(label.colour.lighter(kPale));
+    painter.drawText(label.place, Qt::AlignCenter, label.text);
+}
+
+/// @return whether the gizmo is one that has a label
+bool paintGizmo(QPainter& painter, const Gizmo& gizmo, const QLineF& line, const Effect& effect, const View& view, bool hot)
+{
+    if (gizmo.id == GizmoId::Light) {
+        painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 90), 1.0, Qt::DashLine));
+        painter.drawLine(line);
+        paintSun(painter, line.p2(), gizmo.colour, hot);
+    } else if (gizmo.label.isEmpty() || gizmo.id == GizmoId::EmitterPosition) {
+        paintHandle(painter, line.p2(), gizmo.colour, hot);
+        return false;
+    } else if (gizmo.id == GizmoId::ObstacleSize || gizmo.id == GizmoId::AirSize) {
+        paintHandle(painter, line.p2(), gizmo.colour, hot);
+    } else if (gizmo.id == GizmoId::Rings) {
+        painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 150), hot ? 2.0 : 1.2));
+        paintCircle(painter, gizmo.from, glm::normalize(effect.emitter.normal), ringRadius(effect.rings), view);
+        paintHandle(painter, line.p2(), gizmo.colour, hot);
+    } else {
+        paintArrow(painter, line, gizmo.colour, hot);
+    }
+    return true;
 }
 
 } // namespace
@@ -351,34 +389,26 @@ QRectF freePlace(QRectF wanted, const std::vector<QRectF>& taken)
     return wanted;
 }
 
+bool isOfAir(GizmoId id)
+{
+    return id == GizmoId::AirPlace || id == GizmoId::AirSize;
+}
+
 void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot)
 {
-    std::vector<QRectF> labels;
+    std::vector<Label> labels;
+    std::optional<std::size_t> hotLabel;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Gizmo& gizmo : gizmosOf(effect, view)) {
         const std::optional<QLineF> line = projectLine(view, gizmo.from, gizmo.to);
-        if (!line) {
-            continue;
+        if (line && paintGizmo(painter, gizmo, *line, effect, view, hot == gizmo.id)) {
+            hotLabel = hot == gizmo.id ? std::optional(labels.size()) : hotLabel;
+            labels.push_back({placeOfLabel(painter.fontMetrics(), *line, gizmo.label, view.width, labels), gizmo.label, gizmo.colour});
         }
-        const bool isHot = hot == gizmo.id;
-        if (gizmo.id == GizmoId::Light) {
-            painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 90), 1.0, Qt::DashLine));
-            painter.drawLine(*line);
-            paintSun(painter, line->p2(), gizmo.colour, isHot);
-        } else if (gizmo.label.isEmpty() || gizmo.id == GizmoId::EmitterPosition) {
-            paintHandle(painter, line->p2(), gizmo.colour, isHot);
-            continue;
-        } else if (gizmo.id == GizmoId::ObstacleSize || gizmo.id == GizmoId::AirSize) {
-            paintHandle(painter, line->p2(), gizmo.colour, isHot);
-        } else if (gizmo.id == GizmoId::Rings) {
-            painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 150), isHot ? 2.0 : 1.2));
-            paintCircle(painter, gizmo.from, glm::normalize(effect.emitter.normal), ringRadius(effect.rings), view);
-            paintHandle(painter, line->p2(), gizmo.colour, isHot);
-        } else {
-            paintArrow(painter, *line, gizmo.colour, isHot);
-        }
-        paintLabel(painter, *line, gizmo.label, gizmo.colour, labels);
+    }
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        paintLabel(painter, labels[i], hotLabel == i);
     }
     painter.restore();
 }

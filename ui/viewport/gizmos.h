@@ -51,6 +51,9 @@ struct Gizmo {
 /// Where a label finds room: at its place, or under what stands there already.
 [[nodiscard]] QRectF freePlace(QRectF wanted, const std::vector<QRectF>& taken);
 
+/// Whether a handle is one of the box of the air.
+[[nodiscard]] bool isOfAir(GizmoId id);
+
 void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot);
 
 } // namespace fumage::ui

@@ -149,8 +149,14 @@ void paintAirBox(QPainter& painter, const Effect& effect, const View& view)
     painter.setPen(QPen(QColor(140, 190, 220, 130), 1.0));
     const AirGrid grid = airGrid(sampled(effect));
     drawBox(painter, view, grid.corner, grid.end());
+    painter.restore();
+}
+
+void paintObstacle(QPainter& painter, const Air& air, const View& view)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(QColor(0xe0, 0xa0, 0x60, 220), 1.4));
-    const Air& air = effect.air;
     if (air.obstacle == Obstacle::Box) {
         drawBox(painter, view, air.obstaclePlace - 0.5F * air.obstacleSize, air.obstaclePlace + 0.5F * air.obstacleSize);
     } else if (air.obstacle == Obstacle::Sphere) {

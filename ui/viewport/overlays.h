@@ -35,8 +35,10 @@ void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view);
 void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& normal, float radius, const View& view);
 /// Figure 2 of the 2012 model: the ways of particles, in green.
 void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view);
-/// The box of the air and the obstacle in it.
+/// The box of the air.
 void paintAirBox(QPainter& painter, const Effect& effect, const View& view);
+/// The obstacle in it, if there is one.
+void paintObstacle(QPainter& painter, const Air& air, const View& view);
 /// What the air does: arrows as long as it goes in a tenth of a second, at most to the next one; warm air is orange.
 void paintAir(QPainter& painter, const std::vector<AirArrow>& arrows, const View& view);
 /// The frame that is exported, with what lies outside of it dimmed.

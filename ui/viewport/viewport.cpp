@@ -54,6 +54,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     connect(&m_player, &Player::frameChanged, &m_feed, &PictureFeed::setFrame);
     connect(&m_player, &Player::playingChanged, &m_feed, &PictureFeed::setPlaying);
     connect(&m_player, &Player::playingChanged, this, [this] { m_readout.restart(); });
+    connect(&m_hand, &ViewportHand::menuRequested, this, &Viewport::menuRequested);
 }
 
 View Viewport::view() const
@@ -195,6 +196,17 @@ void Viewport::frameAll()
     m_document.moveCamera(framing(m_document.effect().camera, low, high));
 }
 
+QImage Viewport::shownPicture()
+{
+    // On a graphics card it is drawn there alone.
+    return picture() && !picture()->image.isNull() ? picture()->image : surface()->grab().toImage();
+}
+
+void Viewport::resetCamera()
+{
+    applyCamera(m_document.reference().camera, tr("Reset the camera"));
+}
+
 void Viewport::lookFrom(float yaw, float pitch)
 {
     m_document.moveCamera(lookingFrom(m_document.effect().camera, yaw, pitch));
@@ -213,9 +225,14 @@ void Viewport::paintOverlays(QPainter& painter)
     if (m_overlays.testFlag(Overlay::Grid)) {
         paintGrid(painter, seen);
     }
-    const bool isHandled = m_overlays.testFlag(Overlay::Gizmos) && (effect.air.obstacle != Obstacle::None || !effect.air.fit);
-    if (effect.air.enabled && (m_overlays.testFlag(Overlay::Air) || isHandled)) {
+    // Handles come with the mouse: without it the smoke stands alone.
+    const bool hasGizmos = m_overlays.testFlag(Overlay::Gizmos) && m_hand.isNear();
+    const bool isAirTouched = hasGizmos && m_hand.gizmo() && isOfAir(*m_hand.gizmo());
+    if (effect.air.enabled && (m_overlays.testFlag(Overlay::Air) || isAirTouched)) {
         paintAirBox(painter, effect, seen);
+    }
+    if (effect.air.enabled && (m_overlays.testFlag(Overlay::Air) || hasGizmos)) {
+        paintObstacle(painter, effect.air, seen);
     }
     if (m_overlays.testFlag(Overlay::Air) && picture()) {
         paintAir(painter, picture()->air, seen);
@@ -226,7 +243,7 @@ void Viewport::paintOverlays(QPainter& painter)
     if (m_overlays.testFlag(Overlay::Emitter)) {
         paintEmitter(painter, effect.emitter, seen);
     }
-    if (m_overlays.testFlag(Overlay::Gizmos)) {
+    if (hasGizmos) {
         paintGizmos(painter, effect, seen, m_hand.gizmo());
     }
     if (m_overlays.testFlag(Overlay::Frame)) {

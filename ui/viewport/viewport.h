@@ -49,6 +49,10 @@ public:
 
     void frameAll();
     void lookFrom(float yaw, float pitch);
+    /// As the preset has it.
+    void resetCamera();
+    /// What is on the screen, without what lies over it where the picture is made by the processor.
+    [[nodiscard]] QImage shownPicture();
 
     QSize minimumSizeHint() const override { return {240, 180}; }
     QSize sizeHint() const override { return {900, 700}; }
@@ -64,6 +68,8 @@ signals:
     void baking(double share);
     /// No pictures: the air does not hold what the effect asks for, or the like.
     void failed(const QString& why);
+    /// The right button was clicked, or the key for menus pressed. @param global place on the screen
+    void menuRequested(QPoint global);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,5 +1,11 @@
 #include "ui/viewport/viewport_hand.h"
 
+#include "ui/face/hand_guard.h"
+
+#include "core/effect/value.h"
+
+#include <QContextMenuEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QWidget>
@@ -15,6 +21,7 @@ ViewportHand::ViewportHand(Document& document, SplitView& split, QWidget& surfac
 {
     surface.setFocusPolicy(Qt::StrongFocus);
     surface.setMouseTracking(true);
+    HandGuard::leaveAllButtons(surface);
     surface.installEventFilter(this);
     connect(&m_wheelBurst, &Burst::ended, this, [this] { m_wheelGesture = {}; });
 }
@@ -33,6 +40,11 @@ bool ViewportHand::eventFilter(QObject* watched, QEvent* event)
     if (watched != &m_surface) {
         return false;
     }
+    if (event->type() == DragCancel::type() && m_drag) {
+        takeBack();
+        event->accept();
+        return true;
+    }
     switch (event->type()) {
     case QEvent::MouseButtonPress:
         press(static_cast<const QMouseEvent&>(*event));
@@ -41,14 +53,21 @@ bool ViewportHand::eventFilter(QObject* watched, QEvent* event)
         move(static_cast<const QMouseEvent&>(*event));
         return true;
     case QEvent::MouseButtonRelease:
-        m_drag.reset();
+        release(static_cast<const QMouseEvent&>(*event));
         return true;
     case QEvent::Wheel:
         wheel(static_cast<const QWheelEvent&>(*event));
         return true;
+    case QEvent::Enter: setInside(true); return false;
     case QEvent::Leave:
         setHot(std::nullopt);
+        setInside(false);
         return false;
+    case QEvent::ContextMenu:
+        if (const auto& menu = static_cast<const QContextMenuEvent&>(*event); menu.reason() == QContextMenuEvent::Keyboard) {
+            emit menuRequested(m_surface.mapToGlobal(m_surface.rect().center()));
+        }
+        return true; // that of the mouse comes before it is known whether it will drag
     default:
         return false;
     }
@@ -76,13 +95,43 @@ std::optional<ViewportHand::Grip> ViewportHand::gripFor(const QMouseEvent& event
 void ViewportHand::press(const QMouseEvent& event)
 {
     m_surface.setFocus(Qt::MouseFocusReason);
-    if (const std::optional<Grip> grip = gripFor(event)) {
-        m_drag = Drag{*grip, event.position(), m_document.effect(), m_view(), m_document.beginGesture()};
+    if (event.button() == Qt::RightButton) {
+        m_rightPress = event.globalPosition();
     }
+    if (m_drag) {
+        return; // a second button
+    }
+    if (const std::optional<Grip> grip = gripFor(event)) {
+        m_drag = Drag{*grip, event.button(), EndlessWay(), m_document.effect(), m_view(), m_document.beginGesture()};
+        m_drag->way.begin(event);
+    }
+}
+
+void ViewportHand::release(const QMouseEvent& event)
+{
+    const bool isFree = !m_drag || event.button() == m_drag->button;
+    if (m_drag && event.button() == m_drag->button) {
+        m_drag.reset();
+    }
+    constexpr double kClick = 4.0; // pixels
+    if (event.button() == Qt::RightButton && isFree && QLineF(event.globalPosition(), m_rightPress).length() < kClick) {
+        emit menuRequested(event.globalPosition().toPoint());
+    }
+}
+
+void ViewportHand::takeBack()
+{
+    std::vector<Assignment> assignments;
+    for (const Parameter* parameter : differences(m_drag->before, m_document.effect())) {
+        assignments.push_back({parameter, parameter->get(m_drag->before)});
+    }
+    m_document.edit(assignments, {}, m_drag->gesture);
+    m_drag.reset();
 }
 
 void ViewportHand::move(const QMouseEvent& event)
 {
+    setInside(m_surface.rect().contains(event.position().toPoint()));
     if (m_drag) {
         std::visit([&](auto grip) { drag(grip, event); }, m_drag->grip);
     } else {
@@ -104,7 +153,7 @@ void ViewportHand::drag(GizmoId gizmo, const QMouseEvent& event)
 
 void ViewportHand::drag(CameraMove move, const QMouseEvent& event)
 {
-    const QPointF way = event.position() - m_drag->start;
+    const QPointF way = m_drag->way.to(event);
     const Camera& before = m_drag->before.camera;
     const auto apply = [this](const Camera& camera) { m_document.moveCamera(camera, m_drag->gesture); };
     switch (move) {
@@ -134,6 +183,14 @@ void ViewportHand::wheel(const QWheelEvent& event)
     }
     m_wheelBurst.start();
     m_document.moveCamera(zoomed(m_document.effect().camera, notchesOf(event), m_view()), m_wheelGesture);
+}
+
+void ViewportHand::setInside(bool inside)
+{
+    if (inside != m_isInside) {
+        m_isInside = inside;
+        m_surface.update();
+    }
 }
 
 void ViewportHand::setHot(std::optional<GizmoId> gizmo)

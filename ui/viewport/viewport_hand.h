@@ -29,6 +29,12 @@ public:
     void setGizmos(bool shown) { m_gizmos = shown; }
     /// The gizmo that is dragged, or else the one under the mouse.
     [[nodiscard]] std::optional<GizmoId> gizmo() const;
+    /// Whether the mouse is over the picture, or drags something of it.
+    [[nodiscard]] bool isNear() const { return m_isInside || m_drag.has_value(); }
+
+signals:
+    /// The right button was clicked without a drag, or the key for menus pressed.
+    void menuRequested(QPoint global);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,7 +44,8 @@ private:
     using Grip = std::variant<DividingLine, GizmoId, CameraMove>;
     struct Drag {
         Grip grip;
-        QPointF start;
+        Qt::MouseButton button;
+        EndlessWay way;
         Effect before;
         View view;
         Gesture gesture;
@@ -46,12 +53,16 @@ private:
 
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    /// Everything that the drag has changed is as it was.
+    void takeBack();
     void wheel(const QWheelEvent& event);
     [[nodiscard]] std::optional<Grip> gripFor(const QMouseEvent& event) const;
     void drag(DividingLine line, const QMouseEvent& event);
     void drag(GizmoId gizmo, const QMouseEvent& event);
     void drag(CameraMove move, const QMouseEvent& event);
     void setHot(std::optional<GizmoId> gizmo);
+    void setInside(bool inside);
 
     Document& m_document;
     SplitView& m_split;
@@ -61,6 +72,8 @@ private:
     bool m_gizmos = true;
     std::optional<Drag> m_drag;
     std::optional<GizmoId> m_hot; ///< under the mouse
+    bool m_isInside = false; ///< the mouse is over the surface
+    QPointF m_rightPress; ///< on the screen, of the right button
     Burst m_wheelBurst;
     Gesture m_wheelGesture;
 };
