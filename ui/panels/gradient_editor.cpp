@@ -1,14 +1,18 @@
 #include "ui/panels/gradient_editor.h"
 
 #include "ui/panels/colour_editor.h"
+#include "ui/panels/gradient_presets.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <QHBoxLayout>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -18,6 +22,23 @@ namespace {
 constexpr double kMargin = 7.0;
 constexpr double kBarHeight = 18.0;
 constexpr double kHandleHalf = 6.0;
+
+/// Joined in linear light, as the smoke does it, not on the screen.
+QImage picturedRow(const Gradient& gradient, int columns)
+{
+    QImage row(std::max(1, columns), 1, QImage::Format_RGB32);
+    for (int x = 0; x < row.width(); ++x) {
+        row.setPixelColor(x, 0, screenColour(gradient.at((static_cast<float>(x) + 0.5F) / static_cast<float>(row.width()))));
+    }
+    return row;
+}
+
+QIcon iconOf(const Gradient& gradient)
+{
+    constexpr int kWidth = 48;
+    constexpr int kHeight = 16;
+    return QPixmap::fromImage(picturedRow(gradient, kWidth).scaled(kWidth, kHeight));
+}
 
 } // namespace
 
@@ -32,6 +53,15 @@ void GradientBar::setGradient(const Gradient& gradient)
     if (isFree()) {
         m_gradient = gradient;
         pointsReplaced();
+    }
+}
+
+void GradientBar::replace(const Gradient& gradient)
+{
+    if (!(gradient == m_gradient)) {
+        m_gradient = gradient;
+        pointsReplaced();
+        emit changed(true);
     }
 }
 
@@ -123,13 +153,7 @@ void GradientBar::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF inside = bar();
-    // Joined in linear light, as the smoke does it, not on the screen.
-    const int columns = static_cast<int>(inside.width());
-    QImage row(std::max(1, columns), 1, QImage::Format_RGB32);
-    for (int x = 0; x < row.width(); ++x) {
-        row.setPixelColor(x, 0, screenColour(m_gradient.at((static_cast<float>(x) + 0.5F) / static_cast<float>(row.width()))));
-    }
-    painter.drawImage(inside, row);
+    painter.drawImage(inside, picturedRow(m_gradient, static_cast<int>(inside.width())));
     painter.setPen(QPen(palette().mid().color(), 1.0));
     painter.drawRect(inside);
     for (int i = 0; i < m_gradient.count; ++i) {
@@ -150,10 +174,46 @@ GradientEditor::GradientEditor(const Parameter& parameter, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    auto* menu = new QMenu(this);
+    menu->setObjectName(objectName() + QStringLiteral(".menu"));
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        fillMenu(*menu);
+    });
+    auto* presets = new QToolButton(this);
+    name(*presets, QStringLiteral("presets"), tr("presets"));
+    presets->setText(tr("Presets"));
+    presets->setToolTip(tr("Gradients to begin with, and other hues for all colours of this one"));
+    presets->setPopupMode(QToolButton::InstantPopup);
+    presets->setMenu(menu);
+    auto* below = new QHBoxLayout;
+    below->addWidget(makeHint(tr("Press to add, drag to move, double click for the colour, right click for more")), 1);
+    below->addWidget(presets, 0, Qt::AlignTop);
     layout->addWidget(m_bar);
-    layout->addWidget(makeHint(tr("Press to add, drag to move, double click for the colour, right click for more")));
+    layout->addLayout(below);
     setFocusProxy(m_bar);
     connect(m_bar, &GradientBar::changed, this, [this](bool finished) { emit edited(m_bar->gradient(), finished); });
+}
+
+void GradientEditor::addActions(QMenu& menu, const QPoint& global)
+{
+    m_bar->addActions(menu, global);
+    fillMenu(*menu.addMenu(tr("Gradient")));
+    menu.addSeparator();
+}
+
+void GradientEditor::fillMenu(QMenu& menu)
+{
+    for (const GradientPreset& preset : gradientPresets()) {
+        menu.addAction(iconOf(preset.gradient), nameOf(preset), this, [this, &preset] { m_bar->replace(preset.gradient); });
+    }
+    menu.addSeparator();
+    QMenu* hues = menu.addMenu(tr("Other hues"));
+    for (const int degrees : {30, 60, 90, 120, 150, 180, -150, -120, -90, -60, -30}) {
+        const Gradient turned = hueShifted(m_bar->gradient(), degrees);
+        hues->addAction(iconOf(turned), QStringLiteral("%1°").arg(degrees), this, [this, turned] { m_bar->replace(turned); });
+    }
+    menu.addAction(tr("Reverse"), this, [this] { m_bar->replace(reversed(m_bar->gradient())); });
 }
 
 void GradientEditor::setValue(const Value& value)

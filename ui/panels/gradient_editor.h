@@ -14,6 +14,8 @@ public:
 
     void setGradient(const Gradient& gradient);
     [[nodiscard]] const Gradient& gradient() const { return m_gradient; }
+    /// Takes over another gradient in one step of the hand.
+    void replace(const Gradient& gradient);
     [[nodiscard]] QPointF handle(int stop) const;
     QSize sizeHint() const override { return {200, 40}; }
 
@@ -48,9 +50,12 @@ class GradientEditor : public ParameterEditor {
 public:
     GradientEditor(const Parameter& parameter, QWidget* parent);
     void setValue(const Value& value) override;
-    void addActions(QMenu& menu, const QPoint& global) override { m_bar->addActions(menu, global); }
+    void addActions(QMenu& menu, const QPoint& global) override;
 
 private:
+    /// What can be done with the gradient as a whole.
+    void fillMenu(QMenu& menu);
+
     GradientBar* m_bar;
 };
 
