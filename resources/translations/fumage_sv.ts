@@ -272,32 +272,24 @@
         <translation>Nytt från en fö&amp;rinställning…</translation>
     </message>
     <message>
-        <source>start begin welcome template gallery</source>
-        <translation>start börja välkommen mall galleri</translation>
-    </message>
-    <message>
         <source>Pre&amp;ferences…</source>
         <translation>&amp;Inställningar…</translation>
-    </message>
-    <message>
-        <source>settings options configuration theme language memory start welcome OpenGL recovery</source>
-        <translation>inställningar alternativ konfiguration tema språk minne start välkommen OpenGL återställning</translation>
     </message>
     <message>
         <source>Pre&amp;vious view</source>
         <translation>&amp;Föregående vy</translation>
     </message>
     <message>
-        <source>undo camera back</source>
-        <translation>ångra kamera tillbaka</translation>
-    </message>
-    <message>
         <source>&amp;Next view</source>
         <translation>&amp;Nästa vy</translation>
     </message>
     <message>
-        <source>redo camera forward</source>
-        <translation>gör om kamera framåt</translation>
+        <source>Reset the ca&amp;mera</source>
+        <translation>Återställ ka&amp;meran</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the picture</source>
+        <translation>Kopiera &amp;bilden</translation>
     </message>
 </context>
 <context>
@@ -339,6 +331,10 @@
     <message>
         <source>Nothing is found by “%1”. Try a part of a word, or another word.</source>
         <translation>Inget hittas med ”%1”. Prova en del av ett ord eller ett annat ord.</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Förinställningar</translation>
     </message>
 </context>
 <context>
@@ -701,6 +697,14 @@
     <message>
         <source>Verifying: %1 of %2</source>
         <translation>Kontrollerar: %1 av %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1221,6 +1225,65 @@
     <message>
         <source>Press to add, drag to move, double click for the colour, right click for more</source>
         <translation>Tryck för att lägga till, dra för att flytta, dubbelklicka för färgen, högerklicka för mer</translation>
+    </message>
+    <message>
+        <source>presets</source>
+        <translation>förinställningar</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Förinställningar</translation>
+    </message>
+    <message>
+        <source>Gradients to begin with, and other hues for all colours of this one</source>
+        <translation>Övertoningar att börja med, och andra nyanser för alla färger i denna</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Övertoning</translation>
+    </message>
+    <message>
+        <source>Other hues</source>
+        <translation>Andra nyanser</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Vänd</translation>
+    </message>
+</context>
+<context>
+    <name>GradientPresets</name>
+    <message>
+        <source>Fire</source>
+        <translation>Eld</translation>
+    </message>
+    <message>
+        <source>Gas flame</source>
+        <translation>Gaslåga</translation>
+    </message>
+    <message>
+        <source>Ice</source>
+        <translation>Is</translation>
+    </message>
+    <message>
+        <source>Magic</source>
+        <translation>Magi</translation>
+    </message>
+    <message>
+        <source>Poison</source>
+        <translation>Gift</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Solnedgång</translation>
+    </message>
+    <message>
+        <source>Soot</source>
+        <translation>Sot</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Vitt</translation>
     </message>
 </context>
 <context>
@@ -2467,6 +2530,34 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>nobody says which folder ~ is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the whole path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this name is not UTF-8, and has to be written down in a file beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preset that this picture carries is damaged, or longer than the %1 bytes that are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another picture, or the preset&apos;s own file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor a TGA nor an EXR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preset that this picture carries cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
@@ -2640,6 +2731,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Paste into the group</source>
         <translation>Klistra in i gruppen</translation>
+    </message>
+    <message>
+        <source>Expand all groups</source>
+        <translation>Fäll ut alla grupper</translation>
+    </message>
+    <message>
+        <source>Collapse all groups</source>
+        <translation>Fäll ihop alla grupper</translation>
     </message>
 </context>
 <context>
@@ -4107,6 +4206,18 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Height above the floor over which smoke becomes opaque, as soft particles do before what they touch in engines: no straight cut at its foot. 0: smoke ends at the floor.</source>
         <translation>Höjd över golvet på vilken röken blir tät, som mjuka partiklar gör framför det de möter i spelmotorer: inget rakt snitt vid foten. 0: röken slutar vid golvet.</translation>
     </message>
+    <message>
+        <source>Lifetime</source>
+        <translation>Livslängd</translation>
+    </message>
+    <message>
+        <source>Seconds from birth to death of a particle: the initial alpha divided by the fade rate. Setting it sets the fade rate.</source>
+        <translation>Sekunder från en partikels födelse till dess död: ursprunglig alfa delat med avtoningstakten. Att ändra den ändrar avtoningstakten.</translation>
+    </message>
+    <message>
+        <source>Fire</source>
+        <translation>Eld</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>
@@ -4688,10 +4799,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>%1 bilder/s</translation>
     </message>
     <message>
-        <source>%L1 particles</source>
-        <translation>%L1 partiklar</translation>
-    </message>
-    <message>
         <source>step %1 ms</source>
         <translation>steg %1 ms</translation>
     </message>
@@ -4710,6 +4817,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>air %1 s</source>
         <translation>luft %1 s</translation>
+    </message>
+    <message>
+        <source>%1 particles</source>
+        <translation>%1 partiklar</translation>
     </message>
 </context>
 <context>
@@ -4922,6 +5033,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Repeat playback: start again after the last frame, whether it fits the first or not</source>
         <translation>Upprepa uppspelningen: börja om efter den sista bilden, vare sig den passar till den första eller inte</translation>
     </message>
+    <message>
+        <source>What there is no room for</source>
+        <translation>Det som inte får plats</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineRuler</name>
@@ -5005,6 +5120,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Smoke</source>
         <translation>Rök</translation>
+    </message>
+    <message>
+        <source>Reset the camera</source>
+        <translation>Återställ kameran</translation>
     </message>
 </context>
 <context>

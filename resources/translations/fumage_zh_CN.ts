@@ -272,32 +272,24 @@
         <translation>从预设新建(&amp;R)…</translation>
     </message>
     <message>
-        <source>start begin welcome template gallery</source>
-        <translation>开始 启动 欢迎 模板 画廊</translation>
-    </message>
-    <message>
         <source>Pre&amp;ferences…</source>
         <translation>首选项(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>settings options configuration theme language memory start welcome OpenGL recovery</source>
-        <translation>设置 选项 配置 主题 语言 内存 启动 欢迎 OpenGL 恢复</translation>
     </message>
     <message>
         <source>Pre&amp;vious view</source>
         <translation>上一个视图(&amp;V)</translation>
     </message>
     <message>
-        <source>undo camera back</source>
-        <translation>撤销 摄像机 后退</translation>
-    </message>
-    <message>
         <source>&amp;Next view</source>
         <translation>下一个视图(&amp;N)</translation>
     </message>
     <message>
-        <source>redo camera forward</source>
-        <translation>重做 摄像机 前进</translation>
+        <source>Reset the ca&amp;mera</source>
+        <translation>重置相机(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the picture</source>
+        <translation>复制画面(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -339,6 +331,10 @@
     <message>
         <source>Nothing is found by “%1”. Try a part of a word, or another word.</source>
         <translation>没有找到“%1”。请试试词的一部分或另一个词。</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
     </message>
 </context>
 <context>
@@ -701,6 +697,14 @@
     <message>
         <source>Verifying: %1 of %2</source>
         <translation>正在校验：%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1221,6 +1225,65 @@
     <message>
         <source>Press to add, drag to move, double click for the colour, right click for more</source>
         <translation>按下添加，拖动移动，双击选择颜色，右键显示更多</translation>
+    </message>
+    <message>
+        <source>presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Gradients to begin with, and other hues for all colours of this one</source>
+        <translation>可作为起点的渐变，以及为此渐变的所有颜色换用其他色相</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>渐变</translation>
+    </message>
+    <message>
+        <source>Other hues</source>
+        <translation>其他色相</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>反转</translation>
+    </message>
+</context>
+<context>
+    <name>GradientPresets</name>
+    <message>
+        <source>Fire</source>
+        <translation>火焰</translation>
+    </message>
+    <message>
+        <source>Gas flame</source>
+        <translation>煤气火焰</translation>
+    </message>
+    <message>
+        <source>Ice</source>
+        <translation>冰</translation>
+    </message>
+    <message>
+        <source>Magic</source>
+        <translation>魔法</translation>
+    </message>
+    <message>
+        <source>Poison</source>
+        <translation>毒药</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>日落</translation>
+    </message>
+    <message>
+        <source>Soot</source>
+        <translation>烟灰</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白色</translation>
     </message>
 </context>
 <context>
@@ -2467,6 +2530,34 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>nobody says which folder ~ is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the whole path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this name is not UTF-8, and has to be written down in a file beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preset that this picture carries is damaged, or longer than the %1 bytes that are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another picture, or the preset&apos;s own file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor a TGA nor an EXR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preset that this picture carries cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>
@@ -2640,6 +2731,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Paste into the group</source>
         <translation>粘贴到该组</translation>
+    </message>
+    <message>
+        <source>Expand all groups</source>
+        <translation>展开所有组</translation>
+    </message>
+    <message>
+        <source>Collapse all groups</source>
+        <translation>折叠所有组</translation>
     </message>
 </context>
 <context>
@@ -4107,6 +4206,18 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Height above the floor over which smoke becomes opaque, as soft particles do before what they touch in engines: no straight cut at its foot. 0: smoke ends at the floor.</source>
         <translation>烟雾在地面以上多高处变得不透明，如同引擎中柔和粒子接触物体时那样：底部没有平直的切口。0：烟雾止于地面。</translation>
     </message>
+    <message>
+        <source>Lifetime</source>
+        <translation>寿命</translation>
+    </message>
+    <message>
+        <source>Seconds from birth to death of a particle: the initial alpha divided by the fade rate. Setting it sets the fade rate.</source>
+        <translation>粒子从出生到消亡的秒数：初始透明度除以淡出速率。设置它即设置淡出速率。</translation>
+    </message>
+    <message>
+        <source>Fire</source>
+        <translation>火焰</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>
@@ -4688,10 +4799,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>%1 帧/秒</translation>
     </message>
     <message>
-        <source>%L1 particles</source>
-        <translation>%L1 个粒子</translation>
-    </message>
-    <message>
         <source>step %1 ms</source>
         <translation>步进 %1 毫秒</translation>
     </message>
@@ -4710,6 +4817,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>air %1 s</source>
         <translation>空气 %1 秒</translation>
+    </message>
+    <message>
+        <source>%1 particles</source>
+        <translation>%1 个粒子</translation>
     </message>
 </context>
 <context>
@@ -4922,6 +5033,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Repeat playback: start again after the last frame, whether it fits the first or not</source>
         <translation>重复播放：最后一帧之后从头开始，不管它是否与第一帧衔接</translation>
     </message>
+    <message>
+        <source>What there is no room for</source>
+        <translation>放不下的控件</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineRuler</name>
@@ -5005,6 +5120,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Smoke</source>
         <translation>烟</translation>
+    </message>
+    <message>
+        <source>Reset the camera</source>
+        <translation>重置相机</translation>
     </message>
 </context>
 <context>

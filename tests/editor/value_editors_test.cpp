@@ -6,11 +6,16 @@
 #include "ui/panels/angle_dial.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
+#include "ui/panels/gradient_presets.h"
+#include "ui/panels/number_field.h"
 #include "ui/panels/number_slider.h"
 #include "ui/panels/vector_editors.h"
+#include "ui/panels/whole_box.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/effect/value.h"
 
+#include <QMenu>
 #include <QtMath>
 
 #include <glm/geometric.hpp>
@@ -77,6 +82,103 @@ private slots:
         }
     }
 
+    void thousandsAreReadByLanguageAndKind_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("whole");
+        QTest::addColumn<double>("expected"); // not a number: refused
+        const auto add = [](const char* language, const QString& text, bool whole, double expected) {
+            QTest::addRow("%s %s %s", language, qPrintable(text), whole ? "whole" : "real") << QString::fromLatin1(language) << text << whole << expected;
+        };
+        for (const char* language : {"C", "en", "de", "sv", "fr", "de_CH", "zh_CN"}) {
+            // Groups of three that can mean nothing else, whatever the number and the language.
+            for (const bool whole : {true, false}) {
+                for (const QString& text : {u"1,000,000"_q, u"1.000.000"_q, u"1 000 000"_q, u"1'000'000"_q, u"1\u2019000\u2019000"_q, u"1\u00a0000\u00a0000"_q, u"1\u202f000\u202f000"_q}) {
+                    add(language, text, whole, 1e6);
+                }
+                add(language, u"20 000"_q, whole, 20000.0);
+                add(language, u"1'000"_q, whole, 1000.0);
+                add(language, u"1,234.5"_q, whole, 1234.5);
+                add(language, u"1.234,5"_q, whole, 1234.5);
+                add(language, u"1 234,5"_q, whole, 1234.5);
+                add(language, u"1,5"_q, whole, 1.5);
+                add(language, u"1.5"_q, whole, 1.5);
+                add(language, u"0,125"_q, whole, 0.125);
+                add(language, u"0.125"_q, whole, 0.125);
+                add(language, u"1234,567"_q, whole, 1234.567);
+                add(language, u"-2 000"_q, whole, -2000.0);
+                add(language, u"1 000 + 1.5"_q, whole, 1001.5);
+                for (const QString& text : {u"1,00,000"_q, u"1.2.3"_q, u"1,2,3"_q, u"12 34"_q, u"1 2345"_q, u"1,234,5"_q, u"1.234.56,7"_q, u"1'00"_q, u"1,000.000,0"_q, u"0 000"_q, u","_q}) {
+                    add(language, text, whole, qQNaN());
+                }
+            }
+            // One sign before three digits: thousands of a whole number everywhere.
+            add(language, u"10,000"_q, true, 10000.0);
+            add(language, u"1,920"_q, true, 1920.0);
+            add(language, u"5.000"_q, true, 5000.0);
+        }
+        // Of another number what the sign means in the language.
+        add("en", u"1,920"_q, false, 1920.0);
+        add("en", u"1.920"_q, false, 1.92);
+        add("de", u"1.920"_q, false, 1920.0);
+        add("de", u"1,920"_q, false, 1.92);
+        add("sv", u"1,920"_q, false, 1.92);
+        add("sv", u"1.920"_q, false, 1.92);
+    }
+    void thousandsAreReadByLanguageAndKind()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, text);
+        QFETCH(bool, whole);
+        QFETCH(double, expected);
+        const QLocale before;
+        QLocale::setDefault(QLocale(language));
+        const std::optional<double> number = parseNumber(text, Unit::None, whole);
+        QLocale::setDefault(before);
+        QCOMPARE(number.has_value(), !qIsNaN(expected));
+        QCOMPARE(number.value_or(0.0), qIsNaN(expected) ? 0.0 : expected);
+    }
+
+    void whatIsShownInAnyLanguageIsReadAsTheSame()
+    {
+        const QLocale before;
+        for (const char* language : {"C", "en", "de", "sv", "fr", "de_CH", "zh_CN"}) {
+            QLocale::setDefault(QLocale(QString::fromLatin1(language)));
+            for (const double value : {0.125, 1.125, 12.125, 123.45, 1234.5, 5000.0, 1e6}) {
+                QCOMPARE(*parseNumber(formatNumber(value), Unit::None), value);
+                QCOMPARE(*parseNumber(formatFixed(value, 3), Unit::None), value);
+            }
+        }
+        QLocale::setDefault(before);
+    }
+
+    void aSpinBoxReadsThousandsAsFieldsDo()
+    {
+        WholeBox box;
+        box.setRange(1, 10000000);
+        box.setSuffix(u" frames"_q);
+        for (const QString& text : {u"10,000"_q, u"10.000"_q, u"10 000"_q, u"10'000 frames"_q, u"5000 * 2"_q}) {
+            box.setValue(1);
+            box.selectAll();
+            QTest::keyClicks(&box, text);
+            QTest::keyClick(&box, Qt::Key_Return);
+            QVERIFY2(box.value() == 10000, qPrintable(text + u" is read as "_q + QString::number(box.value())));
+        }
+        box.setRange(1, 240);
+        box.selectAll();
+        QTest::keyClicks(&box, u"23.976"_q);
+        QTest::keyClick(&box, Qt::Key_Return);
+        QCOMPARE(box.value(), 24);
+        box.setRange(1, 10000000);
+        box.setValue(10000);
+        box.selectAll();
+        QTest::keyClicks(&box, u"1,00,0"_q);
+        QTest::keyClick(&box, Qt::Key_Return);
+        QCOMPARE(box.value(), 10000);
+        QCOMPARE(box.text(), u"10000 frames"_q);
+    }
+
     void aNumberReadsBackAsItIsShown()
     {
         for (const double value : {0.1, -3.25, 1234.5, 99999.4, 99999.6, 123456.7, 2222854.348, -2222854.348, 4294967294.7, 4294967296.0, 1e-7, 1e12}) {
@@ -99,6 +201,63 @@ private slots:
         QCOMPARE(several, u"0,5; 1"_q);
         QCOMPARE(*again, 1234.5);
         QCOMPARE(formatNumber(1234.5, Unit::Metres), u"1234.5 m"_q);
+    }
+
+    void aGradientIsReplacedByAPresetInOneStep()
+    {
+        const Parameter& parameter = knownParameter("light.emission_colours");
+        m_document->edit(knownParameter("light.emission_colour"), 1); // where its row is seen
+        const int steps = m_document->undoStack()->count();
+        auto* menu = childOf<QMenu>(*m_panel, u"light.emission_colours.menu"_q);
+        emit menu->aboutToShow();
+        QVERIFY(gradientPresets().size() >= 3);
+        for (const GradientPreset& preset : gradientPresets()) {
+            QVERIFY(preset.gradient.count >= 2);
+            QVERIFY(clampValue(parameter, preset.gradient).value == Value(preset.gradient));
+            for (QAction* action : menu->actions()) {
+                if (action->text() == nameOf(preset)) {
+                    action->trigger();
+                }
+            }
+            QVERIFY(parameter.get(m_document->effect()) == Value(preset.gradient));
+        }
+        QCOMPARE(m_document->undoStack()->count(), steps + static_cast<int>(gradientPresets().size()));
+    }
+
+    void turnedHuesKeepStrengthAndComeBack()
+    {
+        for (const GradientPreset& preset : gradientPresets()) {
+            const Gradient turned = hueShifted(preset.gradient, 120.0);
+            const Gradient back = hueShifted(hueShifted(turned, 120.0), 120.0);
+            for (int i = 0; i < preset.gradient.count; ++i) {
+                const auto at = [i](const Gradient& gradient) { return gradient.storage[static_cast<std::size_t>(i)]; };
+                const auto most = [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}); };
+                const auto least = [](const glm::vec3& c) { return std::min({c.r, c.g, c.b}); };
+                QCOMPARE(at(turned).at, at(preset.gradient).at);
+                QVERIFY(qAbs(most(at(turned).colour) - most(at(preset.gradient).colour)) < 1e-3F);
+                QVERIFY(qAbs(least(at(turned).colour) - least(at(preset.gradient).colour)) < 2e-3F);
+                QVERIFY(glm::distance(at(back).colour, at(preset.gradient).colour) < 5e-3F);
+            }
+            QVERIFY(reversed(reversed(preset.gradient)).count == preset.gradient.count);
+        }
+        const Gradient red{{0.0F, {4.0F, 0.0F, 0.0F}}, {1.0F, {0.5F, 0.5F, 0.5F}}};
+        const Gradient green = hueShifted(red, 120.0);
+        QVERIFY(glm::distance(green.storage[0].colour, glm::vec3(0.0F, 4.0F, 0.0F)) < 1e-2F);
+        QVERIFY(green.storage[1].colour == red.storage[1].colour); // grey has no hue
+    }
+
+    void aNumberIsShownWithAsManyDigitsAsFitAndReadWhole()
+    {
+        NumberField field({{-1000.0, 1000.0}, {0.0, 1.0}, 0.01, false, false, Unit::Metres});
+        field.setValue(-0.18811);
+        for (const int width : {200, 90, 80, 72}) {
+            field.resize(width, field.sizeHint().height());
+            const QString text = field.text();
+            const std::optional<double> shown = parseNumber(text, Unit::Metres);
+            QVERIFY2(shown && qAbs(*shown + 0.18811) < 2e-3, qPrintable(text));
+            QVERIFY2(field.fontMetrics().horizontalAdvance(text) <= width, qPrintable(text));
+            QCOMPARE(field.value(), -0.18811);
+        }
     }
 
     void radiansBecomeDegrees()

@@ -8,7 +8,9 @@
 
 #include "core/effect/known_parameter.h"
 
+#include <QClipboard>
 #include <QColorDialog>
+#include <QMenu>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -17,6 +19,65 @@ class WindowViewportTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
+    void handlesComeWithTheMouseAndTheAirBoxWhenItIsTouched()
+    {
+        Document& document = m_window->document();
+        document.edit(knownParameter("air.enabled"), true);
+        document.edit(knownParameter("air.fit"), false);
+        document.edit(knownParameter("air.resolution"), 16);
+        (void)settled();
+        trigger("view.readout"); // its figures change
+        QWidget& surface = *m_window->viewport().surface();
+        const auto seen = [&](QEvent::Type mouse) {
+            if (mouse == QEvent::Leave) {
+                QEvent leave(QEvent::Leave);
+                QApplication::sendEvent(&surface, &leave);
+            } else {
+                QEnterEvent enter(QPointF(3, 3), QPointF(3, 3), surface.mapToGlobal(QPointF(3, 3)));
+                QApplication::sendEvent(&surface, &enter);
+            }
+            return surface.grab().toImage();
+        };
+        const QImage away = seen(QEvent::Leave);
+        const QImage near = seen(QEvent::Enter);
+        QVERIFY(away != near);
+        trigger("view.gizmos");
+        QCOMPARE(seen(QEvent::Enter), away);
+        QCOMPARE(seen(QEvent::Leave), away);
+    }
+
+    void theRightButtonOpensAMenuUnlessItDrags()
+    {
+        QWidget& surface = *m_window->viewport().surface();
+        const QPoint at(40, 40);
+        const auto menu = [&] { return m_window->findChild<QMenu*>(u"viewportMenu"_q); };
+        QTest::mouseClick(&surface, Qt::RightButton, {}, at);
+        QVERIFY(menu() != nullptr);
+        QStringList offered;
+        for (const QAction* action : menu()->actions()) {
+            offered += action->objectName();
+        }
+        for (const char* id : {"view.frameAll", "view.front", "view.grid", "view.gizmos", "view.resetCamera", "view.copyFrame"}) {
+            QVERIFY2(offered.contains(QString::fromLatin1(id)), id);
+        }
+        delete menu();
+        m_window->viewport().setNavigationStyle(NavigationStyle::Unity);
+        dragMouse(surface, at, at + QPoint(60, 20), Qt::RightButton);
+        QVERIFY(menu() == nullptr);
+    }
+
+    void thePictureIsCopiedAndTheCameraReset()
+    {
+        const Camera before = m_window->document().effect().camera;
+        trigger("view.right");
+        QVERIFY(!(m_window->document().effect().camera == before));
+        trigger("view.resetCamera");
+        QVERIFY(m_window->document().effect().camera == before);
+        const QImage picture = settled();
+        trigger("view.copyFrame");
+        QCOMPARE(QGuiApplication::clipboard()->image().size(), picture.size());
+    }
+
     void theWindArrowIsDragged()
     {
         Viewport& viewport = m_window->viewport();
