@@ -700,11 +700,11 @@
     </message>
     <message>
         <source>%1 is not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är ingen fil</translation>
     </message>
     <message>
         <source>%1 cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kan inte läsas</translation>
     </message>
 </context>
 <context>
@@ -2532,31 +2532,31 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
     <message>
         <source>nobody says which folder ~ is</source>
-        <translation type="unfinished"></translation>
+        <translation>ingen säger vilken mapp ~ är</translation>
     </message>
     <message>
         <source>Write the whole path</source>
-        <translation type="unfinished"></translation>
+        <translation>Skriv hela sökvägen</translation>
     </message>
     <message>
         <source>this name is not UTF-8, and has to be written down in a file beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>det här namnet är inte UTF-8 och måste skrivas ned i en fil bredvid</translation>
     </message>
     <message>
         <source>the preset that this picture carries is damaged, or longer than the %1 bytes that are read</source>
-        <translation type="unfinished"></translation>
+        <translation>förinställningen som den här bilden bär är skadad, eller längre än de %1 byte som läses</translation>
     </message>
     <message>
         <source>Choose another picture, or the preset&apos;s own file</source>
-        <translation type="unfinished"></translation>
+        <translation>Välj en annan bild, eller förinställningens egen fil</translation>
     </message>
     <message>
         <source>this is neither a PNG nor a TGA nor an EXR</source>
-        <translation type="unfinished"></translation>
+        <translation>det här är varken PNG, TGA eller EXR</translation>
     </message>
     <message>
         <source>the preset that this picture carries cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>förinställningen som den här bilden bär kan inte läsas: %1</translation>
     </message>
 </context>
 <context>
@@ -5193,7 +5193,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
     <message>
         <source>Prints the keyboard shortcuts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skriver ut kortkommandona.</translation>
     </message>
 </context>
 </TS>

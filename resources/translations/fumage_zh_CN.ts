@@ -700,11 +700,11 @@
     </message>
     <message>
         <source>%1 is not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是文件</translation>
     </message>
     <message>
         <source>%1 cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 无法读取</translation>
     </message>
 </context>
 <context>
@@ -2532,31 +2532,31 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
     <message>
         <source>nobody says which folder ~ is</source>
-        <translation type="unfinished"></translation>
+        <translation>无法得知 ~ 指的是哪个文件夹</translation>
     </message>
     <message>
         <source>Write the whole path</source>
-        <translation type="unfinished"></translation>
+        <translation>请写出完整路径</translation>
     </message>
     <message>
         <source>this name is not UTF-8, and has to be written down in a file beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>此名称不是 UTF-8，而它必须写入旁边的文件</translation>
     </message>
     <message>
         <source>the preset that this picture carries is damaged, or longer than the %1 bytes that are read</source>
-        <translation type="unfinished"></translation>
+        <translation>此图片携带的预设已损坏，或长度超过可读取的 %1 字节</translation>
     </message>
     <message>
         <source>Choose another picture, or the preset&apos;s own file</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其他图片，或预设自身的文件</translation>
     </message>
     <message>
         <source>this is neither a PNG nor a TGA nor an EXR</source>
-        <translation type="unfinished"></translation>
+        <translation>这既不是 PNG，也不是 TGA 或 EXR</translation>
     </message>
     <message>
         <source>the preset that this picture carries cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>此图片携带的预设无法读取：%1</translation>
     </message>
 </context>
 <context>
@@ -5193,7 +5193,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
     <message>
         <source>Prints the keyboard shortcuts.</source>
-        <translation type="unfinished"></translation>
+        <translation>输出键盘快捷键。</translation>
     </message>
 </context>
 </TS>

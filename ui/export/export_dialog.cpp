@@ -15,6 +15,7 @@
 #include "core/effect/known_parameter.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include <QComboBox>
 #include <QDesktopServices>
@@ -171,7 +172,7 @@ void ExportDialog::connectButtons()
     connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::followPlan);
     connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::entryEnded);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
-    connect(m_show, &QPushButton::clicked, this, &ExportDialog::showInFolder);
+    connect(m_show, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(fromPath(m_progress->followed()->job->plan.output)).path())); });
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
     connect(m_progress, &ExportProgress::fitRequested, this, [this] {
         m_pictures->setFitsCamera(true);
@@ -193,25 +194,21 @@ std::vector<ExportPlan> ExportDialog::choices() const
 {
     std::vector<ExportPlan> all{choiceOf(kind())};
     for (std::size_t each = 0; each < kExportKinds; ++each) {
-        if (static_cast<ExportKind>(each) != kind()) {
-            all.push_back(choiceOf(static_cast<ExportKind>(each)));
-        }
+        all.push_back(choiceOf(static_cast<ExportKind>(each)));
     }
+    all.erase(all.begin() + 1 + static_cast<std::ptrdiff_t>(kind()));
     return all;
 }
 
 void ExportDialog::take(std::span<const ExportPlan> choices)
 {
-    for (const ExportPlan& plan : choices) {
+    for (const ExportPlan& plan : std::views::reverse(choices)) { // what kinds share, the first has the say of
         m_formats[placeOfFormat(plan.kind)] = formatOf(plan);
-        if (plan.kind == ExportKind::Flipbook) {
-            m_flipbook->take(plan);
-        }
+        m_flipbook->take(plan);
         m_data->take(plan);
         m_pictures->take(plan);
     }
     if (!choices.empty()) {
-        m_formats[placeOfFormat(choices.front().kind)] = formatOf(choices.front());
         setKind(choices.front().kind);
         followKind(); // it may be the one that it was, in another format
     }
@@ -237,8 +234,8 @@ ExportPlan ExportDialog::plan() const
     ExportPlan plan = choiceOf(kind());
     if (!m_path->text().trimmed().isEmpty()) {
         plan.output = withEnding(toPath(m_path->text()), fileEnding(plan));
+        m_pictures->applyTo(plan, m_document.preset()); // the manifest is named after it
     }
-    m_pictures->applyTo(plan, m_document.preset());
     return plan;
 }
 
@@ -251,9 +248,6 @@ void ExportDialog::followKind()
     m_pathIsSuggested = true;
     forgetDone();
     followPlan();
-    if (isVisible()) {
-        fitScreen();
-    }
 }
 
 void ExportDialog::followFormat()
@@ -310,11 +304,14 @@ void ExportDialog::showRowsOf(const ExportPlan& plan)
     m_form->setRowVisible(m_pictures, isPicture(plan.kind));
 }
 
-void ExportDialog::forgetDone()
+bool ExportDialog::forgetDone()
 {
-    if (const QueuedExport* last = m_progress->followed(); last == nullptr || !last->isActive()) {
+    const QueuedExport* last = m_progress->followed();
+    const bool isDone = last == nullptr || !last->isActive();
+    if (isDone) {
         m_progress->follow(0);
     }
+    return isDone;
 }
 
 void ExportDialog::followProgress()
@@ -351,17 +348,11 @@ void ExportDialog::browse()
     }
 }
 
-void ExportDialog::showInFolder()
-{
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(fromPath(m_progress->followed()->job->plan.output)).path()));
-}
-
 void ExportDialog::showEvent(QShowEvent* event)
 {
     QDialog::showEvent(event);
-    if (const QueuedExport* last = m_progress->followed(); last == nullptr || !last->isActive()) {
+    if (forgetDone()) {
         m_range->takePlayed();
-        forgetDone();
     }
     followPlan();
     measureKinds();

@@ -78,7 +78,8 @@ private:
     /// Shows what a plan asks about.
     void showRowsOf(const ExportPlan& plan);
     /// What has become of the last export is told no more, unless it is still on its way.
-    void forgetDone();
+    /// @return whether it is not
+    bool forgetDone();
     void followKind();
     void followFormat();
     /// A person has named the file; its ending may name another format.
@@ -89,7 +90,6 @@ private:
     /// It is in the queue.
     void followEntered(quint64 id, const ExportPlan& plan, std::optional<OnClash> answered);
     void browse();
-    void showInFolder();
     [[nodiscard]] ExportKind kind() const;
     /// What is chosen for a kind, without its file.
     [[nodiscard]] ExportPlan choiceOf(ExportKind kind) const;

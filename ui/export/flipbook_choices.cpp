@@ -123,6 +123,9 @@ void FlipbookChoices::takeSheet(const SheetCandidate& sheet)
 
 void FlipbookChoices::take(const ExportPlan& plan)
 {
+    if (plan.kind != ExportKind::Flipbook) {
+        return;
+    }
     m_engine->setCurrentIndex(static_cast<int>(std::ranges::find(kAllEngines, plan.engine) - kAllEngines.begin()));
     m_sixWay->setChecked(plan.passes.has(Pass::SixWayA));
     m_motion->setChecked(plan.passes.has(Pass::Motion));
