@@ -175,7 +175,7 @@ GradientEditor::GradientEditor(const Parameter& parameter, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     auto* menu = new QMenu(this);
-    menu->setObjectName(objectName() + QStringLiteral(".menu"));
+    name(*menu, QStringLiteral("menu"), tr("presets"));
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
         fillMenu(*menu);
