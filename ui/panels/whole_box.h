@@ -17,6 +17,8 @@ protected:
     int valueFromText(const QString& text) const override;
     QString textFromValue(int value) const override;
     QValidator::State validate(QString& text, int& cursor) const override;
+    /// Leaves alone what is no number: QSpinBox would take out all signs between digits, and read another one.
+    void fixup(QString& /*text*/) const override { }
 
 private:
     /// Without what stands before and behind the number. @return nothing where it is none
