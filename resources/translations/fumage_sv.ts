@@ -2495,40 +2495,36 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>texten är %1</translation>
     </message>
     <message>
-        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the smoke has left all bounds: a particle is nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>röken har lämnat alla gränser: en partikel är ingenstans</translation>
     </message>
     <message>
         <source>Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength</source>
-        <translation type="unfinished"></translation>
+        <translation>Sänk krafter och hastigheter, till exempel motion.buoyancy, air.expansion eller turbulence.strength</translation>
     </message>
     <message>
         <source>the box of the air has no finite size</source>
-        <translation type="unfinished"></translation>
+        <translation>luftens låda har ingen ändlig storlek</translation>
     </message>
     <message>
         <source>Turn air.fit off and give air.size, or make the emitter smaller or slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäng av air.fit och ange air.size, eller gör källan mindre eller långsammare</translation>
     </message>
     <message>
         <source>the air of a loop of %1 frames is baked whole before its first picture, which would take very long</source>
-        <translation type="unfinished"></translation>
+        <translation>luften i en slinga på %1 bildrutor bakas helt före den första bilden, vilket skulle ta mycket lång tid</translation>
     </message>
     <message>
         <source>Shorten timeline.length, lower air.resolution, or turn timeline.loop off</source>
-        <translation type="unfinished"></translation>
+        <translation>Förkorta timeline.length, sänk air.resolution eller stäng av timeline.loop</translation>
     </message>
     <message>
         <source>the air has to be moved on for a whole life of the smoke before its first picture, which would take very long</source>
-        <translation type="unfinished"></translation>
+        <translation>luften måste föras framåt en hel livstid av röken före den första bilden, vilket skulle ta mycket lång tid</translation>
     </message>
     <message>
         <source>Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Stäng av timeline.prewarm, höj life.fade_rate eller sänk air.resolution</translation>
     </message>
     <message>
         <source>nobody says which folder ~ is</source>
@@ -2557,6 +2553,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>the preset that this picture carries cannot be read: %1</source>
         <translation>förinställningen som den här bilden bär kan inte läsas: %1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <translation>Välj bland alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, deras .g, .b och .a, 0 och 1</translation>
     </message>
 </context>
 <context>

@@ -2495,40 +2495,36 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>文本是 %1</translation>
     </message>
     <message>
-        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the smoke has left all bounds: a particle is nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>烟雾已超出所有边界：某个粒子没有位置</translation>
     </message>
     <message>
         <source>Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength</source>
-        <translation type="unfinished"></translation>
+        <translation>请降低力和速度，例如 motion.buoyancy、air.expansion 或 turbulence.strength</translation>
     </message>
     <message>
         <source>the box of the air has no finite size</source>
-        <translation type="unfinished"></translation>
+        <translation>空气盒的大小不是有限的</translation>
     </message>
     <message>
         <source>Turn air.fit off and give air.size, or make the emitter smaller or slower</source>
-        <translation type="unfinished"></translation>
+        <translation>请关闭 air.fit 并给出 air.size，或把发射器调小、调慢</translation>
     </message>
     <message>
         <source>the air of a loop of %1 frames is baked whole before its first picture, which would take very long</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 帧循环的空气须在第一幅画面之前全部烘焙，这会花很长时间</translation>
     </message>
     <message>
         <source>Shorten timeline.length, lower air.resolution, or turn timeline.loop off</source>
-        <translation type="unfinished"></translation>
+        <translation>请缩短 timeline.length、降低 air.resolution，或关闭 timeline.loop</translation>
     </message>
     <message>
         <source>the air has to be moved on for a whole life of the smoke before its first picture, which would take very long</source>
-        <translation type="unfinished"></translation>
+        <translation>第一幅画面之前须先推进烟雾一整个寿命的空气，这会花很长时间</translation>
     </message>
     <message>
         <source>Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>请关闭 timeline.prewarm、提高 life.fade_rate，或降低 air.resolution</translation>
     </message>
     <message>
         <source>nobody says which folder ~ is</source>
@@ -2557,6 +2553,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>the preset that this picture carries cannot be read: %1</source>
         <translation>此图片携带的预设无法读取：%1</translation>
+    </message>
+    <message>
+        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <translation>可选：alpha、density、depth、temperature、shadow、colour.r、six-way-a.r、six-way-b.r、motion.r、normal.r、emission.r、albedo.r，它们的 .g、.b 和 .a，以及 0 和 1</translation>
     </message>
 </context>
 <context>

@@ -40,7 +40,9 @@ def preset_texts() -> list[str]:
 def message_texts() -> list[str]:
     """What the core and the editor say by said(), wherever it comes to a user of the editor."""
     sources = [file for room in ("core", "ui") for ending in ("*.h", "*.cpp") for file in sorted((ROOT / room).rglob(ending))]
-    texts = [text for file in sources for text in re.findall(r'\bsaid\(\s*"((?:[^"\\]|\\.)*)"', file.read_text())]
+    literal = r'"(?:[^"\\]|\\.)*"'
+    found = [text for file in sources for text in re.findall(rf"\bsaid\(\s*({literal}(?:\s+{literal})*)", file.read_text())]
+    texts = ["".join(part[1:-1] for part in re.findall(literal, text)) for text in found]
     return list(dict.fromkeys(texts))
 
 
