@@ -2,7 +2,7 @@
 #include "editor_helpers.h"
 
 #include "ui/pictures/picture.h"
-#include "ui/viewport/gizmos.h"
+#include "ui/viewport/gizmo_painter.h"
 #include "ui/viewport/navigation.h"
 
 #include <glm/geometric.hpp>

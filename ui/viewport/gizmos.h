@@ -6,12 +6,9 @@
 
 #include <QColor>
 #include <QPointF>
-#include <QRectF>
 
 #include <optional>
 #include <vector>
-
-class QPainter;
 
 namespace fumage::ui {
 
@@ -48,12 +45,7 @@ struct Gizmo {
 /// @param snap   angles to 15 degrees, positions to 0.1 m
 [[nodiscard]] std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap);
 
-/// Where a label finds room: at its place, or under what stands there already.
-[[nodiscard]] QRectF freePlace(QRectF wanted, const std::vector<QRectF>& taken);
-
 /// Whether a handle is one of the box of the air.
 [[nodiscard]] bool isOfAir(GizmoId id);
-
-void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std::optional<GizmoId> hot);
 
 } // namespace fumage::ui

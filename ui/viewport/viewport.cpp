@@ -2,6 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/pictures/tracks.h"
+#include "ui/viewport/gizmo_painter.h"
 
 #include "core/simulation/air_plan.h"
 
