@@ -55,8 +55,10 @@ void TimelineRuler::setCached(const QList<int>& frames)
 
 void TimelineRuler::setBaking(double share)
 {
-    m_baking = share;
-    update();
+    if (share != m_baking) {
+        m_baking = share;
+        update();
+    }
 }
 
 double TimelineRuler::xOf(double frame) const
