@@ -1,14 +1,14 @@
 #include "ui/pictures/preparer.h"
 
 #include <algorithm>
-#include <new>
 
 namespace fumage::ui {
 
 Preparer::Preparer(std::shared_ptr<AirShelf> shelf, QObject* parent)
     : QObject(parent)
     , m_shelf(std::move(shelf))
-    , m_job([this](const Task& task, const std::stop_token& stop) { work(task, stop); })
+    , m_job([this](const Task& task, const std::stop_token& stop) { work(task, stop); },
+          [this](const Task& task, const Error&) { finish(task, nullptr); }) // what plays goes on without
 {
 }
 
@@ -45,12 +45,7 @@ void Preparer::tell(Phase phase, double share)
 void Preparer::work(const Task& task, const std::stop_token& stop)
 {
     if (task.effect) {
-        std::shared_ptr<Simulator> simulator;
-        try {
-            simulator = simulatorAtFrame(task, stop);
-        } catch (const std::bad_alloc&) {
-            simulator.reset(); // what plays goes on without
-        }
+        std::shared_ptr<Simulator> simulator = simulatorAtFrame(task, stop);
         if (!stop.stop_requested()) {
             finish(task, std::move(simulator));
         }

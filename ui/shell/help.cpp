@@ -78,7 +78,7 @@ QString parameterIn(const QString& name)
     const QStringList parts = name.split(QLatin1Char('.'));
     for (qsizetype i = 0; i + 1 < parts.size(); ++i) {
         const QString key = parts[i] + QLatin1Char('.') + parts[i + 1];
-        if (findParameter(key.toStdString()) != nullptr) {
+        if (findShownParameter(key.toStdString()) != nullptr) {
             return key;
         }
     }

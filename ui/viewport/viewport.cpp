@@ -205,7 +205,7 @@ QImage Viewport::shownPicture()
 
 void Viewport::resetCamera()
 {
-    applyCamera(m_document.reference().camera, tr("Reset the camera"));
+    m_document.moveCamera(m_document.reference().camera);
 }
 
 void Viewport::lookFrom(float yaw, float pitch)
