@@ -48,7 +48,7 @@ PassSheet sheetOf(const Effect& effect)
 {
     const int length = effect.timeline.length;
     PassSheet sheet;
-    if (const Status status = renderSheet(effect, {length / 4, length / 2}, 2, Glowing::kPasses, sheet, {}, {}); !status) {
+    if (const Status status = renderSheet(effect, {{length / 4, length / 2}}, 2, Glowing::kPasses, sheet, {}, {}); !status) {
         qFatal("%s", status.error().text().c_str());
     }
     return sheet;

@@ -47,7 +47,7 @@ QString held(Language language, const std::string& name)
 std::vector<std::string> textsFor(Engine engine, const std::string& name)
 {
     static const Effect effect = thesisEffect(10);
-    EngineSheet sheet{effect, 4, 2, 15.0, styleFor(engine, ImageFormat::Png8), {}, {}};
+    EngineSheet sheet{effect, 4, 2, 15.0, false, styleFor(engine, ImageFormat::Png8), {}, {}};
     for (const Pass pass : {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}) {
         const std::string ending = pass == Pass::Colour ? ".png" : "_" + fileNameOf(pass) + ".png";
         sheet.pictures.push_back({pass, pathFrom(name + ending), {}, pass == Pass::Colour, pass == Pass::Motion});

@@ -19,7 +19,7 @@ using namespace fumage;
 std::vector<std::string> textsFor(Engine engine, const std::string& name)
 {
     static const Effect effect;
-    EngineSheet sheet{effect, 4, 2, 15.0, styleFor(engine, ImageFormat::Png8), {}, {}};
+    EngineSheet sheet{effect, 4, 2, 15.0, false, styleFor(engine, ImageFormat::Png8), {}, {}};
     for (const Pass pass : {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}) {
         sheet.pictures.push_back({pass, pathFrom(name + fileNameOf(pass) + ".png"), {}, pass == Pass::Colour, pass == Pass::Motion});
     }
