@@ -93,7 +93,9 @@ private slots:
         QFETCH(QString, code);
         QTranslator translator;
         QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
-        static const QRegularExpression sentence(u"\\bsaid\\(\\s*\"((?:[^\"\\\\]|\\\\.)*)\""_q);
+        static const QString literal = u"\"(?:[^\"\\\\]|\\\\.)*\""_q;
+        static const QRegularExpression sentence(u"\\bsaid\\(\\s*(%1(?:\\s+%1)*)"_q.arg(literal));
+        static const QRegularExpression between(u"\"\\s+\""_q); // literals that stand beside one another are one
         int count = 0;
         for (const QString& room : {u"core"_q, u"ui"_q}) {
             QDirIterator files(QStringLiteral(FUMAGE_SOURCE_DIR "/") + room, {u"*.h"_q, u"*.cpp"_q}, QDir::Files, QDirIterator::Subdirectories);
@@ -102,7 +104,8 @@ private slots:
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 const QString source = QString::fromUtf8(file.readAll());
                 for (QRegularExpressionMatchIterator found = sentence.globalMatch(source); found.hasNext(); ++count) {
-                    const QString text = found.next().captured(1).replace(u"\\\""_q, u"\""_q);
+                    const QString all = found.next().captured(1).remove(between);
+                    const QString text = all.mid(1, all.size() - 2).replace(u"\\\""_q, u"\""_q);
                     QVERIFY2(!translator.translate("Messages", text.toUtf8().constData()).isEmpty(), qPrintable(text));
                 }
             }

@@ -22,7 +22,7 @@ inline std::vector<std::string> hostileNames()
     }
     pieces.emplace_back("\x7f");
     for (int c = 0x80; c < 0xA0; ++c) {
-        pieces.push_back("\xC2" + std::string(1, static_cast<char>(c)));
+        pieces.push_back({'\xC2', static_cast<char>(c)});
     }
     std::vector<std::string> names;
     for (const std::string& piece : pieces) {

@@ -49,7 +49,7 @@ std::vector<std::string> textsFor(Engine engine, const std::string& name)
     static const Effect effect = thesisEffect(10);
     EngineSheet sheet{effect, 4, 2, 15.0, false, styleFor(engine, ImageFormat::Png8), {}, {}};
     for (const Pass pass : {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}) {
-        const std::string ending = pass == Pass::Colour ? ".png" : "_" + fileNameOf(pass) + ".png";
+        const std::string ending = pass == Pass::Colour ? ".png" : std::string("_").append(fileNameOf(pass)).append(".png");
         sheet.pictures.push_back({pass, pathFrom(name + ending), {}, pass == Pass::Colour, pass == Pass::Motion});
     }
     return makeEngineFiles(engine, sheet);

@@ -13,7 +13,9 @@ std::optional<int> WholeBox::read(const QString& text) const
     QString number = text.trimmed();
     number = number.startsWith(prefix()) ? number.mid(prefix().size()) : number;
     const QString behind = suffix().trimmed();
-    number = !behind.isEmpty() && number.endsWith(behind) ? number.chopped(behind.size()) : number;
+    while (!behind.isEmpty() && number.endsWith(behind)) {
+        number = number.chopped(behind.size()).trimmed(); // once of the box, and once more where it is typed
+    }
     // A box that cannot hold a thousand has none to part: "23.976" is a little less than 24.
     constexpr int kThousand = 1000;
     const std::optional<double> value = parseNumber(number, Unit::None, maximum() >= kThousand);

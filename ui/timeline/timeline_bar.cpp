@@ -145,16 +145,17 @@ void TimelineBar::addMore(QHBoxLayout& controls)
 void TimelineBar::fillMore(QMenu& menu)
 {
     menu.clear();
-    if (m_loop->isHidden()) {
-        QAction* loop = menu.addAction(m_loop->text(), m_loop, &QCheckBox::click);
-        loop->setCheckable(true);
-        loop->setChecked(m_loop->isChecked());
-    }
     const auto addChoice = [](QMenu& to, const QString& text, bool chosen, const std::function<void()>& choose) {
         QAction* action = to.addAction(text, choose);
         action->setCheckable(true);
         action->setChecked(chosen);
     };
+    if (m_repeat->isHidden()) {
+        addChoice(menu, m_repeat->toolTip(), m_repeat->isChecked(), [this] { m_repeat->click(); });
+    }
+    if (m_loop->isHidden()) {
+        addChoice(menu, m_loop->text(), m_loop->isChecked(), [this] { m_loop->click(); });
+    }
     if (m_speed->isHidden()) {
         QMenu* speeds = menu.addMenu(m_speed->toolTip());
         for (int i = 0; i < m_speed->count(); ++i) {
@@ -193,9 +194,9 @@ void TimelineBar::followDocument()
     sync();
 }
 
-std::array<QWidget*, 4> TimelineBar::dispensable() const
+std::array<QWidget*, 5> TimelineBar::dispensable() const
 {
-    return {m_rate, m_speed, m_time, m_loop};
+    return {m_rate, m_speed, m_time, m_loop, m_repeat};
 }
 
 QSize TimelineBar::minimumSizeHint() const

@@ -35,7 +35,7 @@ protected:
 private:
     void giveWay();
     /// What goes on a narrow screen, the first of them first.
-    [[nodiscard]] std::array<QWidget*, 4> dispensable() const;
+    [[nodiscard]] std::array<QWidget*, 5> dispensable() const;
     void addButtons(QHBoxLayout& controls);
     void addFrameAndTime(QHBoxLayout& controls);
     void addLoop(QHBoxLayout& controls);
