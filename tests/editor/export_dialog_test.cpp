@@ -40,13 +40,14 @@ class ExportDialogTest : public QObject {
 private slots:
     void init()
     {
+        m_answer = 0;
         m_document = std::make_unique<Document>();
         m_player = std::make_unique<Player>();
         m_player->setTimeline(100, 30);
         m_locks = std::make_unique<Locks>();
         m_queue = std::make_unique<ExportQueue>(QDir(m_folder.filePath(u"queue"_q)));
         m_dialog = std::make_unique<ExportDialog>(
-            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; }, nullptr);
+            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [this](QWidget*, const ChoiceQuestion&) { return m_answer; }, nullptr);
         m_dialog->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
     }
@@ -415,6 +416,7 @@ private slots:
         m_dialog->setKind(ExportKind::Particles);
         typePath(file);
         child<QSpinBox>(u"export.last"_q)->setValue(0);
+        m_answer = 1; // Overwrite
         QTest::mouseClick(child<QPushButton>(u"export.begin"_q), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(m_queue->rowCount(), 1, kEndMs);
         QTRY_COMPARE_WITH_TIMEOUT(m_queue->at(0).state, ExportState::Failed, kEndMs);
@@ -729,6 +731,7 @@ private:
         return widget;
     }
 
+    int m_answer = 0; ///< to what is asked
     std::unique_ptr<Document> m_document;
     std::unique_ptr<Player> m_player;
     std::unique_ptr<Locks> m_locks;

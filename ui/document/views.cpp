@@ -34,6 +34,10 @@ void Views::move(const Camera& before, const Camera& after, quint64 gesture)
     }
     m_cameras.back() = after;
     m_gesture = gesture;
+    if (m_cameras.size() > 1 && after == m_cameras[m_cameras.size() - 2]) { // back where the gesture began
+        m_cameras.pop_back();
+        m_gesture = 0;
+    }
     if (m_cameras.size() > kMostViews) {
         m_cameras.erase(m_cameras.begin());
     }

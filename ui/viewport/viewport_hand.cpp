@@ -121,11 +121,14 @@ void ViewportHand::release(const QMouseEvent& event)
 
 void ViewportHand::takeBack()
 {
+    m_document.moveCamera(m_drag->before.camera, m_drag->gesture);
     std::vector<Assignment> assignments;
     for (const Parameter* parameter : differences(m_drag->before, m_document.effect())) {
         assignments.push_back({parameter, parameter->get(m_drag->before)});
     }
-    m_document.edit(assignments, {}, m_drag->gesture);
+    if (!assignments.empty()) {
+        m_document.edit(assignments, {}, m_drag->gesture);
+    }
     m_drag.reset();
 }
 
