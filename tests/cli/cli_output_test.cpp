@@ -293,7 +293,7 @@ private slots:
             run(arguments, "cd / && " + asNobody + "bash -c 'ulimit -u 1; exec \"$0\" \"$@\"' \"$0\" \"$@\"");
         QVERIFY2(threads.code == 75 && threads.error.contains("threads") && threads.error.contains("ulimit"),
             threads.error.constData());
-        const Outcome files = run(arguments, "ulimit -n 4; \"$0\" \"$@\"");
+        const Outcome files = run(arguments, "exec 3>&-; ulimit -n 4; \"$0\" \"$@\""); // what it was given by others is closed
         QVERIFY2(files.code == 75 && files.error.contains("ulimit"), files.error.constData());
         QVERIFY(QDir(folder.path()).isEmpty());
     }
