@@ -20,7 +20,6 @@ constexpr double kRangeTop = 2.0; ///< of the strip that holds the range
 constexpr double kRangeHeight = 8.0;
 constexpr double kLeastTickGap = 52.0;
 
-
 /// 1, 2, 5, 10, 20, 50 ... frames between numbers.
 int tickStep(double pixelsAFrame)
 {
