@@ -27,6 +27,8 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME fumage-cli)
 set(CPACK_DEBIAN_CLI_PACKAGE_SECTION graphics)
+# The first line of all packages; lintian wants no article.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Smoke for games and motion graphics")
 set(CPACK_COMPONENT_CLI_DESCRIPTION "Smoke for games and motion graphics, from the command line
 Renders presets of smoke to pictures, image sequences and flipbooks and bakes
 seamless noise, without a display or a graphics card. Every frame is the same
