@@ -39,7 +39,7 @@ Status fit(const PictureOptions& options)
 {
     return options.effect.forEach([&](const NamedPreset& named) -> Status {
         const Result<PictureJob> job =
-            options.jobWithoutOutput(named, ExportKind::Video); // render --fit looks at the whole timeline, too
+            options.jobWithoutOutput(named, ExportKind::Video); // all frames, also of a preset that one picture carries
         if (!job) {
             return job.error();
         }

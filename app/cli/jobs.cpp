@@ -69,7 +69,9 @@ Status doJobs(const std::string& file, bool asJson)
         const ExportJob& job = jobs.value()[i];
         const std::string name = printable(job.name);
         tell("job " + std::to_string(i + 1) + " of " + std::to_string(total) + ": " + name);
-        warnOf(job.preset.effect, job.plan);
+        if (!job.refusal) {
+            warnOf(job.preset.effect, job.plan);
+        }
         const Result<std::optional<Flipbook>> done = exportWithBar(job.plan, [&](const Progress& progress) { return runJob(job, progress, interruption()); });
         if (!done && done.error().code == ErrorCode::Cancelled) {
             return done.error();

@@ -8,6 +8,8 @@
 
 namespace fumage {
 
+namespace {
+
 Error systemFailure(const std::system_error& cause)
 {
     constexpr std::array kPassing{std::errc::resource_unavailable_try_again, std::errc::not_enough_memory,
@@ -22,6 +24,8 @@ Error systemFailure(const std::system_error& cause)
     return {ErrorCode::PermissionDenied, said("the system refuses what is needed: %1", cause.what()), {},
         said("Use another folder or another machine")};
 }
+
+} // namespace
 
 Error caughtError()
 {
