@@ -119,6 +119,7 @@ struct Way {
     VU key;
     Vec3<V> position;
     Vec3<V> relative; ///< velocity against the air, m/s
+    Vec3<V> flown; ///< the same in the mean of the step
     LanePlaces<V> places; ///< at which the air is read next
     AirThere<V> here; ///< air where the step begins
     V gradient2; ///< square of its velocity's gradient, m/s a cell
@@ -142,8 +143,10 @@ HWY_INLINE void accelerate(D d, const StepConstants& constants, const Time& time
 {
     // The air carries what all heat does alike: only a particle's own share of it is left.
     const V lift = constants.buoyancy * heatDeviation(d, constants, way.key) * way.here.heat;
-    way.relative = accelerated(d, constants, time, way.key, lift, way.position, way.relative);
-    way.places = placesIn(d, *constants.air.field, way.position + (way.here.velocity + way.relative) * time(0.5F * constants.dt));
+    const Vec3<V> before = way.relative;
+    way.relative = accelerated(d, constants, time, way.key, lift, way.position, before);
+    way.flown = flown(d, constants, time, before, way.relative);
+    way.places = placesIn(d, *constants.air.field, way.position + (way.here.velocity + way.flown) * time(0.5F * constants.dt));
 }
 
 HWY_INLINE void findDetail(D d, const StepConstants& constants, Way& way)
@@ -171,7 +174,7 @@ HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, co
     heat = midway.heat;
     relative = way.relative;
     velocity = midway.velocity + relative;
-    position = way.position + (velocity + way.detail) * time(constants.dt);
+    position = way.position + (midway.velocity + way.flown + way.detail) * time(constants.dt);
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
         position = turnedAboutPivot(angle, constants, position);

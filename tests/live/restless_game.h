@@ -118,7 +118,13 @@ inline float longestJump(const Particles& before, const Particles& after, float 
             continue; // not the same particle
         }
         const glm::vec3 way{after.x[i] - before.x[i], after.y[i] - before.y[i], after.z[i] - before.z[i]};
-        const float speed = glm::length(glm::vec3(after.vx[i], after.vy[i], after.vz[i]));
+        const glm::vec3 velocity(after.vx[i], after.vy[i], after.vz[i]);
+        float speed = glm::length(velocity);
+        if (after.inAir()) {
+            // Drag slows it down on its way through the air: the mean lies between the velocities at either end.
+            const glm::vec3 slowed(before.relativeX[i] - after.relativeX[i], before.relativeY[i] - after.relativeY[i], before.relativeZ[i] - after.relativeZ[i]);
+            speed = std::max(speed, glm::length(velocity + slowed));
+        }
         jump = std::max(jump, glm::length(way) - (speed + swirls) * static_cast<float>(kDt));
     }
     return jump;

@@ -26,7 +26,7 @@ inline void endureAMinute(LiveSimulation& live, const Effect& effect, float swir
         }
 #endif
         QVERIFY2(isFinite(live.particles()), qPrintable(QString::number(step)));
-        QVERIFY2(longestJump(before, live.particles(), swirls) < jump, qPrintable(QString::number(step)));
+        QVERIFY2(longestJump(before, live.particles(), swirls) < jump, qPrintable(QStringLiteral("%1: %2").arg(step).arg(static_cast<double>(longestJump(before, live.particles(), swirls)))));
         most = std::max(most, live.living());
     }
 }

@@ -381,6 +381,44 @@ private slots:
         QVERIFY(near(fastest, 1.0, 0.1)); // gravity / drag
     }
 
+    void dragIsExactForWaysThroughTheAir_data()
+    {
+        QTest::addColumn<float>("drag");
+        for (const float drag : {0.5F, 2.0F, 10.0F, 29.0F, 100.0F}) {
+            QTest::addRow("%g/s", static_cast<double>(drag)) << drag;
+        }
+    }
+    void dragIsExactForWaysThroughTheAir()
+    {
+        // In still air: y' = v, v' = -g - D v from rest: y = -g (t - tau) / D with tau = (1 - e^(-D t)) / D.
+        QFETCH(float, drag);
+        Effect effect = thesisEffect(2000);
+        effect.emitter.speed = 0.0F;
+        effect.emitter.position.y = 3.0F;
+        effect.motion.gravity = drag;
+        effect.motion.drag = drag;
+        effect.air.enabled = true;
+        effect.air.resolution = 24;
+        effect.air.turbulence = 0.0F;
+        constexpr int kEarly = 15;
+        constexpr int kLate = 24;
+        const auto early = frameOf(effect, kEarly);
+        const auto late = frameOf(effect, kLate);
+        const auto rate = static_cast<double>(drag);
+        const auto fallen = [rate](double t) { return t + std::expm1(-rate * t) / rate; }; // g is D
+        int seen = 0;
+        for (std::size_t i = 0; i < early->particles.capacity; ++i) {
+            const Lifecycle before = lifecycle(*early, i);
+            const Lifecycle after = lifecycle(*late, i);
+            if (before.alive && after.alive && after.age > before.age) {
+                ++seen;
+                const double way = static_cast<double>(early->particles.y[i]) - static_cast<double>(late->particles.y[i]);
+                QVERIFY(near(way, fallen(after.age) - fallen(before.age), 1e-5));
+            }
+        }
+        QVERIFY(seen > 100);
+    }
+
     void airIsSharedByEffectsThatDifferInWhatItKnowsNothingOf()
     {
         AirShelf shelf;
