@@ -1,7 +1,9 @@
-/* Smoke for programs in C, or in any language that can call it; a program in C++ has more of it in live/live_simulation.h.
+/* Smoke for programs in C, or in any language that can call it; a program in C++ has more of it in
+ * live/live_simulation.h.
  *
- * A handle is one smoke that steps with a game. It may be used by one thread at a time; different handles by different ones. Units are metres, seconds and
- * linear colours, y is up. No exception leaves any function. What fails says so by its result, and fumage_error() says why; the smoke is then as it was. */
+ * A handle is one smoke that steps with a game. It may be used by one thread at a time; different handles by different
+ * ones. Units are metres, seconds and linear colours, y is up. No exception leaves any function. What fails says so by
+ * its result, and fumage_error() says why; the smoke is then as it was. */
 #ifndef FUMAGE_FUMAGE_H
 #define FUMAGE_FUMAGE_H
 
@@ -28,55 +30,66 @@ typedef struct fumage_options {
     int steps_per_second; /* 1 to 240, best as many as the game has; 0: those of the preset */
     int most_particles; /* alive at once, 1 to 4000000, for which births are thinned; 0: as many as the preset has */
     int most_steps_at_once; /* in one fumage_step(), time beyond them is let go; 0: 8 */
-    double budget_ms; /* that a step may take, kept by thinning births, with which two runs differ; see fumage_is_over_budget(); 0: none */
+    double budget_ms; /* that a step may take, kept by thinning births, with which two runs differ; see
+                         fumage_is_over_budget(); 0: none */
 } fumage_options;
 
 /* "0.1.0". */
 FUMAGE_API const char* fumage_version(void);
 
 /* Starts a smoke from the text of a preset, JSON as the editor writes it. options may be NULL.
- * Always gives a handle, to be given back to fumage_destroy(): if fumage_error() has something to say of it, it does nothing else. NULL: out of memory. */
+ * Always gives a handle, to be given back to fumage_destroy(): if fumage_error() has something to say of it, it does
+ * nothing else. NULL: out of memory. */
 FUMAGE_API fumage_smoke* fumage_create_from_json(const char* json, const fumage_options* options);
 
 /* The same from a built-in preset ("campfire"), one of the user's folder, or a file. */
 FUMAGE_API fumage_smoke* fumage_create_from_name(const char* name, const fumage_options* options);
 
-/* The same two, with parameters that are set before the smoke starts, also those that are fixed afterwards: texts as "air.resolution=24", "air.enabled=off"
- * or "emitter.count=20000", the last followed by NULL; settings may itself be NULL. Values out of their range are brought into it. */
-FUMAGE_API fumage_smoke* fumage_create_from_json_with(const char* json, const char* const* settings, const fumage_options* options);
-FUMAGE_API fumage_smoke* fumage_create_from_name_with(const char* name, const char* const* settings, const fumage_options* options);
+/* The same two, with parameters that are set before the smoke starts, also those that are fixed afterwards: texts as
+ * "air.resolution=24", "air.enabled=off" or "emitter.count=20000", the last followed by NULL; settings may itself be
+ * NULL. Values out of their range are brought into it. */
+FUMAGE_API fumage_smoke* fumage_create_from_json_with(
+    const char* json, const char* const* settings, const fumage_options* options);
+FUMAGE_API fumage_smoke* fumage_create_from_name_with(
+    const char* name, const char* const* settings, const fumage_options* options);
 
-/* How many threads all smokes of the process use inside, 1 or more; 0: as many as the machine has. Results are the same. Not while another thread is in a
- * function of this library. Gives 0 or -1. */
+/* How many threads all smokes of the process use inside, 1 or more; 0: as many as the machine has. Results are the
+ * same. Not while another thread is in a function of this library. Gives 0 or -1. */
 FUMAGE_API int fumage_limit_threads(int threads);
 
 /* Ends a smoke; NULL is allowed. */
 FUMAGE_API void fumage_destroy(fumage_smoke* smoke);
 
-/* What the last call that could fail has to say, in English, UTF-8; NULL where it was well. Valid until the next call with this handle. */
+/* What the last call that could fail has to say, in English, UTF-8; NULL where it was well. Valid until the next call
+ * with this handle. */
 FUMAGE_API const char* fumage_error(const fumage_smoke* smoke);
 
 /* Lets time pass, in seconds, 0 or more. Gives how many steps were made of it, or -1. */
 FUMAGE_API int fumage_step(fumage_smoke* smoke, double seconds);
 
-/* Sets a parameter from the next step on, by the key and the text that `fumage-cli parameters` tells: ("motion.wind", "1.5").
- * Gives 0, 1 where the value was brought into its range, or -1. */
+/* Sets a parameter from the next step on, by the key and the text that `fumage-cli parameters` tells: ("wind.strength",
+ * "1.5"). Gives 0, 1 where the value was brought into its range, or -1. */
 FUMAGE_API int fumage_set(fumage_smoke* smoke, const char* key, const char* value);
 
-/* Moves the emitter: it goes there in a straight line during the next step. normal has any length but 0; velocity is what particles take along at birth.
- * Each is three numbers. NULL leaves position and normal as they are, and is no velocity. Gives 0 or -1. */
-FUMAGE_API int fumage_set_emitter(fumage_smoke* smoke, const float* position, const float* normal, const float* velocity);
+/* Moves the emitter: it goes there in a straight line during the next step. normal has any length but 0; velocity is
+ * what particles take along at birth. Each is three numbers. NULL leaves position and normal as they are, and is no
+ * velocity. Gives 0 or -1. */
+FUMAGE_API int fumage_set_emitter(
+    fumage_smoke* smoke, const float* position, const float* normal, const float* velocity);
 
 /* The same at once: nothing is born on the way. */
-FUMAGE_API int fumage_place_emitter(fumage_smoke* smoke, const float* position, const float* normal, const float* velocity);
+FUMAGE_API int fumage_place_emitter(
+    fumage_smoke* smoke, const float* position, const float* normal, const float* velocity);
 
 /* The share of particles that are born, 0 (none: the smoke goes out) to 1. */
 FUMAGE_API void fumage_set_share(fumage_smoke* smoke, float share);
 
-/* The share of particles that are born now: of fumage_set_share(), and of what the budget and most_particles leave. 0 for a handle that did not start. */
+/* The share of particles that are born now: of fumage_set_share(), and of what the budget and most_particles leave. 0
+ * for a handle that did not start. */
 FUMAGE_API float fumage_share(const fumage_smoke* smoke);
 
-/* 1 where the budget cannot be kept however few particles are born, as where air alone takes longer: coarser air (air.resolution) or none would help. Else 0. */
+/* 1 where the budget cannot be kept however few particles are born, as where air alone takes longer: coarser air
+ * (air.resolution) or none would help. Else 0. */
 FUMAGE_API int fumage_is_over_budget(const fumage_smoke* smoke);
 
 /* A preset of bursts bursts again. */
@@ -88,7 +101,8 @@ FUMAGE_API size_t fumage_living(const fumage_smoke* smoke);
 /* Slots of the arrays below: more than live, those that nobody lives in have radius 0. Stays the same for a handle. */
 FUMAGE_API size_t fumage_slots(const fumage_smoke* smoke);
 
-/* One number a slot, valid until the next call with this handle but for these; NULL for a handle that did not start. Metres. */
+/* One number a slot, valid until the next call with this handle but for these; NULL for a handle that did not start.
+ * Metres. */
 FUMAGE_API const float* fumage_x(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_y(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_z(fumage_smoke* smoke);
@@ -106,7 +120,8 @@ FUMAGE_API const float* fumage_velocity_x(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_velocity_y(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_velocity_z(fumage_smoke* smoke);
 
-/* The number of each slot's particle, its own as long as it lives and never given again; FUMAGE_NOBODY where nobody lives. */
+/* The number of each slot's particle, its own as long as it lives and never given again; FUMAGE_NOBODY where nobody
+ * lives. */
 #define FUMAGE_NOBODY UINT64_MAX
 FUMAGE_API const uint64_t* fumage_id(fumage_smoke* smoke);
 

@@ -10,7 +10,7 @@ inline Effect everythingOn()
     Effect e;
     e.emitter.count = 1500;
     e.emitter.velocityRandomness = 0.3F;
-    e.motion.wind = 0.6F;
+    e.wind.strength = 0.6F;
     e.motion.gravity = 0.2F;
     e.motion.randomness = 0.4F;
     e.motion.rotation = 20.0F;
@@ -25,9 +25,9 @@ inline Effect everythingOn()
     e.look.spin = 10.0F;
     e.look.roll = 0.5F;
     e.look.stretch = 0.05F;
-    e.light.emission = 2.0F;
-    e.light.hotCore = 0.3F;
-    e.light.flameOpacity = 0.5F;
+    e.glow.emission = 2.0F;
+    e.glow.hotCore = 0.3F;
+    e.glow.flameOpacity = 0.5F;
     e.noise.basis = NoiseBasis::Gradient;
     e.noise.resolution = 32;
     e.noise.slices = 8;
@@ -54,10 +54,10 @@ inline Effect thesisEffect(int count)
     e.emitter.spread = 0.0F;
     e.emitter.subframe = false;
     e.motion = {};
-    e.motion.wind = 0.0F;
-    e.motion.gust = 0.0F;
-    e.motion.drag = 0.0F;
-    e.motion.buoyancy = 0.0F;
+    e.wind.strength = 0.0F;
+    e.wind.gust = 0.0F;
+    e.motion.drag = e.air.drag = 0.0F;
+    e.motion.buoyancy = e.air.buoyancy = 0.0F;
     e.motion.heatVariance = 0.0F;
     e.motion.pull = 0.0F;
     e.turbulence.strength = 0.0F;

@@ -32,7 +32,8 @@ inline Image render(const Effect& effect, int number)
 {
     Renderer renderer;
     Image image;
-    const Status status = renderer.render(*frameOf(effect, number), sampled(effect), effect.output.width, effect.output.height, image);
+    const Status status =
+        renderer.render(*frameOf(effect, number), sampled(effect), effect.output.width, effect.output.height, image);
     if (!status) {
         qFatal("%s", status.error().text().c_str());
     }
@@ -42,7 +43,8 @@ inline Image render(const Effect& effect, int number)
 template <class T, class Memory>
 bool sameBits(const std::vector<T, Memory>& a, const std::vector<T, Memory>& b)
 {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0); // memcmp must not be given null
+    return a.size() == b.size()
+        && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0); // memcmp must not be given null
 }
 
 inline bool sameBits(const Particles& a, const Particles& b)

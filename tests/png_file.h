@@ -47,7 +47,10 @@ struct PngFile {
             });
         });
     }
-    [[nodiscard]] int at(int x, int y, int channel = 0) const { return samples[static_cast<std::size_t>((y * width + x) * channels + channel)]; }
+    [[nodiscard]] int at(int x, int y, int channel = 0) const
+    {
+        return samples[static_cast<std::size_t>((y * width + x) * channels + channel)];
+    }
 
 private:
     template <class SetSource>

@@ -4,7 +4,7 @@
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
-#include "core/export/air_file.h"
+#include "core/export/data/air_file.h"
 #include "core/export/manifest/recorded.h"
 
 #include <memory>
@@ -45,7 +45,8 @@ std::string boxOf(const AirGrid& grid)
 {
     const glm::vec3 middle = grid.corner + 0.5F * grid.size();
     std::ostringstream text;
-    text << "The box: " << grid.cells.x << " x " << grid.cells.y << " x " << grid.cells.z << " cells of " << grid.cell << " m, its middle at " << middle.x << ", " << middle.y << ", " << middle.z << " m\n";
+    text << "The box: " << grid.cells.x << " x " << grid.cells.y << " x " << grid.cells.z << " cells of " << grid.cell
+         << " m, its middle at " << middle.x << ", " << middle.y << ", " << middle.z << " m\n";
     return text.str();
 }
 
@@ -60,13 +61,16 @@ Status writeOne(const AirOptions& options, const NamedPreset& named)
     const auto write = [&](const FrameSink& written) -> Status {
         sequence.value().written = written;
         ProgressBar bar("Writing");
-        const Result<AirGrid> box = withinMemory([&] { return writeAir(named.preset.effect, sequence.value(), bar.listener(), interruption()); });
+        const Result<AirGrid> box = withinMemory(
+            [&] { return writeAir(named.preset.effect, sequence.value(), bar.listener(), interruption()); });
         grid = box ? box.value() : grid;
         return box ? Status(Done{}) : box.error();
     };
     const ManifestJob job{"air", {{"format", std::string(ending.substr(1))}}, named.preset.effect};
     const std::filesystem::path& output = sequence.value().output;
-    if (Status status = recordNumbered(job, options.manifest.fileFor(output), {output, sequence.value().frames, ending, {}}, write); !status) {
+    if (Status status =
+            recordNumbered(job, options.manifest.fileFor(output), {output, sequence.value().frames, ending, {}}, write);
+        !status) {
         return status;
     }
     tellWritten(output, sequence.value().frames, ending);
@@ -78,18 +82,29 @@ Status writeOne(const AirOptions& options, const NamedPreset& named)
 void addAir(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<AirOptions>();
-    CLI::App* command = program.add_subcommand("air", "Write the air that carries the smoke as vector fields for engines");
+    CLI::App* command =
+        program.add_subcommand("air", "Write the air that carries the smoke as vector fields for engines");
     options->effect.addTo(*command);
     command->add_option("-f,--frame,--frames", options->frames, kOneFrameHelp)->type_name("RANGE");
-    command->add_option("--format", options->format, "fga (Unreal) or vf (Unity's Volume File). Default: by the ending of the file, else fga")->check(CLI::IsMember({"fga", "vf"}));
-    command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
+    command
+        ->add_option("--format", options->format,
+            "fga (Unreal) or vf (Unity's Volume File). Default: by the ending of the file, else fga")
+        ->check(CLI::IsMember({"fga", "vf"}));
+    command
+        ->add_option("-o,--output", options->output,
+            "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")
+        ->type_name("FILE");
     options->manifest.addTo(*command);
-    command->footer("Velocities in the middle of the cells, in the engine's axes: Unreal's are (x, z, y) of ours in cm, Unity's (x, y, -z) in m. Particles of the engine that are moved\n"
+    command->footer("Velocities in the middle of the cells, in the engine's axes: Unreal's are (x, z, y) of ours in "
+                    "cm, Unity's (x, y, -z) in m. Particles of the engine that are moved\n"
                     "by them go with the smoke.\n"
                     "Example:\n"
                     "  fumage-cli air mushroom-cloud --frames 60 --output mushroom.fga");
     command->callback([options, &action] {
-        action = [options] { return options->effect.forEach(options->output, [&](const NamedPreset& named) { return writeOne(*options, named); }); };
+        action = [options] {
+            return options->effect.forEach(
+                options->output, [&](const NamedPreset& named) { return writeOne(*options, named); });
+        };
     });
 }
 

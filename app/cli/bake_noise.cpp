@@ -42,9 +42,14 @@ Status bake(const BakeOptions& options)
 void addBakeNoise(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<BakeOptions>();
-    CLI::App* command = program.add_subcommand("bake-noise", "Bake the noise texture of a preset to a seamless grey picture");
+    CLI::App* command =
+        program.add_subcommand("bake-noise", "Bake the noise texture of a preset to a seamless grey picture");
     options->effect.addTo(*command);
-    command->add_option("-o,--output", options->output, "File to write, .png, .exr or .tga; - is standard output. In a folder, the preset's name and _noise")->required()->type_name("FILE");
+    command
+        ->add_option("-o,--output", options->output,
+            "File to write, .png, .exr or .tga; - is standard output. In a folder, the preset's name and _noise")
+        ->required()
+        ->type_name("FILE");
     addWhole(*command, "--size", options->size, 1, kMaxTextureSize, "Edge in pixels, any from 1 to 4096");
     addNumber(*command, "--depth", options->depth, 0.0F, 1.0F, "Where to cut the third axis, 0 to 1");
     command->add_flag("--wide", options->wide, "16-bit PNG or 32-bit EXR");

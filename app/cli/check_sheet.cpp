@@ -5,7 +5,7 @@
 #include "app/cli/progress.h"
 
 #include "core/base/text.h"
-#include "core/export/sheet_score.h"
+#include "core/export/sheets/sheet_metrics.h"
 
 #include <iomanip>
 #include <memory>
@@ -16,7 +16,7 @@ namespace fumage::cli {
 namespace {
 
 constexpr int kNameWidth = 18;
-constexpr int kMostLit = 64;
+constexpr int kMaxLit = 64;
 constexpr double kPercent = 100.0;
 
 struct CheckArguments {
@@ -37,9 +37,11 @@ std::string column(double number, int digits, int width)
 std::string line(const std::string& name, const SheetScore& score)
 {
     std::ostringstream text;
-    text << std::left << std::setw(kNameWidth) << name << column(score.sixWay.decibels, 1, 8) << column(score.sixWay.worst, 1, 7) << column(score.sixWay.scale, 2, 7)
-         << column(score.motion.crossFaded, 1, 12) << column(score.motion.rebuilt, 1, 9) << column(score.motion.scale, 4, 8)
-         << column(score.edgeAlpha, 4, 12) << column(kPercent * score.clipped, 1, 9) << column(score.empty, 0, 7) << "\n";
+    text << std::left << std::setw(kNameWidth) << name << column(score.sixWay.decibels, 1, 8)
+         << column(score.sixWay.worst, 1, 7) << column(score.sixWay.scale, 2, 7)
+         << column(score.motion.crossFaded, 1, 12) << column(score.motion.rebuilt, 1, 9)
+         << column(score.motion.scale, 4, 8) << column(score.edgeAlpha, 4, 12) << column(kPercent * score.clipped, 1, 9)
+         << column(score.empty, 0, 7) << "\n";
     return text.str();
 }
 
@@ -56,11 +58,13 @@ std::string headline()
 nlohmann::ordered_json jsonOf(const std::string& name, const SheetScore& score)
 {
     return {{"preset", name},
-        {"six_way", {{"decibels", score.sixWay.decibels}, {"worst_decibels", score.sixWay.worst}, {"scale", score.sixWay.scale}}},
-        {"motion", {{"cross_fade_decibels", score.motion.crossFaded}, {"decibels", score.motion.rebuilt}, {"scale", score.motion.scale}, {"pictures", score.motion.between}}},
-        {"edge_alpha", score.edgeAlpha},
-        {"clipped", score.clipped},
-        {"empty_cells", score.empty}};
+        {"six_way",
+            {{"decibels", score.sixWay.decibels}, {"worst_decibels", score.sixWay.worst},
+                {"scale", score.sixWay.scale}}},
+        {"motion",
+            {{"cross_fade_decibels", score.motion.crossFaded}, {"decibels", score.motion.rebuilt},
+                {"scale", score.motion.scale}, {"pictures", score.motion.between}}},
+        {"edge_alpha", score.edgeAlpha}, {"clipped", score.clipped}, {"empty_cells", score.empty}};
 }
 
 Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedPreset& named)
@@ -104,23 +108,31 @@ Status check(const CheckArguments& arguments)
 void addCheckSheet(CLI::App& program, Action& action)
 {
     auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = program.add_subcommand("check-sheet", "Measure how well a flipbook's light maps and motion vectors do");
+    CLI::App* command =
+        program.add_subcommand("check-sheet", "Measure how well a flipbook's light maps and motion vectors do");
     PictureOptions& picture = arguments->picture;
     picture.effect.addTo(*command);
     command
         ->add_option("-f,--frames", picture.frames,
             "Frames: 0-119 or 0-119:2. Default: the whole timeline, or those of the sheet that carries the preset")
         ->type_name("RANGE");
-    command->add_option("--size", picture.size, "Size of a cell: 256 or 320x180. Default: the preset's")->type_name("SIZE");
-    command->add_option("--format", picture.format, "Of the pictures that are measured: png (8 bit), png16, exr. Default: png")->check(CLI::IsMember({"png", "png16", "exr"}));
+    command->add_option("--size", picture.size, "Size of a cell: 256 or 320x180. Default: the preset's")
+        ->type_name("SIZE");
+    command
+        ->add_option(
+            "--format", picture.format, "Of the pictures that are measured: png (8 bit), png16, exr. Default: png")
+        ->check(CLI::IsMember({"png", "png16", "exr"}));
     command
         ->add_option("--grid", arguments->grid,
             "Columns and rows: 8 or 8x4. Default: 4x4, or of a sheet that carries its preset its own")
         ->type_name("GRID");
-    addWhole(*command, "--lit", arguments->lit, 1, kMostLit, "Cells in which light is measured, each under 20 lights. Default: 2");
+    addWhole(*command, "--lit", arguments->lit, 1, kMaxLit,
+        "Cells in which light is measured, each under 20 lights. Default: 2");
     addJson(*command, arguments->asJson);
-    command->footer("six-way: pictures that an engine makes of the two light maps, against the smoke under that light, premultiplied, of 20 directions together and of the worst of\n"
-                    "them; against a peak of 1, which is what a white surface gives back: maps go up to their scale. vectors: the frame in the middle between two cells, rebuilt from\n"
+    command->footer("six-way: pictures that an engine makes of the two light maps, against the smoke under that light, "
+                    "premultiplied, of 20 directions together and of the worst of\n"
+                    "them; against a peak of 1, which is what a white surface gives back: maps go up to their scale. "
+                    "vectors: the frame in the middle between two cells, rebuilt from\n"
                     "them, beside what a cross-fade makes of it; there must be frames between the cells.\n"
                     "Example:\n"
                     "  fumage-cli check-sheet campfire chimney --grid 4x4 --frames 0-31:2 --size 128");

@@ -2,13 +2,29 @@
 
 #include "core/base/path.h"
 #include "core/base/text.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/shown_table.h"
+#include "core/effect/assignment.h"
 #include "core/effect/value.h"
+#include "core/preset/preset_file.h"
 
 #include <set>
 
 namespace fumage::cli {
 
 namespace {
+
+/// What is set and changes nothing, as the effect is now, is told: it may have been meant for another parameter.
+void warnWhereItHasNoEffect(const std::string& assignment, const Effect& effect)
+{
+    const Parameter* parameter =
+        findShownParameter(trimmed(std::string_view(assignment).substr(0, assignment.find('='))));
+    if (parameter != nullptr && !isVisible(*parameter, effect)) {
+        const Parameter& other = *findParameter(parameter->visible.key);
+        warn("--set " + assignment + ": has no effect while " + std::string(other.key) + " is "
+            + formatText(other, other.get(effect), true));
+    }
+}
 
 Result<NamedPreset> load(const std::string& preset, const std::vector<std::string>& assignments)
 {
@@ -36,6 +52,9 @@ Result<NamedPreset> load(const std::string& preset, const std::vector<std::strin
             warn("--set " + assignment + ": out of range, the nearest allowed value is used");
         }
     }
+    for (const std::string& assignment : assignments) {
+        warnWhereItHasNoEffect(assignment, named.preset.effect);
+    }
     return named;
 }
 
@@ -45,7 +64,10 @@ Status refuseSameNames(const std::vector<NamedPreset>& presets)
     std::set<std::string> names;
     for (const NamedPreset& named : presets) {
         if (!names.insert(named.name).second) {
-            return Error{ErrorCode::OutOfRange, said("two presets are called %1, and one's files would overwrite the other's", inQuotes(named.name)), named.file.string(), said("Write them to different folders")};
+            return Error{ErrorCode::OutOfRange,
+                makeMessage(
+                    "two presets are called %1, and one's files would overwrite the other's", inQuotes(named.name)),
+                named.file.string(), makeMessage("Write them to different folders")};
         }
     }
     return Done{};
@@ -89,8 +111,17 @@ ExitCode exitCodeOf(ErrorCode code)
 
 void EffectOptions::addTo(CLI::App& command)
 {
-    command.add_option("preset", presets, "Presets: names (see 'fumage-cli presets'), JSON files, or - for standard input")->required()->type_name("PRESET")->option_text("PRESET...");
-    command.add_option("-s,--set", assignments, "Change a parameter, for example --set motion.wind=1.5; may be repeated")->type_name("KEY=VALUE")->take_all()->allow_extra_args(false)->option_text("KEY=VALUE");
+    command
+        .add_option("preset", presets, "Presets: names (see 'fumage-cli presets'), JSON files, or - for standard input")
+        ->required()
+        ->type_name("PRESET")
+        ->option_text("PRESET...");
+    command
+        .add_option("-s,--set", assignments, "Change a parameter, for example --set wind.strength=1.5; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE");
 }
 
 Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const
@@ -99,7 +130,8 @@ Status EffectOptions::forEach(const std::string& output, const std::function<Sta
     std::error_code missing;
     const bool isFolder = !place.has_filename() || std::filesystem::is_directory(place, missing);
     if (presets.size() > 1 && !isFolder) {
-        return Error{ErrorCode::OutOfRange, said("several presets cannot be written to one file"), output, said("Name a folder, as in --output out/")};
+        return Error{ErrorCode::OutOfRange, makeMessage("several presets cannot be written to one file"), output,
+            makeMessage("Name a folder, as in --output out/")};
     }
     const Result<std::vector<NamedPreset>> loaded = loadAll();
     if (!loaded) {

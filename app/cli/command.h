@@ -52,7 +52,8 @@ struct EffectOptions {
 
     /// Loads all presets and applies --set in order, then does the work for each; warnings go to standard error.
     /// @param output what the user named for what is written: with several presets only a folder will do
-    [[nodiscard]] Status forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const;
+    [[nodiscard]] Status forEach(
+        const std::string& output, const std::function<Status(const NamedPreset&)>& work) const;
     /// The same for work that writes no files.
     [[nodiscard]] Status forEach(const std::function<Status(const NamedPreset&)>& work) const;
 

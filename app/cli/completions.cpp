@@ -17,7 +17,8 @@ struct Choice {
     const CLI::Option* option;
 };
 
-/// What can stand after an option or as an argument: one of some words, a file, or both; neither where only the user knows it.
+/// What can stand after an option or as an argument: one of some words, a file, or both; neither where only the user
+/// knows it.
 struct Values {
     std::string words;
     bool files = false;
@@ -72,7 +73,9 @@ std::vector<std::string> namesOf(const CLI::Option& option)
 /// Options, or the arguments that are none, of a command.
 std::vector<const CLI::Option*> optionsOf(const CLI::App& command, bool positional)
 {
-    return command.get_options([&](const CLI::Option* option) { return option->get_positional() == positional && !option->get_group().empty(); });
+    return command.get_options([&](const CLI::Option* option) {
+        return option->get_positional() == positional && !option->get_group().empty();
+    });
 }
 
 std::vector<const CLI::App*> subcommandsOf(const CLI::App& program)
@@ -85,7 +88,8 @@ std::vector<const CLI::Option*> optionsWithin(const CLI::App& program, const CLI
 {
     std::vector<const CLI::Option*> options = optionsOf(program, false);
     if (command != nullptr) {
-        std::erase_if(options, [&](const CLI::Option* each) { return command->get_option_no_throw(each->get_name()) != nullptr; });
+        std::erase_if(options,
+            [&](const CLI::Option* each) { return command->get_option_no_throw(each->get_name()) != nullptr; });
         const std::vector<const CLI::Option*> own = optionsOf(*command, false);
         options.insert(options.begin(), own.begin(), own.end());
     }
@@ -203,12 +207,14 @@ std::string zshArguments(const CLI::App& program, const CLI::App* command)
         for (const std::string& name : namesOf(*option)) {
             const bool repeats = option->get_items_expected_max() > 1;
             const std::string before = repeats ? "*" : "(" + all + ")";
-            lines += " \\\n        '" + before + name + "[" + zshQuoted(option->get_description()) + "]" + (takesValue(*option) ? zshValues(*option) : "") + "'";
+            lines += " \\\n        '" + before + name + "[" + zshQuoted(option->get_description()) + "]"
+                + (takesValue(*option) ? zshValues(*option) : "") + "'";
         }
     }
     if (command != nullptr) {
         for (const CLI::Option* option : optionsOf(*command, true)) {
-            lines += " \\\n        '" + std::string(option->get_items_expected_max() > 1 ? "*" : "") + ":" + zshValues(*option).substr(1) + "'";
+            lines += " \\\n        '" + std::string(option->get_items_expected_max() > 1 ? "*" : "") + ":"
+                + zshValues(*option).substr(1) + "'";
         }
     }
     return lines;
@@ -220,7 +226,8 @@ std::string zshScript(const CLI::App& program)
     std::string cases;
     for (const CLI::App* command : subcommandsOf(program)) {
         descriptions += "        '" + command->get_name() + ":" + zshQuoted(command->get_description()) + "'\n";
-        cases += "    " + command->get_name() + ")\n        _arguments" + zshArguments(program, command) + "\n        ;;\n";
+        cases +=
+            "    " + command->get_name() + ")\n        _arguments" + zshArguments(program, command) + "\n        ;;\n";
     }
     return R"(#compdef fumage-cli
 # Completion for zsh, written by "fumage-cli completions zsh".
@@ -249,14 +256,17 @@ _fumage-cli "$@"
 
 void addCompletions(CLI::App& program, Action& action)
 {
-    CLI::App* command = program.add_subcommand("completions", "Print the script with which a shell completes this program's command line");
+    CLI::App* command = program.add_subcommand(
+        "completions", "Print the script with which a shell completes this program's command line");
     const auto shell = std::make_shared<std::string>();
     command->add_option("shell", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
     command->footer("Packages install them. By hand:\n"
                     "  fumage-cli completions bash > ~/.local/share/bash-completion/completions/fumage-cli\n"
                     "  fumage-cli completions zsh > ~/.zfunc/_fumage-cli");
     command->callback([&program, &action, shell] {
-        action = [&program, shell]() -> Status { return print(*shell == "bash" ? bashScript(program) : zshScript(program)); };
+        action = [&program, shell]() -> Status {
+            return print(*shell == "bash" ? bashScript(program) : zshScript(program));
+        };
     });
 }
 

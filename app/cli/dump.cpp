@@ -5,7 +5,7 @@
 
 #include "core/base/memory.h"
 #include "core/export/manifest/recorded.h"
-#include "core/export/particle_dump.h"
+#include "core/export/data/particle_dump.h"
 #include "core/export/plan.h"
 
 #include <memory>
@@ -23,25 +23,32 @@ struct DumpOptions {
     ManifestOption manifest;
 };
 
-Status dumpToStandardOutput(const DumpOptions& options, const NamedPreset& named, const ParticleSequenceOptions& sequence)
+Status dumpToStandardOutput(
+    const DumpOptions& options, const NamedPreset& named, const ParticleSequenceOptions& sequence)
 {
     if (sequence.frames.count() > 1) {
-        return Error{ErrorCode::OutOfRange, said("several frames are several files"), "--frames " + options.frames, said("Name a file for them, as in --output smoke_####.csv")};
+        return Error{ErrorCode::OutOfRange, makeMessage("several frames are several files"),
+            "--frames " + options.frames, makeMessage("Name a file for them, as in --output smoke_####.csv")};
     }
-    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first, formatNamed(kAllParticleFormats, options.format), interruption(), sequence.up, ProgressBar("Writing").listener());
+    const Result<std::string> text =
+        dumpParticles(named.preset.effect, sequence.frames.first, formatNamed(kAllParticleFormats, options.format),
+            interruption(), sequence.up, ProgressBar("Writing").listener());
     return text ? print(text.value()) : Status(text.error());
 }
 
 Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, ParticleSequenceOptions sequence)
 {
     const std::string_view ending = fileEnding(sequence.format);
-    const ManifestJob job{"particles", {{"format", std::string(ending.substr(1))}, {"up", options.up}}, named.preset.effect};
+    const ManifestJob job{
+        "particles", {{"format", std::string(ending.substr(1))}, {"up", options.up}}, named.preset.effect};
     const auto write = [&](const FrameSink& written) {
         sequence.written = written;
         ProgressBar bar("Writing");
         return dumpSequence(named.preset.effect, sequence, bar.listener(), interruption());
     };
-    if (Status status = recordNumbered(job, options.manifest.fileFor(sequence.output), {sequence.output, sequence.frames, ending, {}}, write); !status) {
+    if (Status status = recordNumbered(
+            job, options.manifest.fileFor(sequence.output), {sequence.output, sequence.frames, ending, {}}, write);
+        !status) {
         return status;
     }
     tellWritten(sequence.output, sequence.frames, ending);
@@ -60,7 +67,8 @@ Status dumpOne(const DumpOptions& options, const NamedPreset& named)
     if (options.output == kStandardStream) {
         return withinMemory([&] { return dumpToStandardOutput(options, named, sequence); });
     }
-    const Result<FileChoice<ParticleFormat>> choice = chooseFile(options.output, options.format, named.name, kAllParticleFormats);
+    const Result<FileChoice<ParticleFormat>> choice =
+        chooseFile(options.output, options.format, named.name, kAllParticleFormats);
     if (!choice) {
         return choice.error();
     }
@@ -83,9 +91,18 @@ void addDump(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("dump", "Write the particles of frames as CSV, PLY or a point cache");
     options->effect.addTo(*command);
     command->add_option("-f,--frame,--frames", options->frames, kOneFrameHelp)->type_name("RANGE");
-    command->add_option("--format", options->format, "csv, ply (binary), or pcache (Unity's point cache, in Unity's axes). Default: by the ending of the file")->check(CLI::IsMember({"csv", "ply", "pcache"}));
-    command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-    command->add_option("-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")->type_name("FILE")->capture_default_str();
+    command
+        ->add_option("--format", options->format,
+            "csv, ply (binary), or pcache (Unity's point cache, in Unity's axes). Default: by the ending of the file")
+        ->check(CLI::IsMember({"csv", "ply", "pcache"}));
+    command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")
+        ->type_name("FILE")
+        ->capture_default_str();
     options->manifest.addTo(*command);
     command->callback([options, &action] { action = [options] { return dump(*options); }; });
 }

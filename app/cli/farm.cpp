@@ -11,6 +11,7 @@
 #include "core/export/farm/chunk.h"
 #include "core/export/farm/farm.h"
 #include "core/export/output_name.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <memory>
@@ -52,7 +53,8 @@ std::vector<std::string> joinWordsOf(const FarmOptions& options, const FarmJob& 
     if (options.then.empty()) {
         return {};
     }
-    std::vector<std::string> words{"join", "./" + presetFileOf(job), "--input", "./" + job.output, "--frames", textOf(job.frames)};
+    std::vector<std::string> words{
+        "join", "./" + presetFileOf(job), "--input", "./" + job.output, "--frames", textOf(job.frames)};
     if (options.then == "flipbook") {
         words.insert(words.end(), {"--grid", options.grid, "--output", "./" + job.name + ".sheet.png"});
     } else {
@@ -79,14 +81,15 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
         return status.error();
     }
     if (plan.output == kStandardStream) {
-        return Error{ErrorCode::OutOfRange, said("a farm writes no frames to standard output"), std::string("--output"),
-            said("Name a file in a folder that all machines see")};
+        return Error{ErrorCode::OutOfRange, makeMessage("a farm writes no frames to standard output"),
+            std::string("--output"), makeMessage("Name a file in a folder that all machines see")};
     }
     if (!isUtf8(std::filesystem::absolute(plan.output).string())) {
         return nameNotUtf8(plan.output);
     }
     if (!options.then.empty() && plan.format != ImageFormat::ExrHalf && plan.format != ImageFormat::ExrFloat) {
-        return Error{ErrorCode::OutOfRange, said("frames that are to be joined are EXR"), "--then " + options.then, said("Write --format exr")};
+        return Error{ErrorCode::OutOfRange, makeMessage("frames that are to be joined are EXR"),
+            "--then " + options.then, makeMessage("Write --format exr")};
     }
     int columns = 0;
     int rows = 0;
@@ -94,8 +97,9 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
         return status.error();
     }
     if (options.then == "flipbook" && plan.frames.count() < columns * rows) {
-        return Error{ErrorCode::OutOfRange, said("%1 frames do not fill %2 cells", plan.frames.count(), columns * rows), {},
-            said("Choose more frames or fewer columns and rows")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("%1 frames do not fill %2 cells", plan.frames.count(), columns * rows), {},
+            makeMessage("Choose more frames or fewer columns and rows")};
     }
     return job;
 }
@@ -107,10 +111,12 @@ FarmJob jobOf(const FarmOptions& options, Farm farm, const Effect& seen, const E
     job.name = nameWithoutNumber(plan.output);
     job.output = plan.output.filename().string();
     if (!numberPlaceIn(job.output)) {
-        job.output = job.name + "_####" + std::string(fileEnding(plan.format)); // a task of one frame must not name it otherwise than others do
+        job.output = job.name + "_####"
+            + std::string(fileEnding(plan.format)); // a task of one frame must not name it otherwise than others do
     }
     job.frames = plan.frames;
-    job.perTask = options.chunk > 0 ? std::min(options.chunk, plan.frames.count()) : std::min(framesPerTask(farmCost(seen), plan.frames), mostPerTask(farm));
+    job.perTask = options.chunk > 0 ? std::min(options.chunk, plan.frames.count())
+                                    : std::min(framesPerTask(farmCost(seen), plan.frames), mostPerTask(farm));
     job.renderWords = renderWordsOf(options, seen, plan);
     job.joinWords = joinWordsOf(options, job);
     return job;
@@ -138,7 +144,8 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named)
         return asked.error();
     }
     const ExportPlan& plan = asked.value().plan;
-    const Result<Effect> seen = withinMemory([&] { return effectSeenBy(asked.value().effect, plan, ProgressBar("Looking").listener(), interruption()); });
+    const Result<Effect> seen = withinMemory(
+        [&] { return effectSeenBy(asked.value().effect, plan, ProgressBar("Looking").listener(), interruption()); });
     if (!seen) {
         return seen.error();
     }
@@ -156,7 +163,8 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named)
             return status;
         }
     }
-    tell(std::to_string(job.frames.count()) + " frames in " + std::to_string(taskCount(job.frames, job.perTask)) + " tasks of " + std::to_string(job.perTask));
+    report(std::to_string(job.frames.count()) + " frames in " + std::to_string(taskCount(job.frames, job.perTask))
+        + " tasks of " + std::to_string(job.perTask));
     return print(made.value().submit + "\n");
 }
 
@@ -167,28 +175,40 @@ void addFarm(CLI::App& program, Action& action)
     auto options = std::make_shared<FarmOptions>();
     CLI::App* command = program.add_subcommand("farm", "Write what a render farm takes to render frames of a preset");
     options->picture.addTo(*command,
-        "Frames to write, in a folder that all machines see; #### stands for the frame number. In a folder, and by default, the preset's name",
+        "Frames to write, in a folder that all machines see; #### stands for the frame number. In a folder, and by "
+        "default, the preset's name",
         "Picture size: 512 or 640x360. Default: the preset's");
     options->picture.addFormat(*command);
-    options->passes.addLayersTo(*command);
+    options->passes.addTargetsTo(*command);
     std::vector<std::string> farms;
     std::ranges::transform(kAllFarms, std::back_inserter(farms), [](Farm each) { return std::string(nameOf(each)); });
-    command->add_option("--for", options->farm, "What hands out the work: slurm, openjd (Open Job Description), flamenco (3), deadline")
+    command
+        ->add_option("--for", options->farm,
+            "What hands out the work: slurm, openjd (Open Job Description), flamenco (3), deadline")
         ->required()
         ->check(CLI::IsMember(farms));
     addWhole(*command, "--chunk", options->chunk, 1, kMaxFrame,
-        "Frames a task. Default: so many that machines spend no more on the way to their frames (air, particles) than on the frames");
-    command->add_option("--then", options->then, "When all frames are there, join them: flipbook or video. The frames are EXR then")
+        "Frames a task. Default: so many that machines spend no more on the way to their frames (air, particles) than "
+        "on the frames");
+    command
+        ->add_option(
+            "--then", options->then, "When all frames are there, join them: flipbook or video. The frames are EXR then")
         ->check(CLI::IsMember({"flipbook", "video"}));
-    command->add_option("--grid", options->grid, "Columns and rows of the flipbook")->type_name("GRID")->capture_default_str();
-    command->footer("Beside the frames go the preset as it is to be rendered and the farm's files; how to submit them is printed. Tasks leave alone\n"
-                    "what is there already and write a manifest: fumage-cli verify FOLDER --frames RANGE says afterwards whether all is there.\n"
+    command->add_option("--grid", options->grid, "Columns and rows of the flipbook")
+        ->type_name("GRID")
+        ->capture_default_str();
+    command->footer("Beside the frames go the preset as it is to be rendered and the farm's files; how to submit them "
+                    "is printed. Tasks leave alone\n"
+                    "what is there already and write a manifest: fumage-cli verify FOLDER --frames RANGE says "
+                    "afterwards whether all is there.\n"
                     "Examples:\n"
-                    "  fumage-cli farm mushroom-cloud --frames 0-119 --for slurm --output /mnt/show/smoke/cloud_####.exr --then video\n"
+                    "  fumage-cli farm mushroom-cloud --frames 0-119 --for slurm --output "
+                    "/mnt/show/smoke/cloud_####.exr --then video\n"
                     "  fumage-cli farm my.json --for openjd --chunk 8 --output frames/");
     command->callback([options, &action] {
         action = [options] {
-            return options->picture.effect.forEach(options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named); });
+            return options->picture.effect.forEach(
+                options->picture.output, [&](const NamedPreset& named) { return writeOne(*options, named); });
         };
     });
 }

@@ -20,7 +20,8 @@ struct FileChoice {
 template <class Format, std::size_t kCount>
 Format formatNamed(const std::array<Format, kCount>& formats, std::string_view name)
 {
-    const auto* const found = std::find_if(formats.begin(), formats.end(), [&](Format format) { return fileEnding(format).substr(1) == name; });
+    const auto* const found = std::find_if(
+        formats.begin(), formats.end(), [&](Format format) { return fileEnding(format).substr(1) == name; });
     return found == formats.end() ? formats.front() : *found;
 }
 
@@ -28,12 +29,14 @@ Format formatNamed(const std::array<Format, kCount>& formats, std::string_view n
 /// @param output,presetName see outputPath() @param formatName empty: not named
 /// @error that of outputPath()
 template <class Format, std::size_t kCount>
-Result<FileChoice<Format>> chooseFile(const std::string& output, const std::string& formatName, const std::string& presetName, const std::array<Format, kCount>& formats)
+Result<FileChoice<Format>> chooseFile(const std::string& output, const std::string& formatName,
+    const std::string& presetName, const std::array<Format, kCount>& formats)
 {
     std::array<std::string_view, kCount> endings;
     std::transform(formats.begin(), formats.end(), endings.begin(), [](Format format) { return fileEnding(format); });
     const std::string_view wanted = fileEnding(formatNamed(formats, formatName));
-    const Result<std::filesystem::path> path = outputPath(output, {formatName.empty() ? std::span<const std::string_view>(endings) : std::span(&wanted, 1), presetName});
+    const Result<std::filesystem::path> path = outputPath(
+        output, {formatName.empty() ? std::span<const std::string_view>(endings) : std::span(&wanted, 1), presetName});
     if (!path) {
         return path.error();
     }

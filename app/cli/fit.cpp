@@ -28,7 +28,8 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
     for (const Parameter* parameter : differences(fitted, effect)) {
         if (isVisible(*parameter, fitted)) {
             std::string value = formatText(*parameter, parameter->get(fitted));
-            std::erase_if(value, [](char letter) { return letter == ' ' || letter == '[' || letter == ']'; }); // one word for a shell
+            std::erase_if(value,
+                [](char letter) { return letter == ' ' || letter == '[' || letter == ']'; }); // one word for a shell
             text += (text.empty() ? "--set " : " --set ") + std::string(parameter->key) + "=" + value;
         }
     }
@@ -53,15 +54,20 @@ Status fit(const PictureOptions& options)
 void addFit(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<PictureOptions>();
-    CLI::App* command = program.add_subcommand("fit", "Find where the camera sees all smoke, and print it as options of other commands");
+    CLI::App* command = program.add_subcommand(
+        "fit", "Find where the camera sees all smoke, and print it as options of other commands");
     options->effect.addTo(*command);
     command->add_option("-f,--frame,--frames", options->frames, kFramesHelp)->type_name("RANGE");
-    command->add_option("--size", options->size, "Picture size, of which the shape matters: 512 or 640x360. Default: the preset's")->type_name("SIZE");
-    command->footer(
-        "The camera looks the way it does; it moves until no border of any frame has smoke on it, and the smoke fills the picture. render and flipbook do the\n"
-        "same with --fit, for the frames that they are asked for: one fit beforehand gives all parts of an animation the same camera.\n"
-        "Example:\n"
-        "  fumage-cli render chimney --output out/chimney_####.exr $(fumage-cli fit chimney)");
+    command
+        ->add_option(
+            "--size", options->size, "Picture size, of which the shape matters: 512 or 640x360. Default: the preset's")
+        ->type_name("SIZE");
+    command->footer("The camera looks the way it does; it moves until no border of any frame has smoke on it, and the "
+                    "smoke fills the picture. render and flipbook do the\n"
+                    "same with --fit, for the frames that they are asked for: one fit beforehand gives all parts of an "
+                    "animation the same camera.\n"
+                    "Example:\n"
+                    "  fumage-cli render chimney --output out/chimney_####.exr $(fumage-cli fit chimney)");
     command->callback([options, &action] { action = [options] { return fit(*options); }; });
 }
 

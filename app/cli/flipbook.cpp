@@ -4,7 +4,7 @@
 #include "app/cli/picture_options.h"
 
 #include "core/base/text.h"
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 
 #include <iomanip>
 #include <memory>
@@ -30,13 +30,15 @@ std::string complaint(const Flipbook& flipbook)
 {
     const CutOff& cut = *flipbook.cutOff;
     std::string edges;
-    for (const auto& [reached, name] : {std::pair{cut.left, "left"}, std::pair{cut.right, "right"}, std::pair{cut.top, "top"}, std::pair{cut.bottom, "bottom"}}) {
+    for (const auto& [reached, name] : {std::pair{cut.left, "left"}, std::pair{cut.right, "right"},
+             std::pair{cut.top, "top"}, std::pair{cut.bottom, "bottom"}}) {
         if (reached) {
             edges += (edges.empty() ? "" : ", ") + std::string(name);
         }
     }
     std::ostringstream text;
-    text << "the smoke is cut off at the edge of cells (" << edges << "; frames " << cut.firstFrame << " to " << cut.lastFrame << "; alpha up to " << std::setprecision(2) << flipbook.edgeAlpha
+    text << "the smoke is cut off at the edge of cells (" << edges << "; frames " << cut.firstFrame << " to "
+         << cut.lastFrame << "; alpha up to " << std::setprecision(2) << flipbook.edgeAlpha
          << "): --fit moves the camera so that all of it is seen";
     if (cut.distance > 0.0F) {
         text << ", as would --set camera.distance=" << std::setprecision(3) << cut.distance;
@@ -67,7 +69,8 @@ Status tellSize(const PictureJob& job)
     const int width = output.value().width;
     const int height = output.value().height;
     if (width != job.effect.output.width || height != job.effect.output.height) {
-        tell("cells are " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and the sheet " + std::to_string(width * job.plan.columns) + " x " + std::to_string(height * job.plan.rows));
+        report("cells are " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and the sheet "
+            + std::to_string(width * job.plan.columns) + " x " + std::to_string(height * job.plan.rows));
     }
     return Done{};
 }
@@ -145,7 +148,8 @@ Status renderOne(const FlipbookArguments& arguments, const NamedPreset& unnumber
 
 Status flipbook(const FlipbookArguments& arguments)
 {
-    return arguments.picture.effect.forEach(arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named); });
+    return arguments.picture.effect.forEach(
+        arguments.picture.output, [&](const NamedPreset& named) { return renderOne(arguments, named); });
 }
 
 } // namespace
@@ -153,7 +157,8 @@ Status flipbook(const FlipbookArguments& arguments)
 void addFlipbook(CLI::App& program, Action& action)
 {
     auto arguments = std::make_shared<FlipbookArguments>();
-    CLI::App* command = program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
+    CLI::App* command =
+        program.add_subcommand("flipbook", "Render a flipbook: frames side by side in one picture, and how to play it");
     arguments->picture.addTo(*command, "Picture to write. In a folder, and by default, the preset's name",
         "Size of a cell: 256 or 320x180. Default: the preset's",
         "Frames: 0-119 or 0-119:2. Default: the whole timeline, or those of the sheet that carries the preset");
@@ -164,33 +169,49 @@ void addFlipbook(CLI::App& program, Action& action)
             ->add_option("--grid", arguments->grid,
                 "Columns and rows: 8 or 8x4. Default: 8x8, or of a sheet that carries its preset its own")
             ->type_name("GRID");
-    command->add_flag("--power-of-two", arguments->powerOfTwo, "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns and rows");
-    command->add_option("--optimise", arguments->budget,
-               "Memory that the pictures may take as BC7, such as 4MB: tries grids with cells as large as fits, at most --size, prints how well each plays, and takes the best")
+    command->add_flag("--power-of-two", arguments->powerOfTwo,
+        "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns "
+        "and rows");
+    command
+        ->add_option("--optimise", arguments->budget,
+            "Memory that the pictures may take as BC7, such as 4MB: tries grids with cells as large as fits, at most "
+            "--size, prints how well each plays, and takes the best")
         ->type_name("BUDGET")
         ->option_text("BUDGET")
         ->excludes(grid);
-    command->add_flag("--trim", arguments->trim, "Leave out frames without smoke at the beginning and the end; not of a loop, which would no longer close");
-    command->add_option("--retime", arguments->retime,
-               "Which frames the cells show: points of a curve from the share of the cells to the share of the frames, such as [[0,0],[0.3,0.6],[1,1]] for a quick "
-               "beginning. Level is still, falling is backwards; the whole takes the same time")
+    command->add_flag("--trim", arguments->trim,
+        "Leave out frames without smoke at the beginning and the end; not of a loop, which would no longer close");
+    command
+        ->add_option("--retime", arguments->retime,
+            "Which frames the cells show: points of a curve from the share of the cells to the share of the frames, "
+            "such as [[0,0],[0.3,0.6],[1,1]] for a quick "
+            "beginning. Level is still, falling is backwards; the whole takes the same time")
         ->type_name("CURVE")
         ->option_text("CURVE");
     arguments->passes.addTo(*command);
     arguments->passes.addPackTo(*command);
-    command->footer("The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a file smoke.flipbook.json says\n"
-                    "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent pixels, so that filtering makes no dark rims.\n"
-                    "--for an engine writes what makes it play: a scene and a shader for Godot, scripts that import the textures for Unity and Unreal, a project for\n"
-                    "Effekseer, TexturePacker's JSON for PixiJS and Phaser, a tile source for Defold, or one web page that plays the sheet by itself.\n"
-                    "Passes are pictures of their own: smoke_sixway_a.png, smoke_sixway_b.png, smoke_motion.png. They are linear: engines must not take them for sRGB. The\n"
-                    "side-car says what their channels are, and the scale that light and vectors are multiplied by.\n"
-                    "--pack puts channels of any passes into a picture of its own, at a resolution of its own; the side-car says what each holds. Only what is asked for is rendered.\n"
-                    "Examples:\n"
-                    "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
-                    "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output smoke.png\n"
-                    "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png\n"
-                    "  fumage-cli flipbook explosion --pack masks=shadow,temperature,alpha@1/2 --pack light=six-way-a.r,six-way-a.g,0,1 --output boom.png\n"
-                    "  fumage-cli flipbook chimney --for godot --size 256 --output project/smoke/");
+    command->footer(
+        "The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a "
+        "file smoke.flipbook.json says\n"
+        "how many columns and rows there are and how fast they are played. PNG: colours go on under transparent "
+        "pixels, so that filtering makes no dark rims.\n"
+        "--for an engine writes what makes it play: a scene and a shader for Godot, scripts that import the textures "
+        "for Unity and Unreal, a project for\n"
+        "Effekseer, TexturePacker's JSON for PixiJS and Phaser, a tile source for Defold, or one web page that plays "
+        "the sheet by itself.\n"
+        "Passes are pictures of their own: smoke_sixway_a.png, smoke_sixway_b.png, smoke_motion.png. They are linear: "
+        "engines must not take them for sRGB. The\n"
+        "side-car says what their channels are, and the scale that light and vectors are multiplied by.\n"
+        "--pack puts channels of any passes into a picture of its own, at a resolution of its own; the side-car says "
+        "what each holds. Only what is asked for is rendered.\n"
+        "Examples:\n"
+        "  fumage-cli flipbook campfire --size 256 --output fire.png\n"
+        "  fumage-cli flipbook chimney --grid 8x4 --size 256x512 --frames 0-63 --set timeline.loop=true --output "
+        "smoke.png\n"
+        "  fumage-cli flipbook explosion --passes colour,six-way,motion --vectors unreal --output boom.png\n"
+        "  fumage-cli flipbook explosion --pack masks=shadow,temperature,alpha@1/2 --pack "
+        "light=six-way-a.r,six-way-a.g,0,1 --output boom.png\n"
+        "  fumage-cli flipbook chimney --for godot --size 256 --output project/smoke/");
     command->callback([arguments, &action] { action = [arguments] { return flipbook(*arguments); }; });
 }
 

@@ -31,10 +31,11 @@ Status asText(const Preset& preset, const Schedule& schedule, const Shown& shown
 {
     const Effect& effect = preset.effect;
     std::ostringstream out;
-    out << printable(preset.name) << "\n"
-        << printable(preset.description) << "\n\n";
-    out << "particles   " << schedule.capacity() << " at most, each living " << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
-    out << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " frames/s" << (effect.timeline.loop ? ", looping" : "") << "\n";
+    out << printable(preset.name) << "\n" << printable(preset.description) << "\n\n";
+    out << "particles   " << schedule.capacity() << " at most, each living "
+        << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
+    out << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " fps"
+        << (effect.timeline.loop ? ", looping" : "") << "\n";
     out << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n"
         << shownText(shown) << "\n";
     out << "What differs from a new document:\n";
@@ -83,7 +84,8 @@ Status info(const std::string& name, bool json)
 
 Status machineAsJson()
 {
-    return printJson({{"version", FUMAGE_VERSION}, {"instructionSets", availableSimdTargets()}, {"userPresets", userPresetFolder().string()}});
+    return printJson({{"version", FUMAGE_VERSION}, {"instructionSets", availableSimdTargets()},
+        {"userPresets", userPresetFolder().string()}});
 }
 
 Status machine()

@@ -21,7 +21,8 @@ BOOL WINAPI takeEvent(DWORD event)
     const bool again = s_wasAsked.exchange(true);
     source().request_stop();
     if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) {
-        // The terminal goes away, and the program with it as soon as this returns: it may end by itself for as long as Windows waits.
+        // The terminal goes away, and the program with it as soon as this returns: it may end by itself for as long as
+        // Windows waits.
         ::Sleep(INFINITE);
     }
     return again ? FALSE : TRUE; // whoever asks twice has it ended at once

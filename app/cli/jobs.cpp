@@ -7,7 +7,7 @@
 
 #include "core/base/path.h"
 #include "core/base/text.h"
-#include "core/export/job_file.h"
+#include "core/export/jobs/job_file.h"
 #include "core/export/remarks.h"
 
 #include <algorithm>
@@ -68,11 +68,12 @@ Status doJobs(const std::string& file, bool asJson)
     for (std::size_t i = 0; i < total; ++i) {
         const ExportJob& job = jobs.value()[i];
         const std::string name = printable(job.name);
-        tell("job " + std::to_string(i + 1) + " of " + std::to_string(total) + ": " + name);
+        report("job " + std::to_string(i + 1) + " of " + std::to_string(total) + ": " + name);
         if (!job.refusal) {
             warnOf(job.preset.effect, job.plan);
         }
-        const Result<std::optional<Flipbook>> done = exportWithBar(job.plan, [&](const Progress& progress) { return runJob(job, progress, interruption()); });
+        const Result<std::optional<Flipbook>> done =
+            exportWithBar(job.plan, [&](const Progress& progress) { return runJob(job, progress, interruption()); });
         if (!done && done.error().code == ErrorCode::Cancelled) {
             return done.error();
         }
@@ -82,14 +83,17 @@ Status doJobs(const std::string& file, bool asJson)
         }
         answers.push_back(answerOf(job, done));
     }
-    Status answered = asJson ? printJson({{"done", total - failures.size()}, {"failed", failures.size()}, {"jobs", answers}}) : Status(Done{});
+    Status answered = asJson
+        ? printJson({{"done", total - failures.size()}, {"failed", failures.size()}, {"jobs", answers}})
+        : Status(Done{});
     if (!answered || failures.empty()) {
         return answered;
     }
     // As long as one cannot be mended by trying again, the list cannot.
     const auto lasting = std::ranges::find_if(failures, [](ErrorCode code) { return exitCodeOf(code) != kTryAgain; });
     const ErrorCode code = lasting == failures.end() ? failures.front() : *lasting;
-    return Error{code, said("%1 of %2 jobs failed", failures.size(), total), file, said("Mend what is said above, and do them again")};
+    return Error{code, makeMessage("%1 of %2 jobs failed", failures.size(), total), file,
+        makeMessage("Mend what is said above, and do them again")};
 }
 
 } // namespace fumage::cli

@@ -7,7 +7,9 @@
 #include "core/base/file.h"
 #include "core/base/memory.h"
 #include "core/base/path.h"
-#include "core/export/video.h"
+#include "core/export/sheets/flipbook_files.h"
+#include "core/export/video/video.h"
+#include "core/preset/preset_file.h"
 
 #include <memory>
 #include <span>
@@ -34,14 +36,16 @@ Status refuseInputs(const JoinOptions& options, const NamedPreset& named, const 
             return wouldOverwrite(named.file);
         }
         if (isFileOfAFrame(file, pathFrom(options.input), frames, fileEnding(ImageFormat::ExrHalf))) {
-            return Error{ErrorCode::WouldOverwrite, said("this would overwrite one of the frames that are joined"),
-                file.string(), said("Choose another name")};
+            return Error{ErrorCode::WouldOverwrite,
+                makeMessage("this would overwrite one of the frames that are joined"), file.string(),
+                makeMessage("Choose another name")};
         }
     }
     return Done{};
 }
 
-Status joinToVideo(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
+Status joinToVideo(
+    const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
 {
     const Result<FileChoice<VideoFormat>> choice = chooseFile(options.output, {}, named.name, kAllVideoFormats);
     if (!choice) {
@@ -60,14 +64,17 @@ Status joinToVideo(const JoinOptions& options, const NamedPreset& named, const F
     }
     warnOf(named.preset.effect, plan);
     ProgressBar bar("Joining");
-    if (Status status = withinMemory([&] { return joinVideo(named.preset.effect, videoOf(plan), source, bar.listener(), interruption()); }); !status) {
+    if (Status status = withinMemory(
+            [&] { return joinVideo(named.preset.effect, videoOf(plan), source, bar.listener(), interruption()); });
+        !status) {
         return status;
     }
     tellWritten(1, plan.output, plan.output);
     return Done{};
 }
 
-Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
+Status joinToFlipbook(
+    const JoinOptions& options, const NamedPreset& named, const FrameRange& frames, const FrameSource& source)
 {
     ExportPlan plan;
     plan.kind = ExportKind::Flipbook;
@@ -85,7 +92,8 @@ Status joinToFlipbook(const JoinOptions& options, const NamedPreset& named, cons
     warnOf(named.preset.effect, plan);
     ProgressBar bar("Joining");
     flipbook.preset = formatPreset(named.preset);
-    const Result<Flipbook> done = withinMemory([&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.listener(), interruption()); });
+    const Result<Flipbook> done = withinMemory(
+        [&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.listener(), interruption()); });
     if (!done) {
         return done.error();
     }
@@ -119,9 +127,11 @@ FrameSource withoutBackground(const FrameSource& frames)
         }
         if (isOpaque(image)) {
             return Error{ErrorCode::OutOfRange,
-                said("the frames have their background in them, of which the view transform would make another colour"),
+                makeMessage(
+                    "the frames have their background in them, of which the view transform would make another colour"),
                 {},
-                said("Render them with --set output.background=transparent: join puts the colour behind the smoke")};
+                makeMessage(
+                    "Render them with --set output.background=transparent: join puts the colour behind the smoke")};
         }
         return Done{};
     };
@@ -145,20 +155,32 @@ Status joinOne(const JoinOptions& options, const NamedPreset& named)
 void addJoin(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<JoinOptions>();
-    CLI::App* command = program.add_subcommand("join", "Join frames that have been rendered to EXR into a video or a flipbook");
+    CLI::App* command =
+        program.add_subcommand("join", "Join frames that have been rendered to EXR into a video or a flipbook");
     options->effect.addTo(*command);
-    command->add_option("-i,--input", options->input, "The frames, as --output of render named them: out/smoke_####.exr")->required()->type_name("FILE");
+    command
+        ->add_option("-i,--input", options->input, "The frames, as --output of render named them: out/smoke_####.exr")
+        ->required()
+        ->type_name("FILE");
     command->add_option("-f,--frames", options->frames, "Frames: 0-119 or 0-119:2")->required()->type_name("RANGE");
-    command->add_option("--grid", options->grid, "Make a flipbook with these columns and rows: 8 or 8x4. Default: a video")->type_name("GRID");
-    command->add_option("-o,--output", options->output, "File to write. In a folder, and by default, the preset's name")->type_name("FILE");
+    command
+        ->add_option("--grid", options->grid, "Make a flipbook with these columns and rows: 8 or 8x4. Default: a video")
+        ->type_name("GRID");
+    command->add_option("-o,--output", options->output, "File to write. In a folder, and by default, the preset's name")
+        ->type_name("FILE");
     options->playing.addTo(*command);
-    command->footer("The preset is the one that the frames were rendered of: it has their size and rate, the exposure, the view and the background.\n"
-                    "What comes out is what video and flipbook render, but for the rounding of half floats. Farms join frames this way when all of them are there.\n"
+    command->footer("The preset is the one that the frames were rendered of: it has their size and rate, the exposure, "
+                    "the view and the background.\n"
+                    "What comes out is what video and flipbook render, but for the rounding of half floats. Farms join "
+                    "frames this way when all of them are there.\n"
                     "Examples:\n"
                     "  fumage-cli join chimney --input out/smoke_####.exr --frames 0-119 --output smoke.mp4\n"
                     "  fumage-cli join chimney --input out/smoke_####.exr --frames 0-119 --grid 8 --output smoke.png");
     command->callback([options, &action] {
-        action = [options] { return options->effect.forEach(options->output, [&](const NamedPreset& named) { return joinOne(*options, named); }); };
+        action = [options] {
+            return options->effect.forEach(
+                options->output, [&](const NamedPreset& named) { return joinOne(*options, named); });
+        };
     });
 }
 

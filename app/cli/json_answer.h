@@ -3,7 +3,8 @@
 #include "app/cli/streams.h"
 
 #include "core/effect/parameter.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
+#include "core/preset/preset_keys.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +27,9 @@ public:
     [[nodiscard]] const nlohmann::ordered_json& of(const Parameter& parameter) const
     {
         const std::string_view group = parameter.group();
-        return m_file.at(std::string(group)).at(std::string(parameter.key.substr(group.size() + 1)));
+        const nlohmann::ordered_json& owner =
+            parameter.scope == Scope::Scene ? m_file.at(kScene) : m_file.at(kLayers).at(0);
+        return owner.at(std::string(group)).at(std::string(parameter.key.substr(group.size() + 1)));
     }
 
 private:

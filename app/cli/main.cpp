@@ -37,7 +37,8 @@ int answer(const CLI::App& program, const CLI::ParseError& error)
         const Status status = print(out.str());
         return status ? kSuccess : report(status.error());
     }
-    const bool isValue = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr || dynamic_cast<const CLI::ConversionError*>(&error) != nullptr;
+    const bool isValue = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr
+        || dynamic_cast<const CLI::ConversionError*>(&error) != nullptr;
     std::cerr << "fumage-cli: " << (isValue ? printable(error.what()) + '\n' : complaint.str());
     return isValue ? kBadInput : kUsage;
 }
@@ -45,8 +46,10 @@ int answer(const CLI::App& program, const CLI::ParseError& error)
 /// Whether the first word that is no option is a command.
 Status checkCommand(const CLI::App& program, const std::vector<std::string>& words)
 {
-    const auto word = std::find_if(words.begin(), words.end(), [](const std::string& text) { return !text.starts_with('-'); });
-    const bool isValue = word != words.begin() && word != words.end() && (*(word - 1) == "--threads" || *(word - 1) == "--simd" || *(word - 1) == "--progress");
+    const auto word =
+        std::find_if(words.begin(), words.end(), [](const std::string& text) { return !text.starts_with('-'); });
+    const bool isValue = word != words.begin() && word != words.end()
+        && (*(word - 1) == "--threads" || *(word - 1) == "--simd" || *(word - 1) == "--progress");
     if (word == words.end() || isValue) {
         return Done{};
     }
@@ -59,7 +62,9 @@ Status checkCommand(const CLI::App& program, const std::vector<std::string>& wor
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     const std::string_view near = nearestName(*word, candidates);
-    return Error{ErrorCode::UnknownName, said("there is no command %1", inQuotes(*word)), {}, near.empty() ? said("List them with: fumage-cli --help") : said("Did you mean %1?", inQuotes(near))};
+    return Error{ErrorCode::UnknownName, makeMessage("there is no command %1", inQuotes(*word)), {},
+        near.empty() ? makeMessage("List them with: fumage-cli --help")
+                     : makeMessage("Did you mean %1?", inQuotes(near))};
 }
 
 /// Options that come before or after any command.
@@ -71,10 +76,18 @@ struct CommonOptions {
 
     void addTo(CLI::App& program)
     {
-        constexpr int kMostThreads = 1024;
-        addWhole(program, "--threads", threads, 0, kMostThreads, "Use at most this many threads; 0 is as many as there are");
-        program.add_option("--simd", simd, "Force an instruction set (avx512, avx2, sse4, baseline): slower, the same bits")->type_name("NAME");
-        program.add_option("--progress", progress, "Say how far the work is: bar (on terminals, the default), or openjd, lines that Open Job Description reads on standard output")->check(CLI::IsMember({"bar", "openjd"}));
+        constexpr int kMaxThreads = 1024;
+        addWhole(
+            program, "--threads", threads, 0, kMaxThreads, "Use at most this many threads; 0 is as many as there are");
+        program
+            .add_option(
+                "--simd", simd, "Force an instruction set (avx512, avx2, sse4, baseline): slower, the same bits")
+            ->type_name("NAME");
+        program
+            .add_option("--progress", progress,
+                "Say how far the work is: bar (on terminals, the default), or openjd, lines that Open Job Description "
+                "reads on standard output")
+            ->check(CLI::IsMember({"bar", "openjd"}));
         program.add_flag("-q,--quiet", quiet, "Say nothing but what goes wrong");
         program.fallthrough();
     }
@@ -128,7 +141,8 @@ int run(int argc, char** argv)
 {
     (void)interruption(); // before any thread starts, so that all of them have the signals blocked
     const StandardStreams streams;
-    CLI::App program("Fumage makes smoke: it renders presets to pictures and bakes noise, without a display.", "fumage-cli");
+    CLI::App program(
+        "Fumage makes smoke: it renders presets to pictures and bakes noise, without a display.", "fumage-cli");
     program.allow_windows_style_options(false); // /tmp/smoke.png is a file
     program.set_version_flag("-V,--version", std::string("fumage-cli ") + FUMAGE_VERSION);
     program.footer("Start with:\n"
@@ -157,7 +171,8 @@ int run(int argc, char** argv)
     if (const Status status = common.simd.empty() ? Status(Done{}) : forceSimdTarget(common.simd); !status) {
         return report(status.error());
     }
-    const std::unique_ptr<ThreadLimit> limit = common.threads > 0 ? std::make_unique<ThreadLimit>(common.threads) : nullptr;
+    const std::unique_ptr<ThreadLimit> limit =
+        common.threads > 0 ? std::make_unique<ThreadLimit>(common.threads) : nullptr;
     const Status status = action();
     return status ? kSuccess : report(status.error());
 }

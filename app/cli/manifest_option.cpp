@@ -7,7 +7,10 @@ namespace fumage::cli {
 
 void ManifestOption::addTo(CLI::App& command)
 {
-    command.add_flag("--manifest", text, "Write a manifest beside the files, for 'fumage-cli verify': hashes of what they hold, and what they are made of. --manifest=FILE names it; frames have their range in its name")
+    command
+        .add_flag("--manifest", text,
+            "Write a manifest beside the files, for 'fumage-cli verify': hashes of what they hold, and what they are "
+            "made of. --manifest=FILE names it; frames have their range in its name")
         ->type_name("FILE");
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 /// @param parse gives the number of a text, if it is one that is allowed
 template <class Number, class Parse>
-CLI::Option* addParsed(CLI::App& command, const std::string& name, Number& value, const std::string& range, const std::string& help, const std::string& defaultText, const Parse& parse)
+CLI::Option* addParsed(CLI::App& command, const std::string& name, Number& value, const std::string& range,
+    const std::string& help, const std::string& defaultText, const Parse& parse)
 {
     const auto take = [&value, name, range, parse](const std::string& text) {
         const std::optional<Number> number = parse(text);
@@ -19,12 +20,15 @@ CLI::Option* addParsed(CLI::App& command, const std::string& name, Number& value
         }
         value = *number;
     };
-    return command.add_option_function<std::string>(name, take, help)->type_name("NUMBER")->default_str(parse(defaultText) ? defaultText : "");
+    return command.add_option_function<std::string>(name, take, help)
+        ->type_name("NUMBER")
+        ->default_str(parse(defaultText) ? defaultText : "");
 }
 
 } // namespace
 
-CLI::Option* addWhole(CLI::App& command, const std::string& name, int& value, int low, int high, const std::string& help)
+CLI::Option* addWhole(
+    CLI::App& command, const std::string& name, int& value, int low, int high, const std::string& help)
 {
     const std::string range = "from " + std::to_string(low) + " to " + std::to_string(high);
     return addParsed(command, name, value, range, help, std::to_string(value), [low, high](const std::string& text) {
@@ -33,7 +37,8 @@ CLI::Option* addWhole(CLI::App& command, const std::string& name, int& value, in
     });
 }
 
-CLI::Option* addNumber(CLI::App& command, const std::string& name, float& value, float low, float high, const std::string& help)
+CLI::Option* addNumber(
+    CLI::App& command, const std::string& name, float& value, float low, float high, const std::string& help)
 {
     const std::string range = "from " + formatFloat(low) + " to " + formatFloat(high);
     return addParsed(command, name, value, range, help, formatFloat(value), [low, high](const std::string& text) {

@@ -21,8 +21,10 @@ std::string table(const std::vector<SheetCandidate>& candidates, const SheetCand
     for (const SheetCandidate& each : candidates) {
         const std::string grid = std::to_string(each.columns) + "x" + std::to_string(each.rows);
         const std::string cell = std::to_string(each.width) + "x" + std::to_string(each.height);
-        text << (&each == &best ? "* " : "  ") << std::left << std::setw(8) << grid << std::right << std::setw(9) << cell << std::fixed << std::setprecision(2) << std::setw(10)
-             << static_cast<double>(each.bytes) / kKilo / kKilo << std::setprecision(1) << std::setw(10) << each.decibels << "\n";
+        text << (&each == &best ? "* " : "  ") << std::left << std::setw(8) << grid << std::right << std::setw(9)
+             << cell << std::fixed << std::setprecision(2) << std::setw(10)
+             << static_cast<double>(each.bytes) / kKilo / kKilo << std::setprecision(1) << std::setw(10)
+             << each.decibels << "\n";
     }
     return text.str();
 }
@@ -42,9 +44,10 @@ Result<std::int64_t> parseBudget(const std::string& text)
     } else {
         bytes = 0.0;
     }
-    constexpr double kMost = kKilo * kKilo * kKilo * kKilo;
-    if (!(bytes >= 1.0 && bytes <= kMost)) {
-        return Error{ErrorCode::OutOfRange, said("the budget %1 is not understood", inQuotes(text)), std::string("--optimise"), said("Write 4MB or 512KB")};
+    constexpr double kMax = kKilo * kKilo * kKilo * kKilo;
+    if (!(bytes >= 1.0 && bytes <= kMax)) {
+        return Error{ErrorCode::OutOfRange, makeMessage("the budget %1 is not understood", inQuotes(text)),
+            std::string("--optimise"), makeMessage("Write 4MB or 512KB")};
     }
     return static_cast<std::int64_t>(bytes);
 }

@@ -2,7 +2,7 @@
 
 #include "app/cli/picture_options.h"
 
-#include "core/export/sheet_choice.h"
+#include "core/export/sheets/sheet_optimizer.h"
 
 namespace fumage::cli {
 

@@ -28,7 +28,8 @@ std::string rangeText(const Parameter& parameter)
     if (parameter.kind == Kind::Seed) {
         return "0 to 4294967295";
     }
-    return formatFloat(static_cast<float>(parameter.hard.low)) + " to " + formatFloat(static_cast<float>(parameter.hard.high));
+    return formatFloat(static_cast<float>(parameter.hard.low)) + " to "
+        + formatFloat(static_cast<float>(parameter.hard.high));
 }
 
 Status plain()
@@ -36,7 +37,8 @@ Status plain()
     const Effect defaults;
     std::ostringstream out;
     for (const Parameter& parameter : parameterTable()) {
-        out << parameter.key << " = " << formatText(parameter, parameter.get(defaults), true) << "  (" << rangeText(parameter) << ")\n    " << parameter.tip << "\n";
+        out << parameter.key << " = " << formatText(parameter, parameter.get(defaults), true) << "  ("
+            << rangeText(parameter) << ")\n    " << parameter.tip << "\n";
     }
     return print(out.str());
 }
@@ -50,10 +52,13 @@ Status markdown()
     for (const Parameter& parameter : parameterTable()) {
         if (parameter.group() != group) {
             group = parameter.group();
-            out << "\n## " << groupLabel(group) << "\n\n| key | default | range | unit | what it does |\n|---|---|---|---|---|\n";
+            out << "\n## " << groupLabel(group)
+                << "\n\n| key | default | range | unit | what it does |\n|---|---|---|---|---|\n";
         }
-        out << "| <a id=\"" << parameter.key << "\"></a>`" << parameter.key << "` | " << formatText(parameter, parameter.get(defaults)) << " | " << rangeText(parameter) << " | "
-            << unitSymbol(parameter.unit) << " | " << parameter.tip << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*") << " |\n";
+        out << "| <a id=\"" << parameter.key << "\"></a>`" << parameter.key << "` | "
+            << formatText(parameter, parameter.get(defaults)) << " | " << rangeText(parameter) << " | "
+            << unitSymbol(parameter.unit) << " | " << parameter.tip
+            << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*") << " |\n";
     }
     return print(out.str());
 }
@@ -63,7 +68,8 @@ Status json()
     const JsonValues defaults(Preset{});
     auto all = nlohmann::ordered_json::array();
     for (const Parameter& parameter : parameterTable()) {
-        nlohmann::ordered_json& one = all.emplace_back(nlohmann::ordered_json{{"key", parameter.key}, {"label", parameter.label}, {"group", parameter.group()}});
+        nlohmann::ordered_json& one = all.emplace_back(
+            nlohmann::ordered_json{{"key", parameter.key}, {"label", parameter.label}, {"group", parameter.group()}});
         one["default"] = defaults.of(parameter);
         if (parameter.kind == Kind::Choice) {
             one["choices"] = std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end());
@@ -96,7 +102,8 @@ Status run(const ParameterOptions& options)
 void addParameters(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<ParameterOptions>();
-    CLI::App* command = program.add_subcommand("parameters", "List all parameters with defaults, ranges and what they do");
+    CLI::App* command =
+        program.add_subcommand("parameters", "List all parameters with defaults, ranges and what they do");
     CLI::Option* asMarkdown = command->add_flag("--markdown", options->markdown, "As tables for documentation");
     addJson(*command, options->json);
     command->get_option("--json")->excludes(asMarkdown);

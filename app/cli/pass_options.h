@@ -20,8 +20,8 @@ struct PassOptions {
     void addTo(CLI::App& command);
     /// Adds what only flipbooks have: pictures that are packed.
     void addPackTo(CLI::App& command);
-    /// Those of frames, whose passes are layers.
-    void addLayersTo(CLI::App& command);
+    /// Those of frames, whose passes are targets.
+    void addTargetsTo(CLI::App& command);
     /// Whether somebody has said what is to play it.
     [[nodiscard]] bool isForAnEngine() const { return engine != nameOf(Engine::Generic); }
     /// @error UnknownName where a pass is not known

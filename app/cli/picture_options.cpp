@@ -21,7 +21,8 @@ void tellDone(const ExportPlan& plan, const std::optional<Flipbook>& flipbook, i
     const Written written = writtenBy(plan, flipbook);
     const int kept = plan.recording.skipExisting ? written.count - rendered : 0;
     if (kept > 0) {
-        tell(std::to_string(kept) + " of " + std::to_string(written.count) + " files were there already, " + written.first.string() + " to " + written.last.string());
+        report(std::to_string(kept) + " of " + std::to_string(written.count) + " files were there already, "
+            + written.first.string() + " to " + written.last.string());
     } else {
         tellWritten(written.count, written.first, written.last);
     }
@@ -33,7 +34,8 @@ bool parseTwo(const std::string& text, int most, int& first, int& second)
 {
     const std::size_t cross = text.find('x');
     const std::optional<std::int64_t> before = parseInteger(text.substr(0, cross));
-    const std::optional<std::int64_t> after = cross == std::string::npos ? before : parseInteger(text.substr(cross + 1));
+    const std::optional<std::int64_t> after =
+        cross == std::string::npos ? before : parseInteger(text.substr(cross + 1));
     if (!before || !after || *before < 1 || *after < 1 || *before > most || *after > most) {
         return false;
     }
@@ -45,7 +47,8 @@ bool parseTwo(const std::string& text, int most, int& first, int& second)
 Status parseGrid(const std::string& text, int& columns, int& rows)
 {
     if (!parseTwo(text, kMaxSheetCells, columns, rows)) {
-        return Error{ErrorCode::OutOfRange, said("the grid %1 is not understood", inQuotes(text)), std::string("--grid"), said("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
+        return Error{ErrorCode::OutOfRange, makeMessage("the grid %1 is not understood", inQuotes(text)),
+            std::string("--grid"), makeMessage("Write 8 or 8x4: columns and rows from 1 to %1", kMaxSheetCells)};
     }
     return Done{};
 }
@@ -68,21 +71,29 @@ void PictureOptions::addTo(
     command.add_option("-f,--frame,--frames", frames, framesHelp)->type_name("RANGE");
     command.add_option("--size", size, sizeHelp)->type_name("SIZE");
     command.add_option_function<std::string>(
-        "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); }, "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
-    addWhole(command, "--supersample", supersample, 1, kMaxSupersample, "Render this many times larger and average. Default: the preset's");
+        "--quality", [this](const std::string& name) { effect.assignments.push_back("output.quality=" + name); },
+        "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
+    addWhole(command, "--supersample", supersample, 1, kMaxSupersample,
+        "Render this many times larger and average. Default: the preset's");
     command.add_flag(
         "--fit", fit, "Move the camera so that all smoke of the frames asked for is in the picture, and fills it");
 }
 
 void PictureOptions::addFormat(CLI::App& command)
 {
-    command.add_flag("!--no-preset", carriesPreset, "Leave the preset out of the pictures, which else open as it; TGA never has it");
-    command.add_option("--format", format, "png (8 bit), png16, exr (half), exr32 (float), tga (8 bit). Default: by the ending of the file")->check(CLI::IsMember({"png", "png16", "exr", "exr32", "tga"}));
+    command.add_flag(
+        "!--no-preset", carriesPreset, "Leave the preset out of the pictures, which else open as it; TGA never has it");
+    command
+        .add_option("--format", format,
+            "png (8 bit), png16, exr (half), exr32 (float), tga (8 bit). Default: by the ending of the file")
+        ->check(CLI::IsMember({"png", "png16", "exr", "exr32", "tga"}));
 }
 
 void PictureOptions::addSkipping(CLI::App& command)
 {
-    command.add_flag("--skip-existing", skipExisting, "Leave frames alone whose file is there as a whole, in this size, and made of this preset as far as it says so");
+    command.add_flag("--skip-existing", skipExisting,
+        "Leave frames alone whose file is there as a whole, in this size, and made of this preset as far as it says "
+        "so");
 }
 
 Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named, ExportKind kind) const
@@ -106,7 +117,8 @@ Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named, Ex
     job.effect = named.preset.effect;
     job.plan.source = named.file;
     if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
-        return Error{ErrorCode::OutOfRange, said("the size %1 is not understood", inQuotes(size)), std::string("--size"), said("Write 512 or 640x360, with edges from 1 to %1", kMaxOutputEdge)};
+        return Error{ErrorCode::OutOfRange, makeMessage("the size %1 is not understood", inQuotes(size)),
+            std::string("--size"), makeMessage("Write 512 or 640x360, with edges from 1 to %1", kMaxOutputEdge)};
     }
     if (supersample > 0) {
         job.effect.output.supersample = supersample;
@@ -132,7 +144,8 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
         return Done{};
     }
     const std::string_view wanted = fileEnding(plan.format);
-    const std::span<const std::string_view> endings = formatName.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1);
+    const std::span<const std::string_view> endings =
+        formatName.empty() ? std::span<const std::string_view>(kEndings) : std::span(&wanted, 1);
     const Result<std::filesystem::path> path = outputPath(output, {endings, name});
     if (!path) {
         return path.error();
@@ -155,24 +168,29 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
 {
     if (job.plan.output == kStandardStream) {
         if (talksToOpenJd()) {
-            return Error{ErrorCode::OutOfRange, said("standard output cannot have both the picture and what --progress says"), {}, said("Name a file")};
+            return Error{ErrorCode::OutOfRange,
+                makeMessage("standard output cannot have both the picture and what --progress says"), {},
+                makeMessage("Name a file")};
         }
-        const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, interruption(), ProgressBar("Rendering").listener());
+        const Result<std::vector<std::byte>> bytes =
+            exportBytes(job.effect, job.plan, interruption(), ProgressBar("Rendering").listener());
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
     warnOf(job.effect, job.plan);
-    return exportWithBar(job.plan, [&](const Progress& progress) { return runExport(job.effect, job.plan, progress, interruption()); });
+    return exportWithBar(
+        job.plan, [&](const Progress& progress) { return runExport(job.effect, job.plan, progress, interruption()); });
 }
 
-Result<std::optional<Flipbook>> exportWithBar(const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run)
+Result<std::optional<Flipbook>> exportWithBar(
+    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run)
 {
     int rendered = 0;
     Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
     {
         ProgressBar bar("Rendering");
-        done = run([&rendered, show = bar.listener()](Work work, int now, int total) {
-            rendered = work == Work::Frames ? total : rendered;
+        done = run([&rendered, show = bar.listener()](ProgressPhase work, int now, int total) {
+            rendered = work == ProgressPhase::Frames ? total : rendered;
             show(work, now, total);
         });
     }

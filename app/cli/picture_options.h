@@ -57,7 +57,8 @@ struct PictureOptions {
 /// @param output     as the user named it
 /// @param formatName png, png16, exr, exr32, tga; empty: by the ending of the output
 /// @param name       what the file is called where only a folder is named
-[[nodiscard]] Status chooseOutput(const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan);
+[[nodiscard]] Status chooseOutput(
+    const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan);
 
 /// Says what an export does otherwise than one may expect of it; see remarksOn().
 void warnOf(const Effect& effect, const ExportPlan& plan);
@@ -67,7 +68,8 @@ void warnOf(const Effect& effect, const ExportPlan& plan);
 [[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
 /// Runs an export of a plan with a bar of progress, and says what was written and what was there already.
-[[nodiscard]] Result<std::optional<Flipbook>> exportWithBar(const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run);
+[[nodiscard]] Result<std::optional<Flipbook>> exportWithBar(
+    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run);
 
 /// The files that an export has written.
 struct Written {

@@ -6,8 +6,14 @@ namespace fumage::cli {
 
 void PlayingOptions::addTo(CLI::App& command)
 {
-    command.add_option("--rate", rate, "Frames a second at which a video plays, such as 23.976 or 30000/1001; the frames stay the same. Default: the timeline's")->type_name("RATE");
-    command.add_option("--repeat", repeat, "How often a gif or apng plays: once, forever, or auto: for ever where its frames close a loop")
+    command
+        .add_option("--rate", rate,
+            "Frames a second at which a video plays, such as 23.976 or 30000/1001; the frames stay the same. Default: "
+            "the timeline's")
+        ->type_name("RATE");
+    command
+        .add_option("--repeat", repeat,
+            "How often a gif or apng plays: once, forever, or auto: for ever where its frames close a loop")
         ->check(CLI::IsMember({"auto", "once", "forever"}))
         ->capture_default_str();
 }

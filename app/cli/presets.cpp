@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/export/output_name.h"
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -24,7 +25,8 @@ void list(const std::vector<LibraryEntry>& entries, std::ostream& out)
     }
     for (const LibraryEntry& entry : entries) {
         const Result<PresetReading> reading = loadPreset(entry);
-        out << "  " << std::left << std::setw(static_cast<int>(width) + 2) << printable(entry.id) << printable(reading ? reading.value().preset.description : reading.error().text()) << "\n";
+        out << "  " << std::left << std::setw(static_cast<int>(width) + 2) << printable(entry.id)
+            << printable(reading ? reading.value().preset.description : reading.error().text()) << "\n";
     }
 }
 
@@ -35,7 +37,8 @@ Status presets()
     list(builtinPresets(), out);
     const std::vector<LibraryEntry> user = presetsIn(userPresetFolder());
     if (userPresetFolder().empty()) {
-        out << "Yours: there is no place for them, since the environment names none (XDG_DATA_HOME or HOME; on Windows APPDATA).\n";
+        out << "Yours: there is no place for them, since the environment names none (XDG_DATA_HOME or HOME; on Windows "
+               "APPDATA).\n";
         return print(out.str());
     }
     out << "Yours, in " << printable(userPresetFolder().string()) << ":\n";
@@ -50,10 +53,12 @@ void listInto(nlohmann::ordered_json& all, const std::vector<LibraryEntry>& entr
 {
     for (const LibraryEntry& entry : entries) {
         const Result<PresetReading> reading = loadPreset(entry);
-        nlohmann::ordered_json& one = all.emplace_back(nlohmann::ordered_json{{"id", entry.id}, {"file", entry.path.string()}, {"builtin", entry.path.empty()}});
+        nlohmann::ordered_json& one = all.emplace_back(
+            nlohmann::ordered_json{{"id", entry.id}, {"file", entry.path.string()}, {"builtin", entry.path.empty()}});
         if (reading) {
             const Preset& preset = reading.value().preset;
-            one.update({{"name", preset.name}, {"description", preset.description}, {"loop", preset.effect.timeline.loop}});
+            one.update(
+                {{"name", preset.name}, {"description", preset.description}, {"loop", preset.effect.timeline.loop}});
         } else {
             one["error"] = reading.error().text();
         }
@@ -101,7 +106,9 @@ void addPresets(CLI::App& program, Action& action)
     auto options = std::make_shared<PresetOptions>();
     CLI::App* command = program.add_subcommand("presets", "List the presets, or print one as JSON");
     command->add_option("--show", options->show, "Print this preset as canonical JSON")->type_name("PRESET");
-    command->add_option("-o,--output", options->output, "File for --show; - is standard output")->type_name("FILE")->capture_default_str();
+    command->add_option("-o,--output", options->output, "File for --show; - is standard output")
+        ->type_name("FILE")
+        ->capture_default_str();
     addJson(*command, options->json);
     command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -11,13 +11,13 @@ namespace fumage::cli {
 
 namespace {
 
-std::string nameOf(Work work, const std::string& frames)
+std::string nameOf(ProgressPhase work, const std::string& frames)
 {
     switch (work) {
-    case Work::Air: return "Baking the air";
-    case Work::PreRoll: return "Simulating steps before";
-    case Work::Fitting: return "Looking";
-    case Work::Frames: return frames;
+    case ProgressPhase::Air: return "Baking the air";
+    case ProgressPhase::PreRoll: return "Simulating steps before";
+    case ProgressPhase::Fitting: return "Looking";
+    case ProgressPhase::Frames: return frames;
     }
     return frames;
 }
@@ -39,10 +39,10 @@ ProgressBar::~ProgressBar()
 
 Progress ProgressBar::listener()
 {
-    return [this](Work work, int done, int total) { show(work, done, total); };
+    return [this](ProgressPhase work, int done, int total) { show(work, done, total); };
 }
 
-void ProgressBar::showToOpenJd(Work work, int done, int total)
+void ProgressBar::showToOpenJd(ProgressPhase work, int done, int total)
 {
     constexpr int kWhole = 100;
     const int percent = static_cast<int>(static_cast<std::int64_t>(kWhole) * done / std::max(1, total));
@@ -50,20 +50,20 @@ void ProgressBar::showToOpenJd(Work work, int done, int total)
         tellOpenJd("status", nameOf(work, m_what));
     }
     // The way to the frames is none of them: a number that fell back would be none that people trust.
-    if (work == Work::Frames && percent != m_percent) {
+    if (work == ProgressPhase::Frames && percent != m_percent) {
         tellOpenJd("progress", std::to_string(percent));
         m_percent = percent;
     }
 }
 
-void ProgressBar::show(Work work, int done, int total)
+void ProgressBar::show(ProgressPhase work, int done, int total)
 {
     if (talksToOpenJd()) {
         showToOpenJd(work, done, total);
         m_work = work;
         return;
     }
-    const bool between = m_work == Work::Frames && work != Work::Frames;
+    const bool between = m_work == ProgressPhase::Frames && work != ProgressPhase::Frames;
     if (!m_terminal || between) {
         return;
     }
@@ -77,7 +77,8 @@ void ProgressBar::show(Work work, int done, int total)
     const double left = seconds / done * (total - done);
     const std::string bar = std::string(static_cast<std::size_t>(kWidth * done / total), '#');
     // \033[K clears what a longer line left behind.
-    std::fprintf(stderr, "\r%s [%-*s] %d/%d  %.1f/s  %.0f s left\033[K", nameOf(work, m_what).c_str(), kWidth, bar.c_str(), done, total, done / seconds, left);
+    std::fprintf(stderr, "\r%s [%-*s] %d/%d  %.1f/s  %.0f s left\033[K", nameOf(work, m_what).c_str(), kWidth,
+        bar.c_str(), done, total, done / seconds, left);
     std::fflush(stderr);
     m_shown = true;
 }

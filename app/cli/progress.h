@@ -8,7 +8,8 @@
 
 namespace fumage::cli {
 
-/// A bar with the time left on standard error; nothing where that is not a terminal. Open Job Description hears of it in lines of its own.
+/// A bar with the time left on standard error; nothing where that is not a terminal. Open Job Description hears of it
+/// in lines of its own.
 class ProgressBar {
 public:
     /// @param what is being done to the frames: "Rendering"
@@ -21,13 +22,13 @@ public:
     [[nodiscard]] Progress listener();
 
 private:
-    void show(Work work, int done, int total);
-    void showToOpenJd(Work work, int done, int total);
+    void show(ProgressPhase work, int done, int total);
+    void showToOpenJd(ProgressPhase work, int done, int total);
 
     std::string m_what;
     bool m_terminal;
     bool m_shown = false;
-    std::optional<Work> m_work;
+    std::optional<ProgressPhase> m_work;
     int m_percent = -1; ///< that Open Job Description was told last
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };

@@ -19,8 +19,13 @@ struct RenderArguments {
 /// Adds --jobs, which says all that the other options say.
 void addJobsTo(CLI::App& command, RenderArguments& arguments)
 {
-    const std::vector<CLI::Option*> others = command.get_options([&](const CLI::Option* option) { return option != command.get_help_ptr(); });
-    CLI::Option* jobs = command.add_option("--jobs", arguments.jobs, "Do a list of exports, such as the editor's queue saves: one after the other, also after one that fails; - is standard input")->type_name("FILE");
+    const std::vector<CLI::Option*> others =
+        command.get_options([&](const CLI::Option* option) { return option != command.get_help_ptr(); });
+    CLI::Option* jobs = command
+                            .add_option("--jobs", arguments.jobs,
+                                "Do a list of exports, such as the editor's queue saves: one after the other, also "
+                                "after one that fails; - is standard input")
+                            ->type_name("FILE");
     for (CLI::Option* other : others) {
         jobs->excludes(other);
     }
@@ -42,14 +47,14 @@ Status makeSheetAgain(const RenderArguments& arguments, const FlipbookOptions& s
     if (!arguments.picture.size.empty()) { // it is that of the picture, as everywhere in this command
         if (output.width % sheet.columns != 0 || output.height % sheet.rows != 0) {
             return Error{ErrorCode::OutOfRange,
-                said("a sheet of %1 x %2 cells cannot have %3 x %4 pixels", sheet.columns, sheet.rows, output.width,
-                    output.height),
-                std::string("--size"), said("Choose multiples of %1 and %2", sheet.columns, sheet.rows)};
+                makeMessage("a sheet of %1 x %2 cells cannot have %3 x %4 pixels", sheet.columns, sheet.rows,
+                    output.width, output.height),
+                std::string("--size"), makeMessage("Choose multiples of %1 and %2", sheet.columns, sheet.rows)};
         }
         output.width /= sheet.columns;
         output.height /= sheet.rows;
     }
-    tell("the preset comes from a sheet of " + std::to_string(sheet.columns) + " x " + std::to_string(sheet.rows)
+    report("the preset comes from a sheet of " + std::to_string(sheet.columns) + " x " + std::to_string(sheet.rows)
         + " cells, which is made again; --frames renders frames");
     return Done{};
 }
@@ -96,16 +101,19 @@ void addRender(CLI::App& program, Action& action)
     arguments->picture.addFormat(*command);
     arguments->picture.manifest.addTo(*command);
     arguments->picture.addSkipping(*command);
-    arguments->passes.addLayersTo(*command);
+    arguments->passes.addTargetsTo(*command);
     addJobsTo(*command, *arguments);
-    command->footer("PNG is sRGB with straight alpha, after exposure and view transform; EXR is linear with premultiplied alpha, before them: a filmic look is in the PNG only.\n"
-                    "--passes makes layers of one EXR: sixway_a.R, motion.X (pixels from one picture to the next, right; Y up), depth.Z (m), normal.X and so on.\n"
-                    "Examples:\n"
-                    "  fumage-cli render chimney --frames 40 --output chimney.png\n"
-                    "  fumage-cli render my.json --frames 0-63 --size 1024 --set look.opacity=8 --output out/smoke_####.exr\n"
-                    "  fumage-cli render chimney.png --size 2048 --output large.png\n"
-                    "  fumage-cli render explosion --passes all --output out/boom_####.exr\n"
-                    "  fumage-cli render --jobs tonight.json");
+    command->footer(
+        "PNG is sRGB with straight alpha, after exposure and view transform; EXR is linear with premultiplied alpha, "
+        "before them: a filmic look is in the PNG only.\n"
+        "--passes makes layers of one EXR: sixway_a.R, motion.X (pixels from one picture to the next, right; Y up), "
+        "depth.Z (m), normal.X and so on.\n"
+        "Examples:\n"
+        "  fumage-cli render chimney --frames 40 --output chimney.png\n"
+        "  fumage-cli render my.json --frames 0-63 --size 1024 --set look.opacity=8 --output out/smoke_####.exr\n"
+        "  fumage-cli render chimney.png --size 2048 --output large.png\n"
+        "  fumage-cli render explosion --passes all --output out/boom_####.exr\n"
+        "  fumage-cli render --jobs tonight.json");
     command->callback([arguments, &action] {
         if (arguments->jobs.empty() && arguments->picture.effect.presets.empty()) {
             throw CLI::RequiredError("PRESET or --jobs"); // as the library says it, which reads the command line

@@ -18,7 +18,7 @@ std::atomic<bool> hearsOpenJd = false; // set before any work begins
 
 Error interrupted()
 {
-    return {ErrorCode::Cancelled, said("interrupted"), {}, {}};
+    return {ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
 }
 
 /// Whoever reads standard output.
@@ -38,7 +38,8 @@ Status writeAll(std::string_view text, Reader reader)
             return Done{};
         }
         if (!part.failure.empty()) {
-            return Error{ErrorCode::WriteFailed, said("standard output cannot be written: %1", part.failure), {}, {}};
+            return Error{
+                ErrorCode::WriteFailed, makeMessage("standard output cannot be written: %1", part.failure), {}, {}};
         }
         text.remove_prefix(part.count);
     }
@@ -74,14 +75,15 @@ void warn(const std::string& text)
     std::clog << "fumage-cli: warning: " << printable(text) << std::endl;
 }
 
-void tell(const std::string& text)
+void report(const std::string& text)
 {
     std::clog << "fumage-cli: " << printable(text) << std::endl;
 }
 
 void tellWritten(int count, const std::filesystem::path& first, const std::filesystem::path& last)
 {
-    tell(count == 1 ? "wrote " + first.string() : "wrote " + std::to_string(count) + " files, " + first.string() + " to " + last.string());
+    report(count == 1 ? "wrote " + first.string()
+                      : "wrote " + std::to_string(count) + " files, " + first.string() + " to " + last.string());
 }
 
 void tellWritten(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending)
@@ -100,14 +102,15 @@ Result<std::string> readStandardInput(std::size_t mostBytes)
             return interrupted();
         }
         if (!part.failure.empty()) {
-            return Error{ErrorCode::ReadFailed, said("standard input cannot be read: %1", part.failure), {}, {}};
+            return Error{ErrorCode::ReadFailed, makeMessage("standard input cannot be read: %1", part.failure), {}, {}};
         }
         if (part.count == 0) {
             return text;
         }
         text.append(buffer.data(), part.count);
     }
-    return Error{ErrorCode::TooLarge, said("standard input has more than the %1 bytes that are read", mostBytes), {}, {}};
+    return Error{
+        ErrorCode::TooLarge, makeMessage("standard input has more than the %1 bytes that are read", mostBytes), {}, {}};
 }
 
 Status print(std::string_view text)

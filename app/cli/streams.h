@@ -14,10 +14,11 @@ namespace fumage::cli {
 /// The name that stands for standard input and standard output.
 inline constexpr std::string_view kStandardStream = "-";
 
-/// From now on warn() and tell() say nothing.
+/// From now on warn() and report() say nothing.
 void beQuiet();
 
-/// From now on progress and failures are said on standard output too, as Open Job Description hears them: "openjd_progress: 50".
+/// From now on progress and failures are said on standard output too, as Open Job Description hears them:
+/// "openjd_progress: 50".
 void talkToOpenJd();
 [[nodiscard]] bool talksToOpenJd();
 /// Says a line of Open Job Description, where somebody hears it.
@@ -28,7 +29,7 @@ void tellOpenJd(std::string_view what, const std::string& text);
 void warn(const std::string& text);
 
 /// Says what was done, on standard error.
-void tell(const std::string& text);
+void report(const std::string& text);
 
 /// Says which files were written.
 void tellWritten(int count, const std::filesystem::path& first, const std::filesystem::path& last);
@@ -39,8 +40,8 @@ void tellWritten(const std::filesystem::path& output, const FrameRange& frames, 
 /// @error TooLarge, ReadFailed, Cancelled
 [[nodiscard]] Result<std::string> readStandardInput(std::size_t mostBytes);
 
-/// Writes to standard output; ends early when the user interrupts, even where nobody reads. Text may be left by its reader in the middle, as `head` does:
-/// that is no failure. Bytes may not.
+/// Writes to standard output; ends early when the user interrupts, even where nobody reads. Text may be left by its
+/// reader in the middle, as `head` does: that is no failure. Bytes may not.
 /// @error WriteFailed, Cancelled
 [[nodiscard]] Status print(std::string_view text);
 [[nodiscard]] Status print(std::span<const std::byte> bytes);

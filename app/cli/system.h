@@ -9,8 +9,8 @@ namespace fumage::cli {
 
 // What systems do in different ways: arguments, terminals, standard streams.
 
-/// Has the standard streams carry bytes as they are, and terminals show UTF-8, as long as it lives; and has writes that are larger than may be written
-/// fail instead of ending the program.
+/// Has the standard streams carry bytes as they are, and terminals show UTF-8, as long as it lives; and has writes that
+/// are larger than may be written fail instead of ending the program.
 class StandardStreams {
 public:
     StandardStreams();

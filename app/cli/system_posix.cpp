@@ -92,7 +92,8 @@ Transferred readSome(std::span<char> room)
 Transferred writeSome(std::span<const char> bytes)
 {
     // A pipe that can be written takes this much without making us wait for its reader.
-    return whenReady(STDOUT_FILENO, POLLOUT, [&] { return writeWithoutSignal(bytes.first(std::min<std::size_t>(bytes.size(), PIPE_BUF))); });
+    return whenReady(STDOUT_FILENO, POLLOUT,
+        [&] { return writeWithoutSignal(bytes.first(std::min<std::size_t>(bytes.size(), PIPE_BUF))); });
 }
 
 } // namespace fumage::cli

@@ -22,7 +22,7 @@ namespace fumage::cli {
 
 namespace {
 
-constexpr std::size_t kMostAtOnce = std::size_t{1} << 16U;
+constexpr std::size_t kMaxAtOnce = std::size_t{1} << 16U;
 
 /// What may wait for ever, and what came of it.
 struct Transfer {
@@ -39,13 +39,15 @@ unsigned __stdcall transferOnThread(void* share)
 }
 
 /// Does what may wait for ever on a thread of its own, which ends with the program where the user interrupts first.
-/// It is Windows's own thread, and what is waited for is its end: an event that a detached std::thread of mingw set was seen to get lost.
+/// It is Windows's own thread, and what is waited for is its end: an event that a detached std::thread of mingw set was
+/// seen to get lost.
 Transferred unlessInterrupted(std::function<Transferred()> act)
 {
     constexpr DWORD kLookMs = 100; // how long an interruption may go unseen
     const auto transfer = std::make_shared<Transfer>(Transfer{std::move(act), {}});
     auto share = std::make_unique<std::shared_ptr<Transfer>>(transfer);
-    const Descriptor thread(reinterpret_cast<HANDLE>(_beginthreadex(nullptr, 0, &transferOnThread, share.get(), 0, nullptr)));
+    const Descriptor thread(
+        reinterpret_cast<HANDLE>(_beginthreadex(nullptr, 0, &transferOnThread, share.get(), 0, nullptr)));
     if (thread.get() == nullptr) {
         return transfer->act(); // and waits as long as it takes
     }
@@ -101,13 +103,16 @@ bool isErrorOnTerminal()
 
 Transferred readSome(std::span<char> room)
 {
-    const auto buffer = std::make_shared<std::vector<char>>(std::min(room.size(), kMostAtOnce));
+    const auto buffer = std::make_shared<std::vector<char>>(std::min(room.size(), kMaxAtOnce));
     const Transferred result = unlessInterrupted([buffer]() -> Transferred {
         DWORD count = 0;
-        const bool isRead = ::ReadFile(::GetStdHandle(STD_INPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
+        const bool isRead = ::ReadFile(::GetStdHandle(STD_INPUT_HANDLE), buffer->data(),
+                                static_cast<DWORD>(buffer->size()), &count, nullptr)
+            != 0;
         const DWORD failure = isRead ? ERROR_SUCCESS : ::GetLastError();
         const bool isEnd = failure == ERROR_BROKEN_PIPE || failure == ERROR_HANDLE_EOF; // whoever wrote has ended
-        return {count, failure == ERROR_OPERATION_ABORTED, false, isRead || isEnd ? std::string() : systemText(failure)};
+        return {
+            count, failure == ERROR_OPERATION_ABORTED, false, isRead || isEnd ? std::string() : systemText(failure)};
     });
     std::copy_n(buffer->data(), result.count, room.data());
     return result;
@@ -115,12 +120,16 @@ Transferred readSome(std::span<char> room)
 
 Transferred writeSome(std::span<const char> bytes)
 {
-    const auto buffer = std::make_shared<std::vector<char>>(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMostAtOnce)));
+    const auto buffer = std::make_shared<std::vector<char>>(
+        bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kMaxAtOnce)));
     return unlessInterrupted([buffer]() -> Transferred {
         DWORD count = 0;
-        const bool isWritten = ::WriteFile(::GetStdHandle(STD_OUTPUT_HANDLE), buffer->data(), static_cast<DWORD>(buffer->size()), &count, nullptr) != 0;
+        const bool isWritten = ::WriteFile(::GetStdHandle(STD_OUTPUT_HANDLE), buffer->data(),
+                                   static_cast<DWORD>(buffer->size()), &count, nullptr)
+            != 0;
         const DWORD failure = isWritten ? ERROR_SUCCESS : ::GetLastError();
-        return {count, false, failure == ERROR_BROKEN_PIPE || failure == ERROR_NO_DATA, isWritten ? std::string() : systemText(failure)};
+        return {count, false, failure == ERROR_BROKEN_PIPE || failure == ERROR_NO_DATA,
+            isWritten ? std::string() : systemText(failure)};
     });
 }
 

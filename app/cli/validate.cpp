@@ -22,14 +22,15 @@ Status validate(const ValidateOptions& options)
         const Result<PresetReading> reading = readPreset(name);
         if (!reading) {
             std::cerr << "fumage-cli: " << printable(reading.error().text()) << '\n';
-            result = Error{reading.error().code, said("not every preset is valid"), {}, {}};
+            result = Error{reading.error().code, makeMessage("not every preset is valid"), {}, {}};
             continue;
         }
         for (const Message& warning : reading.value().warnings) {
             warn(warning.text());
         }
         if (options.strict && !reading.value().warnings.empty()) {
-            result = Error{ErrorCode::OutOfRange, said("there were warnings"), {}, said("Leave out --strict to accept them")};
+            result = Error{ErrorCode::OutOfRange, makeMessage("there were warnings"), {},
+                makeMessage("Leave out --strict to accept them")};
         } else if (Status status = print(printable(name) + ": valid\n"); !status) {
             return status;
         }

@@ -56,7 +56,8 @@ void warnOfVersions(const ManifestSet& set)
 {
     for (const FoundManifest& found : set.manifests) {
         if (found.manifest.job.program != FUMAGE_VERSION) {
-            warn(found.path.string() + ": written by Fumage " + found.manifest.job.program + ", this is " + FUMAGE_VERSION);
+            warn(found.path.string() + ": written by Fumage " + found.manifest.job.program + ", this is "
+                + FUMAGE_VERSION);
             return;
         }
     }
@@ -72,7 +73,8 @@ Result<Finding> find(const VerifyOptions& options, const ManifestSet& set)
     const bool renders = again.value().has_value();
     ProgressBar bar(renders ? "Rendering" : "Checking");
     Result<Checked> checked = withinMemory([&] {
-        return renders ? renderAgain(set, *again.value(), bar.listener(), interruption()) : checkFiles(set, wanted.value(), bar.listener(), interruption());
+        return renders ? renderAgain(set, *again.value(), bar.listener(), interruption())
+                       : checkFiles(set, wanted.value(), bar.listener(), interruption());
     });
     return checked ? Result<Finding>(Finding{std::move(checked).value(), renders}) : checked.error();
 }
@@ -97,7 +99,8 @@ Status answerInText(const Finding& finding, const ManifestSet& set)
         }
     }
     const int same = finding.count(FileState::Same);
-    out << same << " of " << finding.files.size() << (finding.rendered ? " files come out the same on this machine\n" : " files are as the manifest says\n");
+    out << same << " of " << finding.files.size()
+        << (finding.rendered ? " files come out the same on this machine\n" : " files are as the manifest says\n");
     return print(out.str());
 }
 
@@ -113,7 +116,8 @@ Status answerInJson(const Finding& finding, const ManifestSet& set)
         auto files = nlohmann::ordered_json::array();
         for (const CheckedFile& file : finding.files) {
             if (file.state == state) {
-                files.push_back(file.file.empty() ? nlohmann::ordered_json(file.frame.value_or(0)) : nlohmann::ordered_json(file.file));
+                files.push_back(file.file.empty() ? nlohmann::ordered_json(file.frame.value_or(0))
+                                                  : nlohmann::ordered_json(file.file));
             }
         }
         answer[std::string(nameOf(state))] = files;
@@ -141,8 +145,13 @@ Status verify(const VerifyOptions& options)
     if (!told || (finding.value().isClean() && set.value().broken.empty())) {
         return told;
     }
-    const Message remedy = finding.value().rendered ? Message() : said("Render them again; with --skip-existing what is there stays");
-    return Error{ErrorCode::Mismatch, finding.value().rendered ? said("this machine does not make the same pictures") : said("the files are not what the manifest says"), options.target, remedy};
+    const Message remedy = finding.value().rendered
+        ? Message()
+        : makeMessage("Render them again; with --skip-existing what is there stays");
+    return Error{ErrorCode::Mismatch,
+        finding.value().rendered ? makeMessage("this machine does not make the same pictures")
+                                 : makeMessage("the files are not what the manifest says"),
+        options.target, remedy};
 }
 
 } // namespace
@@ -150,14 +159,24 @@ Status verify(const VerifyOptions& options)
 void addVerify(CLI::App& program, Action& action)
 {
     auto options = std::make_shared<VerifyOptions>();
-    CLI::App* command = program.add_subcommand("verify", "Hold pictures against the manifest that was written with them");
-    command->add_option("target", options->target, "A folder with manifests, or one manifest")->required()->type_name("FOLDER");
-    CLI::Option* frames = command->add_option("-f,--frames", options->frames, "Frames that must be there: 0-119. Default: those that the manifests name")->type_name("RANGE");
-    command->add_option("--render", options->rendered, "Render these frames again, and flipbooks that show one of them, and say whether this machine makes the same bits; files are not looked at")
+    CLI::App* command =
+        program.add_subcommand("verify", "Hold pictures against the manifest that was written with them");
+    command->add_option("target", options->target, "A folder with manifests, or one manifest")
+        ->required()
+        ->type_name("FOLDER");
+    CLI::Option* frames = command
+                              ->add_option("-f,--frames", options->frames,
+                                  "Frames that must be there: 0-119. Default: those that the manifests name")
+                              ->type_name("RANGE");
+    command
+        ->add_option("--render", options->rendered,
+            "Render these frames again, and flipbooks that show one of them, and say whether this machine makes the "
+            "same bits; files are not looked at")
         ->type_name("RANGE")
         ->excludes(frames);
     addJson(*command, options->asJson);
-    command->footer("Files that are missing, different, broken, or in no manifest (of a folder) are named. A picture that was compressed anew is the same as long as it shows the same.\n"
+    command->footer("Files that are missing, different, broken, or in no manifest (of a folder) are named. A picture "
+                    "that was compressed anew is the same as long as it shows the same.\n"
                     "Exit codes: 0 all is as it should be, 4 it is not, others as everywhere.\n"
                     "Examples:\n"
                     "  fumage-cli render chimney --manifest --output frames/smoke_####.png\n"

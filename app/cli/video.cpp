@@ -44,7 +44,8 @@ Status chooseVideo(const PictureOptions& options, const std::string& name, Expor
         return path.error();
     }
     const std::string ending = endingOf(path.value());
-    const auto* const format = std::ranges::find(kAllVideoFormats, ending.empty() ? endings.front() : std::string_view(ending), [](VideoFormat each) { return fileEnding(each); });
+    const auto* const format = std::ranges::find(kAllVideoFormats,
+        ending.empty() ? endings.front() : std::string_view(ending), [](VideoFormat each) { return fileEnding(each); });
     plan.video = *format;
     plan.output = withEnding(path.value(), fileEnding(plan.video));
     return Done{};
@@ -76,11 +77,18 @@ void addVideo(CLI::App& program, Action& action)
     auto arguments = std::make_shared<VideoArguments>();
     PictureOptions* const options = &arguments->picture;
     CLI::App* command = program.add_subcommand("video", "Render frames of a preset into a video, with ffmpeg");
-    options->addTo(*command, "File to write. In a folder, and by default, the preset's name", "Picture size: 512 or 640x360. Default: the preset's");
-    command->add_option("--format", options->format, "mp4 (H.264), webm (VP9 with alpha), mov (ProRes 4444 with alpha), gif, apng (with alpha). Default: by the ending of the file")->check(CLI::IsMember(formatNames()));
+    options->addTo(*command, "File to write. In a folder, and by default, the preset's name",
+        "Picture size: 512 or 640x360. Default: the preset's");
+    command
+        ->add_option("--format", options->format,
+            "mp4 (H.264), webm (VP9 with alpha), mov (ProRes 4444 with alpha), gif, apng (with alpha). Default: by the "
+            "ending of the file")
+        ->check(CLI::IsMember(formatNames()));
     arguments->playing.addTo(*command);
-    command->footer("Needs ffmpeg on the search path; FUMAGE_FFMPEG names another program. mp4 and gif have no transparency: the smoke is in front of output.background_colour.\n"
-                    "gif has no more than 50 pictures a second: of more, one of two or three frames is in it. mp4 has even edges: of odd ones, the last column or row is there twice.\n"
+    command->footer("Needs ffmpeg on the search path; FUMAGE_FFMPEG names another program. mp4 and gif have no "
+                    "transparency: the smoke is in front of output.background_colour.\n"
+                    "gif has no more than 50 pictures a second: of more, one of two or three frames is in it. mp4 has "
+                    "even edges: of odd ones, the last column or row is there twice.\n"
                     "Examples:\n"
                     "  fumage-cli video campfire --size 720 --output fire.mp4\n"
                     "  fumage-cli video explosion --set timeline.frame_rate=24 --rate 23.976 --output boom.mov\n"

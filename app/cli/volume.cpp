@@ -7,7 +7,7 @@
 #include "core/base/text.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/output_name.h"
-#include "core/export/vdb_file.h"
+#include "core/export/data/vdb_file.h"
 
 #include <array>
 #include <memory>
@@ -48,19 +48,23 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
     {
         ProgressBar bar("Writing");
         const std::string size = options.voxel ? formatFloat(*options.voxel) + " m" : std::to_string(arguments.cells);
-        const ManifestJob job{"volumes", {{options.voxel ? "voxel" : "cells", size}, {"up", arguments.up}}, named.preset.effect};
+        const ManifestJob job{
+            "volumes", {{options.voxel ? "voxel" : "cells", size}, {"up", arguments.up}}, named.preset.effect};
         const auto write = [&](const FrameSink& written) -> Status {
             options.written = written;
-            const Result<float> used = withinMemory([&] { return writeVolumes(named.preset.effect, options, bar.listener(), interruption()); });
+            const Result<float> used = withinMemory(
+                [&] { return writeVolumes(named.preset.effect, options, bar.listener(), interruption()); });
             voxel = used ? used.value() : voxel;
             return used ? Status(Done{}) : Status(used.error());
         };
-        if (Status status = recordNumbered(job, arguments.manifest.fileFor(options.output), {options.output, options.frames, kEndings.front(), {}}, write); !status) {
+        if (Status status = recordNumbered(job, arguments.manifest.fileFor(options.output),
+                {options.output, options.frames, kEndings.front(), {}}, write);
+            !status) {
             return status;
         }
     }
     tellWritten(options.output, options.frames, kEndings.front());
-    tell("voxels of " + formatFloat(voxel) + " m");
+    report("voxels of " + formatFloat(voxel) + " m");
     return Done{};
 }
 
@@ -72,17 +76,30 @@ void addVolume(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("volume", "Write the smoke of frames as OpenVDB volumes");
     arguments->effect.addTo(*command);
     command->add_option("-f,--frame,--frames", arguments->frames, kOneFrameHelp)->type_name("RANGE");
-    CLI::Option* cells = addWhole(*command, "--cells", arguments->cells, kMinVolumeCells, kMaxVolumeCells, "Voxels along the longest edge of the smoke of the whole timeline. Default: 128");
-    addNumber(*command, "--voxel", arguments->voxel, kMinVoxel, kMaxVoxel, "Edge of a voxel in metres, in place of --cells; the timeline is not looked at then")->excludes(cells);
-    command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-    command->add_option("-o,--output", arguments->output, "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")->type_name("FILE");
+    CLI::Option* cells = addWhole(*command, "--cells", arguments->cells, kMinVolumeCells, kMaxVolumeCells,
+        "Voxels along the longest edge of the smoke of the whole timeline. Default: 128");
+    addNumber(*command, "--voxel", arguments->voxel, kMinVoxel, kMaxVoxel,
+        "Edge of a voxel in metres, in place of --cells; the timeline is not looked at then")
+        ->excludes(cells);
+    command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->capture_default_str();
+    command
+        ->add_option("-o,--output", arguments->output,
+            "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")
+        ->type_name("FILE");
     arguments->manifest.addTo(*command);
-    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for smoke in air or with glow temperature (about 1 at the source), and\n"
-                    "for what glows flames. All frames have the same grids and the same voxels, whichever of them are written at once.\n"
+    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for "
+                    "smoke in air or with glow temperature (about 1 at the source), and\n"
+                    "for what glows flames. All frames have the same grids and the same voxels, whichever of them are "
+                    "written at once.\n"
                     "Example:\n"
                     "  fumage-cli volume mushroom-cloud --frames 0-119 --cells 128 --output vdb/mushroom_####.vdb");
     command->callback([arguments, &action] {
-        action = [arguments] { return arguments->effect.forEach(arguments->output, [&](const NamedPreset& named) { return writeOne(*arguments, named); }); };
+        action = [arguments] {
+            return arguments->effect.forEach(
+                arguments->output, [&](const NamedPreset& named) { return writeOne(*arguments, named); });
+        };
     });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/alignment.h"
+
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -8,11 +10,9 @@
 
 namespace fumage {
 
-/// One cache line, and the widest vector register that the kernels use.
-inline constexpr std::size_t kAlignment = 64;
-
-/// Memory for arrays, not initialised. From 4 MiB on it is the system's own and goes back to it when it is freed; and it asks for large pages
-/// where there are any: kernels that jump about in an array then do not wait for its page table.
+/// Memory for arrays, not initialised. From 4 MiB on it is the system's own and goes back to it when it is freed; and
+/// it asks for large pages where there are any: kernels that jump about in an array then do not wait for its page
+/// table.
 /// @param bytes more than 0
 /// @throws std::bad_alloc
 [[nodiscard]] void* allocateAligned(std::size_t bytes);
@@ -42,8 +42,8 @@ struct AlignedAllocator {
 template <class T>
 using AlignedArray = std::vector<T, AlignedAllocator<T>>;
 
-/// The same, but that elements are undefined until they are written: resize() leaves the memory alone, and the threads that write it first share the time
-/// that the system takes to hand it out.
+/// The same, but that elements are undefined until they are written: resize() leaves the memory alone, and the threads
+/// that write it first share the time that the system takes to hand it out.
 template <class T>
 struct RawAllocator : AlignedAllocator<T> {
     static_assert(std::is_trivially_default_constructible_v<T>);
@@ -66,11 +66,5 @@ struct RawAllocator : AlignedAllocator<T> {
 
 template <class T>
 using RawArray = std::vector<T, RawAllocator<T>>;
-
-/// @return count rounded up to a whole number of multiples
-[[nodiscard]] constexpr std::size_t roundUp(std::size_t count, std::size_t multiple)
-{
-    return (count + multiple - 1) / multiple * multiple;
-}
 
 } // namespace fumage

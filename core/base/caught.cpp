@@ -17,30 +17,30 @@ Error systemFailure(const std::system_error& cause)
     for (const std::errc lack : kPassing) {
         if (cause.code() == lack) {
             return {ErrorCode::OutOfMemory,
-                said("the system gives no more threads, files or memory: %1", cause.code().message()), {},
-                said("End other programs, raise its limits (ulimit -u, -n, -v), or use --threads 1")};
+                makeMessage("the system gives no more threads, files or memory: %1", cause.code().message()), {},
+                makeMessage("End other programs, raise its limits (ulimit -u, -n, -v), or use --threads 1")};
         }
     }
-    return {ErrorCode::PermissionDenied, said("the system refuses what is needed: %1", cause.what()), {},
-        said("Use another folder or another machine")};
+    return {ErrorCode::PermissionDenied, makeMessage("the system refuses what is needed: %1", cause.what()), {},
+        makeMessage("Use another folder or another machine")};
 }
 
 } // namespace
 
 Error caughtError()
 {
-    const Message report = said("Please report it, with the preset that you had");
+    const Message report = makeMessage("Please report it, with the preset that you had");
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        return {ErrorCode::OutOfMemory, said("there is not enough memory"), {},
-            said("Use a smaller picture or fewer particles")};
+        return {ErrorCode::OutOfMemory, makeMessage("there is not enough memory"), {},
+            makeMessage("Use a smaller picture or fewer particles")};
     } catch (const std::system_error& cause) {
         return systemFailure(cause);
     } catch (const std::exception& error) {
-        return {kUnexpected, said("something failed inside Fumage: %1", std::string(error.what())), {}, report};
+        return {kUnexpected, makeMessage("something failed inside Fumage: %1", std::string(error.what())), {}, report};
     } catch (...) {
-        return {kUnexpected, said("something failed inside Fumage"), {}, report};
+        return {kUnexpected, makeMessage("something failed inside Fumage"), {}, report};
     }
 }
 

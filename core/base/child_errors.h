@@ -10,7 +10,7 @@ namespace fumage {
 
 // What ChildProcess says and keeps, whatever the system.
 
-inline constexpr std::size_t kMostChildSays = 4096; ///< bytes; the end of what a program says is what it stumbled over
+inline constexpr std::size_t kMaxChildSays = 4096; ///< bytes; the end of what a program says is what it stumbled over
 
 /// Appends to what a program has said, and forgets the beginning of what is too long.
 void keepEnd(std::string& said, std::string_view more);

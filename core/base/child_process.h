@@ -11,14 +11,16 @@
 
 namespace fumage {
 
-/// Another program that is fed through its standard input, and whose messages are kept. It is ended with the object, whatever it is doing then.
+/// Another program that is fed through its standard input, and whose messages are kept. It is ended with the object,
+/// whatever it is doing then.
 class ChildProcess {
 public:
     /// @param program   a name on the search path, or a path
     /// @param arguments those after its name
     /// @error FileNotFound, PermissionDenied, NotAFile; OutOfMemory where the system has no more processes or files to
     /// give; the place is the program
-    [[nodiscard]] static Result<ChildProcess> start(const std::string& program, const std::vector<std::string>& arguments);
+    [[nodiscard]] static Result<ChildProcess> start(
+        const std::string& program, const std::vector<std::string>& arguments);
 
     ~ChildProcess();
     ChildProcess(ChildProcess&& other) noexcept;

@@ -66,7 +66,8 @@ struct Connection {
 int spawn(const std::string& program, const std::vector<std::string>& arguments, int input, int messages, pid_t& id)
 {
     std::vector<char*> words;
-    words.push_back(const_cast<char*>(program.c_str())); // NOLINT(cppcoreguidelines-pro-type-const-cast): it writes to none
+    words.push_back(
+        const_cast<char*>(program.c_str())); // NOLINT(cppcoreguidelines-pro-type-const-cast): it writes to none
     for (const std::string& argument : arguments) {
         words.push_back(const_cast<char*>(argument.c_str())); // NOLINT(cppcoreguidelines-pro-type-const-cast)
     }
@@ -122,7 +123,7 @@ private:
 
 bool ChildProcess::Running::listen()
 {
-    std::array<char, kMostChildSays> part{};
+    std::array<char, kMaxChildSays> part{};
     const ssize_t count = ::recv(m_messages.get(), part.data(), part.size(), MSG_DONTWAIT);
     if (count > 0) {
         keepEnd(m_said, {part.data(), static_cast<std::size_t>(count)});
@@ -133,8 +134,7 @@ bool ChildProcess::Running::listen()
 int ChildProcess::Running::reap()
 {
     int status = 0;
-    while (::waitpid(m_id, &status, 0) < 0 && errno == EINTR) {
-    }
+    while (::waitpid(m_id, &status, 0) < 0 && errno == EINTR) { }
     m_id = -1;
     return status;
 }

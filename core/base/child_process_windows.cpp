@@ -53,12 +53,16 @@ struct Pipe {
     [[nodiscard]] bool open(bool isInput)
     {
         static std::atomic<unsigned> count = 0;
-        const std::wstring name = L"\\\\.\\pipe\\fumage-" + std::to_wstring(::GetCurrentProcessId()) + L"-" + std::to_wstring(count++);
+        const std::wstring name =
+            L"\\\\.\\pipe\\fumage-" + std::to_wstring(::GetCurrentProcessId()) + L"-" + std::to_wstring(count++);
         const DWORD direction = isInput ? PIPE_ACCESS_OUTBOUND : PIPE_ACCESS_INBOUND;
-        ours = Descriptor(::CreateNamedPipeW(name.c_str(), direction | FILE_FLAG_OVERLAPPED | FILE_FLAG_FIRST_PIPE_INSTANCE, PIPE_TYPE_BYTE | PIPE_WAIT | PIPE_REJECT_REMOTE_CLIENTS,
-            1, kPipeBytes, kPipeBytes, 0, nullptr));
+        ours = Descriptor(
+            ::CreateNamedPipeW(name.c_str(), direction | FILE_FLAG_OVERLAPPED | FILE_FLAG_FIRST_PIPE_INSTANCE,
+                PIPE_TYPE_BYTE | PIPE_WAIT | PIPE_REJECT_REMOTE_CLIENTS, 1, kPipeBytes, kPipeBytes, 0, nullptr));
         SECURITY_ATTRIBUTES inherited{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
-        theirs = ours ? Descriptor(::CreateFileW(name.c_str(), isInput ? GENERIC_READ : GENERIC_WRITE, 0, &inherited, OPEN_EXISTING, 0, nullptr)) : Descriptor();
+        theirs = ours ? Descriptor(::CreateFileW(
+                     name.c_str(), isInput ? GENERIC_READ : GENERIC_WRITE, 0, &inherited, OPEN_EXISTING, 0, nullptr))
+                      : Descriptor();
         return static_cast<bool>(theirs);
     }
 };
@@ -85,8 +89,15 @@ public:
     Transfer& operator=(Transfer&&) = delete;
 
     /// @return whether it goes on or is done; if not, the other end is gone
-    bool write(std::span<const std::byte> bytes) { return began(::WriteFile(m_pipe, bytes.data(), static_cast<DWORD>(std::min<std::size_t>(bytes.size(), kPipeBytes)), nullptr, &m_state)); }
-    bool read(std::span<char> room) { return began(::ReadFile(m_pipe, room.data(), static_cast<DWORD>(room.size()), nullptr, &m_state)); }
+    bool write(std::span<const std::byte> bytes)
+    {
+        return began(::WriteFile(m_pipe, bytes.data(),
+            static_cast<DWORD>(std::min<std::size_t>(bytes.size(), kPipeBytes)), nullptr, &m_state));
+    }
+    bool read(std::span<char> room)
+    {
+        return began(::ReadFile(m_pipe, room.data(), static_cast<DWORD>(room.size()), nullptr, &m_state));
+    }
 
     /// Whether it is done; waits a little.
     [[nodiscard]] bool isDone() { return ::WaitForSingleObject(m_done.get(), kAskEvery) == WAIT_OBJECT_0; }
@@ -129,9 +140,11 @@ DWORD spawn(std::wstring line, HANDLE input, HANDLE messages, Descriptor& proces
     if (::InitializeProcThreadAttributeList(start.lpAttributeList, 1, 0, &size) == 0) {
         return ::GetLastError();
     }
-    ::UpdateProcThreadAttribute(start.lpAttributeList, 0, PROC_THREAD_ATTRIBUTE_HANDLE_LIST, inherited.data(), sizeof(inherited), nullptr, nullptr);
+    ::UpdateProcThreadAttribute(start.lpAttributeList, 0, PROC_THREAD_ATTRIBUTE_HANDLE_LIST, inherited.data(),
+        sizeof(inherited), nullptr, nullptr);
     PROCESS_INFORMATION information{};
-    const BOOL started = ::CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE, EXTENDED_STARTUPINFO_PRESENT | CREATE_NO_WINDOW, nullptr, nullptr, &start.StartupInfo, &information);
+    const BOOL started = ::CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE,
+        EXTENDED_STARTUPINFO_PRESENT | CREATE_NO_WINDOW, nullptr, nullptr, &start.StartupInfo, &information);
     const DWORD failure = started != 0 ? 0 : ::GetLastError();
     ::DeleteProcThreadAttributeList(start.lpAttributeList);
     process = descriptorOf(information.hProcess);
@@ -203,7 +216,7 @@ private:
     /// Keeps what the program says, until it says no more.
     void listen()
     {
-        std::array<char, kMostChildSays> part{};
+        std::array<char, kMaxChildSays> part{};
         for (std::size_t count = 1; count > 0;) {
             Transfer transfer(m_messages.get());
             count = transfer.read(part) ? transfer.result() : 0;
@@ -247,11 +260,14 @@ Result<ChildProcess> ChildProcess::start(const std::string& program, const std::
     Pipe messages;
     Descriptor process;
     const bool isOpen = input.open(true) && messages.open(false);
-    const DWORD failure = isOpen ? spawn(commandLine(program, arguments), input.theirs.get(), messages.theirs.get(), process) : ::GetLastError();
+    const DWORD failure = isOpen
+        ? spawn(commandLine(program, arguments), input.theirs.get(), messages.theirs.get(), process)
+        : ::GetLastError();
     if (failure != 0) {
         return childNotStarted(static_cast<int>(failure), program, systemText(failure));
     }
-    return ChildProcess(std::make_unique<Running>(program, std::move(process), std::move(input.ours), std::move(messages.ours)));
+    return ChildProcess(
+        std::make_unique<Running>(program, std::move(process), std::move(input.ours), std::move(messages.ours)));
 }
 
 Status ChildProcess::write(std::span<const std::byte> bytes, const std::stop_token& stop)

@@ -7,7 +7,8 @@ namespace fumage {
 
 namespace {
 
-/// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the working folder
+/// @return the folder that a variable of the environment names; empty where it names none, or one that depends on the
+/// working folder
 std::filesystem::path absoluteFolder(const char* variable)
 {
     const std::filesystem::path folder = pathFrom(environmentVariable(variable));

@@ -17,7 +17,9 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
         return file.error();
     }
     if (file.value().size() > mostBytes) {
-        return Error{ErrorCode::TooLarge, said("the file has %1 bytes, more than the %2 that are read", file.value().size(), mostBytes), path.string(), said("Choose another file")};
+        return Error{ErrorCode::TooLarge,
+            makeMessage("the file has %1 bytes, more than the %2 that are read", file.value().size(), mostBytes),
+            path.string(), makeMessage("Choose another file")};
     }
     return file.value().read(file.value().size());
 }
@@ -36,8 +38,8 @@ Status makeFolderOf(const std::filesystem::path& file)
         std::filesystem::create_directories(folder, failure);
         if (failure) {
             Error error = fileError(failure.value(), folder, ErrorCode::WriteFailed, FileUse::Write);
-            error.message = said("the folder cannot be made: %1", failure.message());
-            error.remedy = error.remedy.empty() ? said("Choose another place") : error.remedy;
+            error.message = makeMessage("the folder cannot be made: %1", failure.message());
+            error.remedy = error.remedy.empty() ? makeMessage("Choose another place") : error.remedy;
             return error;
         }
     }

@@ -20,7 +20,8 @@ Error FileDraft::error(FileFailure failure) const
 void clearLeftovers(const std::filesystem::path& folder)
 {
     std::error_code failure;
-    for (std::filesystem::directory_iterator at(folder.empty() ? "." : folder, failure), end; !failure && at != end; at.increment(failure)) {
+    for (std::filesystem::directory_iterator at(folder.empty() ? "." : folder, failure), end; !failure && at != end;
+         at.increment(failure)) {
         if (at->path().filename().string().starts_with(kDraftPrefix)) {
             removeUnlessWritten(at->path());
         }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "core/base/descriptor.h"
-#include "core/base/file.h"
+#include "core/base/file_access.h"
 #include "core/base/file_error.h"
+#include "core/base/result.h"
 
+#include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,7 +17,8 @@ inline constexpr std::string_view kDraftPrefix = ".fumage-";
 
 /// The contents of a file, complete and on the disk, which has yet to take its place. Given up if it does not.
 ///
-/// While it has a name of its own nobody else can lock it, or on Windows delete it: a temporary file that can be has no living writer.
+/// While it has a name of its own nobody else can lock it, or on Windows delete it: a temporary file that can be has no
+/// living writer.
 class FileDraft {
 public:
     enum class Naming {
@@ -23,7 +27,8 @@ public:
     };
 
     /// @error those of writeFileAtomically()
-    [[nodiscard]] static Result<FileDraft> make(const std::filesystem::path& path, std::span<const std::byte> bytes, FileAccess access, Naming naming = Naming::None);
+    [[nodiscard]] static Result<FileDraft> make(const std::filesystem::path& path, std::span<const std::byte> bytes,
+        FileAccess access, Naming naming = Naming::None);
 
     ~FileDraft();
     FileDraft(FileDraft&& other) noexcept = default;
@@ -31,12 +36,14 @@ public:
     FileDraft(const FileDraft&) = delete;
     FileDraft& operator=(const FileDraft&) = delete;
 
-    /// Where another program may write the contents while it has a temporary name; flush() then brings them to the disk.
+    /// Where another program may write the contents while it has a temporary name; flush() then brings them to the
+    /// disk.
     [[nodiscard]] std::filesystem::path path() const { return m_folderPath / m_temporary; }
     [[nodiscard]] Status flush();
     /// Takes the place of what is there.
     [[nodiscard]] Status publish();
-    /// Waits until no other program publishes a pair in the folder; lasts until the draft is gone. Does nothing where there are no locks.
+    /// Waits until no other program publishes a pair in the folder; lasts until the draft is gone. Does nothing where
+    /// there are no locks.
     void lockFolder() const;
 
 private:

@@ -12,7 +12,7 @@ namespace fumage {
 namespace {
 
 constexpr mode_t kModeBits = 07777;
-constexpr int kMostLinks = 40; ///< as the kernel follows
+constexpr int kMaxLinks = 40; ///< as the kernel follows
 
 #ifdef __linux__
 constexpr int kWithoutName = O_TMPFILE;
@@ -46,7 +46,7 @@ Result<std::filesystem::path> followLinks(std::filesystem::path path)
 {
     const std::filesystem::path named = path;
     std::error_code failure;
-    for (int i = 0; i < kMostLinks; ++i) {
+    for (int i = 0; i < kMaxLinks; ++i) {
         if (!std::filesystem::is_symlink(path, failure)) {
             return path;
         }
@@ -109,7 +109,8 @@ int takeOver(int fd, const struct stat& before)
 
 } // namespace
 
-Result<FileDraft> FileDraft::make(const std::filesystem::path& path, std::span<const std::byte> bytes, FileAccess access, Naming naming)
+Result<FileDraft> FileDraft::make(
+    const std::filesystem::path& path, std::span<const std::byte> bytes, FileAccess access, Naming naming)
 {
     FileDraft draft(path);
     draft.m_naming = naming;
@@ -185,7 +186,8 @@ int FileDraft::openNamed(FileAccess access)
 {
     for (int attempt = 0;; ++attempt) {
         const std::string name = temporaryName(attempt);
-        m_file = Descriptor(::openat(m_folder.get(), name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, modeOf(access)));
+        m_file =
+            Descriptor(::openat(m_folder.get(), name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, modeOf(access)));
         if (!m_file && errno != EEXIST) {
             const int failure = errno;
             if ((failure == EACCES || failure == EPERM) && !m_folderPath.empty()) {
@@ -205,7 +207,10 @@ int FileDraft::openNamed(FileAccess access)
 
 int FileDraft::takePlace()
 {
-    const bool isNew = m_temporary.empty() && ::linkat(AT_FDCWD, linkToDescriptor(m_file.get()).c_str(), m_folder.get(), m_target.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    const bool isNew = m_temporary.empty()
+        && ::linkat(
+               AT_FDCWD, linkToDescriptor(m_file.get()).c_str(), m_folder.get(), m_target.c_str(), AT_SYMLINK_FOLLOW)
+            == 0;
     if (isNew) {
         return 0;
     }
@@ -236,8 +241,7 @@ Status FileDraft::publish()
 
 void FileDraft::lockFolder() const
 {
-    while (::flock(m_folder.get(), LOCK_EX) != 0 && errno == EINTR) {
-    }
+    while (::flock(m_folder.get(), LOCK_EX) != 0 && errno == EINTR) { }
 }
 
 void removeUnlessWritten(const std::filesystem::path& draft)

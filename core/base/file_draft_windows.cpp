@@ -16,7 +16,8 @@ namespace fumage {
 
 namespace {
 
-constexpr auto kRenameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); ///< FileRenameInfoEx, which mingw-w64's headers lack
+constexpr auto kRenameInfoEx =
+    static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); ///< FileRenameInfoEx, which mingw-w64's headers lack
 constexpr DWORD kShareAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 int lastError()
@@ -27,10 +28,11 @@ int lastError()
 /// @return 0, or the error of what failed
 int writeAll(HANDLE file, std::span<const std::byte> bytes)
 {
-    constexpr std::size_t kMostAtOnce = std::size_t{1} << 30U;
+    constexpr std::size_t kMaxAtOnce = std::size_t{1} << 30U;
     while (!bytes.empty()) {
         DWORD count = 0;
-        if (::WriteFile(file, bytes.data(), static_cast<DWORD>(std::min(bytes.size(), kMostAtOnce)), &count, nullptr) == 0) {
+        if (::WriteFile(file, bytes.data(), static_cast<DWORD>(std::min(bytes.size(), kMaxAtOnce)), &count, nullptr)
+            == 0) {
             return lastError();
         }
         bytes = bytes.subspan(count);
@@ -48,7 +50,8 @@ std::filesystem::path finalPath(HANDLE file)
 
 std::filesystem::path temporaryName(int attempt)
 {
-    return pathFrom(std::string(kDraftPrefix) + std::to_string(::GetCurrentProcessId()) + "-" + std::to_string(attempt));
+    return pathFrom(
+        std::string(kDraftPrefix) + std::to_string(::GetCurrentProcessId()) + "-" + std::to_string(attempt));
 }
 
 /// Gives a new file the permissions of the one that it replaces, if we may: without, it has those of its folder.
@@ -58,13 +61,18 @@ void takeOver(const std::filesystem::path& draft, HANDLE before)
     PSECURITY_DESCRIPTOR descriptor = nullptr;
     SECURITY_DESCRIPTOR_CONTROL control = 0;
     DWORD revision = 0;
-    if (::GetSecurityInfo(before, SE_FILE_OBJECT, DACL_SECURITY_INFORMATION, nullptr, nullptr, &list, nullptr, &descriptor) != ERROR_SUCCESS) {
+    if (::GetSecurityInfo(
+            before, SE_FILE_OBJECT, DACL_SECURITY_INFORMATION, nullptr, nullptr, &list, nullptr, &descriptor)
+        != ERROR_SUCCESS) {
         return;
     }
     if (::GetSecurityDescriptorControl(descriptor, &control, &revision) != 0) {
-        const SECURITY_INFORMATION inherits = (control & SE_DACL_PROTECTED) != 0 ? PROTECTED_DACL_SECURITY_INFORMATION : UNPROTECTED_DACL_SECURITY_INFORMATION;
+        const SECURITY_INFORMATION inherits = (control & SE_DACL_PROTECTED) != 0
+            ? PROTECTED_DACL_SECURITY_INFORMATION
+            : UNPROTECTED_DACL_SECURITY_INFORMATION;
         std::wstring name = draft.wstring();
-        static_cast<void>(::SetNamedSecurityInfoW(name.data(), SE_FILE_OBJECT, DACL_SECURITY_INFORMATION | inherits, nullptr, nullptr, list, nullptr));
+        static_cast<void>(::SetNamedSecurityInfoW(
+            name.data(), SE_FILE_OBJECT, DACL_SECURITY_INFORMATION | inherits, nullptr, nullptr, list, nullptr));
     }
     ::LocalFree(descriptor);
 }
@@ -81,7 +89,8 @@ std::wstring userId()
     ::GetTokenInformation(token.get(), TokenUser, nullptr, 0, &size);
     std::vector<std::byte> room(size);
     wchar_t* text = nullptr;
-    if (::GetTokenInformation(token.get(), TokenUser, room.data(), size, &size) == 0 || ::ConvertSidToStringSidW(reinterpret_cast<TOKEN_USER*>(room.data())->User.Sid, &text) == 0) {
+    if (::GetTokenInformation(token.get(), TokenUser, room.data(), size, &size) == 0
+        || ::ConvertSidToStringSidW(reinterpret_cast<TOKEN_USER*>(room.data())->User.Sid, &text) == 0) {
         return {};
     }
     const std::wstring id = text;
@@ -98,7 +107,8 @@ public:
         if (!user.empty()) {
             // User and system have all rights, nobody else has any, and none come from the folder.
             const std::wstring text = L"D:P(A;;FA;;;" + user + L")(A;;FA;;;SY)";
-            static_cast<void>(::ConvertStringSecurityDescriptorToSecurityDescriptorW(text.c_str(), SDDL_REVISION_1, &m_attributes.lpSecurityDescriptor, nullptr));
+            static_cast<void>(::ConvertStringSecurityDescriptorToSecurityDescriptorW(
+                text.c_str(), SDDL_REVISION_1, &m_attributes.lpSecurityDescriptor, nullptr));
         }
     }
     ~Permissions() { ::LocalFree(m_attributes.lpSecurityDescriptor); }
@@ -113,7 +123,8 @@ private:
     SECURITY_ATTRIBUTES m_attributes{sizeof(SECURITY_ATTRIBUTES), nullptr, FALSE};
 };
 
-/// Renames an open file; what has the name is replaced in one step, even while others read it, where the file system can do that.
+/// Renames an open file; what has the name is replaced in one step, even while others read it, where the file system
+/// can do that.
 /// @return 0, or the error of what failed
 int rename(HANDLE file, const std::filesystem::path& to)
 {
@@ -128,12 +139,14 @@ int rename(HANDLE file, const std::filesystem::path& to)
     }
     wish->Flags = 0;
     wish->ReplaceIfExists = TRUE;
-    return ::SetFileInformationByHandle(file, FileRenameInfo, wish, static_cast<DWORD>(room.size())) != 0 ? 0 : lastError();
+    return ::SetFileInformationByHandle(file, FileRenameInfo, wish, static_cast<DWORD>(room.size())) != 0 ? 0
+                                                                                                          : lastError();
 }
 
 } // namespace
 
-Result<FileDraft> FileDraft::make(const std::filesystem::path& path, std::span<const std::byte> bytes, FileAccess access, Naming naming)
+Result<FileDraft> FileDraft::make(
+    const std::filesystem::path& path, std::span<const std::byte> bytes, FileAccess access, Naming naming)
 {
     FileDraft draft(path);
     draft.m_naming = naming;
@@ -183,7 +196,8 @@ FileDraft::~FileDraft()
 int FileDraft::openFolder(const std::filesystem::path& folder)
 {
     m_folderPath = folder;
-    const Descriptor opened(::CreateFileW(folder.empty() ? L"." : folder.c_str(), 0, kShareAll, nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr));
+    const Descriptor opened(::CreateFileW(folder.empty() ? L"." : folder.c_str(), 0, kShareAll, nullptr, OPEN_EXISTING,
+        FILE_FLAG_BACKUP_SEMANTICS, nullptr));
     if (!opened) {
         m_blame = m_folderPath;
         return lastError();
@@ -201,14 +215,16 @@ int FileDraft::open(FileAccess access)
 
 int FileDraft::openNamed(FileAccess access)
 {
-    // Nobody else may write it or delete it, unless another program is to write it: such a program would not open what may be renamed meanwhile.
+    // Nobody else may write it or delete it, unless another program is to write it: such a program would not open what
+    // may be renamed meanwhile.
     const bool isShared = m_naming == Naming::Temporary;
     const DWORD rights = isShared ? GENERIC_WRITE : GENERIC_WRITE | DELETE;
     const DWORD share = isShared ? FILE_SHARE_READ | FILE_SHARE_WRITE : FILE_SHARE_READ;
     Permissions permissions(access);
     for (int attempt = 0;; ++attempt) {
         m_temporary = temporaryName(attempt);
-        m_file = Descriptor(::CreateFileW(path().c_str(), rights, share, permissions.get(), CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr));
+        m_file = Descriptor(::CreateFileW(
+            path().c_str(), rights, share, permissions.get(), CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr));
         if (m_file) {
             return 0;
         }
@@ -224,7 +240,8 @@ int FileDraft::takePlace()
 {
     if (m_naming == Naming::Temporary) {
         m_file = {}; // it could not be renamed
-        m_file = Descriptor(::CreateFileW(path().c_str(), GENERIC_WRITE | DELETE, FILE_SHARE_READ, nullptr, OPEN_EXISTING, 0, nullptr));
+        m_file = Descriptor(
+            ::CreateFileW(path().c_str(), GENERIC_WRITE | DELETE, FILE_SHARE_READ, nullptr, OPEN_EXISTING, 0, nullptr));
         if (!m_file) {
             return lastError();
         }

@@ -37,6 +37,7 @@ enum class FileFailure {
 [[nodiscard]] Error fileError(int number, const std::filesystem::path& path, ErrorCode otherwise, FileUse doing);
 
 /// @param reason in the system's words, for FileFailure::Other
-[[nodiscard]] Error fileError(FileFailure failure, const std::filesystem::path& path, ErrorCode otherwise, FileUse doing, const std::string& reason = {});
+[[nodiscard]] Error fileError(FileFailure failure, const std::filesystem::path& path, ErrorCode otherwise,
+    FileUse doing, const std::string& reason = {});
 
 } // namespace fumage

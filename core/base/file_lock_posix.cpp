@@ -22,7 +22,8 @@ bool leadsTo(const std::filesystem::path& file, int fd)
 {
     struct stat named = {};
     struct stat open = {};
-    return ::stat(file.c_str(), &named) == 0 && ::fstat(fd, &open) == 0 && named.st_ino == open.st_ino && named.st_dev == open.st_dev;
+    return ::stat(file.c_str(), &named) == 0 && ::fstat(fd, &open) == 0 && named.st_ino == open.st_ino
+        && named.st_dev == open.st_dev;
 }
 
 } // namespace
@@ -36,7 +37,8 @@ std::unique_ptr<FileLock> FileLock::tryTake(const std::filesystem::path& file)
             return nullptr;
         }
         if (leadsTo(file, descriptor.get())) {
-            return std::unique_ptr<FileLock>(new FileLock(file, std::move(descriptor))); // NOLINT(cppcoreguidelines-owning-memory): its constructor is private
+            return std::unique_ptr<FileLock>(new FileLock(
+                file, std::move(descriptor))); // NOLINT(cppcoreguidelines-owning-memory): its constructor is private
         }
     }
 }

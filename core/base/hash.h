@@ -4,7 +4,8 @@
 
 namespace fumage {
 
-/// Odd numbers of well spread bits, to multiply coordinates and counters with. Source: the primes of xxHash32, Collet 2012.
+/// Odd numbers of well spread bits, to multiply coordinates and counters with. Source: the primes of xxHash32, Collet
+/// 2012.
 inline constexpr std::uint32_t kPrime1 = 0x9e3779b1U;
 inline constexpr std::uint32_t kPrime2 = 0x85ebca77U;
 inline constexpr std::uint32_t kPrime3 = 0xc2b2ae3dU;
@@ -30,7 +31,8 @@ inline constexpr std::uint32_t kGoldenStep = 0x9e3779b9U;
 /// Spreads the upper half of a 64-bit index. Source: MurmurHash3, Appleby 2011.
 inline constexpr std::uint32_t kUpperHalfFactor = 0x85ebca6bU;
 
-/// Random bits of one among many things that are counted, such as particles, steps or slices of noise: no state, no order.
+/// Random bits of one among many things that are counted, such as particles, steps or slices of noise: no state, no
+/// order.
 [[nodiscard]] constexpr std::uint32_t keyOf(std::uint32_t seed, std::uint64_t index)
 {
     const auto low = static_cast<std::uint32_t>(index);

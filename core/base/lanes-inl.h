@@ -1,5 +1,6 @@
-// Included once per SIMD target: arithmetic of vectors with plain numbers, so that a kernel reads like its formula. Highway has the
-// operators for two vectors. a * b + c rounds twice whatever it is written with: the build fuses nothing (-ffp-contract=off).
+// Included once per SIMD target: arithmetic of vectors with plain numbers, so that a kernel reads like its formula.
+// Highway has the operators for two vectors. a * b + c rounds twice whatever it is written with: the build fuses
+// nothing (-ffp-contract=off).
 
 #if defined(FUMAGE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUMAGE_LANES_INL_H

@@ -1,5 +1,7 @@
 #include "core/base/large_memory.h"
 
+#include <new>
+
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -10,7 +12,7 @@ namespace {
 /// Whole pages, with room for the array wherever it begins.
 std::size_t mappedSize(std::size_t bytes)
 {
-    return roundUp(bytes + kMostShifted, static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
+    return roundUp(bytes + kMaxShifted, static_cast<std::size_t>(sysconf(_SC_PAGESIZE)));
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "core/base/windows_api.h"
 
+#include <new>
+
 namespace fumage {
 
 namespace {
@@ -16,7 +18,7 @@ void* mapLarge(std::size_t bytes)
     if (bytes > static_cast<std::size_t>(-1) - kStep) {
         throw std::bad_alloc();
     }
-    void* const room = ::VirtualAlloc(nullptr, bytes + kMostShifted, MEM_RESERVE | MEM_COMMIT, PAGE_READWRITE);
+    void* const room = ::VirtualAlloc(nullptr, bytes + kMaxShifted, MEM_RESERVE | MEM_COMMIT, PAGE_READWRITE);
     if (room == nullptr) {
         throw std::bad_alloc();
     }

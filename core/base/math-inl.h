@@ -39,7 +39,8 @@ struct SineCosine {
 };
 
 /// Sine and cosine of x radians, |x| up to 8192: absolute error below 2e-7 plus that of the reduction.
-/// Cody-Waite reduction by pi/2 in three parts, then minimax polynomials on [-pi/4, pi/4] (coefficients: Cephes, Moshier).
+/// Cody-Waite reduction by pi/2 in three parts, then minimax polynomials on [-pi/4, pi/4] (coefficients: Cephes,
+/// Moshier).
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE SineCosine<V> sinCos(D d, V x)
 {
@@ -66,7 +67,8 @@ HWY_INLINE SineCosine<V> sinCos(D d, V x)
 }
 
 /// e^x; x is clamped to [-87, 88]. Relative error below 2e-7.
-/// Reduction by ln 2 in two parts, polynomial of degree 6 (coefficients: Cephes, Moshier), scaling through the exponent.
+/// Reduction by ln 2 in two parts, polynomial of degree 6 (coefficients: Cephes, Moshier), scaling through the
+/// exponent.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE V exponential(D d, V x)
 {
@@ -86,7 +88,8 @@ HWY_INLINE V exponential(D d, V x)
 }
 
 /// ln x for normal x > 0; anything smaller is taken as the smallest normal number. Absolute error below 2e-7 near 1,
-/// relative elsewhere. Splits off the exponent, then a polynomial on [sqrt(1/2), sqrt(2)] (coefficients: Cephes, Moshier).
+/// relative elsewhere. Splits off the exponent, then a polynomial on [sqrt(1/2), sqrt(2)] (coefficients: Cephes,
+/// Moshier).
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE V logarithm(D d, V x)
 {

@@ -8,8 +8,8 @@ namespace fumage {
 /// exceptions do not cross the border of a library or of a thread.
 /// @param work returns a Result
 /// @error those of caughtError()
-template <class Work>
-auto withinMemory(const Work& work) -> decltype(work())
+template <class ProgressPhase>
+auto withinMemory(const ProgressPhase& work) -> decltype(work())
 {
     try {
         return work();

@@ -8,8 +8,9 @@
 
 namespace fumage {
 
-/// What is said to people: a sentence in plain English, in which %1 to %9 stand for numbers, names and other messages. The sentence is also the id
-/// under which a program finds it in other languages, so it is a literal and made by said() alone; what others have said is a message as it stands.
+/// What is said to people: a sentence in plain English, in which %1 to %9 stand for numbers, names and other messages.
+/// The sentence is also the id under which a program finds it in other languages, so it is a literal and made by
+/// makeMessage() alone; what others have said is a message as it stands.
 class Message {
 public:
     Message() = default;
@@ -18,7 +19,7 @@ public:
         : m_text(std::move(text))
     {
     }
-    /// Sentences go through said(), or nobody would translate them.
+    /// Sentences go through makeMessage(), or nobody would translate them.
     Message(const char* text) = delete;
 
     [[nodiscard]] bool empty() const { return m_sentence == nullptr && m_text.empty(); }
@@ -39,7 +40,9 @@ public:
         const std::string sentence = inLanguage(m_sentence);
         std::string out;
         for (std::size_t i = 0; i < sentence.size(); ++i) {
-            const std::size_t part = sentence[i] == '%' && i + 1 < sentence.size() ? static_cast<std::size_t>(sentence[i + 1] - '1') : m_parts.size();
+            const std::size_t part = sentence[i] == '%' && i + 1 < sentence.size()
+                ? static_cast<std::size_t>(sentence[i + 1] - '1')
+                : m_parts.size();
             if (part < m_parts.size()) {
                 out += m_parts[part].text(inLanguage);
                 ++i;
@@ -52,7 +55,7 @@ public:
 
 private:
     template <class... Parts>
-    friend Message said(const char* sentence, const Parts&... parts);
+    friend Message makeMessage(const char* sentence, const Parts&... parts);
 
     template <class Part>
     static Message partOf(const Part& part)
@@ -74,7 +77,7 @@ private:
 /// @param sentence a literal
 /// @param parts    whole numbers, names, and messages: what %1, %2, ... stand for
 template <class... Parts>
-[[nodiscard]] Message said(const char* sentence, const Parts&... parts)
+[[nodiscard]] Message makeMessage(const char* sentence, const Parts&... parts)
 {
     Message message;
     message.m_sentence = sentence;

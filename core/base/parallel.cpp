@@ -12,7 +12,7 @@ namespace {
 std::atomic<bool> s_background{false};
 
 /// Once for each thread.
-void giveWay()
+void yieldToOthers()
 {
     thread_local const bool s_gaveWay = isFirstThread() || lowerPriority(ThreadPriority::BehindWindow);
     (void)s_gaveWay;
@@ -28,7 +28,7 @@ void computeInBackground()
 void enterParallelLoop()
 {
     if (s_background.load(std::memory_order_relaxed)) {
-        giveWay();
+        yieldToOthers();
     }
 }
 

@@ -23,14 +23,15 @@ void runParallel(std::size_t count, const ParallelBody& body);
 template <class Body>
 void parallelFor(std::size_t count, const Body& body)
 {
-    runParallel(count, {&body, [](const void* object, std::size_t index) { (*static_cast<const Body*>(object))(index); }});
+    runParallel(
+        count, {&body, [](const void* object, std::size_t index) { (*static_cast<const Body*>(object))(index); }});
 }
 
 /// How many bodies of one parallelFor() may run at the same time; 1 or more.
 [[nodiscard]] std::size_t parallelThreads();
 
-/// One T for each thread that asks for it: room to work in for bodies of parallelFor(). A body that itself runs a parallelFor()
-/// must not hold on to its T meanwhile, since its thread may be lent to another body while it waits.
+/// One T for each thread that asks for it: room to work in for bodies of parallelFor(). A body that itself runs a
+/// parallelFor() must not hold on to its T meanwhile, since its thread may be lent to another body while it waits.
 template <class T>
 class PerThread {
 public:
@@ -50,12 +51,14 @@ private:
     std::map<std::thread::id, std::unique_ptr<T>> m_all;
 };
 
-/// From now on every thread that takes part in parallelFor() gives way to the other threads of the process and to other programs, but for the
-/// process's first thread, which answers the user. For good: on Linux a thread may lower its priority and not raise it again. Linux and Windows only.
+/// From now on every thread that takes part in parallelFor() gives way to the other threads of the process and to other
+/// programs, but for the process's first thread, which answers the user. For good: on Linux a thread may lower its
+/// priority and not raise it again. Linux and Windows only.
 void computeInBackground();
 
-/// Runs work behind all else that the process computes: threads of its loops go to other loops first, as soon as there are any, and the calling thread
-/// has the least priority from now on, for good (Linux and Windows only). Results are the same.
+/// Runs work behind all else that the process computes: threads of its loops go to other loops first, as soon as there
+/// are any, and the calling thread has the least priority from now on, for good (Linux and Windows only). Results are
+/// the same.
 void runBehindOthers(const std::function<void()>& work);
 
 /// While alive, the process uses at most this many threads for parallelFor.

@@ -1,5 +1,6 @@
-// Parallel loops with nothing but the standard library: for ThreadSanitizer, which follows every lock and atomic here and none inside
-// a TBB that was not built for it, and for platforms without TBB. Threads are made anew for each loop, which costs some 20 us each.
+// Parallel loops with nothing but the standard library: for ThreadSanitizer, which follows every lock and atomic here
+// and none inside a TBB that was not built for it, and for platforms without TBB. Threads are made anew for each loop,
+// which costs some 20 us each.
 
 #include "core/base/parallel.h"
 #include "core/base/parallel_backend.h"

@@ -43,8 +43,8 @@ struct Error {
     /// "place: message. remedy".
     [[nodiscard]] Message whole() const
     {
-        const Message line = place.empty() ? message : said("%1: %2", place, message);
-        return remedy.empty() ? line : said("%1. %2", line, remedy);
+        const Message line = place.empty() ? message : makeMessage("%1: %2", place, message);
+        return remedy.empty() ? line : makeMessage("%1. %2", line, remedy);
     }
 
     /// whole() in English, on one line.

@@ -57,7 +57,8 @@ Status forceSimdTarget(std::string_view name)
         for (const std::string& each : availableSimdTargets()) {
             all += (all.empty() ? "" : ", ") + each;
         }
-        return Error{ErrorCode::UnknownName, said("this machine has no instruction set %1", inQuotes(name)), {}, said("Choose one of %1", all)};
+        return Error{ErrorCode::UnknownName, makeMessage("this machine has no instruction set %1", inQuotes(name)), {},
+            makeMessage("Choose one of %1", all)};
     }
     hwy::SetSupportedTargetsForTest(chosen);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -29,14 +29,16 @@ std::from_chars_result from_chars(const char* first, const char* last, float& va
 {
     static const locale_t s_plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
     const std::string text(first, last);
-    const bool isOther = text.empty() || std::string_view("+ \t\n\v\f\r").find(text.front()) != std::string_view::npos || text.find_first_of("xX") != std::string::npos;
+    const bool isOther = text.empty() || std::string_view("+ \t\n\v\f\r").find(text.front()) != std::string_view::npos
+        || text.find_first_of("xX") != std::string::npos;
     if (isOther) {
         return {first, std::errc::invalid_argument};
     }
     char* end = nullptr;
     errno = 0;
     value = ::strtof_l(text.c_str(), &end, s_plain);
-    const bool fits = errno != ERANGE || (value != 0.0F && std::isfinite(value)); // those below the normal ones are said to be out of range, too
+    const bool fits = errno != ERANGE
+        || (value != 0.0F && std::isfinite(value)); // those below the normal ones are said to be out of range, too
     return {first + (end - text.c_str()), fits ? std::errc{} : std::errc::result_out_of_range};
 }
 #endif
@@ -85,19 +87,23 @@ std::size_t characterLength(std::string_view text)
 {
     constexpr std::array<unsigned char, 3> kLeadOfLength{0xC2, 0xE0, 0xF0}; // of 2, 3 and 4 bytes
     const auto lead = static_cast<unsigned char>(text.front());
-    const auto length = static_cast<std::size_t>(std::upper_bound(kLeadOfLength.begin(), kLeadOfLength.end(), lead) - kLeadOfLength.begin()) + 1;
+    const auto length = static_cast<std::size_t>(
+                            std::upper_bound(kLeadOfLength.begin(), kLeadOfLength.end(), lead) - kLeadOfLength.begin())
+        + 1;
     const std::string_view rest = text.substr(1, length - 1);
     return rest.size() + 1 == length && std::all_of(rest.begin(), rest.end(), isContinuation) ? length : 1;
 }
 
-/// Whether a character is a control character (C0, DEL, C1), turns the direction of writing (U+202A to U+202E, U+2066 to U+2069), or is a stray byte.
+/// Whether a character is a control character (C0, DEL, C1), turns the direction of writing (U+202A to U+202E, U+2066
+/// to U+2069), or is a stray byte.
 bool steers(std::string_view character)
 {
     const auto lead = static_cast<unsigned char>(character.front());
     if (character.size() == 1) {
         return lead < 0x20U || lead >= 0x7FU;
     }
-    return (lead == 0xC2U && character[1] < '\xA0') || (character >= "\u202A" && character <= "\u202E") || (character >= "\u2066" && character <= "\u2069");
+    return (lead == 0xC2U && character[1] < '\xA0') || (character >= "\u202A" && character <= "\u202E")
+        || (character >= "\u2066" && character <= "\u2069");
 }
 
 } // namespace
@@ -149,7 +155,8 @@ std::string_view trimmed(std::string_view text)
 std::string inSmallLetters(std::string_view text)
 {
     std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::transform(small.begin(), small.end(), small.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return small;
 }
 
@@ -195,8 +202,7 @@ std::string printable(std::string_view text)
     while (!text.empty()) {
         const std::string_view character = text.substr(0, characterLength(text));
         const bool isSpace = character == "\n" || character == "\t";
-        out += isSpace ? " " : steers(character) ? "?"
-                                                 : character;
+        out += isSpace ? " " : steers(character) ? "?" : character;
         text.remove_prefix(character.size());
     }
     return out;

@@ -50,8 +50,8 @@ template <class Enum, std::size_t kCount>
 /// Whether a text is UTF-8 throughout: shortest forms, no surrogates, nothing beyond U+10FFFF.
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// A text on one line without what would steer a terminal or turn the direction of writing: such characters, and bytes that are not UTF-8, become '?', line breaks and tabs
-/// spaces.
+/// A text on one line without what would steer a terminal or turn the direction of writing: such characters, and bytes
+/// that are not UTF-8, become '?', line breaks and tabs spaces.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// A bare name for a message: printable(), cut to 60 bytes at a character's border.

@@ -12,7 +12,9 @@ const DWORD s_first = ::GetCurrentThreadId(); ///< what is outside functions, th
 
 bool lowerPriority(ThreadPriority priority)
 {
-    return ::SetThreadPriority(::GetCurrentThread(), priority == ThreadPriority::Least ? THREAD_PRIORITY_LOWEST : THREAD_PRIORITY_BELOW_NORMAL) != 0;
+    return ::SetThreadPriority(::GetCurrentThread(),
+               priority == ThreadPriority::Least ? THREAD_PRIORITY_LOWEST : THREAD_PRIORITY_BELOW_NORMAL)
+        != 0;
 }
 
 bool isFirstThread()

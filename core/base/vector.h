@@ -5,8 +5,8 @@
 
 namespace fumage {
 
-/// Two directions that span the plane across a unit normal; (across, normal, along) is right-handed the other way round:
-/// along = across x normal. For the normal (0, 1, 0) they are +x and +z.
+/// Two directions that span the plane across a unit normal; (across, normal, along) is right-handed the other way
+/// round: along = across x normal. For the normal (0, 1, 0) they are +x and +z.
 struct PlaneBasis {
     glm::vec3 across{1.0F, 0.0F, 0.0F};
     glm::vec3 along{0.0F, 0.0F, 1.0F};

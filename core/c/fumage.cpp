@@ -1,11 +1,13 @@
 #include "core/fumage.h"
 
 #include "core/base/parallel.h"
+#include "core/effect/assignment.h"
 #include "core/effect/value.h"
 #include "core/live/live_simulation.h"
 #include "core/preset/library.h"
 
 #include "core/version.h"
+#include "core/preset/preset_file.h"
 
 #include <exception>
 #include <memory>
@@ -49,7 +51,8 @@ T guarded(fumage_smoke& smoke, T failed, const Body& body) noexcept
     return failed;
 }
 
-/// The same for a call that could fail, of a smoke that has started; NULL, and one that has not, fail and keep their error.
+/// The same for a call that could fail, of a smoke that has started; NULL, and one that has not, fail and keep their
+/// error.
 template <class Body>
 int running(fumage_smoke* smoke, const Body& body) noexcept
 {
@@ -82,7 +85,8 @@ Status applySettings(Effect& effect, const char* const* settings)
     return Done{};
 }
 
-Result<LiveSimulation> started(Result<PresetReading> reading, const char* const* settings, const fumage_options* options)
+Result<LiveSimulation> started(
+    Result<PresetReading> reading, const char* const* settings, const fumage_options* options)
 {
     if (!reading) {
         return reading.error();
@@ -103,7 +107,8 @@ Result<LiveSimulation> started(Result<PresetReading> reading, const char* const*
 
 /// @param read gives the preset
 template <class Read>
-fumage_smoke* create(const char* text, const char* const* settings, const fumage_options* options, const Read& read) noexcept
+fumage_smoke* create(
+    const char* text, const char* const* settings, const fumage_options* options, const Read& read) noexcept
 {
     auto* const smoke = new (std::nothrow) fumage_smoke; // fumage_destroy() deletes it: C owns no unique_ptr
     if (smoke == nullptr) {
@@ -128,7 +133,8 @@ glm::vec3 vectorOf(const float* numbers)
 
 using Move = Status (LiveSimulation::*)(const EmitterPose&);
 
-int moveEmitter(fumage_smoke* smoke, Move move, const float* position, const float* normal, const float* velocity) noexcept
+int moveEmitter(
+    fumage_smoke* smoke, Move move, const float* position, const float* normal, const float* velocity) noexcept
 {
     return running(smoke, [&](LiveSimulation& simulation) {
         EmitterPose pose = simulation.emitter();

@@ -25,7 +25,10 @@ struct Curve {
     Curve(std::initializer_list<CurvePoint> points);
 
     /// The control points in use, x ascending.
-    [[nodiscard]] std::span<const CurvePoint> points() const { return {storage.data(), static_cast<std::size_t>(count)}; }
+    [[nodiscard]] std::span<const CurvePoint> points() const
+    {
+        return {storage.data(), static_cast<std::size_t>(count)};
+    }
 
     /// @return the value at x; outside of the points, that of the nearest
     /// Source: Fritsch and Carlson, "Monotone Piecewise Cubic Interpolation", SIAM J. Numer. Anal. 17, 1980.

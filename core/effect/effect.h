@@ -60,8 +60,8 @@ enum class Obstacle {
     Sphere
 };
 
-// The structs below are the document: plain data in the units that an artist sees (metres, seconds, degrees, linear RGB),
-// and the only place with defaults. What each member means, its range and its unit stand in parameter_table.cpp.
+// The structs below are the document: plain data in the units that an artist sees (metres, seconds, degrees, linear
+// RGB), and the only place with defaults. What each member means, its range and its unit stand in parameters/.
 
 struct Emitter {
     EmitterShape shape = EmitterShape::Disc;
@@ -82,10 +82,6 @@ struct Emitter {
 };
 
 struct Motion {
-    float wind = 0.15F;
-    float windAngle = 0.0F;
-    float gust = 0.5F;
-    float gustRate = 0.4F;
     float gravity = 0.0F;
     float mass = 1.0F;
     float randomness = 0.0F;
@@ -99,27 +95,40 @@ struct Motion {
     friend bool operator==(const Motion&, const Motion&) = default;
 };
 
+struct Wind {
+    float strength = 0.15F;
+    float angle = 0.0F;
+    float gust = 0.5F;
+    float gustRate = 0.4F;
+    friend bool operator==(const Wind&, const Wind&) = default;
+};
+
 struct Air {
     bool enabled = false;
     int resolution = 64;
     bool fit = true;
     glm::vec3 size{3.0F, 6.0F, 3.0F};
     glm::vec3 offset{0.0F, 0.0F, 0.0F};
+    float buoyancy = 1.1F;
+    float cooling = 0.25F;
+    float drag = 0.8F;
     float vorticity = 0.15F;
-    float raggedness = 0.35F;
-    float unevenness = 0.4F;
     float turbulence = 0.0F;
     float turbulenceScale = 0.8F;
-    float detail = 1.0F;
-    float heatOpacity = 0.0F;
-    float expansion = 0.0F;
     bool ground = true;
     float groundHeight = 0.0F;
     float friction = 0.02F;
     Obstacle obstacle = Obstacle::None;
-    glm::vec3 obstaclePlace{0.0F, 2.0F, 0.0F};
+    glm::vec3 obstaclePosition{0.0F, 2.0F, 0.0F};
     glm::vec3 obstacleSize{0.6F, 0.6F, 0.6F};
     friend bool operator==(const Air&, const Air&) = default;
+};
+
+struct Source {
+    float raggedness = 0.35F;
+    float unevenness = 0.4F;
+    float expansion = 0.0F;
+    friend bool operator==(const Source&, const Source&) = default;
 };
 
 struct Turbulence {
@@ -132,6 +141,7 @@ struct Turbulence {
     float onset = 0.2F;
     float growth = 0.0F;
     float drift = 1.4F;
+    float detail = 1.0F;
     friend bool operator==(const Turbulence&, const Turbulence&) = default;
 };
 
@@ -189,6 +199,7 @@ struct Look {
     float stretch = 0.0F;
     float relief = 0.0F;
     float roundness = 0.0F;
+    float heatOpacity = 0.0F;
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -210,6 +221,20 @@ struct Noise {
     friend bool operator==(const Noise&, const Noise&) = default;
 };
 
+struct Glow {
+    float emission = 0.0F;
+    float emissionCooling = 2.0F;
+    float hotCore = 0.0F;
+    float flameOpacity = 1.0F;
+    float fireLight = 1.0F;
+    EmissionColour emissionColour = EmissionColour::Gradient;
+    float temperature = 1900.0F;
+    Gradient emissionGradient{{0.0F, glm::vec3(0.0F)}, {0.15F, glm::vec3(0.0F)}, {0.35F, glm::vec3(0.2F, 0.015F, 0.0F)},
+        {0.6F, glm::vec3(1.0F, 0.22F, 0.02F)}, {0.8F, glm::vec3(1.0F, 0.62F, 0.18F)},
+        {1.0F, glm::vec3(1.0F, 0.85F, 0.55F)}};
+    friend bool operator==(const Glow&, const Glow&) = default;
+};
+
 struct Light {
     glm::vec3 direction{-0.6F, -0.64F, -0.48F};
     glm::vec3 colour{1.0F, 0.96F, 0.9F};
@@ -221,19 +246,6 @@ struct Light {
     glm::vec3 ground{0.20F, 0.18F, 0.16F};
     float ambient = 0.48F;
     float occlusion = 0.7F;
-    float emission = 0.0F;
-    float emissionCooling = 2.0F;
-    float hotCore = 0.0F;
-    float flameOpacity = 1.0F;
-    float fireLight = 1.0F;
-    EmissionColour emissionColour = EmissionColour::Gradient;
-    float temperature = 1900.0F;
-    Gradient emissionGradient{{0.0F, glm::vec3(0.0F)},
-        {0.15F, glm::vec3(0.0F)},
-        {0.35F, glm::vec3(0.2F, 0.015F, 0.0F)},
-        {0.6F, glm::vec3(1.0F, 0.22F, 0.02F)},
-        {0.8F, glm::vec3(1.0F, 0.62F, 0.18F)},
-        {1.0F, glm::vec3(1.0F, 0.85F, 0.55F)}};
     int resolution = 64;
     friend bool operator==(const Light&, const Light&) = default;
 };
@@ -275,7 +287,9 @@ struct Output {
 /// Everything that decides what a picture looks like. A frame is a pure function of it and the frame number.
 struct Effect {
     Emitter emitter;
+    Source source;
     Motion motion;
+    Wind wind;
     Air air;
     Turbulence turbulence;
     Vortex vortex;
@@ -283,6 +297,7 @@ struct Effect {
     Life life;
     Look look;
     Noise noise;
+    Glow glow;
     Light light;
     Camera camera;
     Timeline timeline;
@@ -303,11 +318,12 @@ inline constexpr int kMaxAirResolution = 128;
 /// Most slices of the noise: a sprite has 7 bits for the one that it shows.
 inline constexpr int kMaxNoiseSlices = 128;
 
-/// Most pixels along an edge of the noise tile that particles show; each halving of it is a level that a sprite has 4 bits for.
+/// Most pixels along an edge of the noise tile that particles show; each halving of it is a level that a sprite has 4
+/// bits for.
 inline constexpr int kMaxNoiseResolution = 512;
 
 /// The most that an axis of a particle grows, and the least part of it that it shrinks to.
-inline constexpr float kMostDeformation = 8.0F;
+inline constexpr float kMaxDeformation = 8.0F;
 
 /// Most cells along an edge of the density grid: what lights it has room for a line of as many.
 inline constexpr int kMaxLightResolution = 256;

@@ -22,7 +22,10 @@ struct Gradient {
     Gradient(std::initializer_list<GradientStop> stops);
 
     /// The stops in use, ascending.
-    [[nodiscard]] std::span<const GradientStop> stops() const { return {storage.data(), static_cast<std::size_t>(count)}; }
+    [[nodiscard]] std::span<const GradientStop> stops() const
+    {
+        return {storage.data(), static_cast<std::size_t>(count)};
+    }
 
     /// @return the colour at a position; outside of the stops, that of the nearest; white without stops
     [[nodiscard]] glm::vec3 at(float position) const;

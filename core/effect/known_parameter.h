@@ -3,6 +3,7 @@
 #include "core/effect/parameters/air.h"
 #include "core/effect/parameters/camera.h"
 #include "core/effect/parameters/emitter.h"
+#include "core/effect/parameters/glow.h"
 #include "core/effect/parameters/life.h"
 #include "core/effect/parameters/light.h"
 #include "core/effect/parameters/look.h"
@@ -10,16 +11,25 @@
 #include "core/effect/parameters/noise.h"
 #include "core/effect/parameters/output.h"
 #include "core/effect/parameters/rings.h"
+#include "core/effect/parameters/source.h"
 #include "core/effect/parameters/timeline.h"
 #include "core/effect/parameters/turbulence.h"
 #include "core/effect/parameters/vortex.h"
+#include "core/effect/parameters/wind.h"
 
 namespace fumage {
 
 /// The groups of the Effect in the order of panels and files.
 template <class... Members>
 struct GroupList {
-    static constexpr std::array kLabels{std::pair{kGroup<Members>.name, kGroup<Members>.label}...};
+    /// A group without its members.
+    struct Heading {
+        std::string_view name;
+        std::string_view label;
+        Scope scope;
+    };
+    static constexpr std::array kHeadings{
+        Heading{kGroup<Members>.name, kGroup<Members>.label, kGroup<Members>.scope}...};
 
     static consteval auto table()
     {
@@ -29,7 +39,8 @@ struct GroupList {
         return all;
     }
 };
-using Groups = GroupList<Emitter, Motion, Air, Turbulence, Vortex, Rings, Life, Look, Noise, Light, Camera, Timeline, Output>;
+using Groups = GroupList<Emitter, Source, Motion, Wind, Air, Turbulence, Vortex, Rings, Life, Look, Noise, Glow, Light,
+    Camera, Timeline, Output>;
 
 /// The table behind parameterTable(), for what is decided while compiling.
 inline constexpr std::array kParameterTable = Groups::table();

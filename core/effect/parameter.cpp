@@ -17,7 +17,7 @@ std::string_view unitSymbol(Unit unit)
     case Unit::PerSecond2: return "1/s\u00b2";
     case Unit::Hertz: return "Hz";
     case Unit::Frames: return "frames";
-    case Unit::FramesPerSecond: return "frames/s";
+    case Unit::FramesPerSecond: return "fps";
     case Unit::Pixels: return "px";
     case Unit::Millimetres: return "mm";
     case Unit::Stops: return "EV";
@@ -30,16 +30,16 @@ std::string_view unitSymbol(Unit unit)
 Message kindName(Kind kind)
 {
     switch (kind) {
-    case Kind::Bool: return said("true or false");
-    case Kind::Int: return said("a whole number");
-    case Kind::Float: return said("a number");
-    case Kind::Choice: return said("one of its names");
-    case Kind::Seed: return said("a whole number from 0 to 4294967295");
+    case Kind::Bool: return makeMessage("true or false");
+    case Kind::Int: return makeMessage("a whole number");
+    case Kind::Float: return makeMessage("a number");
+    case Kind::Choice: return makeMessage("one of its names");
+    case Kind::Seed: return makeMessage("a whole number from 0 to 4294967295");
     case Kind::Direction:
-    case Kind::Vector: return said("three numbers [x, y, z]");
-    case Kind::Colour: return said("three numbers [red, green, blue]");
-    case Kind::Curve: return said("a list of 1 to 16 points [x, y]");
-    case Kind::Gradient: return said("a list of 1 to 16 stops [at, red, green, blue]");
+    case Kind::Vector: return makeMessage("three numbers [x, y, z]");
+    case Kind::Colour: return makeMessage("three numbers [red, green, blue]");
+    case Kind::Curve: return makeMessage("a list of 1 to 16 points [x, y]");
+    case Kind::Gradient: return makeMessage("a list of 1 to 16 stops [at, red, green, blue]");
     }
     return {};
 }

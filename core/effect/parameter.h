@@ -50,11 +50,33 @@ enum class Scale {
     Log
 };
 
+/// Whose a parameter is.
+enum class Scope {
+    Scene, ///< one value for all layers: the surroundings
+    Layer, ///< each layer has its own
+};
+
 /// The first stage of the work that a change makes stale; what lies before it stays valid.
-enum class Stage {
+enum class DirtyStage {
     Shade, ///< light and paint the same particles again
     Noise, ///< bake the noise texture again
     Simulate, ///< step the particles again
+    Air, ///< bake the air again, where there is any, and step the particles
+};
+
+/// When a value is read that changes over time.
+enum class Animates {
+    Never, ///< it cannot change over time
+    Frame, ///< at the frame's time, for all particles
+    Step, ///< at the time of each step
+    Birth, ///< at the birth of each particle
+    Rate, ///< summed up over time, so that a phase does not jump
+};
+
+/// Whether a parameter can be set while a LiveSimulation runs.
+enum class Live {
+    Changes,
+    Fixed,
 };
 
 /// A value of any parameter. Choice is held as the int of its enum.
@@ -74,8 +96,10 @@ struct Range {
 /// One row of the table: all there is to know about a parameter.
 struct Parameter {
     std::string_view key; ///< "group.name": JSON path, --set key, objectName of the editor, anchor in the help
+    std::string_view formerly; ///< the key that earlier versions of files have; empty: the same
     std::string_view label; ///< key for tr()
-    std::string_view synonyms; ///< other words that it is looked for by, with spaces between: those of other programs, of other spellings, plain ones
+    std::string_view synonyms; ///< other words that it is looked for by, with spaces between: those of other programs,
+                               ///< of other spellings, plain ones
     Kind kind = Kind::Float;
     Range hard; ///< refused or clamped outside; of every component
     Range soft; ///< what a slider spans
@@ -86,7 +110,14 @@ struct Parameter {
     std::string_view source; ///< equation of the 2012 model, paper; empty where common practice
     std::span<const std::string_view> choices;
     VisibleWhen visible;
-    Stage stage = Stage::Simulate;
+    DirtyStage dirties = DirtyStage::Simulate;
+    Animates animates = Animates::Never;
+    bool varies =
+        true; ///< part of the smoke's character: variations change it, as far as its kind can be moved a little
+    int essential = 0; ///< place among the essentials at the top of the panel, from 1; 0: not one of them
+    Live live = Live::Changes;
+    bool atExport = false; ///< asked for in the export dialog, too
+    Scope scope = Scope::Layer; ///< that of its group
     Value (*get)(const Effect&) = nullptr;
     void (*set)(Effect&, const Value&) = nullptr; ///< the Value must hold the alternative of the kind
 

@@ -46,7 +46,9 @@ static_assert(everyGroupIsListed(Groups()));
 consteval bool everyRowIsDifferent()
 {
     return std::all_of(kParameterTable.begin(), kParameterTable.end(), [](const Parameter& row) {
-        return std::count_if(kParameterTable.begin(), kParameterTable.end(), [&](const Parameter& other) { return other.key == row.key || other.get == row.get; }) == 1;
+        return std::count_if(kParameterTable.begin(), kParameterTable.end(), [&](const Parameter& other) {
+            return other.key == row.key || other.get == row.get;
+        }) == 1;
     });
 }
 static_assert(everyRowIsDifferent(), "two rows have the same key or member");
@@ -55,10 +57,32 @@ static_assert(everyRowIsDifferent(), "two rows have the same key or member");
 constexpr bool canBe(const VisibleWhen& condition)
 {
     const Parameter* row = rows::find(condition.key);
-    return row != nullptr && (row->kind == Kind::Bool || row->kind == Kind::Int || (row->kind == Kind::Choice && static_cast<std::size_t>(condition.value) < row->choices.size()));
+    return row != nullptr
+        && (row->kind == Kind::Bool || row->kind == Kind::Int
+            || (row->kind == Kind::Choice && static_cast<std::size_t>(condition.value) < row->choices.size()));
 }
-static_assert(std::all_of(kParameterTable.begin(), kParameterTable.end(), [](const Parameter& row) { return row.visible.key.empty() || canBe(row.visible); }),
+static_assert(std::all_of(kParameterTable.begin(), kParameterTable.end(),
+                  [](const Parameter& row) { return row.visible.key.empty() || canBe(row.visible); }),
     "a row is visible only with a value that no other row can have");
+
+/// A former key is nobody's today and was one row's.
+consteval bool formerKeysAreUnique()
+{
+    return std::all_of(kParameterTable.begin(), kParameterTable.end(), [](const Parameter& row) {
+        return row.formerly.empty()
+            || std::count_if(kParameterTable.begin(), kParameterTable.end(),
+                   [&](const Parameter& other) { return other.formerly == row.formerly || other.key == row.formerly; })
+            == 1;
+    });
+}
+static_assert(formerKeysAreUnique(), "a former key is that of another row, too");
+
+const Groups::Heading* headingOf(std::string_view group)
+{
+    const auto* found = std::find_if(Groups::kHeadings.begin(), Groups::kHeadings.end(),
+        [&](const Groups::Heading& heading) { return heading.name == group; });
+    return found != Groups::kHeadings.end() ? found : nullptr;
+}
 
 } // namespace
 
@@ -72,23 +96,37 @@ const Parameter* findParameter(std::string_view key)
     return rows::find(key);
 }
 
+const Parameter* findFormerParameter(std::string_view key)
+{
+    const auto* found = std::find_if(kParameterTable.begin(), kParameterTable.end(),
+        [&](const Parameter& row) { return !row.formerly.empty() && row.formerly == key; });
+    return found != kParameterTable.end() ? found : nullptr;
+}
+
 std::string_view nearestParameterKey(std::string_view key)
 {
     std::vector<std::string_view> keys;
     for (const Parameter& parameter : kParameterTable) {
         keys.push_back(parameter.key);
+        if (!parameter.formerly.empty()) {
+            keys.push_back(parameter.formerly);
+        }
     }
-    return nearestName(key, keys);
+    const std::string_view nearest = nearestName(key, keys);
+    const Parameter* former = findFormerParameter(nearest);
+    return former != nullptr ? former->key : nearest;
 }
 
 std::string_view groupLabel(std::string_view group)
 {
-    for (const auto& [name, label] : Groups::kLabels) {
-        if (name == group) {
-            return label;
-        }
-    }
-    return {};
+    const auto* heading = headingOf(group);
+    return heading != nullptr ? heading->label : std::string_view();
+}
+
+std::optional<Scope> groupScope(std::string_view group)
+{
+    const auto* heading = headingOf(group);
+    return heading != nullptr ? std::optional(heading->scope) : std::nullopt;
 }
 
 bool isVisible(const Parameter& parameter, const Effect& effect)

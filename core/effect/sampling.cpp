@@ -19,7 +19,8 @@ SampledEffect sampled(const Effect& effect)
     constexpr int kFiner = 8;
     constexpr int kCoarser = 4;
     const int count = effect.emitter.count;
-    out.emitter.count = fine ? (count > kMaxParticles / kFiner ? kMaxParticles : count * kFiner) : std::max(1, count / kCoarser);
+    out.emitter.count =
+        fine ? (count > kMaxParticles / kFiner ? kMaxParticles : count * kFiner) : std::max(1, count / kCoarser);
     // What makes smoke dense is count * size^2 * opacity.
     const float ratio = static_cast<float>(count) / static_cast<float>(out.emitter.count);
     const float root = std::sqrt(ratio);

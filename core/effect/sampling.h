@@ -4,15 +4,19 @@
 
 namespace fumage {
 
-/// An effect with its output.quality worked into its numbers. Only sampled() and thinned() make one, and what simulates and draws takes nothing
-/// else: no numbers of the document reach a picture without their quality, and none with it twice.
+/// An effect with its output.quality worked into its numbers. Only sampled() and thinned() make one, and what simulates
+/// and draws takes nothing else: no numbers of the document reach a picture without their quality, and none with it
+/// twice.
 class SampledEffect {
 public:
     /// The defaults, whose quality is good.
     SampledEffect() = default;
 
     [[nodiscard]] const Effect* operator->() const { return &m_effect; }
-    [[nodiscard]] operator const Effect&() const { return m_effect; } // NOLINT(google-explicit-constructor): whatever reads an effect reads this one
+    [[nodiscard]] operator const Effect&() const
+    {
+        return m_effect;
+    } // NOLINT(google-explicit-constructor): whatever reads an effect reads this one
 
     /// Puts the emitter elsewhere, and turns it: that is the same for every quality.
     void placeEmitter(const glm::vec3& position, const glm::vec3& normal)
@@ -34,10 +38,11 @@ private:
     Effect m_effect;
 };
 
-/// Works output.quality into the numbers and leaves it good: draft has a quarter of the particles, final eight times as many (kMaxParticles at most),
-/// larger or smaller and denser or thinner so that the smoke covers as much and is as dense.
-/// Shadows keep their resolution: thin threads are as dark as their cells are fine, and light must not change with the quality.
-/// Half of what the number changes goes into the size and half into the opacity: finer detail with less noise.
+/// Works output.quality into the numbers and leaves it good: draft has a quarter of the particles, final eight times as
+/// many (kMaxParticles at most), larger or smaller and denser or thinner so that the smoke covers as much and is as
+/// dense. Shadows keep their resolution: thin threads are as dark as their cells are fine, and light must not change
+/// with the quality. Half of what the number changes goes into the size and half into the opacity: finer detail with
+/// less noise.
 [[nodiscard]] SampledEffect sampled(const Effect& effect);
 SampledEffect sampled(const SampledEffect& effect) = delete;
 

@@ -12,11 +12,12 @@ namespace {
 
 const DerivedParameter* derivedOf(const Parameter& parameter)
 {
-    const auto found = std::find_if(kDerivedParameters.begin(), kDerivedParameters.end(), [&](const DerivedParameter& one) { return &one.row == &parameter; });
+    const auto found = std::find_if(kDerivedParameters.begin(), kDerivedParameters.end(),
+        [&](const DerivedParameter& one) { return &one.row == &parameter; });
     return found != kDerivedParameters.end() ? &*found : nullptr;
 }
 
-/// Derived ones first in their group: they are the plain way to it. Fire before the light that it was taken from.
+/// Derived ones first in their group: they are the plain way to it.
 std::vector<const Parameter*> arranged()
 {
     std::vector<const Parameter*> all;
@@ -29,13 +30,8 @@ std::vector<const Parameter*> arranged()
                     all.push_back(&derived.row);
                 }
             }
-            if (group == kFire.front()->group()) {
-                all.insert(all.end(), kFire.begin(), kFire.end());
-            }
         }
-        if (shownGroup(parameter) == group) {
-            all.push_back(&parameter);
-        }
+        all.push_back(&parameter);
     }
     return all;
 }
@@ -73,17 +69,6 @@ Value storedValue(const Parameter& shown, const Value& value, const Effect& effe
     Effect changed = effect;
     shown.set(changed, clampValue(shown, value).value);
     return clampValue(stored, stored.get(changed)).value;
-}
-
-std::string_view shownGroup(const Parameter& parameter)
-{
-    const bool isFire = std::find(kFire.begin(), kFire.end(), findParameter(parameter.key)) != kFire.end();
-    return isFire ? kShownFire.name : parameter.group();
-}
-
-std::string_view shownGroupLabel(std::string_view group)
-{
-    return group == kShownFire.name ? kShownFire.label : groupLabel(group);
 }
 
 } // namespace fumage

@@ -7,7 +7,7 @@
 namespace fumage {
 
 // The table as people look at it: in panels, search and help. Beside the parameters that an effect holds there are
-// derived ones, which write another; and some stand under a heading of their own. Files know nothing of either.
+// derived ones, which write another. Files know nothing of them.
 
 /// All rows: those of the table and the derived ones, in the order of panels, group by group.
 [[nodiscard]] const std::vector<const Parameter*>& shownParameters();
@@ -20,11 +20,5 @@ namespace fumage {
 
 /// What the stored parameter has to be for a row to have a value.
 [[nodiscard]] Value storedValue(const Parameter& shown, const Value& value, const Effect& effect);
-
-/// The group that a row is shown in: mostly that of its key.
-[[nodiscard]] std::string_view shownGroup(const Parameter& parameter);
-
-/// Its heading.
-[[nodiscard]] std::string_view shownGroupLabel(std::string_view group);
 
 } // namespace fumage

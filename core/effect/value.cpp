@@ -2,7 +2,6 @@
 
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
-#include "core/effect/shown_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,8 @@ constexpr std::size_t kNumbersAStop = 4;
 
 Error wrongType(const Parameter& parameter, std::string_view found)
 {
-    return {ErrorCode::WrongType, said("expected %1, found %2", kindName(parameter.kind), inQuotes(found)), std::string(parameter.key), {}};
+    return {ErrorCode::WrongType, makeMessage("expected %1, found %2", kindName(parameter.kind), inQuotes(found)),
+        std::string(parameter.key), {}};
 }
 
 std::string join(std::initializer_list<float> numbers)
@@ -59,7 +59,8 @@ Result<Clamped> parseChoice(const Parameter& parameter, std::string_view text)
     for (const std::string_view choice : parameter.choices) {
         all += (all.empty() ? "" : ", ") + std::string(choice);
     }
-    return Error{ErrorCode::UnknownName, said("there is no %1", inQuotes(text)), std::string(parameter.key), said("Choose one of %1", all)};
+    return Error{ErrorCode::UnknownName, makeMessage("there is no %1", inQuotes(text)), std::string(parameter.key),
+        makeMessage("Choose one of %1", all)};
 }
 
 Result<Clamped> parseBool(const Parameter& parameter, std::string_view text)
@@ -73,7 +74,8 @@ Result<Clamped> parseBool(const Parameter& parameter, std::string_view text)
     return wrongType(parameter, text);
 }
 
-/// Whether the brackets of a text are those of the kind: none at all, or one pair around a vector and around each part of a list.
+/// Whether the brackets of a text are those of the kind: none at all, or one pair around a vector and around each part
+/// of a list.
 bool bracketsFit(const Parameter& parameter, std::string_view text)
 {
     std::string brackets;
@@ -85,7 +87,8 @@ bool bracketsFit(const Parameter& parameter, std::string_view text)
         }
         return brackets.size() > 2 && brackets == expected + "]";
     }
-    const bool isVector = parameter.kind == Kind::Direction || parameter.kind == Kind::Vector || parameter.kind == Kind::Colour;
+    const bool isVector =
+        parameter.kind == Kind::Direction || parameter.kind == Kind::Vector || parameter.kind == Kind::Colour;
     return brackets.empty() || (isVector && brackets == "[]");
 }
 
@@ -99,8 +102,8 @@ Result<std::vector<double>> parseNumbers(const Parameter& parameter, std::string
         plain.begin(), plain.end(), [](char c) { return c == '[' || c == ']'; }, ' ');
     std::vector<double> numbers;
     const std::size_t count = splitCount(plain, ',');
-    constexpr std::size_t kMostNumbers = kMaxControlPoints * kNumbersAStop;
-    for (std::size_t i = 0; i < count && i <= kMostNumbers; ++i) {
+    constexpr std::size_t kMaxNumbers = kMaxControlPoints * kNumbersAStop;
+    for (std::size_t i = 0; i < count && i <= kMaxNumbers; ++i) {
         const std::optional<float> number = parseFloat(trimmed(splitPart(plain, ',', i)));
         if (!number) {
             return wrongType(parameter, text);
@@ -129,7 +132,8 @@ Value curveFrom(std::span<const double> numbers)
 {
     Curve curve;
     for (std::size_t i = 0; i < numbers.size(); i += kNumbersAPoint) {
-        curve.storage[static_cast<std::size_t>(curve.count++)] = {static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1])};
+        curve.storage[static_cast<std::size_t>(curve.count++)] = {
+            static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1])};
     }
     return curve;
 }
@@ -138,7 +142,8 @@ Value gradientFrom(std::span<const double> numbers)
 {
     Gradient gradient;
     for (std::size_t i = 0; i < numbers.size(); i += kNumbersAStop) {
-        gradient.storage[static_cast<std::size_t>(gradient.count++)] = {static_cast<float>(numbers[i]), glm::vec3(numbers[i + 1], numbers[i + 2], numbers[i + 3])};
+        gradient.storage[static_cast<std::size_t>(gradient.count++)] = {
+            static_cast<float>(numbers[i]), glm::vec3(numbers[i + 1], numbers[i + 2], numbers[i + 3])};
     }
     return gradient;
 }
@@ -172,7 +177,8 @@ bool isDirection(const Parameter& parameter, const glm::vec3& value)
 glm::vec3 clampVector(const Parameter& parameter, const glm::vec3& value)
 {
     if (parameter.kind != Kind::Direction) {
-        return {clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
+        return {
+            clampComponent(parameter, value.x), clampComponent(parameter, value.y), clampComponent(parameter, value.z)};
     }
     const float largest = largestComponent(value);
     if (largest < kShortestDirection) {
@@ -204,7 +210,8 @@ Gradient clampGradient(const Parameter& parameter, Gradient gradient)
             stop.colour[i] = clampComponent(parameter, stop.colour[i]);
         }
     }
-    std::stable_sort(used.begin(), used.end(), [](const GradientStop& a, const GradientStop& b) { return a.at < b.at; });
+    std::stable_sort(
+        used.begin(), used.end(), [](const GradientStop& a, const GradientStop& b) { return a.at < b.at; });
     return gradient;
 }
 
@@ -216,7 +223,8 @@ std::string formatJson(const Parameter& parameter, const Value& value)
     case Kind::Bool: return std::get<bool>(value) ? "true" : "false";
     case Kind::Int: return std::to_string(std::get<int>(value));
     case Kind::Float: return formatFloat(std::get<float>(value));
-    case Kind::Choice: return '"' + std::string(parameter.choices[static_cast<std::size_t>(std::get<int>(value))]) + '"';
+    case Kind::Choice:
+        return '"' + std::string(parameter.choices[static_cast<std::size_t>(std::get<int>(value))]) + '"';
     case Kind::Seed: return std::to_string(std::get<std::uint32_t>(value));
     case Kind::Direction:
     case Kind::Vector:
@@ -265,7 +273,8 @@ Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const dou
     constexpr double kLargestFloat = 3.4028234e38;
     for (const double number : numbers) {
         if (!(std::abs(number) <= kLargestFloat)) {
-            return Error{ErrorCode::NotFinite, said("the number is not finite"), std::string(parameter.key), said("Use a plain number such as 1.5")};
+            return Error{ErrorCode::NotFinite, makeMessage("the number is not finite"), std::string(parameter.key),
+                makeMessage("Use a plain number such as 1.5")};
         }
     }
     const std::string found = std::to_string(numbers.size()) + " numbers";
@@ -274,13 +283,21 @@ Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const dou
     case Kind::Choice: return wrongType(parameter, found);
     case Kind::Int:
     case Kind::Seed: return numbers.size() == 1 ? wholeNumber(parameter, numbers[0]) : wrongType(parameter, found);
-    case Kind::Float: return numbers.size() == 1 ? Result<Clamped>(Clamped{static_cast<float>(numbers[0])}) : wrongType(parameter, found);
+    case Kind::Float:
+        return numbers.size() == 1 ? Result<Clamped>(Clamped{static_cast<float>(numbers[0])})
+                                   : wrongType(parameter, found);
     case Kind::Direction:
     case Kind::Vector:
     case Kind::Colour:
-        return numbers.size() == kNumbersAVector ? Result<Clamped>(Clamped{glm::vec3(numbers[0], numbers[1], numbers[2])}) : wrongType(parameter, found);
-    case Kind::Curve: return listFits(numbers.size(), kNumbersAPoint) ? Result<Clamped>(Clamped{curveFrom(numbers)}) : wrongType(parameter, found);
-    case Kind::Gradient: return listFits(numbers.size(), kNumbersAStop) ? Result<Clamped>(Clamped{gradientFrom(numbers)}) : wrongType(parameter, found);
+        return numbers.size() == kNumbersAVector
+            ? Result<Clamped>(Clamped{glm::vec3(numbers[0], numbers[1], numbers[2])})
+            : wrongType(parameter, found);
+    case Kind::Curve:
+        return listFits(numbers.size(), kNumbersAPoint) ? Result<Clamped>(Clamped{curveFrom(numbers)})
+                                                        : wrongType(parameter, found);
+    case Kind::Gradient:
+        return listFits(numbers.size(), kNumbersAStop) ? Result<Clamped>(Clamped{gradientFrom(numbers)})
+                                                       : wrongType(parameter, found);
     }
     return wrongType(parameter, found);
 }
@@ -290,9 +307,12 @@ Clamped clampValue(const Parameter& parameter, const Value& value)
     Value clamped = value;
     switch (parameter.kind) {
     case Kind::Bool: break;
-    case Kind::Choice: clamped = std::clamp(std::get<int>(value), 0, static_cast<int>(parameter.choices.size()) - 1); break;
+    case Kind::Choice:
+        clamped = std::clamp(std::get<int>(value), 0, static_cast<int>(parameter.choices.size()) - 1);
+        break;
     case Kind::Int:
-        clamped = std::clamp(std::get<int>(value), static_cast<int>(parameter.hard.low), static_cast<int>(parameter.hard.high));
+        clamped = std::clamp(
+            std::get<int>(value), static_cast<int>(parameter.hard.low), static_cast<int>(parameter.hard.high));
         break;
     case Kind::Seed: break;
     case Kind::Float: clamped = clampComponent(parameter, std::get<float>(value)); break;
@@ -327,27 +347,6 @@ bool setClamped(Effect& effect, const Parameter& parameter, const Value& value)
 bool setClamped(Effect& effect, const Parameter& parameter, const Clamped& read)
 {
     return setClamped(effect, parameter, read.value) || read.changed;
-}
-
-Result<bool> applyAssignment(Effect& effect, std::string_view assignment)
-{
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string_view::npos) {
-        return Error{ErrorCode::Syntax, said("%1 has no \"=\"", inQuotes(assignment)), {}, said("Write key=value, for example motion.wind=1.5")};
-    }
-    const std::string_view key = trimmed(assignment.substr(0, equals));
-    const Parameter* parameter = findShownParameter(key);
-    if (parameter == nullptr) {
-        const std::string_view near = nearestParameterKey(key);
-        return Error{ErrorCode::UnknownKey, said("there is no parameter %1", inQuotes(key)), {}, near.empty() ? said("List them with: fumage-cli parameters") : said("Did you mean %1?", inQuotes(near))};
-    }
-    const Result<Clamped> value = parseValue(*parameter, assignment.substr(equals + 1));
-    if (!value) {
-        return value.error();
-    }
-    const Value stored = storedValue(*parameter, value.value().value, effect);
-    const bool changed = setClamped(effect, storedParameter(*parameter), stored);
-    return changed || value.value().changed || clampValue(*parameter, value.value().value).changed;
 }
 
 } // namespace fumage

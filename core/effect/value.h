@@ -19,7 +19,8 @@ struct Clamped {
     bool changed = false; ///< it was outside of what the type or the parameter allows; a direction may have any length
 };
 
-/// Reads what formatText() writes; brackets around a vector may be left out. Only what the type cannot hold is clamped: see clampValue().
+/// Reads what formatText() writes; brackets around a vector may be left out. Only what the type cannot hold is clamped:
+/// see clampValue().
 /// @error WrongType, NotFinite, UnknownName; the place is the key
 [[nodiscard]] Result<Clamped> parseValue(const Parameter& parameter, std::string_view text);
 
@@ -28,7 +29,8 @@ struct Clamped {
 /// @error WrongType for a wrong count or a fraction where a whole number is meant; NotFinite
 [[nodiscard]] Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const double> numbers);
 
-/// Brings every component into the hard range, a direction to unit length (a zero one to the default's), points in order.
+/// Brings every component into the hard range, a direction to unit length (a zero one to the default's), points in
+/// order.
 /// @param value finite
 [[nodiscard]] Clamped clampValue(const Parameter& parameter, const Value& value);
 
@@ -38,10 +40,5 @@ struct Clamped {
 /// Clamps and writes. @return whether the value had to be clamped, here or when it was read
 bool setClamped(Effect& effect, const Parameter& parameter, const Value& value);
 bool setClamped(Effect& effect, const Parameter& parameter, const Clamped& read);
-
-/// Parses "key=value" and applies it, as --set does.
-/// @return whether the value had to be clamped
-/// @error UnknownKey with the nearest name; those of parseValue()
-[[nodiscard]] Result<bool> applyAssignment(Effect& effect, std::string_view assignment);
 
 } // namespace fumage

@@ -2,7 +2,6 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
-#include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 
@@ -104,15 +103,7 @@ bool canMove(const Parameter& parameter)
 
 bool isCharacter(const Parameter& parameter)
 {
-    constexpr std::array kOtherGroups{kGroup<Camera>.name, kGroup<Timeline>.name, kGroup<Output>.name};
-    constexpr std::array kCosts{
-        &knownParameter("emitter.count"),
-        &knownParameter("noise.slices"),
-        &knownParameter("noise.resolution"),
-        &knownParameter("light.resolution"),
-    };
-    return canMove(parameter) && std::find(kOtherGroups.begin(), kOtherGroups.end(), parameter.group()) == kOtherGroups.end()
-        && std::find(kCosts.begin(), kCosts.end(), &parameter) == kCosts.end();
+    return parameter.varies && canMove(parameter);
 }
 
 Effect vary(const Effect& effect, float amount, std::uint32_t seed, const MayVary& mayVary)

@@ -22,8 +22,8 @@ public:
     }
     [[nodiscard]] double decibels() const
     {
-        constexpr double kMost = 99.0; // of what is the same
-        return m_sum > 0.0 ? std::min(kMost, 10.0 * std::log10(static_cast<double>(m_count) / m_sum)) : kMost;
+        constexpr double kMax = 99.0; // of what is the same
+        return m_sum > 0.0 ? std::min(kMax, 10.0 * std::log10(static_cast<double>(m_count) / m_sum)) : kMax;
     }
 
 private:

@@ -12,10 +12,11 @@ namespace fumage {
 
 namespace {
 
-/// Edge of the pictures that are looked at, the longer one; those beyond the whole rounds of the animation are looked at only where smoke was still cut off.
+/// Edge of the pictures that are looked at, the longer one; those beyond the whole rounds of the animation are looked
+/// at only where smoke was still cut off.
 constexpr int kEdge = 256;
 constexpr int kRounds = 2;
-constexpr int kMostRounds = 4;
+constexpr int kMaxRounds = 4;
 /// Of the frames that give the first guess one in so many is looked at.
 constexpr int kStride = 4;
 /// Half of what may be on the border at most.
@@ -31,7 +32,8 @@ public:
         , m_progress(progress)
         , m_stop(stop)
     {
-        const float scale = static_cast<float>(kEdge) / static_cast<float>(std::max(effect.output.width, effect.output.height));
+        const float scale =
+            static_cast<float>(kEdge) / static_cast<float>(std::max(effect.output.width, effect.output.height));
         m_width = std::max(1, static_cast<int>(std::lround(static_cast<float>(effect.output.width) * scale)));
         m_height = std::max(1, static_cast<int>(std::lround(static_cast<float>(effect.output.height) * scale)));
         m_guesses = (frames.count() + kStride - 1) / kStride;
@@ -47,17 +49,20 @@ public:
                 return frame.error();
             }
             findAppearance(*frame.value(), m_smoke, Axes{}, m_appearance);
-            guess.addParticles(frame.value()->particles, m_appearance, secondsOf(m_smoke->timeline, frame.value()->number));
-            tell();
+            guess.addParticles(
+                frame.value()->particles, m_appearance, secondsOf(m_smoke->timeline, frame.value()->number));
+            report();
         }
         Camera camera = guess.camera();
-        for (int round = 0; round < kMostRounds && (round < kRounds || m_touches); ++round) {
+        for (int round = 0; round < kMaxRounds && (round < kRounds || m_touches); ++round) {
             Framing seen(asked, m_width, m_height);
             if (Status status = look(camera, seen); !status) {
                 return status.error();
             }
             if (seen.isEmpty()) {
-                return Error{ErrorCode::OutOfRange, said("no smoke is to be seen in frames %1 to %2", m_frames.first, m_frames.last), {}, said("Choose other frames, or make the smoke denser")};
+                return Error{ErrorCode::OutOfRange,
+                    makeMessage("no visible smoke in frames %1 to %2", m_frames.first, m_frames.last), {},
+                    makeMessage("Choose other frames, or make the smoke denser")};
             }
             camera = seen.camera();
         }
@@ -74,11 +79,11 @@ private:
         return sampled(effect);
     }
 
-    void tell()
+    void report()
     {
         const int total = m_guesses + kRounds * m_frames.count();
         m_done = std::min(m_done + 1, total);
-        m_progress(Work::Fitting, m_done, total);
+        m_progress(ProgressPhase::Fitting, m_done, total);
     }
 
     /// Renders every frame through a camera, and adds where smoke was seen.
@@ -99,9 +104,11 @@ private:
                 return status;
             }
             const PictureReach reach = reachOf(m_image, kSeen);
-            m_touches = m_touches || (!reach.isEmpty() && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
+            m_touches = m_touches
+                || (!reach.isEmpty()
+                    && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
             seen.addPicture(view, reach, depths(frame.value()->particles, view), seconds);
-            tell();
+            report();
         }
         return Done{};
     }
@@ -138,7 +145,8 @@ private:
 
 } // namespace
 
-Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+Result<Camera> fitCamera(
+    const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
 {
     return withinMemory([&] { return Fitting(effect, frames, progress, stop).run(); });
 }

@@ -4,7 +4,8 @@
 
 namespace fumage {
 
-FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const CellFrames& frames, bool wanted, int step, const std::shared_ptr<AirShelf>& shelf)
+FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const CellFrames& frames, bool wanted, int step,
+    const std::shared_ptr<AirCache>& shelf)
     : m_simulator(effect, Simulator::kDefaultCheckpointBytes, shelf)
     , m_loop(effect->timeline.loop ? effect->timeline.length : 0)
     , m_frames(frames)
@@ -33,7 +34,8 @@ Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const std::stop_
             return status.error();
         }
     }
-    return FrameAmongOthers{m_held[1].frame.get(), m_held[0].frame.get(), m_held[2].frame.get(), before ? now - *before : 1, after - now};
+    return FrameAmongOthers{
+        m_held[1].frame.get(), m_held[0].frame.get(), m_held[2].frame.get(), before ? now - *before : 1, after - now};
 }
 
 std::optional<int> FrameNeighbours::numberBefore(std::size_t place) const
@@ -64,10 +66,12 @@ int FrameNeighbours::numberAfter(std::size_t place) const
     return std::max(0, numbers[place] + (place > 0 ? numbers[place] - numbers[place - 1] : 1));
 }
 
-Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, Numbered& to, const std::stop_token& stop, const Progress& progress)
+Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, Numbered& to,
+    const std::stop_token& stop, const Progress& progress)
 {
     number = m_loop > 0 ? (number % m_loop + m_loop) % m_loop : number;
-    const auto* const held = std::find_if(last.begin(), last.end(), [&](const Numbered& each) { return each.frame && each.number == number; });
+    const auto* const held = std::find_if(
+        last.begin(), last.end(), [&](const Numbered& each) { return each.frame && each.number == number; });
     if (held != last.end()) {
         to = *held;
         return Done{};

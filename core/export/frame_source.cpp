@@ -2,7 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/export/manifest/manifest.h"
-#include "core/picture_files/exr_file.h"
+#include "core/image_io/exr_file.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace fumage {
 
 namespace {
 
-constexpr std::size_t kMostFrameBytes = std::size_t{4} << 30U;
+constexpr std::size_t kMaxFrameBytes = std::size_t{4} << 30U;
 
 /// Puts four channels side by side. @return whether they are there
 bool interleave(const ExrNumbers& numbers, Image& image)
@@ -31,7 +31,7 @@ bool interleave(const ExrNumbers& numbers, Image& image)
 
 Status read(const std::filesystem::path& file, int width, int height, Image& image)
 {
-    const Result<std::string> bytes = readFile(file, kMostFrameBytes);
+    const Result<std::string> bytes = readFile(file, kMaxFrameBytes);
     if (!bytes) {
         return bytes.error();
     }
@@ -43,7 +43,9 @@ Status read(const std::filesystem::path& file, int width, int height, Image& ima
     }
     image.resize(width, height);
     if (numbers.value().width != width || numbers.value().height != height || !interleave(numbers.value(), image)) {
-        return Error{ErrorCode::WrongType, said("this is no picture of %1 x %2 pixels with colour and alpha", width, height), file.string(), said("Render the frames anew, as EXR and in the preset's size")};
+        return Error{ErrorCode::WrongType,
+            makeMessage("this is no picture of %1 x %2 pixels with colour and alpha", width, height), file.string(),
+            makeMessage("Render the frames anew, as EXR and in the preset's size")};
     }
     return Done{};
 }
@@ -52,7 +54,9 @@ Status read(const std::filesystem::path& file, int width, int height, Image& ima
 
 FrameSource framesOfFiles(const std::filesystem::path& output, const FrameRange& frames, int width, int height)
 {
-    return [=](int frame, Image& image) { return read(framePath(output, frames, fileEnding(ImageFormat::ExrHalf), frame), width, height, image); };
+    return [=](int frame, Image& image) {
+        return read(framePath(output, frames, fileEnding(ImageFormat::ExrHalf), frame), width, height, image);
+    };
 }
 
 } // namespace fumage

@@ -1,11 +1,11 @@
 #include "core/export/image_file.h"
 
 #include "core/base/path.h"
-#include "core/export/bleed.h"
+#include "core/export/sheets/bleed.h"
 #include "core/export/output_name.h"
-#include "core/picture_files/exr_file.h"
-#include "core/picture_files/png_file.h"
-#include "core/picture_files/tga_file.h"
+#include "core/image_io/exr_file.h"
+#include "core/image_io/png_file.h"
+#include "core/image_io/tga_file.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/view_transform.h"
 
@@ -30,19 +30,22 @@ auto withBackground(const Image& image, const Output& output, const Take& take)
 }
 
 template <class Channel, class Finish>
-Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const ImageMetadata& notes,
+    const std::stop_token& stop, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
-    encode(image, effect.output, encoded, coverOf(effect.light));
+    encode(image, effect.output, encoded, coverOf(effect.glow));
     finish(encoded);
-    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true, std::as_bytes(std::span(encoded.pixels)), false, notes}, stop);
+    return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true,
+                         std::as_bytes(std::span(encoded.pixels)), false, notes},
+        stop);
 }
 
 template <class Finish>
 Result<std::vector<std::byte>> encodeTgaOf(const Image& image, const Effect& effect, const Finish& finish)
 {
     EncodedImage<std::uint8_t> encoded;
-    encode(image, effect.output, encoded, coverOf(effect.light));
+    encode(image, effect.output, encoded, coverOf(effect.glow));
     finish(encoded);
     if (effect.output.background == Background::Transparent) {
         return encodeTga({image.width, image.height, 4, encoded.pixels});
@@ -57,7 +60,8 @@ Result<std::vector<std::byte>> encodeTgaOf(const Image& image, const Effect& eff
 
 /// @param finish called with the encoded picture, where it holds no floats
 template <class Finish>
-Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop, const Finish& finish)
+Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format,
+    const ImageMetadata& notes, const std::stop_token& stop, const Finish& finish)
 {
     switch (format) {
     case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, effect, notes, stop, finish);
@@ -71,7 +75,7 @@ Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effe
         });
     case ImageFormat::Tga: return encodeTgaOf(image, effect, finish);
     }
-    return Error{ErrorCode::WriteFailed, said("unknown image format"), {}, {}};
+    return Error{ErrorCode::WriteFailed, makeMessage("unknown image format"), {}, {}};
 }
 
 inline int steps(float value, bool isSigned, int full)
@@ -84,27 +88,33 @@ template <class Channel>
 RawArray<Channel> quantisedAll(const DataImage& image)
 {
     RawArray<Channel> pixels(image.values.size());
-    std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) { return static_cast<Channel>(steps(value, image.isSigned, std::numeric_limits<Channel>::max())); });
+    std::transform(image.values.begin(), image.values.end(), pixels.begin(), [&](float value) {
+        return static_cast<Channel>(steps(value, image.isSigned, std::numeric_limits<Channel>::max()));
+    });
     return pixels;
 }
 
 template <class Channel>
-Result<std::vector<std::byte>> encodeNumbers(const DataImage& image, const PictureNotes& notes, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeNumbers(
+    const DataImage& image, const ImageMetadata& notes, const std::stop_token& stop)
 {
     const RawArray<Channel> pixels = quantisedAll<Channel>(image);
-    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), image.isSrgb, std::as_bytes(std::span(pixels)), true, notes}, stop);
+    return encodePng({image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Channel)), image.isSrgb,
+                         std::as_bytes(std::span(pixels)), true, notes},
+        stop);
 }
 
 template <class Channel>
 DataImage numbersOfSheet(const Image& image, const Effect& effect, int cellWidth, int cellHeight)
 {
     EncodedImage<Channel> encoded;
-    encode(image, effect.output, encoded, coverOf(effect.light));
+    encode(image, effect.output, encoded, coverOf(effect.glow));
     bleedColours(encoded, cellWidth, cellHeight);
     DataImage out{image.width, image.height, 4, false, {}, true};
     out.values.resize(encoded.pixels.size());
     constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
-    std::transform(encoded.pixels.begin(), encoded.pixels.end(), out.values.begin(), [](Channel value) { return static_cast<float>(value) / kFull; });
+    std::transform(encoded.pixels.begin(), encoded.pixels.end(), out.values.begin(),
+        [](Channel value) { return static_cast<float>(value) / kFull; });
     return out;
 }
 
@@ -117,7 +127,8 @@ bool holdsFloats(ImageFormat format)
 
 int fullOf(ImageFormat format)
 {
-    return format == ImageFormat::Png16 ? std::numeric_limits<std::uint16_t>::max() : std::numeric_limits<std::uint8_t>::max();
+    return format == ImageFormat::Png16 ? std::numeric_limits<std::uint16_t>::max()
+                                        : std::numeric_limits<std::uint8_t>::max();
 }
 
 std::string_view nameOf(ImageFormat format)
@@ -134,8 +145,7 @@ std::string_view nameOf(ImageFormat format)
 
 std::string_view fileEnding(ImageFormat format)
 {
-    return format == ImageFormat::Tga ? ".tga" : holdsFloats(format) ? ".exr"
-                                                                     : ".png";
+    return format == ImageFormat::Tga ? ".tga" : holdsFloats(format) ? ".exr" : ".png";
 }
 
 ImageFormat formatOf(const std::filesystem::path& path, bool wide)
@@ -151,17 +161,21 @@ ImageFormat formatOf(const std::filesystem::path& path, bool wide)
 
 std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending)
 {
-    return endingOf(path) == ending ? path : path.parent_path() / pathFrom(path.filename().string() + std::string(ending));
+    return endingOf(path) == ending ? path
+                                    : path.parent_path() / pathFrom(path.filename().string() + std::string(ending));
 }
 
-Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format,
+    const ImageMetadata& notes, const std::stop_token& stop)
 {
     return encodeWith(image, effect, format, notes, stop, [](auto&) {});
 }
 
-Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight, const PictureNotes& notes)
+Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth,
+    int cellHeight, const ImageMetadata& notes)
 {
-    return encodeWith(image, effect, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+    return encodeWith(
+        image, effect, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
 DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
@@ -171,19 +185,24 @@ DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat for
             return DataImage{light.width, light.height, 4, false, light.pixels};
         });
     }
-    return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight) : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
+    return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight)
+                                        : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
 }
 
-Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeData(
+    const DataImage& image, ImageFormat format, const ImageMetadata& notes, const std::stop_token& stop)
 {
     switch (format) {
     case ImageFormat::Png8: return encodeNumbers<std::uint8_t>(image, notes, stop);
     case ImageFormat::Png16: return encodeNumbers<std::uint16_t>(image, notes, stop);
-    case ImageFormat::Tga: return encodeTga({image.width, image.height, image.channels, quantisedAll<std::uint8_t>(image)});
+    case ImageFormat::Tga:
+        return encodeTga({image.width, image.height, image.channels, quantisedAll<std::uint8_t>(image)});
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat: break;
     }
-    return encodeExr({image.width, image.height, {{{}, exrChannels(image.channels), image.values}}, format == ImageFormat::ExrHalf, notes, false}, stop);
+    return encodeExr({image.width, image.height, {{{}, exrChannels(image.channels), image.values}},
+                         format == ImageFormat::ExrHalf, notes, false},
+        stop);
 }
 
 int quantised(float value, bool isSigned, int full)
@@ -208,7 +227,8 @@ Result<std::vector<std::byte>> encodeNoise(const NoiseTile& tile, ImageFormat fo
     DataImage flipped{tile.size, tile.size, 1, false, {}};
     const auto size = static_cast<std::ptrdiff_t>(tile.size);
     for (std::ptrdiff_t y = size - 1; y >= 0; --y) {
-        flipped.values.insert(flipped.values.end(), tile.values.begin() + y * size, tile.values.begin() + (y + 1) * size);
+        flipped.values.insert(
+            flipped.values.end(), tile.values.begin() + y * size, tile.values.begin() + (y + 1) * size);
     }
     return encodeData(flipped, format);
 }

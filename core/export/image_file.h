@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/effect/effect.h"
 #include "core/noise/texture.h"
-#include "core/picture_files/picture_notes.h"
+#include "core/image_io/image_metadata.h"
 #include "core/rendering/image.h"
 
 #include <array>
@@ -26,7 +26,8 @@ enum class ImageFormat {
 };
 
 /// All of them, in their order.
-inline constexpr std::array kAllImageFormats{ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat, ImageFormat::Tga};
+inline constexpr std::array kAllImageFormats{
+    ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat, ImageFormat::Tga};
 
 /// "png", "png16", "exr", "exr32" or "tga": what command lines and manifests call it.
 [[nodiscard]] std::string_view nameOf(ImageFormat format);
@@ -39,7 +40,8 @@ inline constexpr std::array kAllImageFormats{ImageFormat::Png8, ImageFormat::Png
 /// ".png", ".exr" or ".tga".
 [[nodiscard]] std::string_view fileEnding(ImageFormat format);
 
-/// The format that the ending of a path asks for, in small letters or capitals: half floats for .exr, TGA for .tga, PNG of 8 bits for .png and all others.
+/// The format that the ending of a path asks for, in small letters or capitals: half floats for .exr, TGA for .tga, PNG
+/// of 8 bits for .png and all others.
 /// @param wide the format with more bits of the two: floats, or 16 bits; TGA has one
 [[nodiscard]] ImageFormat formatOf(const std::filesystem::path& path, bool wide = false);
 
@@ -48,12 +50,15 @@ inline constexpr std::array kAllImageFormats{ImageFormat::Png8, ImageFormat::Png
 [[nodiscard]] std::filesystem::path withEnding(const std::filesystem::path& path, std::string_view ending);
 
 /// Encodes a picture into the bytes of a file; the same bytes for the same picture.
-/// @param effect    for PNG and TGA its exposure and view transform; where its flames are clear, alpha covers at least the light that they give
+/// @param effect    for PNG and TGA its exposure and view transform; where its flames are clear, alpha covers at least
+/// the light that they give
 /// @error WriteFailed when the library refuses; Cancelled
-[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format, const PictureNotes& notes = {}, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format,
+    const ImageMetadata& notes = {}, const std::stop_token& stop = {});
 
 /// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
-[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight, const PictureNotes& notes = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format,
+    int cellWidth, int cellHeight, const ImageMetadata& notes = {});
 
 /// Numbers that are no light for eyes: rows from the top, channels side by side.
 struct DataImage {
@@ -65,12 +70,16 @@ struct DataImage {
     bool isSrgb = false; ///< its colours are light after all, as displays take it; said in PNG
 };
 
-/// The numbers that encodeSheet() writes for a picture of cells: straight sRGB in [0, 1] with colours that go on under transparency; of floats the picture as it is.
-[[nodiscard]] DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
+/// The numbers that encodeSheet() writes for a picture of cells: straight sRGB in [0, 1] with colours that go on under
+/// transparency; of floats the picture as it is.
+[[nodiscard]] DataImage sheetNumbers(
+    const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
 
-/// Encodes numbers as they are: PNG without a colour space, and, as in TGA, what is out of range clipped; EXR with all of them.
+/// Encodes numbers as they are: PNG without a colour space, and, as in TGA, what is out of range clipped; EXR with all
+/// of them.
 /// @error as encodeImage()
-[[nodiscard]] Result<std::vector<std::byte>> encodeData(const DataImage& image, ImageFormat format, const PictureNotes& notes = {}, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeData(
+    const DataImage& image, ImageFormat format, const ImageMetadata& notes = {}, const std::stop_token& stop = {});
 
 /// The number that a channel without floats holds for a value.
 /// @param full 255 or 65535

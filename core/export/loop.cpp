@@ -50,7 +50,8 @@ std::optional<FrameRange> closedInstead(const Timeline& timeline, const FrameRan
     const std::int64_t covered = static_cast<std::int64_t>(frames.count()) * frames.step;
     const std::int64_t turns = std::max<std::int64_t>(1, (covered + length / 2) / length);
     const std::int64_t most = std::max<std::int64_t>(1, turns * length / fewest); // of the step
-    const int step = nearestDivisor(frames.step, timeline.length, static_cast<int>(std::min<std::int64_t>(most, length)));
+    const int step =
+        nearestDivisor(frames.step, timeline.length, static_cast<int>(std::min<std::int64_t>(most, length)));
     const std::int64_t needed = (static_cast<std::int64_t>(fewest) * step + length - 1) / length;
     const std::int64_t last = frames.first + std::max(turns, needed) * length - step;
     return last <= kMaxFrame ? std::optional(FrameRange{frames.first, static_cast<int>(last), step}) : std::nullopt;

@@ -40,9 +40,7 @@ std::string listOf(std::span<const std::string_view> endings)
 {
     std::string list;
     for (const std::string_view ending : endings) {
-        list += (list.empty() ? "" : ending == endings.back() ? " or "
-                                                              : ", ")
-            + std::string(ending);
+        list += (list.empty() ? "" : ending == endings.back() ? " or " : ", ") + std::string(ending);
     }
     return list;
 }
@@ -59,7 +57,8 @@ std::string endingOf(const std::filesystem::path& path)
 {
     const std::string ending = path.extension().string();
     const std::optional<NumberPlace> place = numberPlaceIn(ending);
-    const bool isNumber = ending.find_first_not_of(".#") == std::string::npos || (place && place->length + 1 == ending.size());
+    const bool isNumber =
+        ending.find_first_not_of(".#") == std::string::npos || (place && place->length + 1 == ending.size());
     return isNumber ? std::string() : inSmallLetters(ending);
 }
 
@@ -75,13 +74,14 @@ std::string nameWithoutNumber(const std::filesystem::path& output)
 
 Error nameNotUtf8(const std::filesystem::path& output)
 {
-    return {ErrorCode::NotUtf8, said("this name is not UTF-8, and has to be written down in a file beside it"),
-        output.string(), said("Choose another name")};
+    return {ErrorCode::NotUtf8, makeMessage("this name is not UTF-8, and has to be written down in a file beside it"),
+        output.string(), makeMessage("Choose another name")};
 }
 
 Error wouldOverwrite(const std::filesystem::path& source)
 {
-    return {ErrorCode::WouldOverwrite, said("this would overwrite the preset that it is made of"), source.string(), said("Choose another name")};
+    return {ErrorCode::WouldOverwrite, makeMessage("this would overwrite the preset that it is made of"),
+        source.string(), makeMessage("Choose another name")};
 }
 
 Result<std::filesystem::path> outputPath(const std::string& named, const OutputNames& names)
@@ -93,11 +93,13 @@ Result<std::filesystem::path> outputPath(const std::string& named, const OutputN
         return path / pathFrom(names.fallback + std::string(names.endings.front()));
     }
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
-        return Error{ErrorCode::NotAFile, said("cannot write: %1", said("it is not a regular file")), named, said("Name a file, or - for standard output")};
+        return Error{ErrorCode::NotAFile, makeMessage("cannot write: %1", makeMessage("it is not a regular file")),
+            named, makeMessage("Name a file, or - for standard output")};
     }
     const std::string ending = endingOf(path);
     if (!ending.empty() && std::find(names.endings.begin(), names.endings.end(), ending) == names.endings.end()) {
-        return Error{ErrorCode::UnknownName, said("the ending %1 does not fit", inQuotes(ending)), named, said("Use %1", listOf(names.endings))};
+        return Error{ErrorCode::UnknownName, makeMessage("the ending %1 does not fit", inQuotes(ending)), named,
+            makeMessage("Use %1", listOf(names.endings))};
     }
     return path;
 }

@@ -28,10 +28,12 @@ struct NumberPlace {
 /// other # and % are letters.
 [[nodiscard]] std::optional<NumberPlace> numberPlaceIn(std::string_view name);
 
-/// The ending of a path in small letters, with its dot; empty where it has none. What stands for a number, and a dot at the beginning of the name is no ending.
+/// The ending of a path in small letters, with its dot; empty where it has none. What stands for a number, and a dot at
+/// the beginning of the name is no ending.
 [[nodiscard]] std::string endingOf(const std::filesystem::path& path);
 
-/// The name of numbered files without folder, number and ending: "smoke" of "out/smoke_####.exr"; "frames" where nothing is left.
+/// The name of numbered files without folder, number and ending: "smoke" of "out/smoke_####.exr"; "frames" where
+/// nothing is left.
 [[nodiscard]] std::string nameWithoutNumber(const std::filesystem::path& output);
 
 /// Makes the path of an output of what a person has named: a folder, or what ends with a slash, gets a file with the

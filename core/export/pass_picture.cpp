@@ -2,7 +2,7 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/export/spread.h"
+#include "core/export/sheets/motion_fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +42,8 @@ float largestOf(const Image& image, float least, const Value& value)
 /// What lets a share 1 - alpha of the light through: each particle multiplies that share, and adds to this.
 float opticalDepth(float alpha)
 {
-    constexpr float kLeastThrough = 0x1p-23F; // the next alpha below 1
-    return alpha > 0.0F ? -portableLog(std::max(kLeastThrough, 1.0F - alpha)) : 0.0F;
+    constexpr float kMinThrough = 0x1p-23F; // the next alpha below 1
+    return alpha > 0.0F ? -portableLog(std::max(kMinThrough, 1.0F - alpha)) : 0.0F;
 }
 
 /// Makes a picture of values(index of the pixel, where they go).
@@ -51,7 +51,8 @@ template <class Values>
 DataImage filled(const Image& like, int channels, bool isSigned, const Values& values)
 {
     DataImage out{like.width, like.height, channels, isSigned, {}};
-    out.values.resize(static_cast<std::size_t>(like.width) * static_cast<std::size_t>(like.height) * static_cast<std::size_t>(channels));
+    out.values.resize(static_cast<std::size_t>(like.width) * static_cast<std::size_t>(like.height)
+        * static_cast<std::size_t>(channels));
     const auto width = static_cast<std::size_t>(like.width);
     parallelFor(static_cast<std::size_t>(like.height), [&](std::size_t y) {
         for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
@@ -77,7 +78,8 @@ std::array<std::array<SixWayChannel, 4>, 2> channelsOf(SixWayLayout layout)
 
 std::string_view nameOf(SixWayChannel channel)
 {
-    constexpr std::array<std::string_view, 9> kNames{"right", "left", "top", "bottom", "back", "front", "alpha", "emissive", "nothing"};
+    constexpr std::array<std::string_view, 9> kNames{
+        "right", "left", "top", "bottom", "back", "front", "alpha", "emissive", "nothing"};
     return kNames[static_cast<std::size_t>(channel)];
 }
 
@@ -111,57 +113,63 @@ PassPictures::PassPictures(const PassSheet& sheet, PassSheet* spent, PassSet pas
     : m_sheet(sheet)
     , m_style(style)
 {
-    const auto straight = [&](PassLayer layer, float enough, bool last) {
+    const auto straight = [&](PassTarget target, float enough, bool last) {
         Image image;
         if (spent != nullptr && last) {
-            image = std::move(spent->layers.of(layer));
+            image = std::move(spent->targets.of(target));
         } else {
-            image = sheet.layers.of(layer);
+            image = sheet.targets.of(target);
         }
         straighten(image, sheet.grid.cellWidth, sheet.grid.cellHeight, enough);
         return image;
     };
-    for (const PassLayer layer : {PassLayer::RightTopBack, PassLayer::LeftBottomFront, PassLayer::Emission, PassLayer::Albedo, PassLayer::Inner}) {
-        if (needsLayer(passes, layer)) {
-            m_straight[static_cast<std::size_t>(layer)] = straight(layer, kEnough, !style.premultiplied);
+    for (const PassTarget target : {PassTarget::RightTopBack, PassTarget::LeftBottomFront, PassTarget::Emission,
+             PassTarget::Albedo, PassTarget::Inner}) {
+        if (needsTarget(passes, target)) {
+            m_straight[static_cast<std::size_t>(target)] = straight(target, kEnough, !style.premultiplied);
         }
     }
     if (passes.has(Pass::Depth)) {
-        m_straight[static_cast<std::size_t>(PassLayer::Motion)] = straight(PassLayer::Motion, kEnough, !passes.has(Pass::Motion));
+        m_straight[static_cast<std::size_t>(PassTarget::Motion)] =
+            straight(PassTarget::Motion, kEnough, !passes.has(Pass::Motion));
     }
     if (passes.has(Pass::Motion)) {
-        m_motion = straight(PassLayer::Motion, kEnoughToFlow, true);
-        refineMotion(sheet.layers.of(PassLayer::Colour), sheet.grid, m_motion);
+        m_motion = straight(PassTarget::Motion, kEnoughToFlow, true);
+        refineMotion(sheet.targets.of(PassTarget::Colour), sheet.grid, m_motion);
     }
     findScales(passes);
 }
 
 void PassPictures::findScales(PassSet passes)
 {
-    const auto largest = [&](PassLayer layer, float least) {
-        return largestOf(straight(layer), least, [](const float* p) { return p[3] < kSeen ? 0.0F : std::max({p[0], p[1], p[2]}); });
+    const auto largest = [&](PassTarget target, float least) {
+        return largestOf(straight(target), least, [](const float* p) {
+            return p[3] < kSeen ? 0.0F : std::max({p[0], p[1], p[2]});
+        });
     };
-    m_scales.light = largest(PassLayer::LeftBottomFront, largest(PassLayer::RightTopBack, m_scales.light));
-    m_scales.glow = largest(PassLayer::Emission, 0.0F);
+    m_scales.light = largest(PassTarget::LeftBottomFront, largest(PassTarget::RightTopBack, m_scales.light));
+    m_scales.glow = largest(PassTarget::Emission, 0.0F);
     m_scales.emission = std::max(m_scales.emission, m_scales.glow);
     if (passes.has(Pass::SixWayB)) {
-        m_scales.ramp = fitGlowRamp(straight(PassLayer::Emission), m_scales.glow);
+        m_scales.ramp = fitGlowRamp(straight(PassTarget::Emission), m_scales.glow);
     }
     if (passes.has(Pass::Temperature)) {
-        const float hottest = largestOf(straight(PassLayer::Inner), 0.0F, [](const float* p) { return p[3] < kSeen ? 0.0F : p[0]; });
+        const float hottest =
+            largestOf(straight(PassTarget::Inner), 0.0F, [](const float* p) { return p[3] < kSeen ? 0.0F : p[0]; });
         m_scales.temperature = hottest > 0.0F ? hottest : 1.0F;
     }
     if (passes.has(Pass::Density)) {
-        const float most = largestOf(m_sheet.layers.of(PassLayer::Colour), 0.0F, [](const float* p) { return p[3]; });
+        const float most = largestOf(m_sheet.targets.of(PassTarget::Colour), 0.0F, [](const float* p) { return p[3]; });
         m_scales.density = std::max(opticalDepth(kSeen), opticalDepth(most));
     }
     if (passes.has(Pass::Motion)) {
         constexpr float kStill = 1e-6F;
-        m_scales.motion = largestOf(m_motion, kStill, [](const float* p) { return std::max(std::abs(p[0]), std::abs(p[1])); });
+        m_scales.motion =
+            largestOf(m_motion, kStill, [](const float* p) { return std::max(std::abs(p[0]), std::abs(p[1])); });
     }
     if (passes.has(Pass::Depth)) {
         constexpr float kFar = std::numeric_limits<float>::max();
-        const Image& places = straight(PassLayer::Motion);
+        const Image& places = straight(PassTarget::Motion);
         const float low = -largestOf(places, -kFar, [](const float* p) { return p[3] < kSeen ? -kFar : -p[2]; });
         const float high = largestOf(places, 0.0F, [](const float* p) { return p[3] < kSeen ? 0.0F : p[2]; });
         m_scales.nearest = low < high ? low : 0.0F;
@@ -173,8 +181,8 @@ DataImage PassPictures::sixWay(std::size_t map) const
 {
     const std::array<std::array<SixWayChannel, 4>, 2> maps = channelsOf(m_style.layout);
     const float share = 1.0F / m_scales.light;
-    const Image& above = written(PassLayer::RightTopBack);
-    const Image& below = written(PassLayer::LeftBottomFront);
+    const Image& above = written(PassTarget::RightTopBack);
+    const Image& below = written(PassTarget::LeftBottomFront);
     return filled(above, 4, false, [&](std::size_t i, float* to) {
         const float* a = above.pixels.data() + i * 4;
         const float* b = below.pixels.data() + i * 4;
@@ -198,7 +206,7 @@ DataImage PassPictures::sixWay(std::size_t map) const
 /// Where on the ramp the light of a pixel's own lies.
 float PassPictures::emissive(std::size_t pixel) const
 {
-    const float* light = written(PassLayer::Emission).pixels.data() + pixel * 4;
+    const float* light = written(PassTarget::Emission).pixels.data() + pixel * 4;
     return m_scales.glow > 0.0F ? glowPosition(std::max({light[0], light[1], light[2]}) / m_scales.glow) : 0.0F;
 }
 
@@ -216,8 +224,8 @@ DataImage PassPictures::motion() const
 /// Light from one side less that from the other is how much a place faces there; what faces nothing looks at the eye.
 DataImage PassPictures::normal() const
 {
-    const Image& above = straight(PassLayer::RightTopBack);
-    const Image& below = straight(PassLayer::LeftBottomFront);
+    const Image& above = straight(PassTarget::RightTopBack);
+    const Image& below = straight(PassTarget::LeftBottomFront);
     const float green = m_style.normals == NormalGreen::OpenGl ? 1.0F : -1.0F;
     return filled(above, 3, true, [&](std::size_t i, float* to) {
         const float* a = above.pixels.data() + i * 4;
@@ -233,21 +241,23 @@ DataImage PassPictures::normal() const
 
 DataImage PassPictures::density() const
 {
-    const Image& smoke = m_sheet.layers.of(PassLayer::Colour);
+    const Image& smoke = m_sheet.targets.of(PassTarget::Colour);
     const float share = 1.0F / m_scales.density;
-    return filled(smoke, 1, false, [&](std::size_t i, float* to) { *to = opticalDepth(smoke.pixels[i * 4 + 3]) * share; });
+    return filled(
+        smoke, 1, false, [&](std::size_t i, float* to) { *to = opticalDepth(smoke.pixels[i * 4 + 3]) * share; });
 }
 
 /// One channel, shifted and scaled.
 DataImage PassPictures::measured(const Image& image, std::size_t channel, float zero, float one) const
 {
     const float share = 1.0F / (one - zero);
-    return filled(image, 1, false, [&](std::size_t i, float* to) { *to = (image.pixels[i * 4 + channel] - zero) * share; });
+    return filled(
+        image, 1, false, [&](std::size_t i, float* to) { *to = (image.pixels[i * 4 + channel] - zero) * share; });
 }
 
-DataImage PassPictures::colours(PassLayer layer, float scale) const
+DataImage PassPictures::colours(PassTarget target, float scale) const
 {
-    const Image& image = written(layer);
+    const Image& image = written(target);
     const float share = 1.0F / scale;
     return filled(image, 4, false, [&](std::size_t i, float* to) {
         const float* from = image.pixels.data() + i * 4;
@@ -260,17 +270,17 @@ DataImage PassPictures::picture(Pass pass) const
 {
     switch (pass) {
     case Pass::Colour: break;
-    case Pass::Alpha: return measured(m_sheet.layers.of(PassLayer::Colour), 3, 0.0F, 1.0F);
+    case Pass::Alpha: return measured(m_sheet.targets.of(PassTarget::Colour), 3, 0.0F, 1.0F);
     case Pass::Density: return density();
     case Pass::SixWayA: return sixWay(0);
     case Pass::SixWayB: return sixWay(1);
     case Pass::Motion: return motion();
     case Pass::Normal: return normal();
-    case Pass::Depth: return measured(straight(PassLayer::Motion), 2, m_scales.nearest, m_scales.farthest);
-    case Pass::Emission: return colours(PassLayer::Emission, m_scales.emission);
-    case Pass::Albedo: return colours(PassLayer::Albedo, 1.0F);
-    case Pass::Temperature: return measured(straight(PassLayer::Inner), 0, 0.0F, m_scales.temperature);
-    case Pass::Shadow: return measured(straight(PassLayer::Inner), 1, 0.0F, 1.0F);
+    case Pass::Depth: return measured(straight(PassTarget::Motion), 2, m_scales.nearest, m_scales.farthest);
+    case Pass::Emission: return colours(PassTarget::Emission, m_scales.emission);
+    case Pass::Albedo: return colours(PassTarget::Albedo, 1.0F);
+    case Pass::Temperature: return measured(straight(PassTarget::Inner), 0, 0.0F, m_scales.temperature);
+    case Pass::Shadow: return measured(straight(PassTarget::Inner), 1, 0.0F, 1.0F);
     }
     return {};
 }

@@ -2,7 +2,7 @@
 
 #include "core/export/glow_ramp.h"
 #include "core/export/image_file.h"
-#include "core/export/motion_refine.h"
+#include "core/export/sheets/motion_refine.h"
 #include "core/rendering/passes.h"
 
 #include <array>
@@ -40,7 +40,7 @@ enum class SixWayChannel {
 /// "unity", "embergen", "rlt-bbf", "tlrb-fb".
 [[nodiscard]] std::string_view nameOf(SixWayLayout layout);
 
-/// "sixway_a", "motion": what names of files and layers call a pass.
+/// "sixway_a", "motion": what names of files and targets call a pass.
 [[nodiscard]] std::string fileNameOf(Pass pass);
 
 /// Signs of motion vectors.
@@ -65,11 +65,13 @@ inline constexpr std::size_t kNormalGreens = 2;
 struct PassStyle {
     SixWayLayout layout = SixWayLayout::Unity;
     VectorSigns vectors = VectorSigns::Unity;
-    bool premultiplied = false; ///< colours and light times alpha; else they go on where there is no smoke. Motion and what is measured is always straight.
+    bool premultiplied = false; ///< colours and light times alpha; else they go on where there is no smoke. Motion and
+                                ///< what is measured is always straight.
     NormalGreen normals = NormalGreen::OpenGl;
 };
 
-/// What the numbers of passes are divided by, so that they lie between 0 and 1, or -1 and 1; one for all pictures that belong together.
+/// What the numbers of passes are divided by, so that they lie between 0 and 1, or -1 and 1; one for all pictures that
+/// belong together.
 struct PassScales {
     float light = 1.0F; ///< of the maps of six-way light: 1, or more where there is more light
     float density = 1.0F; ///< the largest optical depth
@@ -82,25 +84,29 @@ struct PassScales {
     float farthest = 1.0F; ///< depth that is 1, m
 };
 
-/// The layers of the pictures of one sheet, side by side.
+/// The targets of the pictures of one sheet, side by side.
 struct PassSheet {
-    PassImages layers; ///< premultiplied
+    PassImages targets; ///< premultiplied
     SheetGrid grid;
 };
 
-/// Makes the pictures of passes from the layers of a sheet: numbers in [0, 1], but for motion and normals, whose are in [-1, 1].
-/// The same bits for any thread count.
+/// Makes the pictures of passes from the targets of a sheet: numbers in [0, 1], but for motion and normals, whose are
+/// in [-1, 1]. The same bits for any thread count.
 class PassPictures {
 public:
-    /// Divides the layers by their alpha, fits the vectors to the colours, and finds the scales.
-    /// @param sheet  must stay; motion needs the layer of the colour too
+    /// Divides the targets by their alpha, fits the vectors to the colours, and finds the scales.
+    /// @param sheet  must stay; motion needs the target of the colour too
     /// O(pixels).
     PassPictures(const PassSheet& sheet, PassSet passes, const PassStyle& style)
         : PassPictures(sheet, nullptr, passes, style)
     {
     }
-    /// The same, dividing where the layers lie: what the sheet has but the colour is spent, and memory for copies is not asked for.
-    [[nodiscard]] static PassPictures spending(PassSheet& sheet, PassSet passes, const PassStyle& style) { return {sheet, &sheet, passes, style}; }
+    /// The same, dividing where the targets lie: what the sheet has but the colour is spent, and memory for copies is
+    /// not asked for.
+    [[nodiscard]] static PassPictures spending(PassSheet& sheet, PassSet passes, const PassStyle& style)
+    {
+        return {sheet, &sheet, passes, style};
+    }
 
     /// What the numbers of all pictures were divided by.
     [[nodiscard]] const PassScales& scales() const { return m_scales; }
@@ -109,10 +115,16 @@ public:
     [[nodiscard]] DataImage picture(Pass pass) const;
 
 private:
-    /// @param spent the sheet, where its layers may be taken
+    /// @param spent the sheet, where its targets may be taken
     PassPictures(const PassSheet& sheet, PassSheet* spent, PassSet passes, const PassStyle& style);
-    [[nodiscard]] const Image& straight(PassLayer layer) const { return m_straight[static_cast<std::size_t>(layer)]; }
-    [[nodiscard]] const Image& written(PassLayer layer) const { return m_style.premultiplied ? m_sheet.layers.of(layer) : straight(layer); }
+    [[nodiscard]] const Image& straight(PassTarget target) const
+    {
+        return m_straight[static_cast<std::size_t>(target)];
+    }
+    [[nodiscard]] const Image& written(PassTarget target) const
+    {
+        return m_style.premultiplied ? m_sheet.targets.of(target) : straight(target);
+    }
     void findScales(PassSet passes);
     [[nodiscard]] DataImage sixWay(std::size_t map) const;
     [[nodiscard]] DataImage motion() const;
@@ -120,11 +132,11 @@ private:
     [[nodiscard]] float emissive(std::size_t pixel) const;
     [[nodiscard]] DataImage normal() const;
     [[nodiscard]] DataImage measured(const Image& image, std::size_t channel, float zero, float one) const;
-    [[nodiscard]] DataImage colours(PassLayer layer, float scale) const;
+    [[nodiscard]] DataImage colours(PassTarget target, float scale) const;
 
     const PassSheet& m_sheet;
     PassStyle m_style;
-    std::array<Image, kPassLayers> m_straight;
+    std::array<Image, kPassTargets> m_straight;
     Image m_motion; ///< as engines take it, where it is asked for
     PassScales m_scales;
 };

@@ -1,3 +1,4 @@
+#include "core/export/sheets/flipbook_files.h"
 #include "core/export/plan.h"
 
 #include "core/base/file.h"
@@ -6,8 +7,9 @@
 #include "core/export/fit_camera.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
-#include "core/export/trim.h"
+#include "core/export/sheets/trim.h"
 #include "core/noise/texture.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <array>
@@ -56,23 +58,26 @@ Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
-Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<std::byte>> bytesOf(
+    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     switch (plan.kind) {
     case ExportKind::Sequence:
     case ExportKind::Flipbook:
         if (plan.kind == ExportKind::Flipbook || plan.frames.count() > 1) {
-            return Error{ErrorCode::OutOfRange, said("these are several files"), {}, said("Name a file, or one frame")};
+            return Error{ErrorCode::OutOfRange, makeMessage("these are several files"), {},
+                makeMessage("Name a file, or one frame")};
         }
         [[fallthrough]];
-    case ExportKind::Picture: return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), stop, progress);
+    case ExportKind::Picture:
+        return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), stop, progress);
     case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
     case ExportKind::Video:
     case ExportKind::Particles:
     case ExportKind::Volumes:
     case ExportKind::Air: break;
     }
-    return Error{ErrorCode::OutOfRange, said("this is not written as a stream"), {}, said("Name a file")};
+    return Error{ErrorCode::OutOfRange, makeMessage("this is not written as a stream"), {}, makeMessage("Name a file")};
 }
 
 Status writeOne(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
@@ -99,10 +104,12 @@ bool overwritesSource(const ExportPlan& plan)
         return false;
     }
     const std::vector<std::filesystem::path> files = filesOf(plan);
-    return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
+    return std::any_of(
+        files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
 }
 
-Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> exportFlipbook(
+    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     Result<FlipbookOptions> options = flipbookSeenBy(effect, plan, progress, stop);
     if (!options) {
@@ -117,7 +124,9 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
     if (!flipbook) {
         return flipbook.error();
     }
-    const Status recorded = plan.recording.manifest.empty() ? Status(Done{}) : recordFlipbook(effect, options.value(), plan.recording.manifest);
+    const Status recorded = plan.recording.manifest.empty()
+        ? Status(Done{})
+        : recordFlipbook(effect, options.value(), plan.recording.manifest);
     return recorded ? Result<std::optional<Flipbook>>(flipbook.value()) : recorded.error();
 }
 
@@ -125,13 +134,15 @@ Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const Expor
 
 std::string_view nameOf(ExportKind kind)
 {
-    constexpr std::array<std::string_view, kExportKinds> kNames{"sequence", "flipbook", "video", "picture", "noise", "particles", "volumes", "air"};
+    constexpr std::array<std::string_view, kExportKinds> kNames{
+        "sequence", "flipbook", "video", "picture", "noise", "particles", "volumes", "air"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
 bool isPicture(ExportKind kind)
 {
-    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Video || kind == ExportKind::Picture;
+    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Video
+        || kind == ExportKind::Picture;
 }
 
 bool isImage(ExportKind kind)
@@ -141,7 +152,8 @@ bool isImage(ExportKind kind)
 
 bool isNumbered(ExportKind kind)
 {
-    return kind == ExportKind::Sequence || kind == ExportKind::Particles || kind == ExportKind::Volumes || kind == ExportKind::Air;
+    return kind == ExportKind::Sequence || kind == ExportKind::Particles || kind == ExportKind::Volumes
+        || kind == ExportKind::Air;
 }
 
 bool canBeRecorded(ExportKind kind)
@@ -154,7 +166,8 @@ std::filesystem::path manifestOf(const ExportPlan& plan)
     if (plan.recording.manifest.empty() || !canBeRecorded(plan.kind)) {
         return {};
     }
-    return partOf(plan.recording.manifest, plan.kind == ExportKind::Flipbook ? std::nullopt : std::optional(framesOf(plan)));
+    return partOf(
+        plan.recording.manifest, plan.kind == ExportKind::Flipbook ? std::nullopt : std::optional(framesOf(plan)));
 }
 
 std::string_view fileEnding(const ExportPlan& plan)
@@ -193,7 +206,8 @@ std::filesystem::path firstFile(const ExportPlan& plan)
 
 FlipbookOptions flipbookOf(const ExportPlan& plan)
 {
-    FlipbookOptions options{plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
+    FlipbookOptions options{
+        plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
     options.packs = plan.packs;
     options.retime = plan.retime;
     return options;
@@ -204,7 +218,8 @@ VideoOptions videoOf(const ExportPlan& plan)
     return {plan.output, plan.frames, plan.video, plan.repeat, plan.rate};
 }
 
-Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<FlipbookOptions> flipbookSeenBy(
+    const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     FlipbookOptions options = flipbookOf(plan);
     if (plan.trim) {
@@ -231,14 +246,17 @@ Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
     }
     const auto isPower = [](int number) { return number > 0 && std::has_single_bit(static_cast<unsigned>(number)); };
     if (!isPower(plan.columns) || !isPower(plan.rows)) {
-        return Error{ErrorCode::OutOfRange, said("%1 x %2 cells fill no sheet whose sides are powers of two", plan.columns, plan.rows), {}, said("Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("%1 x %2 cells fill no sheet whose sides are powers of two", plan.columns, plan.rows), {},
+            makeMessage("Choose columns and rows from 1, 2, 4, 8, 16, 32 and 64")};
     }
     output.width = nearestPowerOfTwo(output.width);
     output.height = nearestPowerOfTwo(output.height);
     return output;
 }
 
-Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<Effect> effectSeenBy(
+    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     Effect out = effect;
     const Result<Output> output = outputFor(effect, plan);
@@ -258,18 +276,27 @@ Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const 
 
 namespace {
 
-Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> writeFiles(
+    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
-    const auto plainly = [](const Status& status) { return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error(); };
+    const auto plainly = [](const Status& status) {
+        return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
+    };
     switch (plan.kind) {
     case ExportKind::Sequence:
-    case ExportKind::Picture: return plainly(renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, progress, stop));
+    case ExportKind::Picture:
+        return plainly(
+            renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, progress, stop));
     case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
     case ExportKind::Video: return plainly(renderVideo(effect, videoOf(plan), progress, stop));
     case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, progress, stop));
-    case ExportKind::Particles: return plainly(dumpSequence(effect, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
+    case ExportKind::Particles:
+        return plainly(dumpSequence(effect,
+            {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
     case ExportKind::Volumes: {
-        const Result<float> voxel = writeVolumes(effect, {plan.output, plan.frames, plan.cells, plan.voxel, plan.up.value_or(UpAxis::Z), plan.source}, progress, stop);
+        const Result<float> voxel = writeVolumes(effect,
+            {plan.output, plan.frames, plan.cells, plan.voxel, plan.up.value_or(UpAxis::Z), plan.source}, progress,
+            stop);
         return plainly(voxel ? Status(Done{}) : Status(voxel.error()));
     }
     case ExportKind::Air: {
@@ -282,7 +309,8 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
 
 } // namespace
 
-Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> runExport(
+    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     if (overwritesSource(plan)) {
         return wouldOverwrite(plan.source);
@@ -293,7 +321,8 @@ Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan
     });
 }
 
-Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop, const Progress& progress)
+Result<std::vector<std::byte>> exportBytes(
+    const Effect& effect, const ExportPlan& plan, const std::stop_token& stop, const Progress& progress)
 {
     return withinMemory([&]() -> Result<std::vector<std::byte>> {
         const Result<Effect> seen = effectSeenBy(effect, plan, progress, stop);

@@ -25,7 +25,8 @@ Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Progress& p
     }
     const std::filesystem::path folder = std::filesystem::absolute(manifest).lexically_normal().parent_path();
     for (const std::filesystem::path& file : filesOf(plan)) {
-        const std::string name = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).generic_string();
+        const std::string name =
+            std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).generic_string();
         if (!named.contains(name)) {
             checked.value().push_back({name, {}, FileState::Extra});
         }
@@ -35,7 +36,8 @@ Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Progress& p
 
 } // namespace
 
-Result<std::vector<CheckedFile>> checkExport(const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> checkExport(
+    const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     return withinMemory([&] { return check(plan, progress, stop); });
 }

@@ -18,12 +18,16 @@ void addLoop(const Timeline& timeline, const ExportPlan& plan, std::vector<Messa
         return;
     }
     const std::string asked = textOf(plan.frames);
-    if (const std::optional<FrameRange> whole = closedInstead(timeline, plan.frames, isFlipbook ? plan.columns * plan.rows : 1)) {
-        remarks.push_back(said("frames %1 are no whole turn of the loop of %2 frames, so they are played once: frames %3 close it", asked, timeline.length, textOf(*whole)));
+    if (const std::optional<FrameRange> whole =
+            closedInstead(timeline, plan.frames, isFlipbook ? plan.columns * plan.rows : 1)) {
+        remarks.push_back(makeMessage(
+            "frames %1 are no whole turn of the loop of %2 frames, so they are played once: frames %3 close it", asked,
+            timeline.length, textOf(*whole)));
     } else if (!turnOf(timeline, plan.frames)) {
-        remarks.push_back(said("frames %1 are no whole turn of the loop of %2 frames, so they are played once", asked, timeline.length));
+        remarks.push_back(makeMessage(
+            "frames %1 are no whole turn of the loop of %2 frames, so they are played once", asked, timeline.length));
     } else if (isFlipbook && !turnOf(timeline, flipbookOf(plan))) {
-        remarks.push_back(said("the curve of the frames does not end where it begins, so they are played once"));
+        remarks.push_back(makeMessage("the curve of the frames does not end where it begins, so they are played once"));
     }
 }
 
@@ -31,11 +35,13 @@ void addVideo(const Effect& effect, const ExportPlan& plan, std::vector<Message>
 {
     const int left = framesOf(effect, videoOf(plan)).step / plan.frames.step;
     if (left > 1) {
-        remarks.push_back(said("one frame of %1 is in the GIF: more than 50 pictures a second play slowly in browsers", left));
+        remarks.push_back(
+            makeMessage("one frame of %1 is in the GIF: more than 50 pictures a second play slowly in browsers", left));
     }
     const auto [width, height] = sizeOf(effect.output, plan.video);
     if (width != effect.output.width || height != effect.output.height) {
-        remarks.push_back(said("H.264 has even edges: the video is %1 x %2 pixels, the last column or row twice", width, height));
+        remarks.push_back(makeMessage(
+            "H.264 has even edges: the video is %1 x %2 pixels, the last column or row twice", width, height));
     }
 }
 

@@ -6,8 +6,9 @@
 
 namespace fumage {
 
-/// What an export does otherwise than one may expect of it, to be said before it begins: loops that its frames do not close, with those that would; pictures
-/// of a GIF that are left out; edges that are made even; what an engine makes otherwise of a sheet (engineRemarks()).
+/// What an export does otherwise than one may expect of it, to be said before it begins: loops that its frames do not
+/// close, with those that would; pictures of a GIF that are left out; edges that are made even; what an engine makes
+/// otherwise of a sheet (engineRemarks()).
 /// @param effect whose output has the size that is asked for
 /// O(1).
 [[nodiscard]] std::vector<Message> remarksOn(const Effect& effect, const ExportPlan& plan);

@@ -3,7 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
-#include "core/export/frame_layers.h"
+#include "core/export/pass_frames.h"
 #include "core/export/frame_neighbours.h"
 #include "core/export/output_name.h"
 #include "core/rendering/renderer.h"
@@ -23,20 +23,21 @@ std::string padded(int number, std::size_t digits)
     return text.size() >= digits ? text : std::string(digits - text.size(), '0') + text;
 }
 
-PictureNotes notesOf(const Effect& effect, const SequenceOptions& options, int frame)
+ImageMetadata notesOf(const Effect& effect, const SequenceOptions& options, int frame)
 {
     return {effect.timeline.frameRate, options.preset, frame};
 }
 
-bool isLayered(const SequenceOptions& options)
+bool hasTargets(const SequenceOptions& options)
 {
     return options.passes != PassSet{Pass::Colour};
 }
 
 Status check(const SequenceOptions& options)
 {
-    if (isLayered(options) && !holdsFloats(options.format)) {
-        return Error{ErrorCode::OutOfRange, said("the passes of frames are layers of EXR"), {}, said("Choose EXR, or a flipbook")};
+    if (hasTargets(options) && !holdsFloats(options.format)) {
+        return Error{ErrorCode::OutOfRange, makeMessage("the passes of frames are layers of EXR"), {},
+            makeMessage("Choose EXR, or a flipbook")};
     }
     return Done{};
 }
@@ -55,11 +56,14 @@ public:
     [[nodiscard]] Status render(std::size_t place, const std::stop_token& stop, const Progress& progress)
     {
         const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(m_numbers[place], stop, progress);
-        return frame ? m_renderer.render(*frame.value(), m_smoke, m_smoke->output.width, m_smoke->output.height, m_images[place % 2], stop) : Status(frame.error());
+        return frame ? m_renderer.render(
+                   *frame.value(), m_smoke, m_smoke->output.width, m_smoke->output.height, m_images[place % 2], stop)
+                     : Status(frame.error());
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeImage(m_images[place % 2], m_smoke, m_options.format, notesOf(m_smoke, m_options, m_numbers[place]), stop);
+        return encodeImage(
+            m_images[place % 2], m_smoke, m_options.format, notesOf(m_smoke, m_options, m_numbers[place]), stop);
     }
 
 private:
@@ -71,10 +75,10 @@ private:
     std::array<Image, 2> m_images;
 };
 
-/// The same for all passes, as layers.
-class LayeredFrames {
+/// The same for all passes, as targets.
+class PassFrames {
 public:
-    LayeredFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
+    PassFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
         : m_smoke(sampled(effect))
         , m_options(options)
         , m_frames{std::move(numbers)}
@@ -85,8 +89,8 @@ public:
             sheet.grid = {1, 1, m_smoke->output.width, m_smoke->output.height};
         }
     }
-    LayeredFrames(const LayeredFrames&) = delete; // what hands out frames looks at the numbers
-    LayeredFrames& operator=(const LayeredFrames&) = delete;
+    PassFrames(const PassFrames&) = delete; // what hands out frames looks at the numbers
+    PassFrames& operator=(const PassFrames&) = delete;
 
     [[nodiscard]] Status render(std::size_t place, const std::stop_token& stop, const Progress& progress)
     {
@@ -95,11 +99,13 @@ public:
             return frame.error();
         }
         PassSheet& sheet = m_sheets[place % 2];
-        return m_renderer.render(frame.value(), m_smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes, sheet.layers, stop);
+        return m_renderer.render(
+            frame.value(), m_smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes, sheet.targets, stop);
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeLayers(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output, m_options.format, notesOf(m_smoke, m_options, m_frames.numbers[place]), stop);
+        return encodeTargets(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output,
+            m_options.format, notesOf(m_smoke, m_options, m_frames.numbers[place]), stop);
     }
 
 private:
@@ -112,7 +118,8 @@ private:
 };
 
 template <class Frames>
-Status encodeEach(Frames frames, const SequenceOptions& options, const std::vector<int>& numbers, const FrameSink& sink, const Progress& progress, const std::stop_token& stop)
+Status encodeEach(Frames frames, const SequenceOptions& options, const std::vector<int>& numbers, const FrameSink& sink,
+    const Progress& progress, const std::stop_token& stop)
 {
     std::future<Status> taking;
     const auto finishTaking = [&]() -> Status { return taking.valid() ? taking.get() : Status(Done{}); };
@@ -126,22 +133,23 @@ Status encodeEach(Frames frames, const SequenceOptions& options, const std::vect
             return status;
         }
         if (done > 0) {
-            progress(Work::Frames, done, total);
+            progress(ProgressPhase::Frames, done, total);
         }
-        taking = std::async(std::launch::async, [&frames, &options, &sink, &stop, place, frame = numbers[place]]() -> Status {
-            const Result<std::vector<std::byte>> bytes = frames.encode(place, stop);
-            if (!bytes) {
-                Error error = bytes.error();
-                error.place = framePath(options, frame).string();
-                return error;
-            }
-            return sink(frame, bytes.value());
-        });
+        taking = std::async(
+            std::launch::async, [&frames, &options, &sink, &stop, place, frame = numbers[place]]() -> Status {
+                const Result<std::vector<std::byte>> bytes = frames.encode(place, stop);
+                if (!bytes) {
+                    Error error = bytes.error();
+                    error.place = framePath(options, frame).string();
+                    return error;
+                }
+                return sink(frame, bytes.value());
+            });
     }
     if (Status status = finishTaking(); !status) {
         return status;
     }
-    progress(Work::Frames, total, total);
+    progress(ProgressPhase::Frames, total, total);
     return Done{};
 }
 
@@ -149,18 +157,21 @@ Status encodeEach(Frames frames, const SequenceOptions& options, const std::vect
 
 Result<FrameRange> parseFrameRange(std::string_view text)
 {
-    const Error malformed{ErrorCode::Syntax, said("frames %1 are not understood", inQuotes(text)), {}, said("Write 7, 0-119 or 0-119:2")};
+    const Error malformed{ErrorCode::Syntax, makeMessage("invalid frame range %1", inQuotes(text)), {},
+        makeMessage("Write 7, 0-119 or 0-119:2")};
     const std::string_view range = text.substr(0, text.find(':'));
     const std::string_view step = text.size() > range.size() ? text.substr(range.size() + 1) : "1";
     const std::size_t dash = range.find('-');
     const std::optional<std::int64_t> first = parseInteger(trimmed(range.substr(0, dash)));
-    const std::optional<std::int64_t> last = dash == std::string_view::npos ? first : parseInteger(trimmed(range.substr(dash + 1)));
+    const std::optional<std::int64_t> last =
+        dash == std::string_view::npos ? first : parseInteger(trimmed(range.substr(dash + 1)));
     const std::optional<std::int64_t> every = parseInteger(trimmed(step));
     if (!first || !last || !every) {
         return malformed;
     }
     if (*first < 0 || *last < *first || *last > kMaxFrame || *every < 1 || *every > kMaxFrame) {
-        return Error{ErrorCode::OutOfRange, said("frames %1 run backwards or out of range", inQuotes(text)), {}, said("Use numbers from 0 to %1, the smaller first", kMaxFrame)};
+        return Error{ErrorCode::OutOfRange, makeMessage("frames %1 run backwards or out of range", inQuotes(text)), {},
+            makeMessage("Use numbers from 0 to %1, the smaller first", kMaxFrame)};
     }
     return FrameRange{static_cast<int>(*first), static_cast<int>(*last), static_cast<int>(*every)};
 }
@@ -172,7 +183,8 @@ std::string textOf(const FrameRange& frames)
     return frames.step == 1 ? range : range + ":" + std::to_string(frames.step);
 }
 
-std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame)
+std::filesystem::path framePath(
+    const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame)
 {
     constexpr std::size_t kDigits = 4;
     std::string name = withEnding(output, ending).filename().string();
@@ -184,7 +196,8 @@ std::filesystem::path framePath(const std::filesystem::path& output, const Frame
     return output.parent_path() / pathFrom(name);
 }
 
-bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames, std::string_view ending)
+bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames,
+    std::string_view ending)
 {
     for (int i = 0; !file.empty() && i < frames.count(); ++i) {
         if (isSameFile(framePath(output, frames, ending, frames.at(i)), file)) {
@@ -211,7 +224,8 @@ std::vector<int> numbersOf(const SequenceOptions& options)
     return numbers;
 }
 
-Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options, const std::stop_token& stop, const Progress& progress)
+Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options,
+    const std::stop_token& stop, const Progress& progress)
 {
     const auto encoded = [&](auto frames) -> Result<std::vector<std::byte>> {
         const Status status = frames.render(0, stop, progress);
@@ -220,10 +234,12 @@ Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, cons
     if (Status status = check(options); !status) {
         return status.error();
     }
-    return isLayered(options) ? encoded(LayeredFrames(effect, options, {frame})) : encoded(ColourFrames(effect, options, {frame}));
+    return hasTargets(options) ? encoded(PassFrames(effect, options, {frame}))
+                               : encoded(ColourFrames(effect, options, {frame}));
 }
 
-Status writeNumbered(const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf)
+Status writeNumbered(
+    const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf)
 {
     if (isFileOfAFrame(files.source, files.output, files.frames, files.ending)) {
         return wouldOverwrite(files.source);
@@ -242,12 +258,13 @@ Status writeNumbered(const NumberedFiles& files, const Progress& progress, const
         if (!status) {
             return status;
         }
-        progress(Work::Frames, done + 1, files.frames.count());
+        progress(ProgressPhase::Frames, done + 1, files.frames.count());
     }
     return Done{};
 }
 
-Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Progress& progress, const std::stop_token& stop)
+Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink,
+    const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = check(options); !status) {
         return status;
@@ -256,13 +273,14 @@ Status encodeFrames(const Effect& effect, const SequenceOptions& options, const 
     if (numbers.empty()) {
         return Done{};
     }
-    if (isLayered(options)) {
-        return encodeEach(LayeredFrames(effect, options, numbers), options, numbers, sink, progress, stop);
+    if (hasTargets(options)) {
+        return encodeEach(PassFrames(effect, options, numbers), options, numbers, sink, progress, stop);
     }
     return encodeEach(ColourFrames(effect, options, numbers), options, numbers, sink, progress, stop);
 }
 
-Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Status renderSequence(
+    const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
 {
     if (Status status = check(options); !status) {
         return status;

@@ -41,11 +41,13 @@ inline constexpr int kMaxFrame = 1'000'000;
 /// The file of a frame: what stands for the number, see numberPlaceIn(), is replaced by it with as many digits; a name
 /// without gets _0000 before its ending when there are several frames.
 /// @param ending with its dot; added where it is missing
-[[nodiscard]] std::filesystem::path framePath(const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame);
+[[nodiscard]] std::filesystem::path framePath(
+    const std::filesystem::path& output, const FrameRange& frames, std::string_view ending, int frame);
 
 /// Whether the file of one of the frames is one that is there already and must stay, be it through a link. O(frames).
 /// @param file empty: none
-[[nodiscard]] bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output, const FrameRange& frames, std::string_view ending);
+[[nodiscard]] bool isFileOfAFrame(const std::filesystem::path& file, const std::filesystem::path& output,
+    const FrameRange& frames, std::string_view ending);
 
 /// Takes the bytes of a frame's file, one frame after the other, on a thread of its own.
 using FrameSink = std::function<Status(int frame, std::span<const std::byte> bytes)>;
@@ -54,8 +56,8 @@ struct SequenceOptions {
     std::filesystem::path output; ///< ## in the file name becomes the frame number; see framePath()
     FrameRange frames;
     ImageFormat format = ImageFormat::Png8;
-    PassSet passes{Pass::Colour}; ///< with others than the colour each file is an EXR of layers; see encodeLayers()
-    bool premultiplied = true; ///< light, emission and albedo of the layers
+    PassSet passes{Pass::Colour}; ///< with others than the colour each file is an EXR of targets; see encodeTargets()
+    bool premultiplied = true; ///< light, emission and albedo of the targets
     std::string preset{}; ///< that the pictures carry, as JSON; empty: none
     std::vector<int> leftOut{}; ///< frames of the range that are not rendered; they rise
     FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
@@ -76,25 +78,30 @@ struct NumberedFiles {
 };
 
 /// Writes a file a frame, each whole or not at all, into a folder that is made if it is not there.
-/// @param progress hears of Work::Frames after each
+/// @param progress hears of ProgressPhase::Frames after each
 /// @param bytesOf  what a frame's file holds
 /// @error WouldOverwrite; that of the first frame that fails: files before it stay
-[[nodiscard]] Status writeNumbered(const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf);
+[[nodiscard]] Status writeNumbered(
+    const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf);
 
 /// Renders one frame into the bytes of a file.
 /// @param options what the file holds; its range and name mean nothing here
 /// @error those of renderSequence()
-[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options, const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame,
+    const SequenceOptions& options, const std::stop_token& stop = {}, const Progress& progress = {});
 
-/// Renders the frames of a range into the bytes of their files. What a frame's file holds is the same whatever else is in the range, as long as the step is.
-/// A file is encoded and taken while the next frame is simulated.
+/// Renders the frames of a range into the bytes of their files. What a frame's file holds is the same whatever else is
+/// in the range, as long as the step is. A file is encoded and taken while the next frame is simulated.
 /// @param sink its error ends the work
 /// @error those of renderSequence()
-[[nodiscard]] Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink,
+    const Progress& progress, const std::stop_token& stop = {});
 
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
-/// @param progress hears of Work::Frames after each, and of what leads to them
-/// @error OutOfRange where passes are asked for that the format cannot hold; else that of the first frame that fails; files before it stay
-[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
+/// @param progress hears of ProgressPhase::Frames after each, and of what leads to them
+/// @error OutOfRange where passes are asked for that the format cannot hold; else that of the first frame that fails;
+/// files before it stay
+[[nodiscard]] Status renderSequence(
+    const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

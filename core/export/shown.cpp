@@ -1,6 +1,6 @@
 #include "core/export/shown.h"
 
-#include "core/export/sheet_note.h"
+#include "core/export/sheets/sheet_note.h"
 
 namespace fumage {
 

@@ -19,14 +19,17 @@ constexpr std::size_t kRowRoom = kMaxAirCells + kAirLanes;
 
 /// Places that a row of cells reads from.
 struct PlaceRow {
-    HWY_ALIGN std::int32_t corner[kRowRoom]; ///< floats from the first quad, ghosts included, to that of the lowest corner
+    HWY_ALIGN std::int32_t
+        corner[kRowRoom]; ///< floats from the first quad, ghosts included, to that of the lowest corner
     HWY_ALIGN float x[kRowRoom];
     HWY_ALIGN float y[kRowRoom];
     HWY_ALIGN float z[kRowRoom];
-    std::uint8_t alike[2 * kRowRoom / 8]; ///< a bit a cell: whether its corner is as far from it as that of the first of its four cells
+    std::uint8_t alike[2 * kRowRoom
+        / 8]; ///< a bit a cell: whether its corner is as far from it as that of the first of its four cells
 
     [[nodiscard]] HWY_INLINE Between between(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    /// Whether the corners of a cell and the three behind it are beside one another. Air that moves evenly is so nearly everywhere.
+    /// Whether the corners of a cell and the three behind it are beside one another. Air that moves evenly is so nearly
+    /// everywhere.
     /// @param i a multiple of 4
     [[nodiscard]] HWY_INLINE bool fourAlike(std::size_t i) const { return (alike[i / 8] >> (i % 8) & 15U) == 15U; }
 };
@@ -39,11 +42,15 @@ struct QuadRow {
 /// Splits places, in cells from the centre of cell (0, 0, 0), into corner and rest; no place lies outside the box.
 HWY_INLINE void split(D d, const AirCells& cells, const Vec3<V>& place, std::size_t i, PlaceRow& out)
 {
-    const auto along = [&](V p, int n) HWY_ATTR { return hn::Min(hn::Max(p, hn::Set(d, -0.5F)), hn::Set(d, static_cast<float>(n) - 0.5F)); };
-    const Vec3<V> inside{along(place.x, cells.grid.cells.x), along(place.y, cells.grid.cells.y), along(place.z, cells.grid.cells.z)};
+    const auto along = [&](V p, int n) HWY_ATTR {
+        return hn::Min(hn::Max(p, hn::Set(d, -0.5F)), hn::Set(d, static_cast<float>(n) - 0.5F));
+    };
+    const Vec3<V> inside{
+        along(place.x, cells.grid.cells.x), along(place.y, cells.grid.cells.y), along(place.z, cells.grid.cells.z)};
     const Vec3<V> low{hn::Floor(inside.x), hn::Floor(inside.y), hn::Floor(inside.z)};
     // Below 2^24, so that floats are exact.
-    const V corner = (low.x + 1.0F) * 4.0F + (low.y + 1.0F) * static_cast<float>(cells.quad.row) + (low.z + 1.0F) * static_cast<float>(cells.quad.plane);
+    const V corner = (low.x + 1.0F) * 4.0F + (low.y + 1.0F) * static_cast<float>(cells.quad.row)
+        + (low.z + 1.0F) * static_cast<float>(cells.quad.plane);
     const auto whole = hn::ConvertTo(DI(), corner);
     hn::Store(whole, DI(), out.corner + i);
     store(inside - low, out.x, out.y, out.z, i);
@@ -67,8 +74,8 @@ HWY_INLINE Vec3<V> velocities(D d, const float* quads)
     return v;
 }
 
-/// Calls four(i) for four cells of a row whose corners are beside one another, where vectors have room for as many, and part(i, p) for all others, p the first
-/// number of a part of their quads.
+/// Calls four(i) for four cells of a row whose corners are beside one another, where vectors have room for as many, and
+/// part(i, p) for all others, p the first number of a part of their quads.
 template <class Four, class Part>
 HWY_INLINE void forQuads([[maybe_unused]] const PlaceRow& places, int cells, const Four& four, const Part& part)
 {
@@ -96,17 +103,20 @@ HWY_INLINE void forQuads([[maybe_unused]] const PlaceRow& places, int cells, con
 }
 
 /// Reads the air at the places of a row.
-HWY_INLINE void sampleRow(const AirCells& cells, const float* HWY_RESTRICT quads, const PlaceRow& places, float* HWY_RESTRICT out)
+HWY_INLINE void sampleRow(
+    const AirCells& cells, const float* HWY_RESTRICT quads, const PlaceRow& places, float* HWY_RESTRICT out)
 {
     const std::size_t row = cells.quad.row;
     const std::size_t plane = cells.quad.plane;
     const auto four = [&]([[maybe_unused]] std::size_t i) HWY_ATTR {
 #if HWY_MAX_BYTES >= 64
-        hn::StoreU(sampledFour(quads + places.corner[i], row, plane, places.x + i, places.y + i, places.z + i), FourTag(), out + 4 * i);
+        hn::StoreU(sampledFour(quads + places.corner[i], row, plane, places.x + i, places.y + i, places.z + i),
+            FourTag(), out + 4 * i);
 #endif
     };
     forQuads(places, cells.grid.cells.x, four, [&](std::size_t i, std::size_t part) HWY_ATTR {
-        hn::StoreU(sampled(quads + places.corner[i] + part, row, plane, places.between(i)), QuadTag(), out + 4 * i + part);
+        hn::StoreU(
+            sampled(quads + places.corner[i] + part, row, plane, places.between(i)), QuadTag(), out + 4 * i + part);
     });
 }
 
@@ -151,7 +161,8 @@ HWY_INLINE void correctRow(const AirCells& cells, std::size_t here, const PlaceR
     };
     forQuads(from, cells.grid.cells.x, four, [&](std::size_t i, std::size_t part) HWY_ATTR {
         const QuadTag d;
-        hn::StoreU(limited(air + from.corner[i] + part, row, plane, corrected(d, 4 * i + part)), d, back + 4 * i + part);
+        hn::StoreU(
+            limited(air + from.corner[i] + part, row, plane, corrected(d, 4 * i + part)), d, back + 4 * i + part);
     });
 }
 

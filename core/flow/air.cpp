@@ -11,7 +11,8 @@ namespace {
 
 bool fits(const AirPlan& plan, std::size_t budget)
 {
-    return plan.loopSteps > 0 && static_cast<std::size_t>(plan.loopSteps) * fieldBytes(plan) + leastBudget(plan) <= budget;
+    return plan.loopSteps > 0
+        && static_cast<std::size_t>(plan.loopSteps) * fieldBytes(plan) + leastBudget(plan) <= budget;
 }
 
 std::size_t budgetOfRun(const AirPlan& plan, std::size_t budget)
@@ -48,7 +49,7 @@ BakedAir::BakedAir(AirPlan plan, std::size_t budget)
         m_turn.resize(static_cast<std::size_t>(length()));
         m_passed = m_plan.firstStep - 1;
     } else {
-        m_behind = std::make_unique<AirRun>(m_plan, budgetOfRun(m_plan, budget));
+        m_behind = std::make_unique<AirBake>(m_plan, budgetOfRun(m_plan, budget));
     }
 }
 

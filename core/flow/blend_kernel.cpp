@@ -6,7 +6,7 @@
 
 #include "core/flow/blend_kernel.h"
 #include "core/flow/grid.h"
-#include "core/flow/halfs-inl.h"
+#include "core/flow/halves-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -15,9 +15,9 @@ void blend(const AirField& a, const AirField& b, float share, AirField& out)
 {
     const hn::CappedTag<float, kAirLanes> d;
     for (std::size_t i = 0; i < out.quads.size(); i += hn::Lanes(d)) {
-        const auto from = loadHalfs(d, a.quads.data() + i);
-        const auto to = loadHalfs(d, b.quads.data() + i);
-        storeHalfs(from + share * (to - from), out.quads.data() + i);
+        const auto from = loadHalf(d, a.quads.data() + i);
+        const auto to = loadHalf(d, b.quads.data() + i);
+        storeHalf(from + share * (to - from), out.quads.data() + i);
     }
 }
 

@@ -35,7 +35,10 @@ struct CurlPlane {
     }
 
     /// Cell (0, j).
-    static std::size_t at(const ColumnLayout& layout, int j) { return kAirLanes + static_cast<std::size_t>(j + 1) * layout.row; }
+    static std::size_t at(const ColumnLayout& layout, int j)
+    {
+        return kAirLanes + static_cast<std::size_t>(j + 1) * layout.row;
+    }
 };
 
 /// The curl of three planes, k - 1 to k + 1; beyond the first and the last plane of the box, that of those.
@@ -44,16 +47,18 @@ using CurlAround = std::array<const CurlPlane*, 3>;
 /// What lives from one step to the next: quads of all cells, with their ghosts.
 struct AirState {
     AirColumn air; ///< velocity in the middle of each cell, and heat
-    AirColumn carrier; ///< means of the velocities through the faces of each cell, which carry the air in the next step; fourth number unused
+    AirColumn carrier; ///< means of the velocities through the faces of each cell, which carry the air in the next
+                       ///< step; fourth number unused
 
     [[nodiscard]] std::size_t bytes() const { return (air.size() + carrier.size()) * sizeof(float); }
 };
 
-/// All that a step reads and writes. Only air and carrier live from one step to the next; all else is room to work in, made once.
+/// All that a step reads and writes. Only air and carrier live from one step to the next; all else is room to work in,
+/// made once.
 struct AirCells {
-    AirCells(const AirGrid& on, const AirBorders& within)
+    AirCells(const AirGrid& on, const AirBoundaries& within)
         : grid(on)
-        , borders(within)
+        , boundaries(within)
         , column(on.cells)
         , quad(on.cells)
     {
@@ -69,7 +74,7 @@ struct AirCells {
     }
 
     AirGrid grid;
-    AirBorders borders;
+    AirBoundaries boundaries;
     ColumnLayout column;
     QuadLayout quad;
 
@@ -77,7 +82,8 @@ struct AirCells {
     AirColumn carrier; ///< quads, see AirState
     AirColumn guess; ///< quads: the state carried, first guess of MacCormack's method
     AirVectors velocity; ///< carried, m/s
-    AirVectors forced; ///< carried and accelerated, m/s; while the air is carried, the cells that it comes along in the step
+    AirVectors
+        forced; ///< carried and accelerated, m/s; while the air is carried, the cells that it comes along in the step
     AirColumn heat;
     AirColumn divergence; ///< m/s a cell, less the expansion of the source
     AirColumn pressure; ///< times dt / density / cell: velocity loses its difference
@@ -86,11 +92,11 @@ struct AirCells {
     AirVectors open; ///< whether a lower face lets air through: 1 or 0
     AirColumn fluid; ///< whether a cell is air: 1 or 0
     AirColumn touching; ///< how many faces of a cell of air are walls of obstacles
-    struct Skin { ///< a cell of an obstacle that has air beside it
+    struct Halo { ///< a cell of an obstacle that has air beside it
         glm::ivec3 cell{0};
         unsigned sides = 0; ///< bit 2 * axis for the neighbour below, bit 2 * axis + 1 for the one above
     };
-    std::vector<Skin> skin;
+    std::vector<Halo> skin;
     [[nodiscard]] bool hasObstacles() const { return !fluid.empty(); }
 };
 

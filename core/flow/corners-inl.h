@@ -8,7 +8,7 @@
 #endif
 
 #include "core/base/vector-inl.h"
-#include "core/flow/halfs-inl.h"
+#include "core/flow/halves-inl.h"
 
 #include <cstdint>
 
@@ -43,16 +43,21 @@ HWY_INLINE hn::VFromD<D> numbersAt(D d, const float* from)
 template <class D>
 HWY_INLINE hn::VFromD<D> numbersAt(D d, const std::uint16_t* from)
 {
-    return loadHalfs(d, from);
+    return loadHalf(d, from);
 }
 
-/// What combine(a, b, c, e) makes of the quads on the four rows along x around a place: both ends of each at once where a vector has room for them.
+/// What combine(a, b, c, e) makes of the quads on the four rows along x around a place: both ends of each at once where
+/// a vector has room for them.
 /// @param quad the lowest corner; from its second number on where quads are taken one number at a time, and so on
 /// @tparam Number float, or the bits of half floats
 template <class Number, class Combine>
-HWY_INLINE Ends combinedRows(const Number* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
+HWY_INLINE Ends combinedRows(
+    const Number* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
 {
-    const auto rows = [&](auto d, const Number* at) HWY_ATTR { return combine(numbersAt(d, at), numbersAt(d, at + row), numbersAt(d, at + plane), numbersAt(d, at + plane + row)); };
+    const auto rows = [&](auto d, const Number* at) HWY_ATTR {
+        return combine(
+            numbersAt(d, at), numbersAt(d, at + row), numbersAt(d, at + plane), numbersAt(d, at + plane + row));
+    };
 #if HWY_MAX_BYTES >= 32
     const auto both = rows(hn::CappedTag<float, 8>(), quad);
     return {hn::LowerHalf(QuadTag(), both), hn::UpperHalf(QuadTag(), both)};
@@ -93,13 +98,16 @@ HWY_INLINE V mostOf(V a, V b, V c, V e)
 /// Between the least and the most of the eight corners.
 HWY_INLINE QuadVec limited(const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, QuadVec value)
 {
-    const Ends least = combinedRows(quad, row, plane, [](auto a, auto b, auto c, auto e) HWY_ATTR { return leastOf(a, b, c, e); });
-    const Ends most = combinedRows(quad, row, plane, [](auto a, auto b, auto c, auto e) HWY_ATTR { return mostOf(a, b, c, e); });
+    const Ends least =
+        combinedRows(quad, row, plane, [](auto a, auto b, auto c, auto e) HWY_ATTR { return leastOf(a, b, c, e); });
+    const Ends most =
+        combinedRows(quad, row, plane, [](auto a, auto b, auto c, auto e) HWY_ATTR { return mostOf(a, b, c, e); });
     return hn::Min(hn::Max(value, hn::Min(least.low, least.high)), hn::Max(most.low, most.high));
 }
 
 #if HWY_MAX_BYTES >= 64
-// The same for four places at once whose corners are beside one another along x: all corners of one kind are then one vector.
+// The same for four places at once whose corners are beside one another along x: all corners of one kind are then one
+// vector.
 
 using FourTag = hn::CappedTag<float, 16>;
 using FourVec = hn::Vec<FourTag>;
@@ -114,19 +122,24 @@ HWY_INLINE FourVec eachForQuad(const float* numbers)
 
 /// What combine(a, b, c, e) makes of the four rows, at one end.
 template <class Combine>
-HWY_INLINE FourVec combinedFours(const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
+HWY_INLINE FourVec combinedFours(
+    const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const Combine& combine)
 {
     const FourTag d;
-    return combine(hn::LoadU(d, quad), hn::LoadU(d, quad + row), hn::LoadU(d, quad + plane), hn::LoadU(d, quad + plane + row));
+    return combine(
+        hn::LoadU(d, quad), hn::LoadU(d, quad + row), hn::LoadU(d, quad + plane), hn::LoadU(d, quad + plane + row));
 }
 
 /// @param x,y,z where the four places are among their corners
-HWY_INLINE FourVec sampledFour(const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const float* x, const float* y, const float* z)
+HWY_INLINE FourVec sampledFour(
+    const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, const float* x, const float* y, const float* z)
 {
     const FourVec atY = eachForQuad(y);
     const FourVec atZ = eachForQuad(z);
-    const auto mixedRows = [&](FourVec a, FourVec b, FourVec c, FourVec e) HWY_ATTR { return mixedYZ(a, b, c, e, atY, atZ); };
-    return mixed(combinedFours(quad, row, plane, mixedRows), combinedFours(quad + 4, row, plane, mixedRows), eachForQuad(x));
+    const auto mixedRows = [&](FourVec a, FourVec b, FourVec c, FourVec e)
+                               HWY_ATTR { return mixedYZ(a, b, c, e, atY, atZ); };
+    return mixed(
+        combinedFours(quad, row, plane, mixedRows), combinedFours(quad + 4, row, plane, mixedRows), eachForQuad(x));
 }
 
 HWY_INLINE FourVec limitedFour(const float* HWY_RESTRICT quad, std::size_t row, std::size_t plane, FourVec value)

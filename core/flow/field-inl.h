@@ -24,14 +24,15 @@ struct AirThere {
 /// Where the lanes' places are among the nodes.
 template <SimdVector V>
 struct LanePlaces {
-    HWY_ALIGN std::int32_t node[hn::MaxLanes(hn::DFromV<V>())]; ///< halfs from the first node to the lowest corner
+    HWY_ALIGN std::int32_t node[hn::MaxLanes(hn::DFromV<V>())]; ///< halves from the first node to the lowest corner
     Vec3<V> beyond; ///< how far beyond it, in cells
     V outside2; ///< square of how far outside the box, in cells
 };
 
 #if HWY_MAX_BYTES >= 64
-// All lanes at once, four to a vector, whose blocks of four numbers are the quads of lanes n, n + 4, n + 8 and n + 12: four such vectors are
-// transposed within their blocks, and what lanes have of their own is broadcast within them, which costs least.
+// All lanes at once, four to a vector, whose blocks of four numbers are the quads of lanes n, n + 4, n + 8 and n + 12:
+// four such vectors are transposed within their blocks, and what lanes have of their own is broadcast within them,
+// which costs least.
 
 /// Both ends of a row of nodes.
 struct FourEnds {
@@ -45,9 +46,13 @@ HWY_INLINE FourEnds endsOf(const std::uint16_t* HWY_RESTRICT row, const std::int
     const hn::CappedTag<std::uint16_t, 8> ends;
     const hn::CappedTag<std::uint64_t, 4> quads;
     const auto ofTwo = [&](std::size_t lane) HWY_ATTR {
-        return hn::BitCast(quads, hn::Combine(hn::Twice<decltype(ends)>(), hn::LoadU(ends, row + node[lane + 8]), hn::LoadU(ends, row + node[lane])));
+        return hn::BitCast(quads,
+            hn::Combine(
+                hn::Twice<decltype(ends)>(), hn::LoadU(ends, row + node[lane + 8]), hn::LoadU(ends, row + node[lane])));
     };
-    const auto numbers = [](auto halfs) HWY_ATTR { return hn::PromoteTo(FourTag(), hn::BitCast(hn::Rebind<hwy::float16_t, FourTag>(), halfs)); };
+    const auto numbers = [](auto halves) HWY_ATTR {
+        return hn::PromoteTo(FourTag(), hn::BitCast(hn::Rebind<hwy::float16_t, FourTag>(), halves));
+    };
     const auto even = ofTwo(0);
     const auto odd = ofTwo(4);
     return {numbers(hn::InterleaveLower(quads, even, odd)), numbers(hn::InterleaveUpper(quads, even, odd))};
@@ -62,7 +67,8 @@ struct FourAir {
 template <bool kSlopes, int kFirst>
 HWY_INLINE FourAir readFour(const AirField& field, const LanePlaces<FourVec>& at)
 {
-    const auto ends = [&](std::size_t offset) HWY_ATTR { return endsOf(field.quads.data() + offset, at.node + kFirst); };
+    const auto ends = [&](std::size_t offset)
+                          HWY_ATTR { return endsOf(field.quads.data() + offset, at.node + kFirst); };
     const FourEnds a = ends(0);
     const FourEnds b = ends(field.row);
     const FourEnds c = ends(field.plane);
@@ -88,13 +94,17 @@ HWY_INLINE FourVec transposed(FourVec a, FourVec b, FourVec c, FourVec e, Vec3<F
 {
     const FourTag d;
     const hn::CappedTag<std::uint64_t, 8> pairs;
-    const auto lower = [&](FourVec first, FourVec second) HWY_ATTR { return hn::BitCast(pairs, hn::InterleaveLower(d, first, second)); };
-    const auto upper = [&](FourVec first, FourVec second) HWY_ATTR { return hn::BitCast(pairs, hn::InterleaveUpper(d, first, second)); };
+    const auto lower = [&](FourVec first, FourVec second)
+                           HWY_ATTR { return hn::BitCast(pairs, hn::InterleaveLower(d, first, second)); };
+    const auto upper = [&](FourVec first, FourVec second)
+                           HWY_ATTR { return hn::BitCast(pairs, hn::InterleaveUpper(d, first, second)); };
     const auto lowAB = lower(a, b);
     const auto lowCE = lower(c, e);
     const auto highAB = upper(a, b);
     const auto highCE = upper(c, e);
-    out = {hn::BitCast(d, hn::InterleaveLower(pairs, lowAB, lowCE)), hn::BitCast(d, hn::InterleaveUpper(pairs, lowAB, lowCE)), hn::BitCast(d, hn::InterleaveLower(pairs, highAB, highCE))};
+    out = {hn::BitCast(d, hn::InterleaveLower(pairs, lowAB, lowCE)),
+        hn::BitCast(d, hn::InterleaveUpper(pairs, lowAB, lowCE)),
+        hn::BitCast(d, hn::InterleaveLower(pairs, highAB, highCE))};
     return hn::BitCast(d, hn::InterleaveUpper(pairs, highAB, highCE));
 }
 
@@ -110,7 +120,8 @@ HWY_INLINE AirThere<FourVec> readLanes(const AirField& field, const LanePlaces<F
     out.heat = transposed(first.value, second.value, third.value, fourth.value, out.velocity);
     if constexpr (kSlopes) {
         for (int axis = 0; axis < 3; ++axis) {
-            (void)transposed(first.slope[axis], second.slope[axis], third.slope[axis], fourth.slope[axis], out.slope[axis]);
+            (void)transposed(
+                first.slope[axis], second.slope[axis], third.slope[axis], fourth.slope[axis], out.slope[axis]);
         }
     }
     return out;
@@ -146,12 +157,15 @@ HWY_INLINE AirThere<V> readLanes(const AirField& field, const LanePlaces<V>& at)
         for (std::size_t part = 0; part < 4; part += hn::Lanes(QuadTag())) {
             const std::uint16_t* quad = field.quads.data() + at.node[lane] + part;
             const QuadVec x = everyLane<QuadVec>(share[0][lane]);
-            const auto read = [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixedYZ(a, b, c, e, each(1, a), each(2, a)); };
+            const auto read = [&](auto a, auto b, auto c, auto e)
+                                  HWY_ATTR { return mixedYZ(a, b, c, e, each(1, a), each(2, a)); };
             const Ends ends = combinedRows(quad, field.row, field.plane, read);
             value.put(4 * lane + part, mixed(ends.low, ends.high, x));
             if constexpr (kSlopes) {
-                const Ends alongY = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, each(2, a)); });
-                const Ends alongZ = combinedRows(quad, field.row, field.plane, [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, each(1, a)); });
+                const Ends alongY = combinedRows(quad, field.row, field.plane,
+                    [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(b - a, e - c, each(2, a)); });
+                const Ends alongZ = combinedRows(quad, field.row, field.plane,
+                    [&](auto a, auto b, auto c, auto e) HWY_ATTR { return mixed(c - a, e - b, each(1, a)); });
                 slope[0].put(4 * lane + part, ends.high - ends.low);
                 slope[1].put(4 * lane + part, mixed(alongY.low, alongY.high, x));
                 slope[2].put(4 * lane + part, mixed(alongZ.low, alongZ.high, x));
@@ -182,7 +196,8 @@ HWY_INLINE void fadeOut(V left, AirThere<V>& there)
     }
 }
 
-/// Finds places, in metres, among the nodes; apart from airAt(), so that what does not need the air can be done before it comes out of memory.
+/// Finds places, in metres, among the nodes; apart from airAt(), so that what does not need the air can be done before
+/// it comes out of memory.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE LanePlaces<V> placesIn(D d, const AirField& field, const Vec3<V>& place)
 {
@@ -195,14 +210,17 @@ HWY_INLINE LanePlaces<V> placesIn(D d, const AirField& field, const Vec3<V>& pla
     const Vec3<V> low{lowOf(inside.x, end.x), lowOf(inside.y, end.y), lowOf(inside.z, end.z)};
     LanePlaces<V> at;
     // Below 2^24, so that floats are exact.
-    hn::Store(hn::ConvertTo(di, low.x * 4.0F + low.y * static_cast<float>(field.row) + low.z * static_cast<float>(field.plane)), di, at.node);
+    hn::Store(hn::ConvertTo(
+                  di, low.x * 4.0F + low.y * static_cast<float>(field.row) + low.z * static_cast<float>(field.plane)),
+        di, at.node);
     at.beyond = inside - low;
     const Vec3<V> outside = cells - inside;
     at.outside2 = dot(outside, outside);
     return at;
 }
 
-/// The air at places. Outside the box the velocity goes over into the wind within its reach, so that smoke which leaves does not stop at the border.
+/// The air at places. Outside the box the velocity goes over into the wind within its reach, so that smoke which leaves
+/// does not stop at the border.
 /// @param reach m
 template <bool kSlopes, SimdVector V>
 HWY_INLINE AirThere<V> airAt(const AirField& field, float reach, const LanePlaces<V>& at)

@@ -39,7 +39,8 @@ glm::vec4 AirField::at(const glm::vec3& place) const
         const glm::vec3 weights = glm::mix(1.0F - rest, rest, glm::vec3(high));
         const glm::uvec3 node = glm::uvec3(low) + high;
         const std::uint16_t* quad = quads.data() + 4 * node.x + row * node.y + plane * node.z;
-        sum += weights.x * weights.y * weights.z * glm::vec4(fromHalf(quad[0]), fromHalf(quad[1]), fromHalf(quad[2]), fromHalf(quad[3]));
+        sum += weights.x * weights.y * weights.z
+            * glm::vec4(fromHalf(quad[0]), fromHalf(quad[1]), fromHalf(quad[2]), fromHalf(quad[3]));
     }
     return sum;
 }

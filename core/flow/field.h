@@ -13,8 +13,8 @@ namespace fumage {
 
 /// The air at one step, for all who read it: velocity and heat at the corners of the cells, rounded to half floats.
 ///
-/// Between the nodes they are interpolated linearly along each axis. As much then flows into each cell as out of it (see solver.h), on a wall of the
-/// box the velocity across it is 0, and nothing outside the box is needed.
+/// Between the nodes they are interpolated linearly along each axis. As much then flows into each cell as out of it
+/// (see solver.h), on a wall of the box the velocity across it is 0, and nothing outside the box is needed.
 struct AirField {
     static constexpr std::size_t kPadding = 32;
 
@@ -29,7 +29,7 @@ struct AirField {
 
     AirGrid grid;
     glm::vec3 wind{0.0F}; ///< velocity of the air outside the box, m/s
-    std::size_t row = 0; ///< halfs from a node to the one above
+    std::size_t row = 0; ///< halves from a node to the one above
     std::size_t plane = 0;
     float share = 1.0F; ///< of a step, for which it carries
     std::vector<AirField> earlier; ///< what carries before it, where the step has parts

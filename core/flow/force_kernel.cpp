@@ -34,7 +34,8 @@ HWY_INLINE void fillRing(const ColumnLayout& layout, float* numbers)
         row[n] = row[n - 1];
     }
     std::copy_n(numbers + CurlPlane::at(layout, 0), n, numbers + CurlPlane::at(layout, -1));
-    std::copy_n(numbers + CurlPlane::at(layout, layout.cells.y - 1), n, numbers + CurlPlane::at(layout, layout.cells.y));
+    std::copy_n(
+        numbers + CurlPlane::at(layout, layout.cells.y - 1), n, numbers + CurlPlane::at(layout, layout.cells.y));
 }
 
 void curlPlane(const AirCells& cells, int k, CurlPlane& out)
@@ -50,7 +51,8 @@ void curlPlane(const AirCells& cells, int k, CurlPlane& out)
             const float* u = cells.velocity.x.data() + start + i;
             const float* v = cells.velocity.y.data() + start + i;
             const float* w = cells.velocity.z.data() + start + i;
-            const Vec3<V> curl{slope(d, w, row) - slope(d, v, plane), slope(d, u, plane) - slope(d, w, 1), slope(d, v, 1) - slope(d, u, row)};
+            const Vec3<V> curl{slope(d, w, row) - slope(d, v, plane), slope(d, u, plane) - slope(d, w, 1),
+                slope(d, v, 1) - slope(d, u, row)};
             store(curl, out.curl.x, out.curl.y, out.curl.z, to + i);
             hn::Store(hn::Sqrt(dot(curl, curl)), d, out.vorticity.data() + to + i);
         }
@@ -63,7 +65,8 @@ void curlPlane(const AirCells& cells, int k, CurlPlane& out)
 HWY_INLINE Vec3<V> confinement(D d, const CurlAround& around, std::size_t row, float strength, std::size_t at)
 {
     const float* size = around[1]->vorticity.data() + at;
-    const V alongZ = 0.5F * (hn::Load(d, around[2]->vorticity.data() + at) - hn::Load(d, around[0]->vorticity.data() + at));
+    const V alongZ =
+        0.5F * (hn::Load(d, around[2]->vorticity.data() + at) - hn::Load(d, around[0]->vorticity.data() + at));
     const Vec3<V> gradient{slope(d, size, 1), slope(d, size, row), alongZ};
     constexpr float kEven = 1e-6F; // m/s a cell
     const V scale = strength / (hn::Sqrt(dot(gradient, gradient)) + kEven);
@@ -81,8 +84,9 @@ HWY_INLINE V afterDrag(D d, const AirCells& cells, const AirStep& step, bool onG
     return 1.0F / (1.0F + walls * (step.friction * step.dt / cells.grid.cell) * hn::Sqrt(dot(v, v)));
 }
 
-/// What a swirl adds to the air's velocity: a share of what this lacks along the tangent, and what holds air of that speed on its circle.
-HWY_INLINE Vec3<V> swirled(D d, const AirSwirl& swirl, float dt, const Vec3<V>& away, const Vec3<V>& v)
+/// What a swirl adds to the air's velocity: a share of what this lacks along the tangent, and what holds air of that
+/// speed on its circle.
+HWY_INLINE Vec3<V> swirled(D d, const AirVortex& swirl, float dt, const Vec3<V>& away, const Vec3<V>& v)
 {
     const Vec3<V> axis = broadcast(d, swirl.axis);
     const Vec3<V> tangent = cross(axis, away); // as long as the distance from the axis
@@ -90,26 +94,27 @@ HWY_INLINE Vec3<V> swirled(D d, const AirSwirl& swirl, float dt, const Vec3<V>& 
     constexpr float kOnAxis = 1e-12F; // m^2
     const V radius = swirl.widening * hn::Max(dot(away, axis), hn::Zero(d)) + swirl.radius;
     const V wanted = (2.0F * swirl.speed) * radius / (distance2 + radius * radius);
-    return (swirl.grip * (wanted - dot(v, tangent) / (distance2 + kOnAxis))) * tangent + (dt * wanted * wanted) * cross(axis, tangent);
+    return (swirl.relaxation * (wanted - dot(v, tangent) / (distance2 + kOnAxis))) * tangent
+        + (dt * wanted * wanted) * cross(axis, tangent);
 }
 
 /// The acceleration of what stirs the air, m/s^2.
-HWY_INLINE Vec3<V> stirred(D d, const AirStirring& stirring, const Vec3<V>& place, V heat)
+HWY_INLINE Vec3<V> stirred(D d, const TurbulenceForcing& forcing, const Vec3<V>& place, V heat)
 {
     Vec3<V> sum = uniform(hn::Zero(d));
-    const Vec3<V> away = place - stirring.place;
-    const V ramp = clamp01(d, hn::Sqrt(dot(away, away)) * (1.0F / stirring.calm) - 1.0F);
+    const Vec3<V> away = place - forcing.place;
+    const V ramp = clamp01(d, hn::Sqrt(dot(away, away)) * (1.0F / forcing.calm) - 1.0F);
     const V share = ramp * hn::Min(heat, hn::Set(d, 1.0F));
     // Most of a box is cold.
     if (hn::AllFalse(d, hn::Gt(share, hn::Zero(d)))) {
         return sum;
     }
     Vec3<V> none = sum;
-    for (std::size_t i = 0; i < stirring.octaves; ++i) {
-        const AirOctave& octave = stirring.octave[i];
+    for (std::size_t i = 0; i < forcing.octaves; ++i) {
+        const AirOctave& octave = forcing.octave[i];
         addCurlNoise<false, 2>(d, place * octave.frequency + octave.shift, octave.slices, sum, none);
     }
-    return sum * (share * stirring.strength);
+    return sum * (share * forcing.strength);
 }
 
 /// Cells of a row that are air.
@@ -120,7 +125,7 @@ HWY_INLINE auto airOf(D d, const AirCells& cells, std::size_t at, std::size_t le
 }
 
 /// Sums over a plane of what confinement does.
-struct SwirlSums {
+struct VorticitySums {
     RowSums motion, along, own;
 
     /// @param isAir  which of the cells count
@@ -142,14 +147,14 @@ struct SwirlSums {
     }
 };
 
-void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& curl, SwirlWork& work)
+void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& curl, ConfinementWork& work)
 {
     const D d;
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
     const bool confines = step.confinement > 0.0F;
-    SwirlSums sums;
+    VorticitySums sums;
     for (int j = 0; j < cells.grid.cells.y; ++j) {
-        const bool onGround = j == 0 && cells.borders.low[1] == Border::Solid;
+        const bool onGround = j == 0 && cells.boundaries.low[1] == Boundary::Solid;
         const std::size_t start = cells.column.at(0, j, k);
         const std::size_t inPlane = CurlPlane::at(cells.column, j);
         const glm::vec3 rowStart = cells.grid.centre({0, j, k});
@@ -163,12 +168,13 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
                 sums.put(d, i, airOf(d, cells, at, n - i), v - step.wind, swirl);
                 v = v + swirl;
             }
-            const Vec3<V> place{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
-            if (step.swirl.speed != 0.0F) {
-                v = v + swirled(d, step.swirl, step.dt, place - step.swirl.place, v);
+            const Vec3<V> place{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x,
+                hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
+            if (step.vortex.speed != 0.0F) {
+                v = v + swirled(d, step.vortex, step.dt, place - step.vortex.place, v);
             }
-            if (step.stirring.strength > 0.0F) {
-                v = v + stirred(d, step.stirring, place, heat) * step.dt;
+            if (step.forcing.strength > 0.0F) {
+                v = v + stirred(d, step.forcing, place, heat) * step.dt;
             }
             if (step.friction > 0.0F && (onGround || cells.hasObstacles())) {
                 v = v * afterDrag(d, cells, step, onGround, v, at);
@@ -239,7 +245,9 @@ double motionBefore(const AirCells& cells, const glm::vec3& wind, int k)
 
 double motionCarried(const AirCells& cells, const glm::vec3& wind, int k)
 {
-    return motionOfPlane(cells, wind, k, [&](std::size_t column, std::size_t /*quad*/) HWY_ATTR { return load(D(), cells.velocity.x, cells.velocity.y, cells.velocity.z, column); });
+    return motionOfPlane(cells, wind, k, [&](std::size_t column, std::size_t /*quad*/) HWY_ATTR {
+        return load(D(), cells.velocity.x, cells.velocity.y, cells.velocity.z, column);
+    });
 }
 
 } // namespace fumage::HWY_NAMESPACE
@@ -276,7 +284,7 @@ void findCurl(const AirCells& cells, int k, CurlPlane& out)
     kernel(cells, k, out);
 }
 
-void addForces(AirCells& cells, const AirStep& step, int k, const CurlAround& curl, SwirlWork& work)
+void addForces(AirCells& cells, const AirStep& step, int k, const CurlAround& curl, ConfinementWork& work)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(forcePlane);
     kernel(cells, step, k, curl, work);

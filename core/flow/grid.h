@@ -57,27 +57,29 @@ struct AirGrid {
     [[nodiscard]] glm::vec3 centre(const glm::ivec3& of) const { return corner + cell * (glm::vec3(of) + 0.5F); }
 };
 
-/// What a side of the box is: air goes through, with the pressure of outside on the face; or a wall that it slides along.
-enum class Border {
+/// What a side of the box is: air goes through, with the pressure of outside on the face; or a wall that it slides
+/// along.
+enum class Boundary {
     Open,
     Solid
 };
 
-struct AirBorders {
-    std::array<Border, 3> low{}; ///< towards -x, -y, -z
-    std::array<Border, 3> high{};
-    friend bool operator==(const AirBorders&, const AirBorders&) = default;
+struct AirBoundaries {
+    std::array<Boundary, 3> low{}; ///< towards -x, -y, -z
+    std::array<Boundary, 3> high{};
+    friend bool operator==(const AirBoundaries&, const AirBoundaries&) = default;
 
     /// No way out: the pressure has then no level of its own, and what is put in stays.
     [[nodiscard]] bool closed() const
     {
-        constexpr std::array kWalls{Border::Solid, Border::Solid, Border::Solid};
+        constexpr std::array kWalls{Boundary::Solid, Boundary::Solid, Boundary::Solid};
         return low == kWalls && high == kWalls;
     }
 };
 
-/// One number a cell, with a ring of ghosts outside the box. A row begins at a multiple of kAirLanes and has room for whole vectors, so that
-/// kernels load and store whole ones; a ghost before a row stands in the padding of the one before it.
+/// One number a cell, with a ring of ghosts outside the box. A row begins at a multiple of kAirLanes and has room for
+/// whole vectors, so that kernels load and store whole ones; a ghost before a row stands in the padding of the one
+/// before it.
 struct ColumnLayout {
     explicit ColumnLayout(const glm::ivec3& of)
         : cells(of)
@@ -97,7 +99,8 @@ struct ColumnLayout {
     /// @param i,j,k from -1 to cells
     [[nodiscard]] std::size_t at(int i, int j, int k) const
     {
-        return origin + static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * row + static_cast<std::size_t>(k) * plane;
+        return origin + static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * row
+            + static_cast<std::size_t>(k) * plane;
     }
 
     /// Where the numbers of a plane begin, ghosts and padding included.
@@ -125,7 +128,8 @@ struct QuadLayout {
 
     [[nodiscard]] std::size_t at(int i, int j, int k) const
     {
-        return origin + 4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * row + static_cast<std::size_t>(k) * plane;
+        return origin + 4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * row
+            + static_cast<std::size_t>(k) * plane;
     }
 };
 

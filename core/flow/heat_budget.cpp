@@ -13,7 +13,8 @@ namespace {
 double outThrough(const AirCells& cells, const glm::ivec3& cell, int axis, float sign, float cellsPerSpeed)
 {
     const std::size_t at = cells.quad.at(cell.x, cell.y, cell.z);
-    const float share = std::clamp(sign * cells.carrier[at + static_cast<std::size_t>(axis)] * cellsPerSpeed, 0.0F, 1.0F);
+    const float share =
+        std::clamp(sign * cells.carrier[at + static_cast<std::size_t>(axis)] * cellsPerSpeed, 0.0F, 1.0F);
     return static_cast<double>(share * cells.air[at + 3]);
 }
 
@@ -24,7 +25,7 @@ double outOfPlane(const AirCells& cells, float dt, int k)
     double sum = 0.0;
     const auto side = [&](int axis, bool isHigh, const glm::ivec3& cell) {
         const auto each = static_cast<std::size_t>(axis);
-        if ((isHigh ? cells.borders.high[each] : cells.borders.low[each]) == Border::Open) {
+        if ((isHigh ? cells.boundaries.high[each] : cells.boundaries.low[each]) == Boundary::Open) {
             sum += outThrough(cells, cell, axis, isHigh ? 1.0F : -1.0F, cellsPerSpeed);
         }
     };
@@ -70,7 +71,9 @@ HeatBudget::Correction HeatBudget::correction() const
         more += plane.more;
         less += plane.less;
     }
-    const auto share = [](double part, double whole) { return part > 0.0 && whole > 0.0 ? static_cast<float>(std::min(1.0, part / whole)) : 0.0F; };
+    const auto share = [](double part, double whole) {
+        return part > 0.0 && whole > 0.0 ? static_cast<float>(std::min(1.0, part / whole)) : 0.0F;
+    };
     return {share(lacking, more), share(-lacking, less)};
 }
 

@@ -22,7 +22,8 @@ HWY_INLINE V heatOf(D d, const AirColumn& quads, std::size_t at)
     return heat;
 }
 
-/// Calls visit(i, cell, quad, isAir) for whole vectors of a row: i in the row, its cell among the columns and its quad; then rowDone().
+/// Calls visit(i, cell, quad, isAir) for whole vectors of a row: i in the row, its cell among the columns and its quad;
+/// then rowDone().
 template <class Visit, class RowDone>
 HWY_INLINE void forRows(D d, const AirCells& cells, int k, const Visit& visit, const RowDone& rowDone)
 {
@@ -45,9 +46,8 @@ double sumOfAir(const AirCells& cells, int k)
 {
     const D d;
     RowSums sum;
-    const auto visit = [&](std::size_t i, std::size_t /*cell*/, std::size_t quad, auto isAir) HWY_ATTR {
-        sum.put(d, i, hn::IfThenElseZero(isAir, heatOf(d, cells.air, quad)));
-    };
+    const auto visit = [&](std::size_t i, std::size_t /*cell*/, std::size_t quad, auto isAir)
+                           HWY_ATTR { sum.put(d, i, hn::IfThenElseZero(isAir, heatOf(d, cells.air, quad))); };
     forRows(d, cells, k, visit, [&](std::size_t n) HWY_ATTR { sum.add(n); });
     return sum.all();
 }

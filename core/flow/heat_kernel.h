@@ -4,8 +4,9 @@
 
 namespace fumage {
 
-// What HeatBudget does to all cells of a plane. Sums leave cells of obstacles out; they are taken in as many sums side by side as make the order that of no
-// instruction set. Planes may run in parallel. The same bits on every instruction set.
+// What HeatBudget does to all cells of a plane. Sums leave cells of obstacles out; they are taken in as many sums side
+// by side as make the order that of no instruction set. Planes may run in parallel. The same bits on every instruction
+// set.
 
 /// The heat of plane k of the air, in cells.
 [[nodiscard]] double heatOfAir(const AirCells& cells, int k);

@@ -12,7 +12,7 @@ namespace fumage {
 namespace {
 
 /// A level may be coarsened while its shortest side has as many cells.
-constexpr int kFewestToHalve = 4;
+constexpr int kMinToHalve = 4;
 
 /// Before and after a coarser level.
 constexpr int kSweeps = 2;
@@ -25,7 +25,7 @@ constexpr int halved(int cells)
     return (cells + 1) / 2;
 }
 
-MultigridAxis makeAxis(std::vector<float> width, Border low, Border high)
+MultigridAxis makeAxis(std::vector<float> width, Boundary low, Boundary high)
 {
     MultigridAxis axis;
     axis.width = std::move(width);
@@ -39,15 +39,16 @@ MultigridAxis makeAxis(std::vector<float> width, Border low, Border high)
         const float w = axis.width[i];
         axis.below[i] = i > 0 ? 2.0F / (w * (w + axis.width[i - 1])) : 0.0F;
         axis.above[i] = i + 1 < n ? 2.0F / (w * (w + axis.width[i + 1])) : 0.0F;
-        const bool openBelow = i == 0 && low == Border::Open;
-        const bool openAbove = i + 1 == n && high == Border::Open;
-        axis.own[i] = axis.below[i] + axis.above[i] + (openBelow ? 2.0F / (w * w) : 0.0F) + (openAbove ? 2.0F / (w * w) : 0.0F);
+        const bool openBelow = i == 0 && low == Boundary::Open;
+        const bool openAbove = i + 1 == n && high == Boundary::Open;
+        axis.own[i] =
+            axis.below[i] + axis.above[i] + (openBelow ? 2.0F / (w * w) : 0.0F) + (openAbove ? 2.0F / (w * w) : 0.0F);
     }
     return axis;
 }
 
 /// How the cells of an axis lie in the coarser ones: two in each, and one in the last where their number is odd.
-void linkAxis(MultigridAxis& fine, const MultigridAxis& coarse, Border low, Border high)
+void linkAxis(MultigridAxis& fine, const MultigridAxis& coarse, Boundary low, Boundary high)
 {
     for (std::size_t i = 0; i < fine.width.size(); ++i) {
         const std::size_t parent = i / 2;
@@ -60,7 +61,7 @@ void linkAxis(MultigridAxis& fine, const MultigridAxis& coarse, Border low, Bord
         if (offset == 0.0F) {
             fine.within[i] = 1.0F;
         } else if (atBorder) {
-            const bool isOpen = (isLower ? low : high) == Border::Open;
+            const bool isOpen = (isLower ? low : high) == Boundary::Open;
             fine.within[i] = isOpen ? 1.0F - offset / (0.5F * all) : 1.0F;
         } else {
             const float neighbour = coarse.width[isLower ? parent - 1 : parent + 1];
@@ -130,14 +131,15 @@ void sweep(const MultigridLevel& level, AirColumn& pressure, const AirColumn& ri
 {
     for (int time = 0; time < times; ++time) {
         for (int first = 0; first < 2; ++first) {
-            forPlanes(level.layout, first, level.layout.cells.z, 2, [&](int k) { relax(level, pressure, rightSide, k); });
+            forPlanes(
+                level.layout, first, level.layout.cells.z, 2, [&](int k) { relax(level, pressure, rightSide, k); });
         }
     }
 }
 
 } // namespace
 
-Multigrid::Multigrid(const glm::ivec3& cells, const AirBorders& borders, const AirVectors& open)
+Multigrid::Multigrid(const glm::ivec3& cells, const AirBoundaries& boundaries, const AirVectors& open)
 {
     std::array<std::vector<float>, 3> widths;
     for (int a = 0; a < 3; ++a) {
@@ -147,10 +149,10 @@ Multigrid::Multigrid(const glm::ivec3& cells, const AirBorders& borders, const A
     while (true) {
         MultigridLevel& level = m_levels.emplace_back(n);
         for (std::size_t a = 0; a < 3; ++a) {
-            level.axis[a] = makeAxis(widths[a], borders.low[a], borders.high[a]);
+            level.axis[a] = makeAxis(widths[a], boundaries.low[a], boundaries.high[a]);
             widths[a] = coarserWidths(widths[a]);
         }
-        if (std::min({n.x, n.y, n.z}) < kFewestToHalve) {
+        if (std::min({n.x, n.y, n.z}) < kMinToHalve) {
             break;
         }
         n = {halved(n.x), halved(n.y), halved(n.z)};
@@ -161,7 +163,7 @@ Multigrid::Multigrid(const glm::ivec3& cells, const AirBorders& borders, const A
             level.pressure.assign(level.layout.size, 0.0F);
             level.rightSide.assign(level.layout.size, 0.0F);
             for (std::size_t a = 0; a < 3; ++a) {
-                linkAxis(m_levels[l - 1].axis[a], level.axis[a], borders.low[a], borders.high[a]);
+                linkAxis(m_levels[l - 1].axis[a], level.axis[a], boundaries.low[a], boundaries.high[a]);
             }
         }
         if (!open.x.empty()) {
@@ -187,7 +189,8 @@ void Multigrid::cycle(std::size_t level, AirColumn& pressure, AirColumn& rightSi
     }
     MultigridLevel& coarse = m_levels[level + 1];
     sweep(fine, pressure, rightSide, kSweeps);
-    forPlanes(fine.layout, 0, coarse.layout.cells.z, 1, [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
+    forPlanes(fine.layout, 0, coarse.layout.cells.z, 1,
+        [&](int k) { restrictResidual(fine, pressure, rightSide, coarse, k); });
     cycle(level + 1, coarse.pressure, coarse.rightSide);
     forPlanes(fine.layout, 0, fine.layout.cells.z, 1, [&](int k) { prolong(fine, coarse, pressure, k); });
     sweep(fine, pressure, rightSide, kSweeps);

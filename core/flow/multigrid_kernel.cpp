@@ -36,20 +36,25 @@ struct RowWeights {
 
 /// The weighted sum of a cell's neighbours.
 template <bool kObstacles>
-HWY_INLINE V neighbours(D d, const MultigridLevel& level, const RowWeights& weights, const float* HWY_RESTRICT p, std::size_t at, std::size_t i)
+HWY_INLINE V neighbours(D d, const MultigridLevel& level, const RowWeights& weights, const float* HWY_RESTRICT p,
+    std::size_t at, std::size_t i)
 {
     const auto way = [&](V weight, std::ptrdiff_t stride, const AirColumn& faces) HWY_ATTR {
         const V other = hn::LoadU(d, p + static_cast<std::ptrdiff_t>(at) + stride);
         if constexpr (kObstacles) {
-            return weight * hn::LoadU(d, faces.data() + static_cast<std::ptrdiff_t>(at) + std::max<std::ptrdiff_t>(stride, 0)) * other;
+            return weight
+                * hn::LoadU(d, faces.data() + static_cast<std::ptrdiff_t>(at) + std::max<std::ptrdiff_t>(stride, 0))
+                * other;
         }
         return weight * other;
     };
     const auto row = static_cast<std::ptrdiff_t>(weights.row);
     const auto plane = static_cast<std::ptrdiff_t>(weights.plane);
-    const V x = way(hn::Load(d, level.axis[0].below.data() + i), -1, level.open.x) + way(hn::Load(d, level.axis[0].above.data() + i), 1, level.open.x);
+    const V x = way(hn::Load(d, level.axis[0].below.data() + i), -1, level.open.x)
+        + way(hn::Load(d, level.axis[0].above.data() + i), 1, level.open.x);
     const V y = way(hn::Set(d, weights.below), -row, level.open.y) + way(hn::Set(d, weights.above), row, level.open.y);
-    const V z = way(hn::Set(d, weights.before), -plane, level.open.z) + way(hn::Set(d, weights.behind), plane, level.open.z);
+    const V z =
+        way(hn::Set(d, weights.before), -plane, level.open.z) + way(hn::Set(d, weights.behind), plane, level.open.z);
     return x + y + z;
 }
 
@@ -66,14 +71,15 @@ HWY_INLINE void invertRow(D d, const MultigridLevel& level, float own, float* HW
 /// Which of a row's cells are the second of two.
 HWY_ALIGN constexpr float kOdd[2 + kAirLanes] = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
 
-/// How many rows black cells are behind white ones: by then those have reached the cache, and what is loaded across two of their vectors need not wait.
+/// How many rows black cells are behind white ones: by then those have reached the cache, and what is loaded across two
+/// of their vectors need not wait.
 constexpr int kRowsBehind = 4;
 
 /// Relaxes every other cell of a row.
 /// @param lane 0 for the first and those with it, 1 for the others
 template <bool kObstacles>
-HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& weights, std::size_t lane, std::size_t start, float* HWY_RESTRICT p,
-    const float* HWY_RESTRICT rightSide, const float* HWY_RESTRICT inverse)
+HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& weights, std::size_t lane,
+    std::size_t start, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, const float* HWY_RESTRICT inverse)
 {
     const auto n = static_cast<std::size_t>(level.layout.cells.x);
     const auto relaxed = [&](std::size_t i) HWY_ATTR {
@@ -82,8 +88,8 @@ HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& wei
         const V sum = neighbours<kObstacles>(d, level, weights, p, at, i) - hn::Load(d, rightSide + at);
         return hn::IfThenElse(isMine, sum * hn::Load(d, inverse + i), hn::Load(d, p + at));
     };
-    // A vector is stored after the next one has been loaded across its end, which would else wait for it to reach the cache. The other half of the cells,
-    // which is all that is read across, stays as it is.
+    // A vector is stored after the next one has been loaded across its end, which would else wait for it to reach the
+    // cache. The other half of the cells, which is all that is read across, stays as it is.
     V before = relaxed(0);
     std::size_t i = hn::Lanes(d);
     for (; i < n; i += hn::Lanes(d)) {
@@ -96,10 +102,12 @@ HWY_INLINE void relaxRow(D d, const MultigridLevel& level, const RowWeights& wei
 
 /// A plane's white cells and, some rows behind them, its black ones.
 template <bool kObstacles>
-HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, int k)
+HWY_INLINE void relaxWith(
+    const MultigridLevel& level, float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, int k)
 {
     const D d;
-    HWY_ALIGN float inverses[2][kRowRoom]; // of a colour each: they are rows apart, whose weights differ beside a border
+    HWY_ALIGN float inverses[2]
+                            [kRowRoom]; // of a colour each: they are rows apart, whose weights differ beside a border
     float invertedFor[2] = {-1.0F, -1.0F};
     const int rows = level.layout.cells.y;
     for (int turn = 0; turn < 2 * (rows + kRowsBehind); ++turn) {
@@ -116,7 +124,8 @@ HWY_INLINE void relaxWith(const MultigridLevel& level, float* HWY_RESTRICT p, co
             invertedFor[colour] = weights.own;
         }
         const float* inverse = kObstacles ? level.inverse.data() + start : rowInverse;
-        relaxRow<kObstacles>(d, level, weights, static_cast<std::size_t>((j + k + colour) % 2), start, p, rightSide, inverse);
+        relaxRow<kObstacles>(
+            d, level, weights, static_cast<std::size_t>((j + k + colour) % 2), start, p, rightSide, inverse);
     }
 }
 
@@ -128,7 +137,8 @@ void relaxPlane(const MultigridLevel& level, AirColumn& pressure, const AirColum
 
 /// Adds the weighted residual of a row of fine cells.
 template <bool kObstacles>
-HWY_INLINE void addResidual(const MultigridLevel& level, const float* HWY_RESTRICT p, const float* HWY_RESTRICT rightSide, int j, int k, float share, float* HWY_RESTRICT sum)
+HWY_INLINE void addResidual(const MultigridLevel& level, const float* HWY_RESTRICT p,
+    const float* HWY_RESTRICT rightSide, int j, int k, float share, float* HWY_RESTRICT sum)
 {
     const D d;
     const RowWeights weights(level, j, k);
@@ -142,16 +152,20 @@ HWY_INLINE void addResidual(const MultigridLevel& level, const float* HWY_RESTRI
             // A weight of 0 stands for a cell of an obstacle, which has no residual.
             const V inverse = hn::Load(d, level.inverse.data() + at);
             const auto isAir = hn::Gt(inverse, hn::Zero(d));
-            residual = hn::IfThenElseZero(isAir, hn::Load(d, rightSide + at) - around + pressure * (1.0F / hn::IfThenElse(isAir, inverse, hn::Set(d, 1.0F))));
+            residual = hn::IfThenElseZero(isAir,
+                hn::Load(d, rightSide + at) - around
+                    + pressure * (1.0F / hn::IfThenElse(isAir, inverse, hn::Set(d, 1.0F))));
         } else {
-            residual = hn::Load(d, rightSide + at) - around + pressure * (hn::Load(d, level.axis[0].own.data() + i) + weights.own);
+            residual = hn::Load(d, rightSide + at) - around
+                + pressure * (hn::Load(d, level.axis[0].own.data() + i) + weights.own);
         }
         const V weight = hn::Load(d, level.axis[0].share.data() + i) * share;
         hn::Store(hn::Load(d, sum + i) + weight * residual, d, sum + i);
     }
 }
 
-void restrictPlane(const MultigridLevel& fine, const AirColumn& pressure, const AirColumn& rightSide, MultigridLevel& coarse, int k)
+void restrictPlane(
+    const MultigridLevel& fine, const AirColumn& pressure, const AirColumn& rightSide, MultigridLevel& coarse, int k)
 {
     const D d;
     HWY_ALIGN float sum[kRowRoom];
@@ -160,7 +174,8 @@ void restrictPlane(const MultigridLevel& fine, const AirColumn& pressure, const 
         std::fill(std::begin(sum), std::end(sum), 0.0F);
         for (int z = 2 * k; z < std::min(2 * k + 2, n.z); ++z) {
             for (int y = 2 * j; y < std::min(2 * j + 2, n.y); ++y) {
-                const float share = fine.axis[1].share[static_cast<std::size_t>(y)] * fine.axis[2].share[static_cast<std::size_t>(z)];
+                const float share =
+                    fine.axis[1].share[static_cast<std::size_t>(y)] * fine.axis[2].share[static_cast<std::size_t>(z)];
                 const auto add = fine.inverse.empty() ? &addResidual<false> : &addResidual<true>;
                 add(fine, pressure.data(), rightSide.data(), y, z, share, sum);
             }
@@ -176,7 +191,8 @@ void restrictPlane(const MultigridLevel& fine, const AirColumn& pressure, const 
     }
 }
 
-/// The coarse cell that a fine one lies in, and the one beside it on the fine one's side; its own where there is none, with a weight of 0.
+/// The coarse cell that a fine one lies in, and the one beside it on the fine one's side; its own where there is none,
+/// with a weight of 0.
 struct CoarseCells {
     CoarseCells(const MultigridAxis& fine, int index, int cells)
         : within(fine.within[static_cast<std::size_t>(index)])
@@ -191,11 +207,14 @@ struct CoarseCells {
 };
 
 /// A row of coarse pressures between those around row j of plane k of the fine cells.
-HWY_INLINE void mixRow(const MultigridLevel& fine, const MultigridLevel& coarse, const CoarseCells& z, int j, float* HWY_RESTRICT row)
+HWY_INLINE void mixRow(
+    const MultigridLevel& fine, const MultigridLevel& coarse, const CoarseCells& z, int j, float* HWY_RESTRICT row)
 {
     const D d;
     const CoarseCells y(fine.axis[1], j, coarse.layout.cells.y);
-    const auto from = [&](int own, int other, std::size_t i) HWY_ATTR { return hn::Load(d, coarse.pressure.data() + coarse.layout.at(0, own, other) + i); };
+    const auto from = [&](int own, int other, std::size_t i) HWY_ATTR {
+        return hn::Load(d, coarse.pressure.data() + coarse.layout.at(0, own, other) + i);
+    };
     for (std::size_t i = 0; i < static_cast<std::size_t>(coarse.layout.cells.x); i += hn::Lanes(d)) {
         const V within = z.within * from(y.own, z.own, i) + z.beside * from(y.own, z.other, i);
         const V beside = z.within * from(y.other, z.own, i) + z.beside * from(y.other, z.other, i);
@@ -204,12 +223,14 @@ HWY_INLINE void mixRow(const MultigridLevel& fine, const MultigridLevel& coarse,
 }
 
 /// Adds such a row, interpolated along x, to a row of fine pressures.
-HWY_INLINE void addRow(const MultigridLevel& fine, const MultigridLevel& coarse, const float* HWY_RESTRICT row, float* HWY_RESTRICT p)
+HWY_INLINE void addRow(
+    const MultigridLevel& fine, const MultigridLevel& coarse, const float* HWY_RESTRICT row, float* HWY_RESTRICT p)
 {
     const D d;
     const float* HWY_RESTRICT within = fine.axis[0].within.data();
     const float* HWY_RESTRICT beside = fine.axis[0].beside.data();
-    // Two fine cells a coarse one; a last vector of them may reach beyond the row, so it goes through memory of its own.
+    // Two fine cells a coarse one; a last vector of them may reach beyond the row, so it goes through memory of its
+    // own.
     HWY_ALIGN float fineRow[2 * kRowRoom];
     for (std::size_t i = 0; i < static_cast<std::size_t>(coarse.layout.cells.x); i += hn::Lanes(d)) {
         V withinEven, withinOdd, besideEven, besideOdd;
@@ -227,8 +248,8 @@ HWY_INLINE void addRow(const MultigridLevel& fine, const MultigridLevel& coarse,
 
 void prolongPlane(const MultigridLevel& fine, const MultigridLevel& coarse, AirColumn& pressure, int k)
 {
-    // With room for the neighbour before a row. A row is mixed while the one before it is added: what is loaded across two vectors waits until those
-    // are in the cache.
+    // With room for the neighbour before a row. A row is mixed while the one before it is added: what is loaded across
+    // two vectors waits until those are in the cache.
     HWY_ALIGN float between[2][kAirLanes + kRowRoom] = {};
     const CoarseCells z(fine.axis[2], k, coarse.layout.cells.z);
     const int rows = fine.layout.cells.y;
@@ -258,7 +279,8 @@ void relax(const MultigridLevel& level, AirColumn& pressure, const AirColumn& ri
     kernel(level, pressure, rightSide, k);
 }
 
-void restrictResidual(const MultigridLevel& fine, const AirColumn& pressure, const AirColumn& rightSide, MultigridLevel& coarse, int k)
+void restrictResidual(
+    const MultigridLevel& fine, const AirColumn& pressure, const AirColumn& rightSide, MultigridLevel& coarse, int k)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(restrictPlane);
     kernel(fine, pressure, rightSide, coarse, k);

@@ -1,6 +1,6 @@
 #include "core/flow/obstacles.h"
 
-#include "core/flow/borders.h"
+#include "core/flow/boundaries.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array kSteps{glm::ivec3(1, 0, 0), glm::ivec3(0, 1, 0), glm::ivec3(0, 0, 1)};
 
-/// Lets air through the faces that have air on both sides; those of ghosts too, which nodes on the border take their means from.
+/// Lets air through the faces that have air on both sides; those of ghosts too, which nodes on the border take their
+/// means from.
 void openFaces(AirCells& cells)
 {
     const glm::ivec3 n = cells.grid.cells;
@@ -31,17 +32,18 @@ void openFaces(AirCells& cells)
 }
 
 /// Lists the cells of obstacles that have air beside them, and counts the walls that air touches.
-void findSkin(AirCells& cells)
+void findHalo(AirCells& cells)
 {
     const glm::ivec3 n = cells.grid.cells;
     const auto fluid = [&](const glm::ivec3& c) { return cells.fluid[cells.column.at(c.x, c.y, c.z)] != 0.0F; };
     cells.touching.assign(cells.column.size, 0.0F);
     forCells(n, [&](const glm::ivec3& c) {
-        AirCells::Skin skin{c, 0};
+        AirCells::Halo skin{c, 0};
         for (unsigned side = 0; side < 6; ++side) {
             const glm::ivec3 step = kSteps[side / 2];
             const glm::ivec3 beside = side % 2 == 0 ? c - step : c + step;
-            const bool outside = glm::any(glm::lessThan(beside, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(beside, n));
+            const bool outside =
+                glm::any(glm::lessThan(beside, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(beside, n));
             if (outside || fluid(c) == fluid(beside)) {
                 continue;
             }
@@ -75,7 +77,8 @@ bool placeSolids(AirCells& cells, std::span<const Solid> solids)
     AirColumn fluid(cells.column.size, 0.0F);
     forCells(cells.grid.cells, [&](const glm::ivec3& c) {
         const glm::vec3 centre = cells.grid.centre(c);
-        const bool inside = std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); });
+        const bool inside =
+            std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.contains(centre); });
         fluid[cells.column.at(c.x, c.y, c.z)] = inside ? 0.0F : 1.0F;
         anyAir = anyAir || !inside;
         anySolid = anySolid || inside;
@@ -93,15 +96,15 @@ bool placeSolids(AirCells& cells, std::span<const Solid> solids)
             fillEvenGhosts(cells, cells.fluid, k);
         }
         openFaces(cells);
-        findSkin(cells);
+        findHalo(cells);
     }
     return true;
 }
 
-void fillSkin(const AirCells& cells, AirColumn& quads)
+void fillHalo(const AirCells& cells, AirColumn& quads)
 {
     const std::array strides{std::size_t{4}, cells.quad.row, cells.quad.plane};
-    for (const AirCells::Skin& skin : cells.skin) {
+    for (const AirCells::Halo& skin : cells.skin) {
         float* to = quads.data() + cells.quad.at(skin.cell.x, skin.cell.y, skin.cell.z);
         std::array<float, 4> sum{};
         float count = 0.0F;

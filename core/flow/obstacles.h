@@ -27,9 +27,9 @@ struct Solid {
 /// @return whether any cell of air is left; otherwise nothing has changed
 [[nodiscard]] bool placeSolids(AirCells& cells, std::span<const Solid> solids);
 
-/// Gives the cells of obstacles that have air beside them the mirrored velocity and the heat of that air, so that what is interpolated between them
-/// slides along the wall.
+/// Gives the cells of obstacles that have air beside them the mirrored velocity and the heat of that air, so that what
+/// is interpolated between them slides along the wall.
 /// @param quads air or guess, of which all planes are written
-void fillSkin(const AirCells& cells, AirColumn& quads);
+void fillHalo(const AirCells& cells, AirColumn& quads);
 
 } // namespace fumage

@@ -5,7 +5,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/vector-inl.h"
-#include "core/flow/halfs-inl.h"
+#include "core/flow/halves-inl.h"
 #include "core/flow/project_kernel.h"
 #include "core/flow/speed-inl.h"
 
@@ -47,7 +47,8 @@ struct AllFaces {
     Faces x, y, z;
 
 private:
-    static Faces facesOf(const AirCells& cells, const AirColumn& velocity, const AirColumn& open, std::size_t stride, bool after)
+    static Faces facesOf(
+        const AirCells& cells, const AirColumn& velocity, const AirColumn& open, std::size_t stride, bool after)
     {
         return {velocity.data(), after ? cells.pressure.data() : nullptr, open.empty() ? nullptr : open.data(), stride};
     }
@@ -58,11 +59,13 @@ void divergencePlane(AirCells& cells, int k)
     const D d;
     const AllFaces faces(cells, false);
     const auto n = static_cast<std::size_t>(cells.grid.cells.x);
-    const auto outOf = [&](const Faces& face, std::size_t at) HWY_ATTR { return face.at(d, at + face.stride) - face.at(d, at); };
+    const auto outOf = [&](const Faces& face, std::size_t at)
+                           HWY_ATTR { return face.at(d, at + face.stride) - face.at(d, at); };
     for (int j = 0; j < cells.grid.cells.y; ++j) {
         const std::size_t start = cells.column.at(0, j, k);
         for (std::size_t at = start; at < start + n; at += hn::Lanes(d)) {
-            V sum = outOf(faces.x, at) + outOf(faces.y, at) + outOf(faces.z, at) - hn::Load(d, cells.divergence.data() + at);
+            V sum = outOf(faces.x, at) + outOf(faces.y, at) + outOf(faces.z, at)
+                - hn::Load(d, cells.divergence.data() + at);
             if (cells.hasObstacles()) {
                 sum = sum * hn::Load(d, cells.fluid.data() + at);
             }
@@ -90,8 +93,8 @@ HWY_INLINE V through(D d, const Faces& faces, std::size_t at)
     return 0.5F * (faces.at(d, at) + faces.at(d, at + faces.stride));
 }
 
-/// 0 where a number is less than anybody sees: what thins out from cell to cell without end would else reach the denormal numbers, which take
-/// processors a hundred times as long.
+/// 0 where a number is less than anybody sees: what thins out from cell to cell without end would else reach the
+/// denormal numbers, which take processors a hundred times as long.
 HWY_INLINE V withoutTraces(D d, V value)
 {
     constexpr float kTrace = 1e-9F; // m/s, or of the heat of the source
@@ -110,19 +113,25 @@ void gradientPlane(AirCells& cells, int k)
         for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
             const std::size_t at = start + i;
             const Vec3<V> forced = load(d, cells.forced.x, cells.forced.y, cells.forced.z, at);
-            const Vec3<V> v = boundedSpeed(d, forced - Vec3<V>{gradient(d, faces.x, at), gradient(d, faces.y, at), gradient(d, faces.z, at)});
-            const Vec3<V> carrying = boundedSpeed(d, Vec3<V>{through(d, faces.x, at), through(d, faces.y, at), through(d, faces.z, at)});
-            hn::StoreInterleaved4(withoutTraces(d, carrying.x), withoutTraces(d, carrying.y), withoutTraces(d, carrying.z), hn::Zero(d), d, carriers + 4 * i);
+            const Vec3<V> v = boundedSpeed(
+                d, forced - Vec3<V>{gradient(d, faces.x, at), gradient(d, faces.y, at), gradient(d, faces.z, at)});
+            const Vec3<V> carrying =
+                boundedSpeed(d, Vec3<V>{through(d, faces.x, at), through(d, faces.y, at), through(d, faces.z, at)});
+            hn::StoreInterleaved4(withoutTraces(d, carrying.x), withoutTraces(d, carrying.y),
+                withoutTraces(d, carrying.z), hn::Zero(d), d, carriers + 4 * i);
             const V heat = hn::Load(d, cells.heat.data() + at);
-            hn::StoreInterleaved4(withoutTraces(d, v.x), withoutTraces(d, v.y), withoutTraces(d, v.z), withoutTraces(d, heat), d, quads + 4 * i);
+            hn::StoreInterleaved4(withoutTraces(d, v.x), withoutTraces(d, v.y), withoutTraces(d, v.z),
+                withoutTraces(d, heat), d, quads + 4 * i);
         }
-        // What whole vectors have left in the padding differs from one instruction set to the next, and the state may not.
+        // What whole vectors have left in the padding differs from one instruction set to the next, and the state may
+        // not.
         std::fill(quads + 4 * (n + 1), quads + cells.quad.row - 4, 0.0F);
         std::fill(carriers + 4 * (n + 1), carriers + cells.quad.row - 4, 0.0F);
     }
 }
 
-/// How much of the faces before, at and behind a node goes into it: the mean over three, and on the border that of the face itself.
+/// How much of the faces before, at and behind a node goes into it: the mean over three, and on the border that of the
+/// face itself.
 struct Smoothing {
     Smoothing(int node, int last)
         : beside(node == 0 || node == last ? 0.0F : 0.25F)
@@ -153,8 +162,8 @@ struct NodeRows {
     LatestRows<3> y; ///< means of the four faces across y around a node
 };
 
-/// Calls body(d, i) for numbers i and those after it of all nodes of a row, one more than there are cells: where it is a few that are left over, with a
-/// vector of fewer lanes.
+/// Calls body(d, i) for numbers i and those after it of all nodes of a row, one more than there are cells: where it is
+/// a few that are left over, with a vector of fewer lanes.
 template <class Body>
 HWY_INLINE void forNodes(std::size_t nodes, const Body& body)
 {
@@ -172,12 +181,15 @@ HWY_INLINE void forNodes(std::size_t nodes, const Body& body)
 /// Sums of the faces of a row and those before them.
 HWY_INLINE void storePairs(const Faces& faces, std::size_t start, std::size_t nodes, float* HWY_RESTRICT out)
 {
-    forNodes(nodes, [&](auto d, std::size_t i) HWY_ATTR { hn::Store(faces.at(d, start + i) + faces.at(d, start + i - 1), d, out + i); });
+    forNodes(nodes, [&](auto d, std::size_t i) HWY_ATTR {
+        hn::Store(faces.at(d, start + i) + faces.at(d, start + i - 1), d, out + i);
+    });
 }
 
 /// Row j of the cells around a plane of nodes, and of the faces across z.
 /// @param beyond whether there are faces on both sides of the plane of nodes
-HWY_INLINE void findRows(const AirCells& cells, const AllFaces& faces, std::size_t start, int j, bool beyond, NodeRows& rows)
+HWY_INLINE void findRows(
+    const AirCells& cells, const AllFaces& faces, std::size_t start, int j, bool beyond, NodeRows& rows)
 {
     const std::size_t nodes = static_cast<std::size_t>(cells.grid.cells.x) + 1;
     const std::size_t plane = cells.column.plane;
@@ -204,7 +216,9 @@ HWY_INLINE void findMeans(const AirCells& cells, const Faces& faces, std::size_t
     float* HWY_RESTRICT mean = rows.y.at(j);
     forNodes(nodes, [&](auto d, std::size_t i) HWY_ATTR {
         const std::size_t at = start + i;
-        hn::Store(0.25F * ((faces.at(d, at) + faces.at(d, at - 1)) + (faces.at(d, at - plane) + faces.at(d, at - plane - 1))), d, mean + i);
+        hn::Store(
+            0.25F * ((faces.at(d, at) + faces.at(d, at - 1)) + (faces.at(d, at - plane) + faces.at(d, at - plane - 1))),
+            d, mean + i);
     });
 }
 
@@ -213,7 +227,8 @@ HWY_INLINE void findMeans(const AirCells& cells, const Faces& faces, std::size_t
 HWY_INLINE void meansAlongX(const NodeRows& rows, int j, std::size_t last, float* HWY_RESTRICT mean)
 {
     forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR {
-        const auto sum = [&](const LatestRows<2>& x) HWY_ATTR { return hn::Load(d, x.at(j) + i) + hn::Load(d, x.at(j - 1) + i); };
+        const auto sum = [&](const LatestRows<2>& x)
+                             HWY_ATTR { return hn::Load(d, x.at(j) + i) + hn::Load(d, x.at(j - 1) + i); };
         hn::Store(0.25F * (sum(rows.x[1]) + sum(rows.x[0])), d, mean + i);
     });
     // Beyond the ends as if it went on straight: the smoothed value of the border is then that of its face.
@@ -221,7 +236,8 @@ HWY_INLINE void meansAlongX(const NodeRows& rows, int j, std::size_t last, float
     mean[last + 1] = 2.0F * mean[last] - mean[last - 1];
 }
 
-/// Those smoothed along the row; some time after they were stored, since what is loaded across two of their vectors waits until they are in the cache.
+/// Those smoothed along the row; some time after they were stored, since what is loaded across two of their vectors
+/// waits until they are in the cache.
 HWY_INLINE void smoothAlongX(std::size_t last, const float* HWY_RESTRICT mean, float* HWY_RESTRICT out)
 {
     forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR {
@@ -244,16 +260,18 @@ HWY_INLINE auto acrossX(const Smoothing& smoothing, const Mean& mean)
 
 /// Velocity and heat of node i and those after it, as half floats.
 template <class D>
-HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y, const Smoothing& z, const float* u, std::size_t i, std::uint16_t* halfs)
+HWY_INLINE void storeNodes(D d, const NodeRows& rows, int j, const Smoothing& y, const Smoothing& z, const float* u,
+    std::size_t i, std::uint16_t* halves)
 {
-    const auto sum = [&](const LatestRows<2>& of) HWY_ATTR { return hn::Load(d, of.at(j) + i) + hn::Load(d, of.at(j - 1) + i); };
+    const auto sum = [&](const LatestRows<2>& of)
+                         HWY_ATTR { return hn::Load(d, of.at(j) + i) + hn::Load(d, of.at(j - 1) + i); };
     const auto v = acrossX(y, [&](int side) HWY_ATTR { return hn::Load(d, rows.y.at(j + side) + i); });
     const auto w = acrossX(z, [&](int side) HWY_ATTR { return 0.25F * sum(rows.z[side + 1]); });
     const auto heat = 0.125F * (sum(rows.heat[1]) + sum(rows.heat[0]));
     HWY_ALIGN float quads[4 * kAirLanes];
     hn::StoreInterleaved4(boundedSpeed(d, hn::Load(d, u + i)), boundedSpeed(d, v), boundedSpeed(d, w), heat, d, quads);
     for (std::size_t part = 0; part < 4 * hn::Lanes(d); part += hn::Lanes(d)) {
-        storeHalfs(hn::Load(d, quads + part), halfs + 4 * i + part);
+        storeHalf(hn::Load(d, quads + part), halves + 4 * i + part);
     }
 }
 
@@ -268,7 +286,7 @@ void nodePlane(const AirCells& cells, AirField& field, int k)
     HWY_ALIGN float room[kAirLanes + kRowRoom];
     float* mean = room + kAirLanes;
     HWY_ALIGN float u[kRowRoom];
-    HWY_ALIGN std::uint16_t halfs[4 * kRowRoom];
+    HWY_ALIGN std::uint16_t halves[4 * kRowRoom];
     findRows(cells, faces, rowOf(-1), -1, z.beside != 0.0F, rows);
     findMeans(cells, faces.y, rowOf(0), 0, rows);
     for (int j = 0; j <= n.y; ++j) {
@@ -279,8 +297,9 @@ void nodePlane(const AirCells& cells, AirField& field, int k)
         }
         smoothAlongX(last, mean, u);
         const Smoothing y(j, n.y);
-        forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR { storeNodes(d, rows, j, y, z, u, i, halfs); });
-        std::copy_n(halfs, field.row, field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane);
+        forNodes(last + 1, [&](auto d, std::size_t i) HWY_ATTR { storeNodes(d, rows, j, y, z, u, i, halves); });
+        std::copy_n(halves, field.row,
+            field.quads.data() + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane);
     }
 }
 

@@ -1,7 +1,7 @@
 #include "core/flow/solver.h"
 
 #include "core/flow/advection_kernel.h"
-#include "core/flow/borders.h"
+#include "core/flow/boundaries.h"
 #include "core/flow/force_kernel.h"
 #include "core/flow/planes.h"
 #include "core/flow/project_kernel.h"
@@ -15,15 +15,16 @@ namespace fumage {
 
 namespace {
 
-AirCells cellsWith(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids)
+AirCells cellsWith(const AirGrid& grid, const AirBoundaries& boundaries, std::span<const Solid> solids)
 {
-    AirCells cells(grid, borders);
+    AirCells cells(grid, boundaries);
     [[maybe_unused]] const bool anyAir = placeSolids(cells, solids);
     assert(anyAir);
     return cells;
 }
 
-/// Planes of a slab: enough that what is computed for both of two neighbours does not count, and few enough that all threads have some.
+/// Planes of a slab: enough that what is computed for both of two neighbours does not count, and few enough that all
+/// threads have some.
 constexpr int kSlab = 8;
 
 /// Calls body(first, last) for slabs of planes [first, last).
@@ -31,10 +32,12 @@ template <class Body>
 void forSlabs(const ColumnLayout& layout, const Body& body)
 {
     const int planes = layout.cells.z;
-    forPlanes(layout, 0, (planes + kSlab - 1) / kSlab, 1, [&](int slab) { body(slab * kSlab, std::min(planes, (slab + 1) * kSlab)); });
+    forPlanes(layout, 0, (planes + kSlab - 1) / kSlab, 1,
+        [&](int slab) { body(slab * kSlab, std::min(planes, (slab + 1) * kSlab)); });
 }
 
-/// Makes the numbers of plane k 0, with their ghosts, and those of the plane of ghosts beyond it where it is the first or the last.
+/// Makes the numbers of plane k 0, with their ghosts, and those of the plane of ghosts beyond it where it is the first
+/// or the last.
 void clearPlane(AirColumn& column, const ColumnLayout& layout, int k)
 {
     const int first = k == 0 ? -1 : k;
@@ -49,10 +52,10 @@ void fillGhosts(AirCells& cells, const glm::vec3& wind, int k)
     fillQuadGhosts(cells, cells.carrier, wind, k);
 }
 
-void fillSkins(AirCells& cells)
+void fillHalos(AirCells& cells)
 {
-    fillSkin(cells, cells.air);
-    fillSkin(cells, cells.carrier);
+    fillHalo(cells, cells.air);
+    fillHalo(cells, cells.carrier);
 }
 
 } // namespace
@@ -60,7 +63,9 @@ void fillSkins(AirCells& cells)
 CurlAround AirSolver::CurlPlanes::around(const AirCells& cells, int k, bool isFirst)
 {
     const int last = cells.grid.cells.z - 1;
-    const auto of = [&](int plane) -> CurlPlane& { return planes[static_cast<std::size_t>(std::clamp(plane, 0, last)) % planes.size()]; };
+    const auto of = [&](int plane) -> CurlPlane& {
+        return planes[static_cast<std::size_t>(std::clamp(plane, 0, last)) % planes.size()];
+    };
     for (int plane = isFirst ? std::max(0, k - 1) : k + 1; plane <= std::min(k + 1, last); ++plane) {
         of(plane).makeRoom(cells.column);
         findCurl(cells, plane, of(plane));
@@ -68,11 +73,12 @@ CurlAround AirSolver::CurlPlanes::around(const AirCells& cells, int k, bool isFi
     return {&of(k - 1), &of(k), &of(k + 1)};
 }
 
-AirSolver::AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind)
-    : m_cells(cellsWith(grid, borders, solids))
-    , m_multigrid(grid.cells, borders, m_cells.open)
+AirSolver::AirSolver(
+    const AirGrid& grid, const AirBoundaries& boundaries, std::span<const Solid> solids, const glm::vec3& wind)
+    : m_cells(cellsWith(grid, boundaries, solids))
+    , m_multigrid(grid.cells, boundaries, m_cells.open)
     , m_heat(grid.cells.z)
-    , m_swirls(grid.cells.z)
+    , m_confinement(grid.cells.z)
 {
     if (wind != glm::vec3(0.0F)) {
         set([&](const glm::vec3&) { return glm::vec4(wind, 0.0F); }, wind);
@@ -120,12 +126,12 @@ void AirSolver::stepPiece(const AirStep& step)
             m_heat.before(cells, step.dt, k);
         }
         if (confines) {
-            m_swirls.plane(k).before = motionOfAir(cells, wind, k);
+            m_confinement.plane(k).before = motionOfAir(cells, wind, k);
         }
         traceBack(cells, step.dt, k);
         fillQuadGhosts(cells, cells.guess, step.wind, k);
     });
-    fillSkin(cells, cells.guess);
+    fillHalo(cells, cells.guess);
     forPlanes(cells.column, 0, planes, 1, [&](int k) {
         correctTrace(cells, step.dt, k);
         if (keepsHeat) {
@@ -133,7 +139,7 @@ void AirSolver::stepPiece(const AirStep& step)
         }
         clearPlane(cells.divergence, cells.column, k);
         if (confines) {
-            m_swirls.plane(k).carried = motionOfCarried(cells, wind, k);
+            m_confinement.plane(k).carried = motionOfCarried(cells, wind, k);
         }
         if (step.source.acts && k >= step.source.first.z && k < step.source.last.z) {
             addSource(cells, step.source, k);
@@ -149,21 +155,22 @@ void AirSolver::stepPiece(const AirStep& step)
             if (keepsHeat) {
                 HeatBudget::correct(cells, correction, k);
             }
-            addForces(cells, step, k, confines ? curl.around(cells, k, k == first) : CurlAround{}, m_swirls.plane(k).work);
+            addForces(cells, step, k, confines ? curl.around(cells, k, k == first) : CurlAround{},
+                m_confinement.plane(k).work);
             slowInflow(cells, step.wind, step.dt, k);
             fillVelocityGhosts(cells, cells.forced, k);
         }
     });
     if (confines) {
-        keepSwirlsWithin(step);
+        limitConfinement(step);
     }
     project(step.wind);
 }
 
-void AirSolver::keepSwirlsWithin(const AirStep& step)
+void AirSolver::limitConfinement(const AirStep& step)
 {
     AirCells& cells = m_cells;
-    const float share = m_swirls.share();
+    const float share = m_confinement.share();
     if (share == 1.0F) {
         return;
     }
@@ -184,7 +191,7 @@ void AirSolver::project(const glm::vec3& wind)
         findDivergence(cells, k);
         clearPlane(cells.pressure, cells.column, k);
     });
-    if (cells.borders.closed()) {
+    if (cells.boundaries.closed()) {
         balance();
     }
     m_multigrid.solve(cells.pressure, cells.divergence, kCycles);
@@ -196,10 +203,11 @@ void AirSolver::project(const glm::vec3& wind)
         subtractGradient(cells, k);
         fillGhosts(cells, wind, k);
     });
-    fillSkins(cells);
+    fillHalos(cells);
 }
 
-bool AirSolver::move(const glm::ivec3& by, const glm::vec3& corner, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind)
+bool AirSolver::move(const glm::ivec3& by, const glm::vec3& corner, const AirBoundaries& boundaries,
+    std::span<const Solid> solids, const glm::vec3& wind)
 {
     AirCells& cells = m_cells;
     const glm::vec3 before = cells.grid.corner;
@@ -209,16 +217,17 @@ bool AirSolver::move(const glm::ivec3& by, const glm::vec3& corner, const AirBor
         cells.grid.corner = before;
         return false;
     }
-    if (hadObstacles || cells.hasObstacles() || borders != cells.borders) {
-        m_multigrid = Multigrid(cells.grid.cells, borders, cells.open);
+    if (hadObstacles || cells.hasObstacles() || boundaries != cells.boundaries) {
+        m_multigrid = Multigrid(cells.grid.cells, boundaries, cells.open);
     }
-    cells.borders = borders;
+    cells.boundaries = boundaries;
     for (AirColumn* quads : {&cells.air, &cells.carrier}) {
         std::swap(*quads, cells.guess);
-        forPlanes(cells.column, 0, cells.grid.cells.z, 1, [&](int k) { shiftPlane(cells, cells.guess, by, wind, *quads, k); });
+        forPlanes(cells.column, 0, cells.grid.cells.z, 1,
+            [&](int k) { shiftPlane(cells, cells.guess, by, wind, *quads, k); });
     }
     forPlanes(cells.column, 0, cells.grid.cells.z, 1, [&](int k) { fillGhosts(cells, wind, k); });
-    fillSkins(cells);
+    fillHalos(cells);
     return true;
 }
 
@@ -287,12 +296,14 @@ float AirSolver::divergenceAt(const glm::ivec3& cell) const
     const std::size_t at = m_cells.column.at(cell.x, cell.y, cell.z);
     const auto outOf = [&](const AirColumn& velocity, const AirColumn& open, std::size_t stride) {
         const auto through = [&](std::size_t face) {
-            const float mean = 0.5F * (velocity[face] + velocity[face - stride]) - (m_cells.pressure[face] - m_cells.pressure[face - stride]);
+            const float mean = 0.5F * (velocity[face] + velocity[face - stride])
+                - (m_cells.pressure[face] - m_cells.pressure[face - stride]);
             return open.empty() ? mean : mean * open[face];
         };
         return through(at + stride) - through(at);
     };
-    return (outOf(m_cells.forced.x, m_cells.open.x, 1) + outOf(m_cells.forced.y, m_cells.open.y, m_cells.column.row) + outOf(m_cells.forced.z, m_cells.open.z, m_cells.column.plane))
+    return (outOf(m_cells.forced.x, m_cells.open.x, 1) + outOf(m_cells.forced.y, m_cells.open.y, m_cells.column.row)
+               + outOf(m_cells.forced.z, m_cells.open.z, m_cells.column.plane))
         / m_cells.grid.cell;
 }
 

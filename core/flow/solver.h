@@ -7,7 +7,7 @@
 #include "core/flow/multigrid.h"
 #include "core/flow/obstacles.h"
 #include "core/flow/step.h"
-#include "core/flow/swirl_budget.h"
+#include "core/flow/confinement_budget.h"
 
 #include <functional>
 #include <memory>
@@ -21,25 +21,30 @@ namespace fumage {
 ///     du/dt + (u.grad) u = -grad p + B T up + epsilon h (N x w) + sources,   div u = expansion of the source
 ///     dT/dt + u.grad T   = -cooling T + sources
 ///
-/// Velocity and heat stand together in the middle of the cells, and the pressure makes the velocities *through the faces* free of divergence: they are
-/// the means of two cells, less the difference of their pressures. Why: with all four numbers in one place a step traces each cell back once
-/// and fetches a corner of the grid at once, where a staggered grid traces and fetches three times over;
-/// and with the pressure solved on the faces its stencil has no chess board in it, which plain cell-centred grids have. What differs between the two
-/// velocities of a cell is of second order and goes with the advection of the next step.
+/// Velocity and heat stand together in the middle of the cells, and the pressure makes the velocities *through the
+/// faces* free of divergence: they are the means of two cells, less the difference of their pressures. Why: with all
+/// four numbers in one place a step traces each cell back once and fetches a corner of the grid at once, where a
+/// staggered grid traces and fetches three times over; and with the pressure solved on the faces its stencil has no
+/// chess board in it, which plain cell-centred grids have. What differs between the two velocities of a cell is of
+/// second order and goes with the advection of the next step.
 ///
-/// What others read are the velocities of the faces, smoothed onto the corners of cells (half from the face and a quarter from its two neighbours along
-/// its own axis, the mean of four across it). That smoothing is the same for all three, so as much flows out of each cell as in, and
-/// particles that it carries are neither gathered nor driven apart: their counts stay those of chance.
+/// What others read are the velocities of the faces, smoothed onto the corners of cells (half from the face and a
+/// quarter from its two neighbours along its own axis, the mean of four across it). That smoothing is the same for all
+/// three, so as much flows out of each cell as in, and particles that it carries are neither gathered nor driven apart:
+/// their counts stay those of chance.
 ///
-/// Where no source acts, heat is neither gained nor lost on its way, see HeatBudget. Confinement gives no more than was lost, see SwirlBudget.
+/// Where no source acts, heat is neither gained nor lost on its way, see HeatBudget. Confinement gives no more than was
+/// lost, see ConfinementBudget.
 ///
 /// A step allocates nothing; it is the same to the bit for any number of threads, and on every instruction set.
-/// Sources: Stam 1999; Selle et al. 2008 (advection); Almgren, Bell, Szymczak 1996 (projection); Fedkiw et al. 2001 (forces).
+/// Sources: Stam 1999; Selle et al. 2008 (advection); Almgren, Bell, Szymczak 1996 (projection); Fedkiw et al. 2001
+/// (forces).
 class AirSolver {
 public:
     /// The air at rest, or moving with a wind.
     /// @param solids obstacles; at least one cell has to be left
-    AirSolver(const AirGrid& grid, const AirBorders& borders, std::span<const Solid> solids = {}, const glm::vec3& wind = glm::vec3(0.0F));
+    AirSolver(const AirGrid& grid, const AirBoundaries& boundaries, std::span<const Solid> solids = {},
+        const glm::vec3& wind = glm::vec3(0.0F));
 
     /// Moves the air on by a step, part after part.
     void step(const AirStep& step);
@@ -48,14 +53,15 @@ public:
     /// @param field made for the grid; gets the air of its earlier parts too
     void step(const AirStep& step, AirField& field);
 
-    /// Moves the box on by whole cells. Air that stays in it stays where it is in the world, what comes in is cold and moves with the wind.
-    /// Allocates only where borders change, or obstacles lie in the box before or after.
+    /// Moves the box on by whole cells. Air that stays in it stays where it is in the world, what comes in is cold and
+    /// moves with the wind. Allocates only where boundaries change, or obstacles lie in the box before or after.
     /// @param by      cells
     /// @param corner  where the box begins afterwards, m: as far away as the cells say
-    /// @param borders of the box where it is then, as closed as they were
+    /// @param boundaries of the box where it is then, as closed as they were
     /// @param solids  all obstacles, in the world
     /// @return false: an obstacle would fill the box, and nothing has changed
-    [[nodiscard]] bool move(const glm::ivec3& by, const glm::vec3& corner, const AirBorders& borders, std::span<const Solid> solids, const glm::vec3& wind);
+    [[nodiscard]] bool move(const glm::ivec3& by, const glm::vec3& corner, const AirBoundaries& boundaries,
+        std::span<const Solid> solids, const glm::vec3& wind);
 
     /// Puts velocity (x, y, z) and heat (w) at the centre of every cell, made free of divergence.
     /// @param wind of the air outside, m/s
@@ -84,7 +90,7 @@ private:
     /// Moves the air on by a piece of a step.
     void stepPiece(const AirStep& step);
     /// Takes back what the confinement has given beyond its budget.
-    void keepSwirlsWithin(const AirStep& step);
+    void limitConfinement(const AirStep& step);
     /// Everything after the forces: reads and changes forced.
     void project(const glm::vec3& wind);
     /// Takes from every cell of a closed box the mean of what flows out of them: nothing can leave it.
@@ -103,7 +109,7 @@ private:
     PerThread<CurlPlanes> m_curl;
     Multigrid m_multigrid;
     HeatBudget m_heat;
-    SwirlBudget m_swirls;
+    ConfinementBudget m_confinement;
 };
 
 } // namespace fumage

@@ -28,7 +28,9 @@ HWY_INLINE Vec3<V> sourceNoise(D d, const AirSource& source, const Vec3<V>& away
 {
     Vec3<V> sum = uniform(hn::Zero(d));
     Vec3<V> none = sum;
-    const auto add = [&](const AirOctave& octave, Vec3<V>& to) HWY_ATTR { addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none); };
+    const auto add = [&](const AirOctave& octave, Vec3<V>& to) HWY_ATTR {
+        addCurlNoise<false, 2>(d, away * octave.frequency + octave.shift, octave.slices, to, none);
+    };
     for (const AirOctave& octave : source.rim) {
         add(octave, sum);
     }
@@ -60,7 +62,9 @@ HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends,
         return covered(d, edge * source.reach.x - hn::Sqrt(dot(away, away)), source.softness);
     }
     if (source.shape == EmitterShape::Rectangle) {
-        return ends * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)), source.softness);
+        return ends
+            * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)),
+                source.softness);
     }
     return ends * covered(d, edge * source.reach.x - hn::Sqrt(across * across + along * along), source.softness);
 }
@@ -68,7 +72,8 @@ HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends,
 /// Middle of cell (0, j, k), from the source.
 HWY_INLINE glm::vec3 rowFromSource(const AirCells& cells, const AirSource& source, int j, int k)
 {
-    return cells.grid.corner + cells.grid.cell * (glm::vec3(0.0F, static_cast<float>(j), static_cast<float>(k)) + 0.5F) - source.place;
+    return cells.grid.corner + cells.grid.cell * (glm::vec3(0.0F, static_cast<float>(j), static_cast<float>(k)) + 0.5F)
+        - source.place;
 }
 
 /// Places within the source that fill it evenly, for means.
@@ -90,15 +95,18 @@ float meanOfUnevenness(const AirSource& source)
         const V y = spread(i, 0.67104361F);
         const V z = spread(i, 0.54970048F);
         const V up = isBall ? z * source.reach.x : (0.5F * z + 0.5F) * source.depth;
-        const Vec3<V> away = (x * source.reach.x) * source.basis.across + (y * source.reach.y) * source.basis.along + up * source.normal;
+        const Vec3<V> away =
+            (x * source.reach.x) * source.basis.across + (y * source.reach.y) * source.basis.along + up * source.normal;
         const V noise = sourceNoise(d, source, away).z;
         const V distance2 = isBall ? x * x + y * y + z * z : x * x + y * y;
         const bool isCube = source.shape == EmitterShape::Rectangle;
-        const V counts = isCube ? hn::Set(d, 1.0F) : hn::IfThenElseZero(hn::Lt(distance2, hn::Set(d, 1.0F)), hn::Set(d, 1.0F));
+        const V counts =
+            isCube ? hn::Set(d, 1.0F) : hn::IfThenElseZero(hn::Lt(distance2, hn::Set(d, 1.0F)), hn::Set(d, 1.0F));
         hn::Store(counts, d, inside + i);
         hn::Store(counts * hn::Max(1.0F + source.unevenness * noise, hn::Zero(d)), d, heat + i);
     }
-    return static_cast<float>(std::accumulate(heat, heat + kPlaces, 0.0) / std::accumulate(inside, inside + kPlaces, 0.0));
+    return static_cast<float>(
+        std::accumulate(heat, heat + kPlaces, 0.0) / std::accumulate(inside, inside + kPlaces, 0.0));
 }
 
 void sourcePlane(AirCells& cells, const AirSource& source, int k)
@@ -107,9 +115,11 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
     for (int j = source.first.y; j < source.last.y; ++j) {
         const glm::vec3 rowStart = rowFromSource(cells, source, j, k);
         const std::size_t row = cells.column.at(0, j, k);
-        for (auto i = static_cast<std::size_t>(source.first.x); i < static_cast<std::size_t>(source.last.x); i += hn::Lanes(d)) {
+        for (auto i = static_cast<std::size_t>(source.first.x); i < static_cast<std::size_t>(source.last.x);
+             i += hn::Lanes(d)) {
             const std::size_t at = row + i;
-            const Vec3<V> away{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x, hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
+            const Vec3<V> away{hn::Iota(d, static_cast<float>(i)) * cells.grid.cell + rowStart.x,
+                hn::Set(d, rowStart.y), hn::Set(d, rowStart.z)};
             const V ends = betweenEnds(d, source, away);
             if (hn::AllFalse(d, hn::Gt(ends, hn::Zero(d)))) {
                 continue;
@@ -122,7 +132,8 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
             const Vec3<V> v = load(d, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
             // What comes out is as uneven as its rim, and blown along by the air that it comes into.
             const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);
-            store(v + (lacking * cover * source.grip) * source.normal, cells.velocity.x, cells.velocity.y, cells.velocity.z, at);
+            store(v + (lacking * cover * source.relaxation) * source.normal, cells.velocity.x, cells.velocity.y,
+                cells.velocity.z, at);
             hn::Store(cover * (source.expansion * cells.grid.cell), d, cells.divergence.data() + at);
         }
     }

@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// Fastest that the air may be in each component, m/s: a forced flow without end, or a source that blows up faster than air can leave, would else end
-/// in infinity, and then in no number. Half floats hold it.
+/// Fastest that the air may be in each component, m/s: a forced flow without end, or a source that blows up faster than
+/// air can leave, would else end in infinity, and then in no number. Half floats hold it.
 inline constexpr float kMaxAirSpeed = 2000.0F;
 
 /// @param speed of one component, m/s

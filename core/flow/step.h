@@ -31,7 +31,7 @@ struct AirSource {
     float softness = 1.0F; ///< width of the rim, m
     float raggedness = 0.0F; ///< how far the rim wanders, as a share of the reach
     float speed = 0.0F; ///< of what comes out, along the normal, m/s
-    float grip = 0.0F; ///< share of the way to that speed in a step
+    float relaxation = 0.0F; ///< share of the way to that speed in a step
     float heat = 0.0F;
     float expansion = 0.0F; ///< divergence within, 1/s
     float unevenness = 0.0F; ///< how far its heat varies, as a share of it
@@ -41,24 +41,26 @@ struct AirSource {
     glm::ivec3 last{0};
 };
 
-/// A vortex that turns the air about an axis: its speed is 2 s / (1 + s^2) of the fastest, s = distance / radius (Scully 1975).
-struct AirSwirl {
+/// A vortex that turns the air about an axis: its speed is 2 s / (1 + s^2) of the fastest, s = distance / radius
+/// (Scully 1975).
+struct AirVortex {
     float speed = 0.0F; ///< where it is fastest, m/s; 0: none
     float radius = 1.0F; ///< at which it is, beside the place, m
     float widening = 0.0F; ///< of the radius, m for each along the axis
     glm::vec3 place{0.0F}; ///< on the axis
     glm::vec3 axis{0.0F, 1.0F, 0.0F};
-    float grip = 0.0F; ///< share of the way to its speed in a step
+    float relaxation = 0.0F; ///< share of the way to its speed in a step
 };
 
 /// Most octaves of what stirs the air.
-inline constexpr std::size_t kStirringOctaves = 3;
+inline constexpr std::size_t kForcingOctaves = 3;
 
-/// A force of curl noise on all that is hot: what the wind, the fire and what burns do to smoke at scales that the source does not know of.
-struct AirStirring {
+/// A force of curl noise on all that is hot: what the wind, the fire and what burns do to smoke at scales that the
+/// source does not know of.
+struct TurbulenceForcing {
     float strength = 0.0F; ///< root mean square of the acceleration at heat 1, m/s^2; 0: none
     std::size_t octaves = 0; ///< the largest ones, which the grid can show
-    std::array<AirOctave, kStirringOctaves> octave;
+    std::array<AirOctave, kForcingOctaves> octave;
     glm::vec3 place{0.0F}; ///< of the source, m
     float calm = 1.0F; ///< distance from it at which the force begins, m; at twice of it all of it acts
 };
@@ -76,8 +78,8 @@ struct AirStep {
     glm::vec3 wind{0.0F}; ///< of the air outside, m/s
     glm::vec3 windChange{0.0F}; ///< in a piece; all of the air is moved by as much
     AirSource source;
-    AirSwirl swirl;
-    AirStirring stirring;
+    AirVortex vortex;
+    TurbulenceForcing forcing;
 };
 
 } // namespace fumage

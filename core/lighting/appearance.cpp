@@ -27,11 +27,11 @@ AppearanceJob makeJob(const Frame& frame, const Effect& effect, const Axes& axes
     job.fadeRate = effect.life.fadeRate;
     job.radius = 0.5F * effect.look.size;
     job.sizeVariance = effect.look.sizeVariance;
-    job.heatOpacity = frame.particles.inAir() ? effect.air.heatOpacity : 0.0F;
+    job.heatOpacity = frame.particles.inAir() ? effect.look.heatOpacity : 0.0F;
     job.ground = effect.air.groundHeight;
     job.groundFade = effect.look.groundFade;
-    if (hasClearFlames(effect.light)) {
-        job.glow = Glow(effect, glowColours(effect.light));
+    if (hasClearFlames(effect.glow)) {
+        job.glow = GlowTable(effect, glowColours(effect.glow));
     }
     job.axes = axes;
     // A particle that starts from nothing would be infinitely dense: dilution counts from a tenth of the size on.
@@ -54,7 +54,8 @@ std::array<glm::vec3, kColourTableSize> coloursOverLife(const Look& look)
 {
     std::array<glm::vec3, kColourTableSize> colours{};
     for (std::size_t i = 0; i < colours.size(); ++i) {
-        colours[i] = look.colour * look.colourGradient.at(static_cast<float>(i) / static_cast<float>(kColourTableSize - 1));
+        colours[i] =
+            look.colour * look.colourGradient.at(static_cast<float>(i) / static_cast<float>(kColourTableSize - 1));
     }
     return colours;
 }
@@ -71,7 +72,8 @@ void findAppearance(
     out.left.resize(out.cover.erodes ? padded : 0);
     const AppearanceJob job = makeJob(frame, effect, axes);
     std::vector<ChunkExtent> extents(particles.chunks());
-    parallelFor(particles.chunks(), [&](std::size_t chunk) { extents[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });
+    parallelFor(particles.chunks(),
+        [&](std::size_t chunk) { extents[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });
     Bounds all;
     out.largestMass = 0.0F;
     out.largestRadius = 0.0F;
@@ -93,7 +95,9 @@ Status checkBounds(const Appearance& appearance)
     if (appearance.count == 0 || std::isfinite(extent.x + extent.y + extent.z)) {
         return Done{};
     }
-    return Error{ErrorCode::OutOfRange, said("the smoke has left all bounds: a particle is nowhere"), std::string("motion"), said("Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength")};
+    return Error{ErrorCode::OutOfRange, makeMessage("the smoke has left all bounds: a particle is nowhere"),
+        std::string("motion"),
+        makeMessage("Lower forces and speeds, such as motion.buoyancy, source.expansion or turbulence.strength")};
 }
 
 } // namespace fumage

@@ -72,7 +72,9 @@ ChunkExtent appearanceOfChunk(const AppearanceJob& job, const Particles& particl
         }
         V alpha = hn::Min(one, dense);
         if (job.groundFade > 0.0F) {
-            alpha = alpha * smoothStep(clamp01(d, (hn::Load(d, particles.y.data() + i) - job.ground) / hn::Set(d, job.groundFade)));
+            alpha = alpha
+                * smoothStep(
+                    clamp01(d, (hn::Load(d, particles.y.data() + i) - job.ground) / hn::Set(d, job.groundFade)));
         }
         if (job.glow.clears) {
             alpha = alpha * opaqueShare(d, job.glow, glowingHeat(d, job.glow, particles, i, key, age * job.dt));
@@ -112,7 +114,8 @@ namespace fumage {
 
 HWY_EXPORT(appearanceOfChunk);
 
-ChunkExtent findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out)
+ChunkExtent findAppearanceOfChunk(
+    const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out)
 {
     return HWY_DYNAMIC_DISPATCH(appearanceOfChunk)(job, particles, chunk, out);
 }

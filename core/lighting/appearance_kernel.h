@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/lighting/appearance.h"
 #include "core/lighting/glow.h"
+#include "core/lighting/particle_appearance.h"
+#include "core/simulation/frame.h"
 
 #include <array>
 #include <cstdint>
@@ -27,7 +28,7 @@ struct AppearanceJob {
     float heatOpacity = 0.0F; ///< share of the opacity that is the heat's, where air carries the particles
     float ground = 0.0F; ///< height of the floor, m
     float groundFade = 0.0F; ///< height above it at which particles are as opaque as they get, m; 0: at once
-    Glow glow;
+    GlowTable glow;
     Axes axes;
 };
 
@@ -47,6 +48,7 @@ struct ChunkExtent {
 
 /// Fills the appearance of one chunk.
 /// @param out with room for all particles
-[[nodiscard]] ChunkExtent findAppearanceOfChunk(const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out);
+[[nodiscard]] ChunkExtent findAppearanceOfChunk(
+    const AppearanceJob& job, const Particles& particles, std::size_t chunk, Appearance& out);
 
 } // namespace fumage

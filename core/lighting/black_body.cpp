@@ -27,7 +27,9 @@ float lobe(float nanometres, float height, float middle, float below, float abov
 /// CIE 1931 XYZ of light of one wavelength.
 glm::vec3 colourMatching(float nanometres)
 {
-    const auto at = [&](float height, float middle, float below, float above) { return lobe(nanometres, height, middle, below, above); };
+    const auto at = [&](float height, float middle, float below, float above) {
+        return lobe(nanometres, height, middle, below, above);
+    };
     return {at(1.056F, 599.8F, 37.9F, 31.0F) + at(0.362F, 442.0F, 16.0F, 26.7F) + at(-0.065F, 501.1F, 20.4F, 26.2F),
         at(0.821F, 568.8F, 46.9F, 40.5F) + at(0.286F, 530.9F, 16.3F, 31.1F),
         at(1.217F, 437.0F, 11.8F, 36.0F) + at(0.681F, 459.0F, 26.0F, 13.8F)};
@@ -52,7 +54,8 @@ glm::vec3 spectrumColour(float kelvin)
         const float fifth = micrometres * micrometres * micrometres * micrometres * micrometres;
         xyz += matching[i] * (decay / ((1.0F - decay) * fifth));
     }
-    const glm::vec3 rgb(3.2404542F * xyz.x - 1.5371385F * xyz.y - 0.4985314F * xyz.z, -0.9692660F * xyz.x + 1.8760108F * xyz.y + 0.0415560F * xyz.z,
+    const glm::vec3 rgb(3.2404542F * xyz.x - 1.5371385F * xyz.y - 0.4985314F * xyz.z,
+        -0.9692660F * xyz.x + 1.8760108F * xyz.y + 0.0415560F * xyz.z,
         0.0556434F * xyz.x - 0.2040259F * xyz.y + 1.0572252F * xyz.z);
     return glm::max(rgb, glm::vec3(0.0F));
 }

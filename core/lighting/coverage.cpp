@@ -41,8 +41,8 @@ Coverage coverageOf(const Look& look, const GreyCounts& greys)
     constexpr float kCorner = 1.41421356F; // of a square, in half edges
     Coverage cover;
     const float textured = textureLeaves(look, greys, 0.0F);
-    constexpr float kLeast = 1e-6F; // what covers nothing has no neighbours either
-    cover.mean = std::max(kLeast, maskMean(look) * textured);
+    constexpr float kMin = 1e-6F; // what covers nothing has no neighbours either
+    cover.mean = std::max(kMin, maskMean(look) * textured);
     cover.reach = look.mask == MaskShape::Square ? kCorner : 1.0F;
     cover.erodes = look.texture > 0.0F && look.erosion > 0.0F && textured > 0.0F;
     for (int i = 0; cover.erodes && i <= Coverage::kLives; ++i) {

@@ -2,6 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/lighting/fire_light_kernel.h"
+#include "core/lighting/light_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,18 @@ namespace {
 FireJob fireJob(const Frame& frame, const Effect& effect, const GlowColours& colours)
 {
     FireJob job;
-    job.glow = Glow(effect, colours);
-    std::transform(colours.begin(), colours.end(), job.brightness.begin(), [&](const glm::vec3& colour) { return effect.light.emission * glm::dot(colour, kLuminance); });
-    job.hotCore = effect.light.hotCore;
+    job.glow = GlowTable(effect, colours);
+    std::transform(colours.begin(), colours.end(), job.brightness.begin(),
+        [&](const glm::vec3& colour) { return effect.glow.emission * glm::dot(colour, kLuminance); });
+    job.hotCore = effect.glow.hotCore;
     job.step = static_cast<std::int32_t>(frame.step);
     job.dt = frame.model->schedule().dt;
     job.bornBetweenSteps = frame.model->schedule().betweenSteps;
     return job;
 }
 
-/// The mean heat of what glows, weighted by what it gives off: one order of the sum for any number of threads and lanes.
+/// The mean heat of what glows, weighted by what it gives off: one order of the sum for any number of threads and
+/// lanes.
 float meanHeat(const FireWorkspace& room)
 {
     double sum = 0.0;
@@ -60,7 +63,8 @@ void forPlanes(const GridField& field, const Body& body)
     }
 }
 
-/// Cells along an axis of a grid of twice the size: their centres lie half a cell before the first one and after the last.
+/// Cells along an axis of a grid of twice the size: their centres lie half a cell before the first one and after the
+/// last.
 int halved(int count)
 {
     return (count + 1) / 2 + 1;
@@ -105,7 +109,8 @@ void halve(const GridField& from, const AlignedArray<float>& nothing, FireWorksp
     forPlanes(room.halfV, [&](int w) {
         for (int v = 0; v < room.halfV.nv; ++v) {
             halveLines(
-                u.nu, 2 * v, [&](int at) { return at < 0 || at >= u.nv ? nothing.data() : u.line(at, w); }, room.halfV.line(v, w));
+                u.nu, 2 * v, [&](int at) { return at < 0 || at >= u.nv ? nothing.data() : u.line(at, w); },
+                room.halfV.line(v, w));
         }
     });
     const GridField& uv = room.halfV;
@@ -113,7 +118,8 @@ void halve(const GridField& from, const AlignedArray<float>& nothing, FireWorksp
     forPlanes(to, [&](int w) {
         for (int v = 0; v < to.nv; ++v) {
             halveLines(
-                uv.nu, 2 * w, [&](int at) { return at < 0 || at >= uv.nw ? nothing.data() : uv.line(v, at); }, to.line(v, w));
+                uv.nu, 2 * w, [&](int at) { return at < 0 || at >= uv.nw ? nothing.data() : uv.line(v, at); },
+                to.line(v, w));
         }
     });
 }
@@ -140,7 +146,9 @@ void addDoubled(const GridField& from, GridField& to)
             const float* farNear = from.line(b.far, w.near);
             const float* nearFar = from.line(b.near, w.far);
             const float* farFar = from.line(b.far, w.far);
-            const auto at = [&](int u) { return 0.5625F * nearNear[u] + 0.1875F * (farNear[u] + nearFar[u]) + 0.0625F * farFar[u]; };
+            const auto at = [&](int u) {
+                return 0.5625F * nearNear[u] + 0.1875F * (farNear[u] + nearFar[u]) + 0.0625F * farFar[u];
+            };
             float* out = to.line(v, plane);
             for (int u = 0; u < to.nu; ++u) {
                 const Beside c = beside(u);
@@ -157,7 +165,8 @@ void fillLight(FireWorkspace::Level& level, float deviation, float extinction)
     constexpr float kOctave = 0.69314718F; // of d(ln s)
     constexpr float kHalfPiRoot = 1.2533141F; // sqrt(pi / 2)
     const float weight = kHalfPiRoot * kOctave * deviation;
-    // Light that has come r has the mean deviation sqrt(pi / 2) r: in thin, even smoke this takes as much as the way itself.
+    // Light that has come r has the mean deviation sqrt(pi / 2) r: in thin, even smoke this takes as much as the way
+    // itself.
     const float depthOfDensity = extinction * deviation / kHalfPiRoot;
     level.light.resize(level.glow.nu, level.glow.nv, level.glow.nw);
     const std::size_t plane = static_cast<std::size_t>(level.glow.nu) * static_cast<std::size_t>(level.glow.nv);
@@ -181,7 +190,9 @@ void spread(FireWorkspace& room, const AlignedArray<float>& nothing, float cell,
     constexpr float kFirstDeviation = 0.57735027F; // of splatting and reading alone
     constexpr int kSmallest = 4;
     std::size_t last = 0;
-    const auto largestOf = [&](std::size_t level) { return std::max({room.levels[level].glow.nu, room.levels[level].glow.nv, room.levels[level].glow.nw}); };
+    const auto largestOf = [&](std::size_t level) {
+        return std::max({room.levels[level].glow.nu, room.levels[level].glow.nv, room.levels[level].glow.nw});
+    };
     for (; largestOf(last) > kSmallest; ++last) {
         if (room.levels.size() <= last + 1) {
             room.levels.resize(last + 2);
@@ -200,26 +211,28 @@ void spread(FireWorkspace& room, const AlignedArray<float>& nothing, float cell,
 
 } // namespace
 
-bool isLitByFire(const Light& light)
+bool isLitByFire(const Glow& glow)
 {
-    return light.emission > 0.0F && light.fireLight > 0.0F;
+    return glow.emission > 0.0F && glow.fireLight > 0.0F;
 }
 
-void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, FireWorkspace& room, LightWorkspace& splats, LightGrid& light)
+void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, FireWorkspace& room,
+    LightWorkspace& splats, LightGrid& light)
 {
     light.fire.clear();
-    if (!isLitByFire(effect->light) || appearance.count == 0 || light.shape.cells() == 1) {
+    if (!isLitByFire(effect->glow) || appearance.count == 0 || light.shape.cells() == 1) {
         return;
     }
     const std::size_t padded = appearance.radius.size();
     room.glowing.radius.resize(padded);
     room.glowing.alpha.resize(padded);
     room.heat.resize(padded);
-    const GlowColours colours = glowColours(effect->light);
+    const GlowColours colours = glowColours(effect->glow);
     const FireJob job = fireJob(frame, effect, colours);
     const std::size_t chunks = frame.particles.chunks();
     std::vector<float> largest(chunks);
-    parallelFor(chunks, [&](std::size_t chunk) { largest[chunk] = findFireOfChunk(job, frame, appearance, light, chunk, room); });
+    parallelFor(chunks,
+        [&](std::size_t chunk) { largest[chunk] = findFireOfChunk(job, frame, appearance, light, chunk, room); });
     room.glowing.largestMass = *std::max_element(largest.begin(), largest.end());
     room.glowing.count = appearance.count;
     room.glowing.cover.mean = appearance.cover.mean;
@@ -228,7 +241,7 @@ void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearan
     if (!(room.glowing.largestMass > 0.0F) || !(brightness > 0.0F)) {
         return;
     }
-    light.fireColour = colours[entry] * (effect->light.emission / brightness);
+    light.fireColour = colours[entry] * (effect->glow.emission / brightness);
     if (room.levels.empty()) {
         room.levels.resize(1);
     }

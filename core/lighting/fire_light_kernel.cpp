@@ -12,7 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-float fireOfChunk(const FireJob& job, const Particles& particles, const Appearance& appearance, const LightGrid& light, std::size_t chunk, FireWorkspace& out)
+float fireOfChunk(const FireJob& job, const Particles& particles, const Appearance& appearance, const LightGrid& light,
+    std::size_t chunk, FireWorkspace& out)
 {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
@@ -30,7 +31,8 @@ float fireOfChunk(const FireJob& job, const Particles& particles, const Appearan
         const V sky = hn::GatherIndex(d, light.light.data() + 1, channels);
         const V open = hn::Min(hn::Set(d, 1.0F), sky + hn::GatherIndex(d, light.light.data() + 2, channels));
         const V seen = clamp01(d, heat * (1.0F - job.hotCore * open));
-        const V brightness = hn::GatherIndex(d, job.brightness.data(), hn::ConvertTo(di, seen * static_cast<float>(kGlowTableSize - 1)));
+        const V brightness =
+            hn::GatherIndex(d, job.brightness.data(), hn::ConvertTo(di, seen * static_cast<float>(kGlowTableSize - 1)));
         // Clear flames give off what opaque ones would.
         V given = alpha / opaqueShare(d, job.glow, heat) * brightness;
         if (!appearance.left.empty()) {
@@ -52,7 +54,8 @@ namespace fumage {
 
 HWY_EXPORT(fireOfChunk);
 
-float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light, std::size_t chunk, FireWorkspace& out)
+float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light,
+    std::size_t chunk, FireWorkspace& out)
 {
     return HWY_DYNAMIC_DISPATCH(fireOfChunk)(job, frame.particles, appearance, light, chunk, out);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "core/lighting/fire_light.h"
+#include "core/lighting/fire_workspace.h"
 #include "core/lighting/glow.h"
+#include "core/lighting/light_field.h"
+#include "core/simulation/frame.h"
 
 #include <array>
 
@@ -9,7 +11,7 @@ namespace fumage {
 
 /// How bright particles are.
 struct FireJob {
-    Glow glow;
+    GlowTable glow;
     std::array<float, kGlowTableSize> brightness{}; ///< by heat
     float hotCore = 0.0F;
     std::int32_t step = 0;
@@ -19,6 +21,7 @@ struct FireJob {
 
 /// Fills radius and alpha of what glows, and its heat, for one chunk.
 /// @return the largest mass
-float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light, std::size_t chunk, FireWorkspace& out);
+float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light,
+    std::size_t chunk, FireWorkspace& out);
 
 } // namespace fumage

@@ -19,7 +19,7 @@ namespace fumage::HWY_NAMESPACE {
 /// Heat that glows, as a share of that at birth, of particle i and those after it.
 /// @param age s
 template <class D, SimdVector VU, class V = hn::VFromD<D>>
-HWY_INLINE V glowingHeat(D d, const Glow& glow, const Particles& particles, std::size_t i, VU key, V age)
+HWY_INLINE V glowingHeat(D d, const GlowTable& glow, const Particles& particles, std::size_t i, VU key, V age)
 {
     const V heat = 1.0F - glow.heatVariance * unitStream(d, key, kHeatStream);
     const V cooled = heat * exponential(d, -glow.cooling * age);
@@ -28,10 +28,11 @@ HWY_INLINE V glowingHeat(D d, const Glow& glow, const Particles& particles, std:
 
 /// Share of its opacity that smoke has while it glows.
 template <class D, class V = hn::VFromD<D>>
-HWY_INLINE V opaqueShare(D d, const Glow& glow, V heat)
+HWY_INLINE V opaqueShare(D d, const GlowTable& glow, V heat)
 {
     const hn::RebindToSigned<D> di;
-    return hn::GatherIndex(d, glow.opaque.data(), hn::ConvertTo(di, clamp01(d, heat) * static_cast<float>(kGlowTableSize - 1)));
+    return hn::GatherIndex(
+        d, glow.opaque.data(), hn::ConvertTo(di, clamp01(d, heat) * static_cast<float>(kGlowTableSize - 1)));
 }
 
 } // namespace fumage::HWY_NAMESPACE

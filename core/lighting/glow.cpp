@@ -17,21 +17,22 @@ float brightest(const glm::vec3& colour)
 
 } // namespace
 
-GlowColours glowColours(const Light& light)
+GlowColours glowColours(const Glow& glow)
 {
-    const BlackBody body(light.temperature);
+    const BlackBody body(glow.temperature);
     GlowColours colours;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(colours.size() - 1);
-        colours[i] = light.emissionColour == EmissionColour::BlackBody ? body.at(light.temperature * share) : light.emissionGradient.at(share);
+        colours[i] = glow.emissionColour == EmissionColour::BlackBody ? body.at(glow.temperature * share)
+                                                                      : glow.emissionGradient.at(share);
     }
     return colours;
 }
 
-Glow::Glow(const Effect& effect, const GlowColours& colours)
+GlowTable::GlowTable(const Effect& effect, const GlowColours& colours)
     : heatVariance(effect.motion.heatVariance)
-    , cooling(effect.light.emissionCooling)
-    , clears(hasClearFlames(effect.light))
+    , cooling(effect.glow.emissionCooling)
+    , clears(hasClearFlames(effect.glow))
 {
     opaque.fill(1.0F);
     if (!clears) {
@@ -45,7 +46,7 @@ Glow::Glow(const Effect& effect, const GlowColours& colours)
     constexpr float kFlame = 0.25F;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const float t = std::min(1.0F, std::sqrt(brightest(colours[i]) / (kFlame * most)));
-        opaque[i] = 1.0F - (1.0F - effect.light.flameOpacity) * smoothStep(t);
+        opaque[i] = 1.0F - (1.0F - effect.glow.flameOpacity) * smoothStep(t);
     }
 }
 

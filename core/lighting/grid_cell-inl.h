@@ -8,7 +8,7 @@
 #endif
 
 #include "core/base/vector-inl.h"
-#include "core/lighting/light_grid.h"
+#include "core/lighting/light_field.h"
 
 #include <algorithm>
 

@@ -26,7 +26,7 @@ bool needsDensity(const Effect& effect)
 {
     const Light& light = effect.light;
     const bool shadows = light.intensity > 0.0F && light.shadow > 0.0F;
-    const bool glowsByOpenness = light.emission > 0.0F && light.hotCore > 0.0F;
+    const bool glowsByOpenness = effect.glow.emission > 0.0F && effect.glow.hotCore > 0.0F;
     const bool occludes = light.occlusion > 0.0F && (light.ambient > 0.0F || glowsByOpenness);
     return shadows || occludes || effect.look.overlap > 1.0F;
 }
@@ -42,8 +42,8 @@ int finestResolution(const Light& light, bool dense)
     return light.intensity > 0.0F && light.anisotropy != 0.0F ? std::min(light.resolution, kOfAngles) : 1;
 }
 
-/// The smallest edge of a cell that shadows are worth. In finer ones particles would shadow themselves more than one another, so that the
-/// same smoke cut into fewer particles would look darker; and few particles need few cells.
+/// The smallest edge of a cell that shadows are worth. In finer ones particles would shadow themselves more than one
+/// another, so that the same smoke cut into fewer particles would look darker; and few particles need few cells.
 float smallestCell(const Appearance& appearance, const Light& light)
 {
     constexpr float kCellsAParticle = 16.0F;
@@ -53,10 +53,10 @@ float smallestCell(const Appearance& appearance, const Light& light)
     const float volume = std::max(kNoVolume, extent.x * extent.y * extent.z);
     const float filled = portablePow(volume / (kCellsAParticle * static_cast<float>(appearance.count)), kThird);
     constexpr float kTypical = 0.4F; // a particle's mass over the largest; of the built-in presets 0.32 to 0.58
-    constexpr float kMostOwnDepth = 0.3F; // optical depth of one particle spread over a cell
+    constexpr float kMaxOwnDepth = 0.3F; // optical depth of one particle spread over a cell
     const float crossSection =
         kTypical * kPi * appearance.cover.mean * appearance.largestMass * std::max(light.shadow, light.occlusion);
-    return std::max(filled, std::sqrt(crossSection / kMostOwnDepth));
+    return std::max(filled, std::sqrt(crossSection / kMaxOwnDepth));
 }
 
 GridShape gridShape(const Appearance& appearance, const Light& light, const Axes& axes, int resolution)
@@ -69,12 +69,14 @@ GridShape gridShape(const Appearance& appearance, const Light& light, const Axes
     constexpr float kSmallestCloud = 1e-3F;
     const glm::vec3 extent = appearance.high - appearance.low;
     const float longest = std::max({extent.x, extent.y, extent.z, kSmallestCloud});
-    constexpr float kFewestCells = 6.0F; // along the longest edge: less shows no shadow
+    constexpr float kMinCells = 6.0F; // along the longest edge: less shows no shadow
     shape.finest = longest / static_cast<float>(resolution - 2);
-    shape.cell = std::max(shape.finest, std::min(longest / kFewestCells, smallestCell(appearance, light)));
+    shape.cell = std::max(shape.finest, std::min(longest / kMinCells, smallestCell(appearance, light)));
     shape.origin = appearance.low - glm::vec3(0.5F * shape.cell);
     // One cell of air on every side, so that bounds never cut a particle in half.
-    const auto count = [&](float length) { return static_cast<int>(std::min(static_cast<float>(resolution), std::ceil(length / shape.cell) + 2.0F)); };
+    const auto count = [&](float length) {
+        return static_cast<int>(std::min(static_cast<float>(resolution), std::ceil(length / shape.cell) + 2.0F));
+    };
     shape.nu = count(extent.x);
     shape.nv = count(extent.y);
     shape.nw = count(extent.z);
@@ -100,17 +102,21 @@ std::array<AmbientDirection, 6> ambientDirections(const Axes& axes)
 
 void addAmbientLight(const Effect& effect, LightWorkspace& room, LightGrid& out)
 {
-    // Directions follow one another for every cell, so that sums have one order; lines of one direction are independent.
+    // Directions follow one another for every cell, so that sums have one order; lines of one direction are
+    // independent.
     for (const AmbientDirection& direction : ambientDirections(out.shape.axes)) {
         const int lines = direction.axis == 2 ? out.shape.nv : out.shape.nw;
-        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) { addAmbient(out, direction, effect.light.occlusion, static_cast<int>(line), room); });
+        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) {
+            addAmbient(out, direction, effect.light.occlusion, static_cast<int>(line), room);
+        });
     }
 }
 
 void addSunLight(const Effect& effect, const glm::vec3& eye, const LightWorkspace& room, LightGrid& out)
 {
     const SunJob job = sunJob(effect.light, out.shape.axes, eye);
-    parallelFor(static_cast<std::size_t>(out.shape.nv), [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
+    parallelFor(static_cast<std::size_t>(out.shape.nv),
+        [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
 }
 
 } // namespace
@@ -126,14 +132,16 @@ SunJob sunJob(const Light& light, const Axes& axes, const glm::vec3& eye)
     return job;
 }
 
-void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out)
+void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room,
+    AlignedArray<float>& out)
 {
     const std::size_t cells = shape.cells();
     const std::size_t chunks = frame.particles.chunks();
     // The sum over all particles must fit into 32 bits, whatever cell they meet in.
-    constexpr float kMostUnits = 0x1p31F;
+    constexpr float kMaxUnits = 0x1p31F;
     constexpr float kSmallestMass = 1e-20F;
-    const float unitsPerMass = kMostUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(appearance.count));
+    const float unitsPerMass =
+        kMaxUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(appearance.count));
     const auto workers = std::min(chunks, parallelThreads());
     room.partial.resize(workers);
     parallelFor(workers, [&](std::size_t worker) {
@@ -159,7 +167,8 @@ void splatParticles(const Frame& frame, const Appearance& appearance, const Grid
     std::fill(out.begin() + static_cast<std::ptrdiff_t>(cells), out.end(), 0.0F);
 }
 
-void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, LightWorkspace& room, LightGrid& out)
+void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
+    LightWorkspace& room, LightGrid& out)
 {
     const bool dense = needsDensity(effect);
     out.shape = gridShape(appearance, effect->light, axes, finestResolution(effect->light, dense));
@@ -170,7 +179,8 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
     }
 }
 
-void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out)
+void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye,
+    LightWorkspace& room, LightGrid& out)
 {
     if (appearance.count == 0) {
         out.shape = {};

@@ -1,54 +1,25 @@
 #pragma once
 
-#include "core/lighting/appearance.h"
-
-#include <vector>
+#include "core/lighting/light_field.h"
+#include "core/simulation/frame.h"
 
 #include <glm/vec3.hpp>
 
 namespace fumage {
-
-/// A regular grid around the cloud whose w axis runs along the light, so that shadows are sums along columns.
-struct GridShape {
-    Axes axes;
-    glm::vec3 origin{0.0F}; ///< of cell (0, 0, 0)'s centre, in the axes, m
-    float cell = 1.0F; ///< edge of a cell, m
-    float finest = 1.0F; ///< edge that the resolution asks for, m: cells are larger where particles are too few for it
-    int nu = 1, nv = 1, nw = 1;
-
-    /// How many cells there are in all.
-    [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv) * static_cast<std::size_t>(nw); }
-};
-
-/// Light that reaches each cell, ready to be multiplied by colours.
-struct LightGrid {
-    GridShape shape;
-    AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
-    AlignedArray<float> light; ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
-    AlignedArray<float> fire; ///< one float a cell: light of what glows in the smoke; empty: there is none
-    glm::vec3 fireColour{0.0F};
-};
-
-/// What lightSmoke() needs while it works; kept, so that its memory is allocated once.
-struct LightWorkspace {
-    AlignedArray<float> sky; ///< one float a cell, before they go into light
-    AlignedArray<float> ground;
-    AlignedArray<float> air; ///< a line of cells without density: what lies before the first
-    AlignedArray<float> soft; ///< four floats a cell, half softened
-    std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
-};
 
 /// Axes with w along the light.
 [[nodiscard]] Axes lightAxes(const glm::vec3& direction);
 
 /// Adds up what the particles around each cell cover, alpha * pi r^2 times appearance.cover, over its volume.
 /// @param out gets a vector of zeros after the last cell
-void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out);
+void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room,
+    AlignedArray<float>& out);
 
 /// Splats the particles into a grid along given axes: the first half of lightSmoke(), which says how.
 /// @param appearance of the same frame, with bounds in these axes and one visible particle or more
 /// @param out        gets shape and density; the light stays as it is
-void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, LightWorkspace& room, LightGrid& out);
+void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
+    LightWorkspace& room, LightGrid& out);
 
 /// Splats the particles into a grid and lets light through it.
 ///
@@ -63,6 +34,7 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
 /// @param eye        the camera, m
 /// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.
 /// Where nothing shadows, occludes or asks how many overlap, no particle is looked at.
-void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye, LightWorkspace& room, LightGrid& out);
+void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye,
+    LightWorkspace& room, LightGrid& out);
 
 } // namespace fumage

@@ -29,8 +29,8 @@ struct SplatBlock {
     HWY_ALIGN std::int32_t pairs[kPairs][2 * kSize]; ///< units for a cell and the next along u
 };
 
-/// Makes whole numbers of amounts so that their sum is the whole part of the amounts' sum, from a start in [0, 1) on. With random starts the mean
-/// of every whole number is its amount, however small: rounding loses nothing.
+/// Makes whole numbers of amounts so that their sum is the whole part of the amounts' sum, from a start in [0, 1) on.
+/// With random starts the mean of every whole number is its amount, however small: rounding loses nothing.
 struct SharedRounding {
     V sum;
     hn::Vec<hn::RebindToSigned<D>> given = hn::Zero(hn::RebindToSigned<D>());
@@ -45,7 +45,8 @@ struct SharedRounding {
     }
 };
 
-HWY_INLINE void placeBlock(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t begin, SplatBlock& block)
+HWY_INLINE void placeBlock(const Particles& particles, const Appearance& appearance, const GridShape& shape,
+    float unitsPerMass, std::size_t begin, SplatBlock& block)
 {
     const D d;
     const hn::RebindToSigned<D> di;
@@ -90,7 +91,8 @@ HWY_INLINE void addToPair(std::uint32_t* cells, const std::int32_t* units)
 }
 
 /// Cells and units of some particles first, with vectors, then the scattered additions one by one.
-void splat(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density)
+void splat(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass,
+    std::size_t chunk, std::uint32_t* density)
 {
     const auto nu = static_cast<std::size_t>(shape.nu);
     const std::size_t plane = nu * static_cast<std::size_t>(shape.nv);
@@ -114,7 +116,8 @@ void splat(const Particles& particles, const Appearance& appearance, const GridS
 using LineOfCells = std::array<float, kMaxLightResolution + kAlignment / sizeof(float)>;
 
 /// exp(-depth * scale) * weights, added to the sky and ground of a line of cells, u fastest.
-HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t count, const AmbientDirection& direction, float scale, float* HWY_RESTRICT sky, float* HWY_RESTRICT ground)
+HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t count, const AmbientDirection& direction,
+    float scale, float* HWY_RESTRICT sky, float* HWY_RESTRICT ground)
 {
     const D d;
     const V skyWeight = hn::Set(d, direction.sky);
@@ -138,7 +141,8 @@ HWY_INLINE void addTransmittance(const float* HWY_RESTRICT depth, std::size_t co
 }
 
 /// depth[i] += half the sum of two lines of density, in cells.
-HWY_INLINE void addHalf(const float* HWY_RESTRICT a, const float* HWY_RESTRICT b, std::size_t count, float* HWY_RESTRICT depth)
+HWY_INLINE void addHalf(
+    const float* HWY_RESTRICT a, const float* HWY_RESTRICT b, std::size_t count, float* HWY_RESTRICT depth)
 {
     const D d;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
@@ -169,7 +173,9 @@ void ambient(const LightGrid& grid, const AmbientDirection& direction, float occ
     // Densities are padded by a vector, so that the last line may be read past its end.
     LineOfCells depth{};
     const auto lineOf = [&](std::size_t v, std::size_t w) { return (w * nv + v) * nu; };
-    const auto addLight = [&](std::size_t at) HWY_ATTR { addTransmittance(depth.data(), nu, direction, scale, to.sky.data() + at, to.ground.data() + at); };
+    const auto addLight = [&](std::size_t at) HWY_ATTR {
+        addTransmittance(depth.data(), nu, direction, scale, to.sky.data() + at, to.ground.data() + at);
+    };
     if (direction.axis == 0) {
         for (std::size_t v = 0; v < nv; ++v) {
             sumAlong(grid.density.data() + lineOf(v, index), nu, direction.reversed, depth.data());
@@ -236,7 +242,8 @@ HWY_EXPORT(splat);
 HWY_EXPORT(ambient);
 HWY_EXPORT(sun);
 
-void splatChunk(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density)
+void splatChunk(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass,
+    std::size_t chunk, std::uint32_t* density)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(splat);
     kernel(particles, appearance, shape, unitsPerMass, chunk, density);

@@ -1,12 +1,15 @@
 #pragma once
 
-#include "core/lighting/light_grid.h"
+#include "core/lighting/light_field.h"
+#include "core/lighting/sun_job.h"
+#include "core/simulation/frame.h"
 
 namespace fumage {
 
 /// Adds the particles of one chunk to a fixed-point density.
 /// @param unitsPerMass factor from m^2 to whole numbers
-void splatChunk(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass, std::size_t chunk, std::uint32_t* density);
+void splatChunk(const Particles& particles, const Appearance& appearance, const GridShape& shape, float unitsPerMass,
+    std::size_t chunk, std::uint32_t* density);
 
 /// One of the six directions along the grid's axes from which light of sky and ground comes.
 struct AmbientDirection {
@@ -18,16 +21,8 @@ struct AmbientDirection {
 
 /// Adds weight * exp(-tau) along one direction to the sky and ground channels of the lines of one index.
 /// @param line for axes u and v, the plane along w; for axis w, the row along v
-void addAmbient(const LightGrid& grid, const AmbientDirection& direction, float occlusion, int line, LightWorkspace& to);
-
-/// What the sun needs at every cell.
-struct SunJob {
-    glm::vec3 eye{0.0F}; ///< in the axes of the grid, m
-    float intensity = 1.0F;
-    float shadow = 1.0F;
-    float scattering = 0.0F;
-    float anisotropy = 0.0F;
-};
+void addAmbient(
+    const LightGrid& grid, const AmbientDirection& direction, float occlusion, int line, LightWorkspace& to);
 
 /// @param eye the camera, m
 [[nodiscard]] SunJob sunJob(const Light& light, const Axes& axes, const glm::vec3& eye);

@@ -34,12 +34,15 @@ void gatherPlane(const LightGrid& from, int factor, int plane, OverlapWorkspace&
 {
     const GridShape& fine = from.shape;
     const GridShape& coarse = to.shape;
-    float* out = to.density.data() + static_cast<std::size_t>(plane) * static_cast<std::size_t>(coarse.nu) * static_cast<std::size_t>(coarse.nv);
+    float* out = to.density.data()
+        + static_cast<std::size_t>(plane) * static_cast<std::size_t>(coarse.nu) * static_cast<std::size_t>(coarse.nv);
     std::fill_n(out, static_cast<std::size_t>(coarse.nu) * static_cast<std::size_t>(coarse.nv), 0.0F);
     const float share = 1.0F / static_cast<float>(factor * factor * factor);
     for (int w = plane * factor; w < std::min((plane + 1) * factor, fine.nw); ++w) {
         for (int v = 0; v < fine.nv; ++v) {
-            const float* row = from.density.data() + (static_cast<std::size_t>(w) * static_cast<std::size_t>(fine.nv) + static_cast<std::size_t>(v)) * static_cast<std::size_t>(fine.nu);
+            const float* row = from.density.data()
+                + (static_cast<std::size_t>(w) * static_cast<std::size_t>(fine.nv) + static_cast<std::size_t>(v))
+                    * static_cast<std::size_t>(fine.nu);
             float* sums = out + static_cast<std::size_t>(v / factor) * static_cast<std::size_t>(coarse.nu);
             for (int u = 0; u < fine.nu; ++u) {
                 sums[u / factor] += row[u] * share;
@@ -50,7 +53,8 @@ void gatherPlane(const LightGrid& from, int factor, int plane, OverlapWorkspace&
 
 } // namespace
 
-void growLoneParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light, OverlapWorkspace& room, Appearance& appearance)
+void inflateSparseParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light,
+    OverlapWorkspace& room, Appearance& appearance)
 {
     if (effect->look.overlap <= 1.0F || appearance.count == 0) {
         return;
@@ -62,8 +66,12 @@ void growLoneParticles(const Frame& frame, const SampledEffect& effect, const Li
     room.around.resize(room.shape.cells());
     const auto planes = static_cast<std::size_t>(room.shape.nw);
     parallelFor(planes, [&](std::size_t plane) { gatherPlane(light, factor, static_cast<int>(plane), room); });
-    parallelFor(planes, [&](std::size_t plane) { findDensityAround(room.shape, room.density.data(), static_cast<int>(plane), room.around.data()); });
-    parallelFor(frame.particles.chunks(), [&](std::size_t chunk) { growChunk(frame.particles, room.shape, room.around.data(), effect->look.overlap, chunk, appearance); });
+    parallelFor(planes, [&](std::size_t plane) {
+        findDensityAround(room.shape, room.density.data(), static_cast<int>(plane), room.around.data());
+    });
+    parallelFor(frame.particles.chunks(), [&](std::size_t chunk) {
+        growChunk(frame.particles, room.shape, room.around.data(), effect->look.overlap, chunk, appearance);
+    });
 }
 
 } // namespace fumage

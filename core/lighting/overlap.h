@@ -4,7 +4,7 @@
 
 namespace fumage {
 
-/// What growLoneParticles() needs while it works; kept, so that its memory is allocated once.
+/// What inflateSparseParticles() needs while it works; kept, so that its memory is allocated once.
 struct OverlapWorkspace {
     GridShape shape; ///< of cells about as large as particles
     AlignedArray<float> density; ///< extinction in them, 1/m
@@ -20,6 +20,7 @@ struct OverlapWorkspace {
 /// @param light      of the same frame, with density
 /// @param appearance as lightSmoke() was given it
 /// O(particles + cells). The same bits for any thread count and instruction set.
-void growLoneParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light, OverlapWorkspace& room, Appearance& appearance);
+void inflateSparseParticles(const Frame& frame, const SampledEffect& effect, const LightGrid& light,
+    OverlapWorkspace& room, Appearance& appearance);
 
 } // namespace fumage

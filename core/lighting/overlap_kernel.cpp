@@ -44,12 +44,16 @@ void densityAround(const GridShape& shape, const float* HWY_RESTRICT density, in
                 if (w < 0 || w >= shape.nw || row < 0 || row >= shape.nv) {
                     continue;
                 }
-                const std::size_t at = (static_cast<std::size_t>(w) * static_cast<std::size_t>(shape.nv) + static_cast<std::size_t>(row)) * count;
+                const std::size_t at =
+                    (static_cast<std::size_t>(w) * static_cast<std::size_t>(shape.nv) + static_cast<std::size_t>(row))
+                    * count;
                 addRow(density + at, count, kWeights[dw] * kWeights[dv], sums.data() + 1);
             }
         }
         sums[count + 1] = 0.0F; // the last vector went on into the next row
-        float* to = around + (static_cast<std::size_t>(plane) * static_cast<std::size_t>(shape.nv) + static_cast<std::size_t>(v)) * count;
+        float* to = around
+            + (static_cast<std::size_t>(plane) * static_cast<std::size_t>(shape.nv) + static_cast<std::size_t>(v))
+                * count;
         for (std::size_t i = 0; i < count; ++i) {
             to[i] = kWeights[0] * sums[i] + kWeights[1] * sums[i + 1] + kWeights[2] * sums[i + 2];
         }
@@ -65,25 +69,28 @@ HWY_INLINE V sampled(D d, const GridShape& shape, const float* values, const Gri
     const int in = shape.nw > 1 ? shape.nu * shape.nv : 0;
     const auto between = [](V a, V b, V t) HWY_ATTR { return a + (b - a) * t; };
     const auto row = [&](VI first) HWY_ATTR {
-        return between(hn::GatherIndex(d, values, first), hn::GatherIndex(d, values, first + hn::Set(di, along)), cell.fraction.x);
+        return between(
+            hn::GatherIndex(d, values, first), hn::GatherIndex(d, values, first + hn::Set(di, along)), cell.fraction.x);
     };
-    const auto side = [&](VI first) HWY_ATTR { return between(row(first), row(first + hn::Set(di, up)), cell.fraction.y); };
+    const auto side = [&](VI first)
+                          HWY_ATTR { return between(row(first), row(first + hn::Set(di, up)), cell.fraction.y); };
     return between(side(cell.corner), side(cell.corner + hn::Set(di, in)), cell.fraction.z);
 }
 
-/// What a particle that is spread over the cells around it, and those over their neighbours, finds of itself where it is: the share of its
-/// density in one cell. For one axis s (s/2 + (1-s)/4) + (1-s) ((1-s)/2 + s/4) = 1/2 - s (1-s) / 2, s the way between two cells. Where finer cells were
-/// gathered it is nearly so.
+/// What a particle that is spread over the cells around it, and those over their neighbours, finds of itself where it
+/// is: the share of its density in one cell. For one axis s (s/2 + (1-s)/4) + (1-s) ((1-s)/2 + s/4) = 1/2 - s (1-s) /
+/// 2, s the way between two cells. Where finer cells were gathered it is nearly so.
 HWY_INLINE V ownShare(const Vec3<V>& fraction)
 {
     const auto along = [](V s) HWY_ATTR { return 0.5F - 0.5F * (s * (1.0F - s)); };
     return along(fraction.x) * along(fraction.y) * along(fraction.z);
 }
 
-void grow(const Particles& particles, const GridShape& shape, const float* around, float overlap, std::size_t chunk, Appearance& appearance)
+void grow(const Particles& particles, const GridShape& shape, const float* around, float overlap, std::size_t chunk,
+    Appearance& appearance)
 {
     const D d;
-    constexpr float kMostGrowth = 3.0F;
+    constexpr float kMaxGrowth = 3.0F;
     constexpr float kThird = 1.0F / 3.0F;
     constexpr float kNoAlpha = 1e-12F;
     const float perVolume = kPi * appearance.cover.mean / (shape.cell * shape.cell * shape.cell);
@@ -99,7 +106,7 @@ void grow(const Particles& particles, const GridShape& shape, const float* aroun
         const V others = hn::Max(hn::Zero(d), sampled(d, shape, around, cell) - own);
         const V present = 1.0F + ballsADisc * radius * others / hn::Max(dense, hn::Set(d, kNoAlpha));
         const V lacking = hn::Max(hn::Set(d, 1.0F), overlap / present);
-        const V growth = hn::Min(hn::Set(d, kMostGrowth), exponential(d, kThird * logarithm(d, lacking)));
+        const V growth = hn::Min(hn::Set(d, kMaxGrowth), exponential(d, kThird * logarithm(d, lacking)));
         hn::Store(radius * growth, d, appearance.radius.data() + i);
         hn::Store(alpha / (growth * growth), d, appearance.alpha.data() + i);
     }
@@ -120,7 +127,8 @@ void findDensityAround(const GridShape& shape, const float* density, int plane, 
     (shape, density, plane, around);
 }
 
-void growChunk(const Particles& particles, const GridShape& shape, const float* around, float overlap, std::size_t chunk, Appearance& appearance)
+void growChunk(const Particles& particles, const GridShape& shape, const float* around, float overlap,
+    std::size_t chunk, Appearance& appearance)
 {
     HWY_DYNAMIC_DISPATCH(grow)
     (particles, shape, around, overlap, chunk, appearance);

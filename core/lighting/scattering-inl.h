@@ -9,7 +9,7 @@
 
 #include "core/base/lanes-inl.h"
 #include "core/base/math-inl.h"
-#include "core/lighting/light_kernel.h"
+#include "core/lighting/sun_job.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {

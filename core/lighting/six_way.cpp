@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t kPadding = kAlignment / sizeof(float);
 
 /// Puts the directions of each cell together, as trilinear interpolation reads them.
-void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>& single, std::size_t first, std::size_t cells, AlignedArray<float>& to)
+void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>& single, std::size_t first,
+    std::size_t cells, AlignedArray<float>& to)
 {
     to.resize(cells * SixWayLight::kStride);
     constexpr std::size_t kBlock = 16384;
@@ -29,7 +30,8 @@ void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>&
 
 } // namespace
 
-void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, const glm::vec3& eye, LightWorkspace& room, SixWayLight& out)
+void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
+    const glm::vec3& eye, LightWorkspace& room, SixWayLight& out)
 {
     if (appearance.count == 0) {
         out.grid.shape = {};

@@ -6,7 +6,8 @@
 
 namespace fumage {
 
-/// White light along the axes of a frame of reference, one at a time: from +u, +v and +w, and from -u, -v and -w, as light maps for six directions hold it.
+/// White light along the axes of a frame of reference, one at a time: from +u, +v and +w, and from -u, -v and -w, as
+/// light maps for six directions hold it.
 struct SixWayLight {
     static constexpr std::size_t kDirections = 6;
     static constexpr std::size_t kStride = 4;
@@ -17,11 +18,12 @@ struct SixWayLight {
     std::array<AlignedArray<float>, kDirections> single; ///< one float a cell while the directions are gone through
 };
 
-/// Lets light of intensity 1 through the smoke along both directions of each axis: as lightSmoke() does with a sun there, but for cells that are those of
-/// one grid for all of them, so that the particles are splatted once.
+/// Lets light of intensity 1 through the smoke along both directions of each axis: as lightSmoke() does with a sun
+/// there, but for cells that are those of one grid for all of them, so that the particles are splatted once.
 /// @param appearance of the same frame, with bounds in these axes
 /// @param eye        the camera, m
 /// O(particles + cells). The same bits for any thread count and instruction set.
-void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes, const glm::vec3& eye, LightWorkspace& room, SixWayLight& out);
+void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
+    const glm::vec3& eye, LightWorkspace& room, SixWayLight& out);
 
 } // namespace fumage

@@ -12,7 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// Density between the light and the centre of each cell of one line, the cell before in the light's way being `step` floats away.
+/// Density between the light and the centre of each cell of one line, the cell before in the light's way being `step`
+/// floats away.
 void sumFrom(const float* density, std::size_t count, std::ptrdiff_t step, float* depth)
 {
     float sum = 0.0F;
@@ -24,7 +25,8 @@ void sumFrom(const float* density, std::size_t count, std::ptrdiff_t step, float
 }
 
 /// The same for many lines side by side: what lies before is a whole line of cells away.
-void sumAcross(const float* HWY_RESTRICT density, std::size_t width, std::size_t count, std::ptrdiff_t step, float* HWY_RESTRICT depth)
+void sumAcross(const float* HWY_RESTRICT density, std::size_t width, std::size_t count, std::ptrdiff_t step,
+    float* HWY_RESTRICT depth)
 {
     for (std::size_t u = 0; u < width; ++u) {
         depth[u] = 0.5F * density[u];
@@ -43,7 +45,8 @@ void sumAcross(const float* HWY_RESTRICT density, std::size_t width, std::size_t
 /// Optical depth, but for the size of a cell, towards a light at one end of an axis.
 void sumDepths(const LightGrid& grid, int axis, bool fromAbove, float* depth)
 {
-    const std::array<std::size_t, 3> counts{static_cast<std::size_t>(grid.shape.nu), static_cast<std::size_t>(grid.shape.nv), static_cast<std::size_t>(grid.shape.nw)};
+    const std::array<std::size_t, 3> counts{static_cast<std::size_t>(grid.shape.nu),
+        static_cast<std::size_t>(grid.shape.nv), static_cast<std::size_t>(grid.shape.nw)};
     const std::array<std::size_t, 3> strides{1, counts[0], counts[0] * counts[1]};
     const auto along = static_cast<std::size_t>(axis);
     const std::size_t first = fromAbove ? (counts[along] - 1) * strides[along] : 0;

@@ -43,15 +43,18 @@ void softenCells(const GridShape& shape, std::size_t channels, AlignedArray<floa
     const float s = 0.25F * finer * finer;
     const auto clamped = [](std::size_t at, std::size_t count) { return std::min(at, count - 1); };
     parallelFor(planes, [&](std::size_t w) {
-        std::array<float, kMaxLightResolution * 4> mixed; // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
+        std::array<float, kMaxLightResolution * 4>
+            mixed; // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
         const float* from = values.data() + w * plane;
         for (std::size_t v = 0; v < lines; ++v) {
-            mixLines(from + (v == 0 ? 0 : v - 1) * line, from + v * line, from + clamped(v + 1, lines) * line, line, s, mixed.data());
+            mixLines(from + (v == 0 ? 0 : v - 1) * line, from + v * line, from + clamped(v + 1, lines) * line, line, s,
+                mixed.data());
             softenAlong(mixed.data(), line, channels, s, room.data() + w * plane + v * line);
         }
     });
     parallelFor(planes, [&](std::size_t w) {
-        mixLines(room.data() + (w == 0 ? 0 : w - 1) * plane, room.data() + w * plane, room.data() + clamped(w + 1, planes) * plane, plane, s, values.data() + w * plane);
+        mixLines(room.data() + (w == 0 ? 0 : w - 1) * plane, room.data() + w * plane,
+            room.data() + clamped(w + 1, planes) * plane, plane, s, values.data() + w * plane);
     });
 }
 

@@ -14,7 +14,8 @@ std::int64_t BirthClock::next(const Schedule& schedule, float share)
     ++m_step;
     const std::int64_t window = schedule.windowSteps * kParts;
     if (window != m_window) {
-        m_owed = std::llround(static_cast<double>(m_owed) / static_cast<double>(m_window) * static_cast<double>(window));
+        m_owed =
+            std::llround(static_cast<double>(m_owed) / static_cast<double>(m_window) * static_cast<double>(window));
         m_window = window;
     }
     m_owed += schedule.birthsPerPeriod * std::lround(share * static_cast<float>(kParts));

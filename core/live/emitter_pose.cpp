@@ -25,11 +25,13 @@ EmitterPose poseOf(const Emitter& emitter)
 Result<EmitterPose> checkedPose(const EmitterPose& pose)
 {
     if (!isFinite(pose.position) || !isFinite(pose.normal) || !isFinite(pose.velocity)) {
-        return Error{ErrorCode::OutOfRange, said("the emitter's place or velocity is no number"), {}, said("Pass finite numbers")};
+        return Error{ErrorCode::OutOfRange, makeMessage("the emitter's place or velocity is no number"), {},
+            makeMessage("Pass finite numbers")};
     }
     const float longest = std::max({std::abs(pose.normal.x), std::abs(pose.normal.y), std::abs(pose.normal.z)});
     if (longest == 0.0F) {
-        return Error{ErrorCode::OutOfRange, said("the emitter's normal has no direction"), {}, said("Pass a normal that is not zero")};
+        return Error{ErrorCode::OutOfRange, makeMessage("the emitter's normal has no direction"), {},
+            makeMessage("Pass a normal that is not zero")};
     }
     return EmitterPose{pose.position, glm::normalize(pose.normal / longest), pose.velocity};
 }

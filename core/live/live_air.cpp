@@ -11,7 +11,8 @@ namespace fumage {
 
 namespace {
 
-/// How far the emitter may be from its place in the box before that follows, in cells: beyond half a cell, so that one that trembles does not move it to and fro.
+/// How far the emitter may be from its place in the box before that follows, in cells: beyond half a cell, so that one
+/// that trembles does not move it to and fro.
 constexpr float kSlack = 0.75F;
 
 /// Farther than anything goes, in cells, and still an int.
@@ -21,21 +22,22 @@ constexpr float kFarthest = 1e9F;
 int cellsToGround(const AirGrid& grid, float height)
 {
     constexpr float kRounding = 0.01F;
-    return static_cast<int>(std::ceil(std::clamp((height - grid.corner.y) / grid.cell - kRounding, -kFarthest, kFarthest)));
+    return static_cast<int>(
+        std::ceil(std::clamp((height - grid.corner.y) / grid.cell - kRounding, -kFarthest, kFarthest)));
 }
 
 } // namespace
 
-LiveAir::LiveAir(const Model& model)
+LiveAir::LiveAir(const SimulationModel& model)
     : LiveAir(model, airPlan(model))
 {
 }
 
-LiveAir::LiveAir(const Model& model, const AirPlan& plan)
-    : m_solver(plan.grid, plan.borders, plan.solids, plan.wind)
+LiveAir::LiveAir(const SimulationModel& model, const AirPlan& plan)
+    : m_solver(plan.grid, plan.boundaries, plan.solids, plan.wind)
     , m_field(plan.grid)
     , m_solids(plan.solids)
-    , m_borders(plan.borders)
+    , m_borders(plan.boundaries)
     , m_home(plan.grid.corner)
     , m_emitter(model.effect()->emitter.position)
 {
@@ -56,22 +58,22 @@ void LiveAir::follow(const glm::vec3& emitter)
             gone[axis] = static_cast<int>(std::lround(away[axis]));
         }
     }
-    AirBorders borders = m_borders;
+    AirBoundaries boundaries = m_borders;
     if (m_floor) {
         gone.y = std::max(gone.y, *m_floor);
-        borders.low[1] = gone.y == *m_floor ? Border::Solid : Border::Open;
+        boundaries.low[1] = gone.y == *m_floor ? Boundary::Solid : Boundary::Open;
     }
     if (gone == m_gone) {
         return;
     }
-    if (m_solver.move(gone - m_gone, m_home + cell * glm::vec3(gone), borders, m_solids, m_field.wind)) {
+    if (m_solver.move(gone - m_gone, m_home + cell * glm::vec3(gone), boundaries, m_solids, m_field.wind)) {
         m_gone = gone;
-        m_borders = borders;
+        m_borders = boundaries;
         m_field.grid = grid();
     }
 }
 
-void LiveAir::step(const Model& model, std::int64_t number, float acts)
+void LiveAir::step(const SimulationModel& model, std::int64_t number, float acts)
 {
     number = std::max<std::int64_t>(1, number);
     if (m_at == number) {

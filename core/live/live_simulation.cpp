@@ -1,9 +1,11 @@
 #include "core/live/live_simulation.h"
 
 #include "core/base/parallel.h"
+#include "core/effect/known_parameter.h"
+#include "core/effect/parameter_table.h"
 #include "core/simulation/air_plan.h"
 #include "core/simulation/chunk_step.h"
-#include "core/simulation/slot_ring.h"
+#include "core/simulation/particle_ring.h"
 
 #include <algorithm>
 #include <chrono>
@@ -35,27 +37,22 @@ Effect inSteps(const Effect& effect, int stepsPerSecond)
     return out;
 }
 
-/// What of the air is fixed as long as it lives.
-Air fixedPart(const Air& air)
+/// The first parameter that differs and is fixed as long as a simulation runs; without air, nothing of it is. Null:
+/// none.
+const Parameter* fixedDifference(const Effect& now, const Effect& wanted)
 {
-    Air part;
-    part.enabled = air.enabled;
-    if (air.enabled) {
-        part = air;
-        part.vorticity = Air().vorticity;
-        part.raggedness = Air().raggedness;
-        part.unevenness = Air().unevenness;
-        part.turbulence = Air().turbulence;
-        part.turbulenceScale = Air().turbulenceScale;
-        part.detail = Air().detail;
-        part.heatOpacity = Air().heatOpacity;
-        part.expansion = Air().expansion;
-        part.friction = Air().friction;
+    for (const Parameter& parameter : parameterTable()) {
+        const bool matters =
+            parameter.group() != "air" || now.air.enabled || &parameter == &knownParameter("air.enabled");
+        if (parameter.live == Live::Fixed && matters && parameter.get(now) != parameter.get(wanted)) {
+            return &parameter;
+        }
     }
-    return part;
+    return nullptr;
 }
 
-/// Keeps the swirls where they are in the world when the place that they are counted from is moved: the part of the lattice is added that it has moved by.
+/// Keeps the swirls where they are in the world when the place that they are counted from is moved: the part of the
+/// lattice is added that it has moved by.
 void anchorSwirls(StepConstants& constants, const glm::vec3& anchor)
 {
     const glm::vec3 moved = (constants.pivot - anchor) * constants.turbulenceFrequency;
@@ -66,7 +63,7 @@ void anchorSwirls(StepConstants& constants, const glm::vec3& anchor)
 }
 
 /// As many frames a second as an effect has at most.
-constexpr int kMostStepsPerSecond = 240;
+constexpr int kMaxStepsPerSecond = 240;
 
 double secondsOfMachine()
 {
@@ -76,13 +73,17 @@ double secondsOfMachine()
 Status checkOptions(const LiveOptions& options)
 {
     if (options.mostParticles < 0 || options.mostParticles > kMaxParticles) {
-        return Error{ErrorCode::TooLarge, said("%1 particles are not possible", options.mostParticles), {}, said("Ask for 1 to %1, or 0 for as many as the effect has", kMaxParticles)};
+        return Error{ErrorCode::TooLarge, makeMessage("%1 particles are not possible", options.mostParticles), {},
+            makeMessage("Ask for 1 to %1, or 0 for as many as the effect has", kMaxParticles)};
     }
-    if (options.stepsPerSecond < 0 || options.stepsPerSecond > kMostStepsPerSecond) {
-        return Error{ErrorCode::OutOfRange, said("%1 steps a second are not possible", options.stepsPerSecond), {}, said("Ask for 1 to %1, or 0 for those of the effect", kMostStepsPerSecond)};
+    if (options.stepsPerSecond < 0 || options.stepsPerSecond > kMaxStepsPerSecond) {
+        return Error{ErrorCode::OutOfRange, makeMessage("%1 steps a second are not possible", options.stepsPerSecond),
+            {}, makeMessage("Ask for 1 to %1, or 0 for those of the effect", kMaxStepsPerSecond)};
     }
     if (options.mostStepsAtOnce < 1 || !(options.budgetMs >= 0.0)) {
-        return Error{ErrorCode::OutOfRange, said("a budget below 0 or less than one step at once is not possible"), {}, said("Ask for 0 ms or more, and for 1 step or more")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("a budget below 0 or less than one step at once is not possible"), {},
+            makeMessage("Ask for 0 ms or more, and for 1 step or more")};
     }
     return Done{};
 }
@@ -111,9 +112,9 @@ LiveSimulation::LiveSimulation(const Effect& effect, const LiveOptions& options)
     , m_anchor(m_pose.position)
 {
     if (effect.air.enabled) {
-        m_air = std::make_unique<LiveAir>(Model(sampled(endless(effect))));
+        m_air = std::make_unique<LiveAir>(SimulationModel(sampled(endless(effect))));
     }
-    m_model = std::make_shared<Model>(makeModel());
+    m_model = std::make_shared<SimulationModel>(makeModel());
     if (options.budgetMs > 0.0) {
         constexpr double kSecondsPerMs = 1e-3;
         m_budget.emplace(options.budgetMs * kSecondsPerMs);
@@ -127,10 +128,10 @@ LiveSimulation::LiveSimulation(const Effect& effect, const LiveOptions& options)
     m_frame.particles.reset(static_cast<std::size_t>(most), columnsOf(*m_model));
 }
 
-Model LiveSimulation::makeModel() const
+SimulationModel LiveSimulation::makeModel() const
 {
     const SampledEffect effect = sampled(endless(m_effect));
-    Model model = m_air ? Model(effect, m_air->grid()) : Model(effect);
+    SimulationModel model = m_air ? SimulationModel(effect, m_air->grid()) : SimulationModel(effect);
     model.placeEmitter(m_pose.position, m_pose.normal);
     return model;
 }
@@ -138,18 +139,21 @@ Model LiveSimulation::makeModel() const
 Result<int> LiveSimulation::step(double seconds)
 {
     if (!(seconds >= 0.0) || !std::isfinite(seconds)) {
-        return Error{ErrorCode::OutOfRange, said("time that goes back, or is no number, is not possible"), {}, said("Pass the seconds since the last step, 0 or more")};
+        return Error{ErrorCode::OutOfRange, makeMessage("time that goes back, or is no number, is not possible"), {},
+            makeMessage("Pass the seconds since the last step, 0 or more")};
     }
     // More than a year is let go in any case, and would end in infinities.
     constexpr double kLongest = 4e7; // s
     seconds = std::min(seconds, kLongest);
-    // A game's 1/60 as a float is a hair away from a step: without this there would now and then be none, and two the next time.
+    // A game's 1/60 as a float is a hair away from a step: without this there would now and then be none, and two the
+    // next time.
     constexpr double kRoundingOfFloats = 1e-6;
     const double before = m_saved;
     const double due = (before + seconds) / m_stepSeconds;
     const double whole = std::floor(due + kRoundingOfFloats);
     const int steps = static_cast<int>(std::min(whole, static_cast<double>(m_options.mostStepsAtOnce)));
-    const double stretch = steps > 0 ? whole / steps : 1.0; // time that is let go takes its part of the emitter's way with it
+    const double stretch =
+        steps > 0 ? whole / steps : 1.0; // time that is let go takes its part of the emitter's way with it
     for (int i = 1; i <= steps; ++i) {
         const double share = seconds > 0.0 ? (i * stretch * m_stepSeconds - before) / seconds : 1.0;
         const bool isNow = share > 1.0 - kRoundingOfFloats;
@@ -176,7 +180,7 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
         anchorSwirls(part, m_anchor);
     }
     const double afterAir = now();
-    bury(step);
+    retire(step);
     moveParticles(pose, countBirths());
     m_pose = pose;
     m_frame.step = step;
@@ -184,13 +188,14 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
     m_appearanceIsNew = false;
     m_coloursAreNew = false;
     if (m_budget) {
-        (void)m_budget->observe({afterAir - start, now() - afterAir}, living(), static_cast<std::size_t>(m_model->effect()->emitter.count));
+        (void)m_budget->observe(
+            {afterAir - start, now() - afterAir}, living(), static_cast<std::size_t>(m_model->effect()->emitter.count));
     }
 }
 
-void LiveSimulation::bury(std::int64_t step)
+void LiveSimulation::retire(std::int64_t step)
 {
-    const SlotRing ring(m_frame.particles);
+    const ParticleRing ring(m_frame.particles);
     const std::int64_t lifetime = m_model->schedule().lifetimeSteps;
     while (m_first < m_next && m_frame.particles.birthStep[ring.slotOf(m_first)] + lifetime <= step) {
         const std::size_t slot = ring.slotOf(m_first);
@@ -212,9 +217,9 @@ void LiveSimulation::moveParticles(const EmitterPose& pose, std::int64_t births)
     if (isFlip(travel.normalBefore, pose.normal)) {
         travel.normalBefore = pose.normal;
     }
-    const BirthPlace place(m_model->effect()->emitter, travel);
+    const Spawner place(m_model->effect()->emitter, travel);
     Particles& particles = m_frame.particles;
-    const SlotRing ring(particles);
+    const ParticleRing ring(particles);
     const std::int64_t end = m_next + births;
     parallelFor(particles.chunks(), [&](std::size_t chunk) {
         const bool lives = ring.reaches(chunk, m_first, m_next);
@@ -222,7 +227,7 @@ void LiveSimulation::moveParticles(const EmitterPose& pose, std::int64_t births)
             moveChunk(m_parts, particles, chunk);
         }
         ring.forChunk(chunk, m_next, end, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
-            bearInChunk(place, m_parts, low, slot, slot + static_cast<std::size_t>(high - low), particles);
+            spawnInChunk(place, m_parts, low, slot, slot + static_cast<std::size_t>(high - low), particles);
         });
         if (lives || ring.reaches(chunk, m_next, end)) {
             ring.clearOthers(particles, chunk, m_first, end); // moved too, though nobody lives there
@@ -234,13 +239,9 @@ void LiveSimulation::moveParticles(const EmitterPose& pose, std::int64_t births)
 Status LiveSimulation::setEffect(const Effect& wanted)
 {
     const Effect effect = inSteps(wanted, m_options.stepsPerSecond);
-    if (effect.timeline.frameRate != m_effect.timeline.frameRate || effect.timeline.stepsPerFrame != m_effect.timeline.stepsPerFrame) {
-        return Error{ErrorCode::OutOfRange, said("a step cannot become longer or shorter while the simulation runs"), std::string("timeline.frame_rate"),
-            said("Keep timeline.frame_rate and timeline.steps_per_frame, or start a new simulation")};
-    }
-    if (fixedPart(effect.air) != fixedPart(m_effect.air)) {
-        return Error{ErrorCode::OutOfRange, said("box, grid, ground and obstacle of the air are fixed while the simulation runs"), std::string("air"),
-            said("Keep them, or start a new simulation")};
+    if (const Parameter* fixed = fixedDifference(m_effect, effect)) {
+        return Error{ErrorCode::OutOfRange, makeMessage("%1 is fixed while the simulation runs", fixed->key),
+            std::string(fixed->key), makeMessage("Keep it, or start a new simulation")};
     }
     if (effect.emitter.position != m_effect.emitter.position) {
         m_target.position = effect.emitter.position;
@@ -308,7 +309,8 @@ std::span<const float> LiveSimulation::ages()
     const Particles& particles = m_frame.particles;
     m_ages.resize(particles.capacity);
     for (std::size_t slot = 0; slot < m_ages.size(); ++slot) {
-        m_ages[slot] = particles.birthStep[slot] == Particles::kUnborn ? 0.0F : std::max(0.0F, lifecycle(m_frame, slot).age);
+        m_ages[slot] =
+            particles.birthStep[slot] == Particles::kUnborn ? 0.0F : std::max(0.0F, lifecycle(m_frame, slot).age);
     }
     return m_ages;
 }
@@ -316,7 +318,7 @@ std::span<const float> LiveSimulation::ages()
 std::span<const std::uint64_t> LiveSimulation::ids()
 {
     m_ids.assign(m_frame.particles.capacity, kNobody);
-    const SlotRing ring(m_frame.particles);
+    const ParticleRing ring(m_frame.particles);
     for (std::int64_t index = m_first; index < m_next; ++index) {
         m_ids[ring.slotOf(index)] = static_cast<std::uint64_t>(index);
     }
@@ -332,7 +334,8 @@ std::span<const glm::vec4> LiveSimulation::colours()
     const std::array<glm::vec3, kColourTableSize> table = coloursOverLife(m_effect.look);
     m_colours.resize(looks.life.size());
     for (std::size_t i = 0; i < m_colours.size(); ++i) {
-        m_colours[i] = glm::vec4(table[static_cast<std::size_t>(looks.life[i] * static_cast<float>(kColourTableSize - 1))], looks.alpha[i]);
+        m_colours[i] = glm::vec4(
+            table[static_cast<std::size_t>(looks.life[i] * static_cast<float>(kColourTableSize - 1))], looks.alpha[i]);
     }
     m_coloursAreNew = true;
     return m_colours;

@@ -12,14 +12,15 @@ inline constexpr std::uint32_t kLatticeU = kPrime1;
 inline constexpr std::uint32_t kLatticeV = kPrime2;
 inline constexpr std::uint32_t kLatticeW = kPrime3;
 
-/// 1 / root mean square of a component of the raw curl noise of simplex-inl.h, measured over 10^6 points; includes the 2^-31
-/// of its random components.
+/// 1 / root mean square of a component of the raw curl noise of simplex-inl.h, measured over 10^6 points; includes the
+/// 2^-31 of its random components.
 inline constexpr float kCurlNormalisation = 87.0F * 0x1p-31F;
 
 /// Random vectors of curl noise's lattice points: one or two sets of them, weighted and summed.
 struct CurlSlices {
     std::array<std::uint32_t, 2> key{};
-    std::array<float, 2> weight{}; ///< of each set, times 2^-31, which its integer components lack; second 0: one set only
+    std::array<float, 2>
+        weight{}; ///< of each set, times 2^-31, which its integer components lack; second 0: one set only
     std::array<std::uint32_t, 2> shift{}; ///< see latticeShift()
 };
 

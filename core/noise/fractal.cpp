@@ -12,7 +12,7 @@ namespace fumage {
 namespace {
 
 /// Cells along z are bounded so that their numbers stay far from the limits of int and float.
-constexpr float kMostCells = 65536.0F;
+constexpr float kMaxCells = 65536.0F;
 
 /// A lattice with whole cells, and its part in the blend of two that stands for a frequency between.
 struct WholeCells {
@@ -20,7 +20,8 @@ struct WholeCells {
     float weight = 0.0F;
 };
 
-/// The two whole frequencies around another. They are noises of their own, so that squares of weights sum to 1 for the variance to stay.
+/// The two whole frequencies around another. They are noises of their own, so that squares of weights sum to 1 for the
+/// variance to stay.
 std::array<WholeCells, 2> wholeCellsAround(float cells, float most)
 {
     /// So near to a whole number the other lattice is not worth its time.
@@ -32,7 +33,8 @@ std::array<WholeCells, 2> wholeCellsAround(float cells, float most)
     if (part == 1.0F) {
         return {WholeCells{whole + 1, 1.0F}, {}};
     }
-    return {WholeCells{whole, portableCos(0.5F * kPi * part)}, {whole + 1, part == 0.0F ? 0.0F : portableSin(0.5F * kPi * part)}};
+    return {WholeCells{whole, portableCos(0.5F * kPi * part)},
+        {whole + 1, part == 0.0F ? 0.0F : portableSin(0.5F * kPi * part)}};
 }
 
 /// How much of an octave is left: all of it up to a cell a pixel; finer ones would only alias, and fade out on the way.
@@ -42,10 +44,11 @@ float resolvedShare(float cells, int size)
     return std::clamp(1.0F - (cells / static_cast<float>(size) - 1.0F) / kFade, 0.0F, 1.0F);
 }
 
-/// Lattices that differ by one cell would have the same values near the origin, so every other one has a seed of its own.
-std::uint32_t latticeSeed(std::uint32_t octaveSeed, int cells, int layers)
+/// Lattices that differ by one cell would have the same values near the origin, so every other one has a seed of its
+/// own.
+std::uint32_t latticeSeed(std::uint32_t octaveSeed, int cells, int planes)
 {
-    const auto parity = static_cast<std::uint32_t>(cells % 2 + 2 * (layers % 2));
+    const auto parity = static_cast<std::uint32_t>(cells % 2 + 2 * (planes % 2));
     return parity == 0 ? octaveSeed : streamBits(octaveSeed, parity);
 }
 
@@ -67,15 +70,17 @@ std::vector<Octave> fractalOctaves(const Noise& noise, int size)
         resolvedVariance += resolved * resolved;
         const std::uint32_t seed = streamBits(noise.seed, static_cast<std::uint32_t>(n));
         for (const WholeCells& across : wholeCellsAround(cells, static_cast<float>(size))) {
-            for (const WholeCells& deep : wholeCellsAround(noise.depth * growth, kMostCells)) {
+            for (const WholeCells& deep : wholeCellsAround(noise.depth * growth, kMaxCells)) {
                 const float weighted = resolved * across.weight * deep.weight;
                 if (weighted > 0.0F) {
-                    lattices.push_back({{across.cells, across.cells, deep.cells}, weighted, latticeSeed(seed, across.cells, deep.cells)});
+                    lattices.push_back({{across.cells, across.cells, deep.cells}, weighted,
+                        latticeSeed(seed, across.cells, deep.cells)});
                 }
             }
         }
     }
-    // The same contrast at every size: octaves that a small tile cannot show leave their part of the variance to the others.
+    // The same contrast at every size: octaves that a small tile cannot show leave their part of the variance to the
+    // others.
     const float rest = std::sqrt(variance / resolvedVariance);
     for (Octave& lattice : lattices) {
         lattice.amplitude = lattice.amplitude / sum * rest;

@@ -13,10 +13,11 @@ struct Octave {
     std::uint32_t seed = 0;
 };
 
-/// The octaves of a noise on a tile of size by size pixels: octave n has frequency lacunarity^n / wavelength and amplitude persistence^n.
-/// A tile without a seam needs whole cells, so that a frequency between two whole ones (and so with depth) is a blend of both lattices,
-/// weighted cos(a) and sin(a): parameters act continuously, and contrast stays. Octaves finer than a pixel would only alias; they fade out,
-/// and leave their part of the variance to the others: contrast does not depend on the size.
+/// The octaves of a noise on a tile of size by size pixels: octave n has frequency lacunarity^n / wavelength and
+/// amplitude persistence^n. A tile without a seam needs whole cells, so that a frequency between two whole ones (and so
+/// with depth) is a blend of both lattices, weighted cos(a) and sin(a): parameters act continuously, and contrast
+/// stays. Octaves finer than a pixel would only alias; they fade out, and leave their part of the variance to the
+/// others: contrast does not depend on the size.
 /// @param size 1 or more
 [[nodiscard]] std::vector<Octave> fractalOctaves(const Noise& noise, int size);
 

@@ -8,7 +8,7 @@ namespace fumage {
 
 inline constexpr std::uint32_t kColumnPrime = kPrime1;
 inline constexpr std::uint32_t kRowPrime = kPrime2;
-inline constexpr std::uint32_t kLayerPrime = kPrime3;
+inline constexpr std::uint32_t kPlanePrime = kPrime3;
 
 /// The share of x in the hash of a lattice point; mixed with latticeRow() by XOR.
 [[nodiscard]] constexpr std::uint32_t latticeColumn(int x)
@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kLayerPrime = kPrime3;
 /// The share of y and z in the hash of a lattice point: the same for a whole row.
 [[nodiscard]] constexpr std::uint32_t latticeRow(int y, int z)
 {
-    return static_cast<std::uint32_t>(y) * kRowPrime + static_cast<std::uint32_t>(z) * kLayerPrime;
+    return static_cast<std::uint32_t>(y) * kRowPrime + static_cast<std::uint32_t>(z) * kPlanePrime;
 }
 
 /// The factors of mixLattice().

@@ -26,10 +26,11 @@ float interpolateAxis(Interpolation kind, float t, const ValueAt& value)
 float valueColumn(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, int x, float y, float z)
 {
     const float row = std::floor(y);
-    const float layer = std::floor(z);
-    return interpolateAxis(noise.interpolation, z - layer, [&](int k) {
+    const float plane = std::floor(z);
+    return interpolateAxis(noise.interpolation, z - plane, [&](int k) {
         return interpolateAxis(noise.interpolation, y - row, [&](int j) {
-            return smoothedLatticeValue(seed, period, x, static_cast<int>(row) + j, static_cast<int>(layer) + k, noise.smooth);
+            return smoothedLatticeValue(
+                seed, period, x, static_cast<int>(row) + j, static_cast<int>(plane) + k, noise.smooth);
         });
     });
 }
@@ -38,7 +39,8 @@ float valueColumn(const Noise& noise, std::uint32_t seed, const LatticePeriod& p
 
 std::uint32_t latticeHash(std::uint32_t seed, const LatticePeriod& period, int x, int y, int z)
 {
-    return mixLattice(latticeColumn(wrapped(x, period.x)) + latticeRow(wrapped(y, period.y), wrapped(z, period.z)), seed);
+    return mixLattice(
+        latticeColumn(wrapped(x, period.x)) + latticeRow(wrapped(y, period.y), wrapped(z, period.z)), seed);
 }
 
 float latticeValue(std::uint32_t seed, const LatticePeriod& period, int x, int y, int z)
@@ -55,7 +57,8 @@ float smoothedLatticeValue(std::uint32_t seed, const LatticePeriod& period, int 
     float mean = 0.0F;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            const float weight = kSmoothKernel[static_cast<std::size_t>(row)] * kSmoothKernel[static_cast<std::size_t>(column)];
+            const float weight =
+                kSmoothKernel[static_cast<std::size_t>(row)] * kSmoothKernel[static_cast<std::size_t>(column)];
             mean += weight * latticeValue(seed, period, x + column - 1, y + row - 1, z);
         }
     }
@@ -89,7 +92,8 @@ float sharpen(float grey, float sharpness, float coverage)
 float valueNoise(const Noise& noise, std::uint32_t seed, const LatticePeriod& period, float x, float y, float z)
 {
     const float column = std::floor(x);
-    return interpolateAxis(noise.interpolation, x - column, [&](int i) { return valueColumn(noise, seed, period, static_cast<int>(column) + i, y, z); });
+    return interpolateAxis(noise.interpolation, x - column,
+        [&](int i) { return valueColumn(noise, seed, period, static_cast<int>(column) + i, y, z); });
 }
 
 } // namespace fumage

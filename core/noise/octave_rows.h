@@ -22,8 +22,8 @@ struct OctaveSlice {
 /// @param depth in [0, 1)
 [[nodiscard]] OctaveSlice octaveSlice(const Noise& noise, const Octave& octave, int size, float depth);
 
-/// Adds the rows of one octave to rows of pixels, and keeps the rows of lattice points that the next row of pixels needs again.
-/// For one thread; any order of rows gives the same values, but an ascending one is fast.
+/// Adds the rows of one octave to rows of pixels, and keeps the rows of lattice points that the next row of pixels
+/// needs again. For one thread; any order of rows gives the same values, but an ascending one is fast.
 class OctaveRows {
 public:
     /// @param slice outlives the rows

@@ -23,7 +23,8 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<RowTag>> rowBits(const Octave& octave, s
 {
     const hn::RebindToUnsigned<RowTag> du;
     const auto columns = hn::Add(hn::Iota(du, 0U), hn::Set(du, static_cast<std::uint32_t>(i)));
-    return latticeBits(hn::Add(hn::Mul(columns, hn::Set(du, kColumnPrime)), hn::Set(du, row)), hn::Set(du, octave.seed));
+    return latticeBits(
+        hn::Add(hn::Mul(columns, hn::Set(du, kColumnPrime)), hn::Set(du, row)), hn::Set(du, octave.seed));
 }
 
 /// The lattice repeats.
@@ -34,7 +35,8 @@ HWY_INLINE void repeatEnds(float* row, std::size_t points)
     row[points + 1] = row[1 % points];
 }
 
-/// Goes through a row in blocks of kBlock pixels. add(i, j, cell): a vector of pixels from i on, which lie at j in the repeat, in or after the cell.
+/// Goes through a row in blocks of kBlock pixels. add(i, j, cell): a vector of pixels from i on, which lie at j in the
+/// repeat, in or after the cell.
 template <class Add>
 HWY_INLINE void forVectors(const RowPositions& positions, const Add& add)
 {
@@ -53,9 +55,11 @@ HWY_INLINE void forVectors(const RowPositions& positions, const Add& add)
     }
 }
 
-/// Adds noise(place(j), c) to every pixel of a row: j is where it lies in the repeat, c what the columns hold for its cell.
+/// Adds noise(place(j), c) to every pixel of a row: j is where it lies in the repeat, c what the columns hold for its
+/// cell.
 template <std::size_t kColumns, class Place, class Noise>
-HWY_INLINE void addCells(const RowPositions& positions, const std::array<const float*, kColumns>& columns, float* HWY_RESTRICT values, const Place& place, const Noise& noise)
+HWY_INLINE void addCells(const RowPositions& positions, const std::array<const float*, kColumns>& columns,
+    float* HWY_RESTRICT values, const Place& place, const Noise& noise)
 {
     const RowTag d;
     const hn::RebindToSigned<RowTag> di;
@@ -72,17 +76,22 @@ HWY_INLINE void addCells(const RowPositions& positions, const std::array<const f
             add(i, place(j), [&](const float* HWY_RESTRICT column) HWY_ATTR { return hn::Set(d, column[cell]); });
         });
     } else if (positions.fraction.size() == hn::Lanes(d)) {
-        // Every vector of the row lies alike in its cells, which never skip one: a vector of pixels needs at most a vector of cells.
+        // Every vector of the row lies alike in its cells, which never skip one: a vector of pixels needs at most a
+        // vector of cells.
         const auto order = hn::IndicesFromVec(d, hn::Load(di, lanes));
         const auto at = place(0);
         forVectors(positions, [&](std::size_t i, std::size_t, std::int32_t cell) HWY_ATTR {
-            add(i, at, [&](const float* HWY_RESTRICT column) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, column + cell), order); });
+            add(i, at, [&](const float* HWY_RESTRICT column) HWY_ATTR {
+                return hn::TableLookupLanes(hn::LoadU(d, column + cell), order);
+            });
         });
     } else {
         forVectors(positions, [&](std::size_t i, std::size_t j, std::int32_t cell) HWY_ATTR {
             const std::int32_t first = cell + lanes[j];
             const auto order = hn::IndicesFromVec(d, hn::Sub(hn::Load(di, lanes + j), hn::Set(di, lanes[j])));
-            add(i, place(j), [&](const float* HWY_RESTRICT column) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, column + first), order); });
+            add(i, place(j), [&](const float* HWY_RESTRICT column) HWY_ATTR {
+                return hn::TableLookupLanes(hn::LoadU(d, column + first), order);
+            });
         });
     }
 }

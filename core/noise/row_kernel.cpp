@@ -22,7 +22,8 @@ HWY_INLINE V mix(V a, V b, V t)
     return mulAdd(t, hn::Sub(b, a), a);
 }
 
-void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, const GradientRow& row)
+void gradientRow(
+    const Octave& octave, int y, std::array<int, 2> planes, float fz, float weightZ, const GradientRow& row)
 {
     const D d;
     const hn::RebindToSigned<D> di;
@@ -31,14 +32,14 @@ void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float f
     const bool flat = weightZ == 0.0F;
     const auto component = [&](auto bits) HWY_ATTR { return hn::ConvertTo(d, hn::BitCast(di, bits)); };
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
-        const auto bits0 = rowBits(octave, i, latticeRow(y, layers[0]));
+        const auto bits0 = rowBits(octave, i, latticeRow(y, planes[0]));
         if (flat) {
             hn::StoreU(component(bits0), d, row.x + i);
             hn::StoreU(component(hn::ShiftLeft<11>(bits0)), d, row.y + i);
             hn::StoreU(hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz)), d, row.z + i);
             continue;
         }
-        const auto bits1 = rowBits(octave, i, latticeRow(y, layers[1]));
+        const auto bits1 = rowBits(octave, i, latticeRow(y, planes[1]));
         hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x + i);
         hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y + i);
         const V z0 = hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz));
@@ -50,7 +51,8 @@ void gradientRow(const Octave& octave, int y, std::array<int, 2> layers, float f
     }
 }
 
-void gradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY, float amplitude, int cells, const RowCoefficients& out)
+void gradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY, float amplitude,
+    int cells, const RowCoefficients& out)
 {
     const D d;
     const float* HWY_RESTRICT belowX = below.x;
@@ -102,7 +104,8 @@ void smoothRow(const std::array<const float*, 3>& rows, float amount, int cells,
         V mean = hn::Zero(d);
         for (std::size_t row = 0; row < 3; ++row) {
             for (std::size_t column = 0; column < 3; ++column) {
-                mean = mulAdd(hn::Set(d, kSmoothKernel[row] * kSmoothKernel[column]), hn::LoadU(d, rows[row] + i + column - 1), mean);
+                mean = mulAdd(hn::Set(d, kSmoothKernel[row] * kSmoothKernel[column]),
+                    hn::LoadU(d, rows[row] + i + column - 1), mean);
             }
         }
         const V plain = hn::Load(d, rows[1] + i);
@@ -125,27 +128,29 @@ HWY_INLINE V interpolate(const V* values, V t)
     }
 }
 
-/// Values at the lattice columns of a row of pixels, where only y and z need interpolation; signed, so that they are about 0.
+/// Values at the lattice columns of a row of pixels, where only y and z need interpolation; signed, so that they are
+/// about 0.
 template <bool kCubic, bool kFlat>
 HWY_INLINE void valuesAtColumns(const ValueRows& in, float amplitude, std::size_t points, float* HWY_RESTRICT columns)
 {
     constexpr std::size_t kRows = kCubic ? 4 : 2;
-    constexpr std::size_t kLayers = kFlat ? 1 : kRows;
+    constexpr std::size_t kPlanes = kFlat ? 1 : kRows;
     const D d;
     const std::array<std::array<const float*, 4>, 4> rows = in.rows;
     const V alongY = hn::Set(d, in.alongY);
     const V alongZ = hn::Set(d, in.alongZ);
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
-        V layers[kRows];
-        for (std::size_t k = 0; k < kLayers; ++k) {
+        V planes[kRows];
+        for (std::size_t k = 0; k < kPlanes; ++k) {
             V values[kRows];
             for (std::size_t j = 0; j < kRows; ++j) {
                 values[j] = hn::Load(d, rows[k][j] + i);
             }
-            layers[k] = interpolate<kCubic>(values, alongY);
+            planes[k] = interpolate<kCubic>(values, alongY);
         }
-        const V value = kFlat ? layers[0] : interpolate<kCubic>(layers, alongZ);
-        hn::Store(hn::Mul(hn::Sub(hn::Mul(hn::Set(d, 2.0F), value), hn::Set(d, 1.0F)), hn::Set(d, amplitude)), d, columns + i);
+        const V value = kFlat ? planes[0] : interpolate<kCubic>(planes, alongZ);
+        hn::Store(hn::Mul(hn::Sub(hn::Mul(hn::Set(d, 2.0F), value), hn::Set(d, 1.0F)), hn::Set(d, amplitude)), d,
+            columns + i);
     }
     repeatEnds(columns, points);
 }
@@ -179,10 +184,12 @@ void valueCoefficients(const ValueRows& rows, float amplitude, int cells, const 
 {
     const auto count = static_cast<std::size_t>(cells);
     if (rows.cubic) {
-        rows.flat ? valuesAtColumns<true, true>(rows, amplitude, count, out.c0) : valuesAtColumns<true, false>(rows, amplitude, count, out.c0);
+        rows.flat ? valuesAtColumns<true, true>(rows, amplitude, count, out.c0)
+                  : valuesAtColumns<true, false>(rows, amplitude, count, out.c0);
         valuePolynomials<true>(count, out);
     } else {
-        rows.flat ? valuesAtColumns<false, true>(rows, amplitude, count, out.c0) : valuesAtColumns<false, false>(rows, amplitude, count, out.c0);
+        rows.flat ? valuesAtColumns<false, true>(rows, amplitude, count, out.c0)
+                  : valuesAtColumns<false, false>(rows, amplitude, count, out.c0);
         valuePolynomials<false>(count, out);
     }
 }
@@ -197,7 +204,9 @@ void addPixelRow(const RowPositions& positions, const RowCoefficients& coefficie
     const std::array<const float*, 4> columns{coefficients.c0, coefficients.c1, coefficients.d0, coefficients.d1};
     const float* HWY_RESTRICT fraction = positions.fraction.data();
     const float* HWY_RESTRICT weight = positions.weight.data();
-    const auto place = [=](std::size_t j) HWY_ATTR { return Place{hn::Load(d, fraction + j), hn::Load(d, weight + j)}; };
+    const auto place = [=](std::size_t j) HWY_ATTR {
+        return Place{hn::Load(d, fraction + j), hn::Load(d, weight + j)};
+    };
     addCells(positions, columns, values, place, [](const Place& at, const V* c) HWY_ATTR {
         const V low = mulAdd(c[1], at.fraction, c[0]);
         const V rise = mulAdd(c[3], at.fraction, c[2]);
@@ -228,13 +237,15 @@ HWY_EXPORT(valueCoefficients);
 HWY_EXPORT(addPixelRow);
 HWY_EXPORT(addFlatPixelRow);
 
-void fillGradientRow(const Octave& octave, int y, std::array<int, 2> layers, float fz, float weightZ, const GradientRow& row)
+void fillGradientRow(
+    const Octave& octave, int y, std::array<int, 2> planes, float fz, float weightZ, const GradientRow& row)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(gradientRow);
-    kernel(octave, y, layers, fz, weightZ, row);
+    kernel(octave, y, planes, fz, weightZ, row);
 }
 
-void fillGradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY, float amplitude, int cells, const RowCoefficients& out)
+void fillGradientCoefficients(const GradientRow& below, const GradientRow& above, float fy, float weightY,
+    float amplitude, int cells, const RowCoefficients& out)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(gradientCoefficients);
     kernel(below, above, fy, weightY, amplitude, cells, out);

@@ -19,12 +19,15 @@ RowPositions rowPositions(int size, int cells, CellBorders borders)
 {
     const std::size_t padded = roundUp(static_cast<std::size_t>(size), RowPositions::kBlock);
     const bool wholePixels = size % cells == 0;
-    const std::size_t repeat = wholePixels ? std::min(padded, std::lcm(static_cast<std::size_t>(size / cells), RowPositions::kBlock)) : padded;
+    const std::size_t repeat =
+        wholePixels ? std::min(padded, std::lcm(static_cast<std::size_t>(size / cells), RowPositions::kBlock)) : padded;
     RowPositions out;
     out.fraction.resize(repeat);
     out.lane.resize(repeat);
     out.uniform = true;
-    const auto placeOf = [&](std::size_t i) { return placeInCells(std::min(static_cast<int>(i), size - 1), size, cells, borders); };
+    const auto placeOf = [&](std::size_t i) {
+        return placeInCells(std::min(static_cast<int>(i), size - 1), size, cells, borders);
+    };
     for (std::size_t i = 0; i < padded; i += RowPositions::kBlock) {
         out.cell.push_back(placeOf(i).cell);
     }
@@ -40,13 +43,15 @@ RowPositions rowPositions(int size, int cells, CellBorders borders)
 void weighByInterpolation(RowPositions& positions, Interpolation kind)
 {
     positions.weight.resize(positions.fraction.size());
-    std::transform(positions.fraction.begin(), positions.fraction.end(), positions.weight.begin(), [&](float f) { return interpolationWeight(kind, f); });
+    std::transform(positions.fraction.begin(), positions.fraction.end(), positions.weight.begin(),
+        [&](float f) { return interpolationWeight(kind, f); });
 }
 
 void weighBySquare(RowPositions& positions)
 {
     positions.weight.resize(positions.fraction.size());
-    std::transform(positions.fraction.begin(), positions.fraction.end(), positions.weight.begin(), [](float f) { return f * f; });
+    std::transform(
+        positions.fraction.begin(), positions.fraction.end(), positions.weight.begin(), [](float f) { return f * f; });
 }
 
 } // namespace fumage

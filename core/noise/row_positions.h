@@ -7,12 +7,14 @@
 
 namespace fumage {
 
-/// Where the pixels of a row lie in the cells of an octave; the same for all rows. Where whole numbers of pixels make a cell, f, w and the
-/// lanes repeat along the row: only the first repeat of them is kept, so that the tables of all octaves fit the first-level cache.
+/// Where the pixels of a row lie in the cells of an octave; the same for all rows. Where whole numbers of pixels make a
+/// cell, f, w and the lanes repeat along the row: only the first repeat of them is kept, so that the tables of all
+/// octaves fit the first-level cache.
 struct RowPositions {
     AlignedArray<float> fraction; ///< f, the place of each pixel of a repeat in its cell, in [0, 1)
     AlignedArray<float> weight; ///< w(f); see weighByInterpolation() and weighBySquare()
-    AlignedArray<std::int32_t> lane; ///< cell of each pixel of a repeat, counted from that of the first pixel of its block of kBlock
+    AlignedArray<std::int32_t>
+        lane; ///< cell of each pixel of a repeat, counted from that of the first pixel of its block of kBlock
     std::vector<std::int32_t> cell; ///< cell of the first pixel of each block of kBlock pixels
     bool uniform = false; ///< every block of kBlock pixels lies in one cell
 

@@ -16,16 +16,17 @@ HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
 /// The four corners of the tetrahedron around a point, in an order that walks its edges.
-/// Lattice: u = y+z, v = x+z, w = x+y, whole numbers at lattice points (body-centred cubic; neighbours sqrt(3)/2 apart).
-/// Source: Perlin 2001 (simplex noise); the skew that keeps whole-number translations is that of Gustavson's psrdnoise.
+/// Lattice: u = y+z, v = x+z, w = x+y, whole numbers at lattice points (body-centred cubic; neighbours sqrt(3)/2
+/// apart). Source: Perlin 2001 (simplex noise); the skew that keeps whole-number translations is that of Gustavson's
+/// psrdnoise.
 template <class D>
 struct SimplexCorners {
     Vec3<hn::VFromD<D>> way[4]; ///< from corner to point
     hn::VFromD<hn::RebindToUnsigned<D>> lattice[4]; ///< a linear hash of (u, v, w); mix before use
 };
 
-/// Whole numbers of magnitude below 2^22 as integers, by two instructions where a conversion that saturates takes five. Beyond, where noise has no
-/// fractions to go by any more, they are wrong, but the same bits on every machine.
+/// Whole numbers of magnitude below 2^22 as integers, by two instructions where a conversion that saturates takes five.
+/// Beyond, where noise has no fractions to go by any more, they are wrong, but the same bits on every machine.
 template <class D>
 HWY_INLINE hn::VFromD<hn::RebindToUnsigned<D>> wholeBits(D d, hn::VFromD<D> whole)
 {
@@ -74,7 +75,9 @@ HWY_INLINE SimplexCorners<D> simplexCorners(D d, const Vec3<V>& point)
     const auto pu = hn::Set(du, kLatticeU);
     const auto pv = hn::Set(du, kLatticeV);
     const auto pw = hn::Set(du, kLatticeW);
-    const auto choose = [&](auto isU, auto isV) HWY_ATTR { return hn::IfThenElse(hn::RebindMask(du, isU), pu, hn::IfThenElse(hn::RebindMask(du, isV), pv, pw)); };
+    const auto choose = [&](auto isU, auto isV) HWY_ATTR {
+        return hn::IfThenElse(hn::RebindMask(du, isU), pu, hn::IfThenElse(hn::RebindMask(du, isV), pv, pw));
+    };
     const auto cell = [&](V i) HWY_ATTR { return wholeBits(d, i); };
     out.lattice[0] = cell(iu) * pu + cell(iv) * pv + cell(iw) * pw;
     out.lattice[3] = out.lattice[0] + (kLatticeU + kLatticeV + kLatticeW);
@@ -116,7 +119,7 @@ struct Swirl {
 /// velocity is 8 t^2 (5 t - 6 |d|^2) (c x d). All are linear in c, so that two sets cost little more than one. Source:
 /// Bridson, Houriham, Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007, on simplex kernels.
 template <bool kTurns, bool kPotential, std::size_t kSlices, class D, class V = hn::VFromD<D>>
-HWY_INLINE void addSwirl(D d, const Vec3<V>& point, const CurlSlices& slices, Swirl<V>& swirl)
+HWY_INLINE void addVortex(D d, const Vec3<V>& point, const CurlSlices& slices, Swirl<V>& swirl)
 {
     const hn::RebindToUnsigned<D> du;
     const SimplexCorners<D> corners = simplexCorners(d, point);
@@ -146,7 +149,7 @@ template <bool kTurns, std::size_t kSlices, class D, class V = hn::VFromD<D>>
 HWY_INLINE void addCurlNoise(D d, const Vec3<V>& point, const CurlSlices& slices, Vec3<V>& velocity, Vec3<V>& vorticity)
 {
     Swirl<V> swirl{velocity, vorticity, uniform(hn::Zero(d))};
-    addSwirl<kTurns, false, kSlices>(d, point, slices, swirl);
+    addVortex<kTurns, false, kSlices>(d, point, slices, swirl);
     velocity = swirl.velocity;
     vorticity = swirl.vorticity;
 }

@@ -43,7 +43,8 @@ void simplexHeights(const GradientRow& line, float dy, float dz, int points, flo
     const float* HWY_RESTRICT y = line.y;
     const float* HWY_RESTRICT z = line.z;
     for (std::size_t i = 0; i < static_cast<std::size_t>(points); i += hn::Lanes(d)) {
-        hn::Store(mulAdd(hn::Load(d, y + i), hn::Set(d, dy), hn::Mul(hn::Load(d, z + i), hn::Set(d, dz))), d, heights + i);
+        hn::Store(
+            mulAdd(hn::Load(d, y + i), hn::Set(d, dy), hn::Mul(hn::Load(d, z + i), hn::Set(d, dz))), d, heights + i);
     }
     repeatEnds(heights, static_cast<std::size_t>(points));
 }
@@ -68,7 +69,8 @@ HWY_INLINE V pointNoise(const Way& way, V slope, V height)
     return hn::Mul(way.fourth, mulAdd(slope, way.dx, height));
 }
 
-void addPairRow(const RowPositions& positions, const float* slopes, const float* heights, float reach, float* HWY_RESTRICT values)
+void addPairRow(
+    const RowPositions& positions, const float* slopes, const float* heights, float reach, float* HWY_RESTRICT values)
 {
     struct Ways {
         Way below;
@@ -81,16 +83,22 @@ void addPairRow(const RowPositions& positions, const float* slopes, const float*
         const V dx = hn::Load(d, fraction + j);
         return Ways{wayTo(dx, hn::Set(d, reach)), wayTo(hn::Sub(dx, hn::Set(d, 1.0F)), hn::Set(d, reach))};
     };
-    addCells(positions, columns, values, ways, [](const Ways& at, const V* c) HWY_ATTR { return hn::Add(pointNoise(at.below, c[0], c[1]), pointNoise(at.above, c[2], c[3])); });
+    addCells(positions, columns, values, ways, [](const Ways& at, const V* c) HWY_ATTR {
+        return hn::Add(pointNoise(at.below, c[0], c[1]), pointNoise(at.above, c[2], c[3]));
+    });
 }
 
-void addNearestRow(const RowPositions& positions, const float* slopes, const float* heights, float reach, float* HWY_RESTRICT values)
+void addNearestRow(
+    const RowPositions& positions, const float* slopes, const float* heights, float reach, float* HWY_RESTRICT values)
 {
     const D d;
     const std::array<const float*, 2> columns{slopes, heights};
     const float* HWY_RESTRICT fraction = positions.fraction.data();
-    const auto way = [=](std::size_t j) HWY_ATTR { return wayTo(hn::Sub(hn::Load(d, fraction + j), hn::Set(d, 0.5F)), hn::Set(d, reach)); };
-    addCells(positions, columns, values, way, [](const Way& at, const V* c) HWY_ATTR { return pointNoise(at, c[0], c[1]); });
+    const auto way = [=](std::size_t j) HWY_ATTR {
+        return wayTo(hn::Sub(hn::Load(d, fraction + j), hn::Set(d, 0.5F)), hn::Set(d, reach));
+    };
+    addCells(
+        positions, columns, values, way, [](const Way& at, const V* c) HWY_ATTR { return pointNoise(at, c[0], c[1]); });
 }
 
 } // namespace fumage::HWY_NAMESPACE
@@ -116,13 +124,15 @@ void fillSimplexHeights(const GradientRow& line, float dy, float dz, int points,
     kernel(line, dy, dz, points, heights);
 }
 
-void addPairsOfPoints(const RowPositions& positions, const float* slopes, const float* heights, float reach, float* values)
+void addPairsOfPoints(
+    const RowPositions& positions, const float* slopes, const float* heights, float reach, float* values)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(addPairRow);
     kernel(positions, slopes, heights, reach, values);
 }
 
-void addNearestPoints(const RowPositions& positions, const float* slopes, const float* heights, float reach, float* values)
+void addNearestPoints(
+    const RowPositions& positions, const float* slopes, const float* heights, float reach, float* values)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(addNearestRow);
     kernel(positions, slopes, heights, reach, values);

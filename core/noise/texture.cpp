@@ -17,7 +17,7 @@ constexpr int kRowsATask = 128;
 
 Error cancelled()
 {
-    return {ErrorCode::Cancelled, said("baking the noise was cancelled"), {}, {}};
+    return {ErrorCode::Cancelled, makeMessage("baking the noise was cancelled"), {}, {}};
 }
 
 /// Calls body(row) for all rows of a tile in parallel blocks, each of which has its own state from makeState().
@@ -40,7 +40,8 @@ std::array<float, 4> cubicWeights(float t)
 {
     const float t2 = t * t;
     const float t3 = t2 * t;
-    return {0.5F * (-t3 + 2.0F * t2 - t), 0.5F * (3.0F * t3 - 5.0F * t2 + 2.0F), 0.5F * (-3.0F * t3 + 4.0F * t2 + t), 0.5F * (t3 - t2)};
+    return {0.5F * (-t3 + 2.0F * t2 - t), 0.5F * (3.0F * t3 - 5.0F * t2 + 2.0F), 0.5F * (-3.0F * t3 + 4.0F * t2 + t),
+        0.5F * (t3 - t2)};
 }
 
 /// A repeating tile between its pixels.
@@ -68,7 +69,8 @@ float sampleCubic(const NoiseTile& tile, float x, float y)
 
 /// Bends a tile by two others: each pixel is fetched from where the others point.
 /// The factor takes their standard deviation of about 1/3 to 1, so that warp is the typical way in wavelengths.
-NoiseTile warped(const Noise& noise, const NoiseTile& tile, const NoiseTile& bendX, const NoiseTile& bendY, const std::stop_token& stop)
+NoiseTile warped(const Noise& noise, const NoiseTile& tile, const NoiseTile& bendX, const NoiseTile& bendY,
+    const std::stop_token& stop)
 {
     NoiseTile out;
     out.size = tile.size;
@@ -80,7 +82,8 @@ NoiseTile warped(const Noise& noise, const NoiseTile& tile, const NoiseTile& ben
             for (int x = 0; x < tile.size; ++x) {
                 const float fromX = static_cast<float>(x) + reach * bendX.at(x, y);
                 const float fromY = static_cast<float>(y) + reach * bendY.at(x, y);
-                out.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.size) + static_cast<std::size_t>(x)] = sampleCubic(tile, fromX, fromY);
+                out.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.size)
+                    + static_cast<std::size_t>(x)] = sampleCubic(tile, fromX, fromY);
             }
         });
     return out;
@@ -101,7 +104,8 @@ Result<NoiseTile> bakeBend(const Noise& noise, std::uint32_t stream, int size, f
 Result<NoiseTile> bakeFractal(const Noise& noise, int size, float depth, const std::stop_token& stop)
 {
     if (size < 1 || size > kMaxTextureSize) {
-        return Error{ErrorCode::TooLarge, said("a noise tile of %1 pixels", size), {}, said("Choose 1 to %1", kMaxTextureSize)};
+        return Error{ErrorCode::TooLarge, makeMessage("a noise tile of %1 pixels", size), {},
+            makeMessage("Choose 1 to %1", kMaxTextureSize)};
     }
     const auto edge = static_cast<std::size_t>(size);
     NoiseTile tile;

@@ -98,16 +98,20 @@ public:
         constexpr int kNumberOverflow = 406;
         const std::size_t wordStart = m_text.substr(0, at).find_last_of(" \t\r\n,:[{") + 1;
         const std::string_view word = m_text.substr(wordStart);
-        if (cause.id == kNumberOverflow || word.starts_with("NaN") || word.starts_with("Inf") || word.starts_with("-Inf")) {
-            return fail(ErrorCode::NotFinite, said("the number is not finite"), wordStart, said("Use a plain number such as 1.5"));
+        if (cause.id == kNumberOverflow || word.starts_with("NaN") || word.starts_with("Inf")
+            || word.starts_with("-Inf")) {
+            return fail(ErrorCode::NotFinite, makeMessage("the number is not finite"), wordStart,
+                makeMessage("Use a plain number such as 1.5"));
         }
         if (what.find("UTF-8") != std::string::npos) {
-            return fail(ErrorCode::NotUtf8, said("the text is not UTF-8"), at, said("Save the file as UTF-8"));
+            return fail(
+                ErrorCode::NotUtf8, makeMessage("the text is not UTF-8"), at, makeMessage("Save the file as UTF-8"));
         }
         if (at >= m_text.size()) {
-            return fail(ErrorCode::Syntax, said("the file ends in the middle"), m_text.size(), said("It may have been cut off; use a copy of it"));
+            return fail(ErrorCode::Syntax, makeMessage("the file ends in the middle"), m_text.size(),
+                makeMessage("It may have been cut off; use a copy of it"));
         }
-        return fail(ErrorCode::Syntax, said("this is not JSON: %1", reason(what)), at, {});
+        return fail(ErrorCode::Syntax, makeMessage("this is not JSON: %1", reason(what)), at, {});
     }
 
     [[nodiscard]] JsonNode& root() { return m_root; }
@@ -166,7 +170,8 @@ private:
 
     bool number(double value, bool whole)
     {
-        // A number ends at the first character that cannot be part of it, which has been read too, unless the text ended.
+        // A number ends at the first character that cannot be part of it, which has been read too, unless the text
+        // ended.
         constexpr std::string_view kNumberCharacters = "0123456789+-.eE";
         JsonNode node;
         node.type = JsonNode::Type::Number;
@@ -184,7 +189,8 @@ private:
     bool open(JsonNode::Type type)
     {
         if (m_open.size() == kDeepest) {
-            return fail(ErrorCode::TooDeep, said("brackets are nested more than %1 deep", kDeepest), m_consumed - 1, said("This is not a preset"));
+            return fail(ErrorCode::TooDeep, makeMessage("brackets are nested more than %1 deep", kDeepest),
+                m_consumed - 1, makeMessage("This is not a preset"));
         }
         Container container;
         container.node.type = type;
@@ -193,19 +199,22 @@ private:
         return true;
     }
 
-    /// Sorts the keys once the object is complete: looking each one up as it comes would cost the square of their number.
+    /// Sorts the keys once the object is complete: looking each one up as it comes would cost the square of their
+    /// number.
     bool keysDiffer()
     {
         const std::vector<std::string>& keys = m_open.back().node.keys;
         std::vector<std::size_t> order(keys.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-        const auto twice = std::adjacent_find(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] == keys[b]; });
+        const auto twice = std::adjacent_find(
+            order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] == keys[b]; });
         if (twice == order.end()) {
             return true;
         }
         const std::size_t second = *(twice + 1);
-        return fail(ErrorCode::Syntax, said("the key %1 is there twice", inQuotes(keys[second])), m_open.back().keyPlaces[second], said("Remove one of them"));
+        return fail(ErrorCode::Syntax, makeMessage("the key %1 is there twice", inQuotes(keys[second])),
+            m_open.back().keyPlaces[second], makeMessage("Remove one of them"));
     }
 
     bool close()
@@ -265,12 +274,13 @@ const JsonNode* JsonNode::find(std::string_view key) const
 Result<JsonNode> parseJson(std::string_view text)
 {
     if (const std::string_view encoding = otherEncodingOf(text); !encoding.empty()) {
-        return Error{
-            ErrorCode::NotUtf8, said("the text is %1", encoding), placeInText(text, 0), said("Save the file as UTF-8")};
+        return Error{ErrorCode::NotUtf8, makeMessage("the text is %1", encoding), placeInText(text, 0),
+            makeMessage("Save the file as UTF-8")};
     }
     // The parser would take a zero byte for the end of the text.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-        return Error{ErrorCode::Syntax, said("this is not JSON: there is a zero byte"), placeInText(text, zero), said("It may be a binary file or a damaged one")};
+        return Error{ErrorCode::Syntax, makeMessage("this is not JSON: there is a zero byte"), placeInText(text, zero),
+            makeMessage("It may be a binary file or a damaged one")};
     }
     std::size_t consumed = 0;
     TreeBuilder builder(text, consumed);
@@ -289,15 +299,15 @@ Message placeInText(std::string_view text, std::size_t offset)
     const std::size_t start = before.rfind('\n') + 1; // npos + 1 is 0
     constexpr unsigned char kContinuationMask = 0xC0;
     constexpr unsigned char kContinuation = 0x80;
-    const auto column = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(),
-                            [](char c) { return (static_cast<unsigned char>(c) & kContinuationMask) != kContinuation; })
-        + 1;
-    return said("line %1, column %2", line, column);
+    const auto column = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & kContinuationMask) != kContinuation;
+    }) + 1;
+    return makeMessage("line %1, column %2", line, column);
 }
 
 Message placeInFile(const std::string& file, const Message& inText)
 {
-    return file.empty() ? inText : said("%1, %2", file, inText);
+    return file.empty() ? inText : makeMessage("%1, %2", file, inText);
 }
 
 Result<JsonNode> parseJsonOf(const std::string& file, std::string_view text)

@@ -4,6 +4,7 @@
 #include "core/base/environment.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <cassert>
@@ -66,7 +67,7 @@ Result<PresetReading> loadPreset(const LibraryEntry& entry)
             return parsePreset(file.contents, entry.id);
         }
     }
-    return Error{ErrorCode::UnknownName, said("there is no built-in preset %1", inQuotes(entry.id)), {}, {}};
+    return Error{ErrorCode::UnknownName, makeMessage("there is no built-in preset %1", inQuotes(entry.id)), {}, {}};
 }
 
 Preset newPreset()
@@ -95,7 +96,9 @@ Result<LibraryEntry> findPreset(const std::string& nameOrPath)
     const bool looksLikeName = !file.has_parent_path() && nameOrPath.find('.') == std::string::npos;
     if (looksLikeName && !std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
         const std::string_view near = nearestName(nameOrPath, names);
-        return Error{ErrorCode::UnknownName, said("there is no preset or file %1", inQuotes(nameOrPath)), {}, near.empty() ? said("List the presets with: fumage-cli presets") : said("Did you mean %1?", inQuotes(near))};
+        return Error{ErrorCode::UnknownName, makeMessage("there is no preset or file %1", inQuotes(nameOrPath)), {},
+            near.empty() ? makeMessage("List the presets with: fumage-cli presets")
+                         : makeMessage("Did you mean %1?", inQuotes(near))};
     }
     return LibraryEntry{file.stem().string(), file};
 }

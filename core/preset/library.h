@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 namespace fumage {
 
@@ -16,7 +16,8 @@ struct LibraryEntry {
 /// The presets in a folder; a folder that is not there has none.
 [[nodiscard]] std::vector<LibraryEntry> presetsIn(const std::filesystem::path& folder);
 
-/// fumage/presets in userDataFolder(). Only absolute folders count, as the XDG Base Directory Specification says; empty if there is none.
+/// fumage/presets in userDataFolder(). Only absolute folders count, as the XDG Base Directory Specification says; empty
+/// if there is none.
 [[nodiscard]] std::filesystem::path userPresetFolder();
 
 /// @error those of readPresetFile()

@@ -6,13 +6,17 @@
 namespace fumage {
 
 /// More warnings are counted only: nobody reads them, and a hostile file has a hundred thousand.
-inline constexpr std::size_t kMostWarnings = 20;
+inline constexpr std::size_t kMaxWarnings = 20;
+
+/// What is said of one that has more than kMaxPresetBytes.
+[[nodiscard]] Error presetTooLarge(std::size_t bytes, const Message& place);
 
 /// Reads a preset that stands in a file among other things.
 /// @param text         the whole file, in which messages tell lines and columns
 /// @param root         the preset
-/// @param mostWarnings as parsePreset() has kMostWarnings
+/// @param mostWarnings as parsePreset() has kMaxWarnings
 /// @error those of parsePreset()
-[[nodiscard]] Result<PresetReading> readPreset(std::string_view text, const JsonNode& root, const std::string& place, std::size_t mostWarnings = kMostWarnings);
+[[nodiscard]] Result<PresetReading> readPreset(
+    std::string_view text, const JsonNode& root, const std::string& place, std::size_t mostWarnings = kMaxWarnings);
 
 } // namespace fumage

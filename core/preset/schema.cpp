@@ -14,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value)
 {
-    return value == static_cast<double>(static_cast<std::int64_t>(value)) ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    return value == static_cast<double>(static_cast<std::int64_t>(value)) ? Json(static_cast<std::int64_t>(value))
+                                                                          : Json(value);
 }
 
 Json ranged(const char* type, const Range& range)
@@ -61,7 +62,31 @@ Json valueSchema(const Parameter& parameter)
 std::string describe(const Parameter& parameter)
 {
     const std::string_view unit = unitSymbol(parameter.unit);
-    return std::string(parameter.tip) + (unit.empty() ? "" : " Unit: " + std::string(unit) + ".") + (parameter.source.empty() ? "" : " Source: " + std::string(parameter.source) + ".");
+    return std::string(parameter.tip) + (unit.empty() ? "" : " Unit: " + std::string(unit) + ".")
+        + (parameter.source.empty() ? "" : " Source: " + std::string(parameter.source) + ".");
+}
+
+/// All groups of a scope, as an object of objects.
+Json groupsSchema(Scope scope)
+{
+    Json groups = Json::object();
+    const Effect defaults;
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.scope != scope) {
+            continue;
+        }
+        const std::string group(parameter.group());
+        if (!groups.contains(group)) {
+            groups[group] = {{"title", groupLabel(group)}, {"type", "object"}, {"additionalProperties", false},
+                {"properties", Json::object()}};
+        }
+        Json schema = valueSchema(parameter);
+        schema["title"] = parameter.label;
+        schema["description"] = describe(parameter);
+        schema["default"] = Json::parse(formatJson(parameter, parameter.get(defaults)));
+        groups[group]["properties"][std::string(parameter.name())] = std::move(schema);
+    }
+    return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(groups)}};
 }
 
 } // namespace
@@ -74,23 +99,10 @@ std::string presetSchema()
     properties["version"] = {{"const", kPresetVersion}};
     properties["name"] = {{"type", "string"}};
     properties["description"] = {{"type", "string"}};
-    const Effect defaults;
-    for (const Parameter& parameter : parameterTable()) {
-        const std::string group(parameter.group());
-        if (!properties.contains(group)) {
-            properties[group] = {{"title", groupLabel(group)}, {"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
-        }
-        Json schema = valueSchema(parameter);
-        schema["title"] = parameter.label;
-        schema["description"] = describe(parameter);
-        schema["default"] = Json::parse(formatJson(parameter, parameter.get(defaults)));
-        properties[group]["properties"][std::string(parameter.name())] = std::move(schema);
-    }
-    const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-        {"title", "Fumage preset"},
-        {"type", "object"},
-        {"required", {"format", "version"}},
-        {"additionalProperties", false},
+    properties["scene"] = groupsSchema(Scope::Scene);
+    properties["layers"] = {{"type", "array"}, {"minItems", 1}, {"maxItems", 1}, {"items", groupsSchema(Scope::Layer)}};
+    const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Fumage preset"},
+        {"type", "object"}, {"required", {"format", "version"}}, {"additionalProperties", false},
         {"properties", std::move(properties)}};
     return schema.dump(2) + "\n";
 }

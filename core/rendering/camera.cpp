@@ -11,7 +11,8 @@ namespace fumage {
 
 namespace {
 
-/// Fills the axes from a viewing direction, level with the horizon; straight up or down takes -z as the top of the picture.
+/// Fills the axes from a viewing direction, level with the horizon; straight up or down takes -z as the top of the
+/// picture.
 void aim(View& view, const glm::vec3& direction)
 {
     view.forward = glm::normalize(direction);
@@ -38,7 +39,8 @@ View makeView(const Camera& camera, float seconds, int width, int height)
     constexpr float kFullTurn = 360.0F;
     const float yaw = radians(std::fmod(camera.yaw + camera.turntable * seconds, kFullTurn));
     const float pitch = radians(camera.pitch);
-    const glm::vec3 outward(portableSin(yaw) * portableCos(pitch), portableSin(pitch), portableCos(yaw) * portableCos(pitch));
+    const glm::vec3 outward(
+        portableSin(yaw) * portableCos(pitch), portableSin(pitch), portableCos(yaw) * portableCos(pitch));
     view.eye = camera.target + outward * camera.distance;
     aim(view, -outward);
     return view;

@@ -30,7 +30,8 @@ struct View {
 }
 
 /// @param seconds time since frame 0, for the turntable
-/// @param width,height picture in pixels; the shorter side sees the whole sensor, so that a picture of any shape shows at least what a square one does
+/// @param width,height picture in pixels; the shorter side sees the whole sensor, so that a picture of any shape shows
+/// at least what a square one does
 [[nodiscard]] View makeView(const Camera& camera, float seconds, int width, int height);
 
 struct Projected {

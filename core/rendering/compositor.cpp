@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kBlock = 16384;
 
 /// Tiles are painted in groups whose lists take at most this many entries (128 MiB), whatever the size of the picture.
-constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 24U;
+constexpr std::uint64_t kMaxEntries = std::uint64_t{1} << 24U;
 
 int tilesAcross(int pixels, int tile)
 {
@@ -31,10 +31,10 @@ void forTilesOfBlock(const SpriteBatch& batch, std::size_t block, int columns, c
         if (box.left > box.right) {
             continue;
         }
-        const std::size_t right = box.right / Compositor::kTileWidth;
-        const std::size_t bottom = box.bottom / Compositor::kTileHeight;
-        for (std::size_t row = box.top / Compositor::kTileHeight; row <= bottom; ++row) {
-            for (std::size_t column = box.left / Compositor::kTileWidth; column <= right; ++column) {
+        const std::size_t right = box.right / Tile::kWidth;
+        const std::size_t bottom = box.bottom / Tile::kHeight;
+        for (std::size_t row = box.top / Tile::kHeight; row <= bottom; ++row) {
+            for (std::size_t column = box.left / Tile::kWidth; column <= right; ++column) {
                 visit(i, row * static_cast<std::size_t>(columns) + column);
             }
         }
@@ -84,30 +84,35 @@ void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std:
             m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + lastTile));
         forTilesOfBlock(batch, block, columns, [&](std::size_t sprite, std::size_t tile) {
             if (tile >= firstTile && tile < lastTile) {
-                m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] = depthEntry(batch.depth[sprite], static_cast<std::uint32_t>(sprite));
+                m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] =
+                    depthEntry(batch.depth[sprite], static_cast<std::uint32_t>(sprite));
             }
         });
     });
 }
 
-Status Compositor::compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop)
+Status Compositor::compose(
+    const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop)
 {
-    const Layer own{nullptr, &image};
+    const RenderTarget own{nullptr, &image};
     return composeAll(batch, texture, {&own, 1}, stop);
 }
 
-Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Layer> layers, const std::stop_token& stop)
+Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& texture,
+    std::span<const RenderTarget> targets, const std::stop_token& stop)
 {
     const int width = batch.view.width;
     const int height = batch.view.height;
-    if (width < 1 || height < 1 || width > kMaxImageEdge || height > kMaxImageEdge || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
-        return Error{ErrorCode::TooLarge, said("a picture of %1 x %2 pixels", width, height), {}, said("Choose a smaller size or less supersampling")};
+    if (width < 1 || height < 1 || width > kMaxImageEdge || height > kMaxImageEdge
+        || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
+        return Error{ErrorCode::TooLarge, makeMessage("a picture of %1 x %2 pixels", width, height), {},
+            makeMessage("Choose a smaller size or less supersampling")};
     }
-    for (const Layer& layer : layers) {
-        layer.image->resize(width, height);
+    for (const RenderTarget& target : targets) {
+        target.image->resize(width, height);
     }
-    const int columns = tilesAcross(width, kTileWidth);
-    const int rows = tilesAcross(height, kTileHeight);
+    const int columns = tilesAcross(width, Tile::kWidth);
+    const int rows = tilesAcross(height, Tile::kHeight);
     const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     m_blocks = (batch.sprites.size() + kBlock - 1) / kBlock;
     countTiles(batch, tiles, columns);
@@ -118,7 +123,7 @@ Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& tex
         std::uint64_t entries = 0;
         do {
             entries += m_tileTotals[last++];
-        } while (last < tiles && entries + m_tileTotals[last] <= kMostEntries);
+        } while (last < tiles && entries + m_tileTotals[last] <= kMaxEntries);
         fillTiles(batch, first, last, columns);
         parallelFor(last - first, [&](std::size_t index) {
             if (stop.stop_requested()) {
@@ -126,16 +131,16 @@ Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& tex
             }
             Workspace& workspace = workspaces.local();
             const auto tile = static_cast<int>(first + index);
-            workspace.tile.left = tile % columns * kTileWidth;
-            workspace.tile.top = tile / columns * kTileHeight;
-            workspace.tile.right = std::min(width, workspace.tile.left + kTileWidth);
-            workspace.tile.bottom = std::min(height, workspace.tile.top + kTileHeight);
+            workspace.tile.left = tile % columns * Tile::kWidth;
+            workspace.tile.top = tile / columns * Tile::kHeight;
+            workspace.tile.right = std::min(width, workspace.tile.left + Tile::kWidth);
+            workspace.tile.bottom = std::min(height, workspace.tile.top + Tile::kHeight);
             const std::span<DepthEntry> list(m_entries.data() + m_tileStarts[index], m_tileTotals[first + index]);
             sortByDepth(list, workspace.scratch);
-            paintTile(batch, texture, layers, list, workspace.tile);
+            paintTile(batch, texture, targets, list, workspace.tile);
         });
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, said("painting was cancelled"), {}, {}};
+            return Error{ErrorCode::Cancelled, makeMessage("painting was cancelled"), {}, {}};
         }
         first = last;
     }

@@ -3,7 +3,8 @@
 #include "core/base/result.h"
 #include "core/rendering/depth_sort.h"
 #include "core/rendering/image.h"
-#include "core/rendering/sprites.h"
+#include "core/rendering/sprite_batch.h"
+#include "core/rendering/tile.h"
 
 #include <cstdint>
 #include <limits>
@@ -22,29 +23,24 @@ static_assert(kMaxImageEdge <= std::numeric_limits<decltype(SpriteBox::right)>::
 
 /// Blends sprites into a picture, near to far, in linear premultiplied floats.
 ///
-/// Sprites are binned into tiles that stay in the cache; each tile sorts its own by depth and stops once nothing behind can be seen
-/// (transmittance under 1/1024 everywhere). A sprite over what is already there: C += T a c, T *= 1 - a (Porter and Duff 1984, "under").
-/// Keeps its buffers from one picture to the next. Not thread-safe; uses all threads inside.
+/// Sprites are binned into tiles that stay in the cache; each tile sorts its own by depth and stops once nothing behind
+/// can be seen (transmittance under 1/1024 everywhere). A sprite over what is already there: C += T a c, T *= 1 - a
+/// (Porter and Duff 1984, "under"). Keeps its buffers from one picture to the next. Not thread-safe; uses all threads
+/// inside.
 class Compositor {
 public:
-    static constexpr int kTileWidth = 64;
-    static constexpr int kTileHeight = 64;
-
     /// @param batch made for batch.view.width by batch.view.height pixels
     /// @param image resized; every pixel is written
     /// @error TooLarge, Cancelled
     /// O(sprites + covered pixels). The same bits for any thread count and instruction set.
-    [[nodiscard]] Status compose(const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop = {});
+    [[nodiscard]] Status compose(
+        const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop = {});
 
-    /// One of the pictures of composeAll().
-    struct Layer {
-        const SpriteLayer* colours = nullptr; ///< null: the sprites' own
-        Image* image = nullptr; ///< resized; every pixel is written
-    };
-
-    /// Several pictures of the same sprites in other colours: they are binned and sorted once, and their opacities found once. As compose() else.
-    /// @param layers at most kPassLayers
-    [[nodiscard]] Status composeAll(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Layer> layers, const std::stop_token& stop = {});
+    /// Several pictures of the same sprites in other colours: they are binned and sorted once, and their opacities
+    /// found once. As compose() else.
+    /// @param targets at most kPassTargets
+    [[nodiscard]] Status composeAll(const SpriteBatch& batch, const SpriteTexture& texture,
+        std::span<const RenderTarget> targets, const std::stop_token& stop = {});
 
 private:
     void countTiles(const SpriteBatch& batch, std::size_t tiles, int columns);

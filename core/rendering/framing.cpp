@@ -113,7 +113,10 @@ void Framing::addPicture(const View& view, const PictureReach& reach, const Dept
     }
     // Tangents of the angles at which the smoke ends; beyond a border that it touches nobody knows.
     constexpr float kBeyond = 1.5F;
-    const auto tangent = [&](int outwards, int half2, bool touches) { return (touches ? kBeyond : 1.0F) * (static_cast<float>(outwards) - 0.5F * static_cast<float>(half2)) / view.focal; };
+    const auto tangent = [&](int outwards, int half2, bool touches) {
+        return (touches ? kBeyond : 1.0F) * (static_cast<float>(outwards) - 0.5F * static_cast<float>(half2))
+            / view.focal;
+    };
     const float toRight = tangent(reach.right, view.width, reach.right == view.width);
     const float toLeft = tangent(view.width - reach.left, view.width, reach.left == 0);
     const float upwards = tangent(view.height - reach.top, view.height, reach.top == 0);
@@ -124,9 +127,12 @@ void Framing::addPicture(const View& view, const PictureReach& reach, const Dept
     const float y = glm::dot(view.eye, direction.up);
     const float z = glm::dot(view.eye, direction.forward);
     // The largest along a ray is at one of its ends.
-    const auto support = [&](float eye, float slope, float limit) { return eye - limit * z + (slope - limit) * (slope > limit ? depths.farthest : depths.nearest); };
-    m_moments.push_back({direction.right, direction.up, direction.forward, support(x, toRight, m_tangentX), support(-x, toLeft, m_tangentX),
-        support(y, upwards, m_tangentY), support(-y, downwards, m_tangentY), {z + depths.nearest, z + depths.farthest, z + depths.middle}});
+    const auto support = [&](float eye, float slope, float limit) {
+        return eye - limit * z + (slope - limit) * (slope > limit ? depths.farthest : depths.nearest);
+    };
+    m_moments.push_back({direction.right, direction.up, direction.forward, support(x, toRight, m_tangentX),
+        support(-x, toLeft, m_tangentX), support(y, upwards, m_tangentY), support(-y, downwards, m_tangentY),
+        {z + depths.nearest, z + depths.farthest, z + depths.middle}});
 }
 
 Camera Framing::still() const
@@ -144,7 +150,8 @@ Camera Framing::still() const
     // e.r - t e.f >= toRight and -e.r - t e.f >= toLeft: their sum says how far back, their difference how far aside.
     const float x = 0.5F * (all.toRight - all.toLeft);
     const float y = 0.5F * (all.upwards - all.downwards);
-    const float z = std::min({-0.5F * (all.toRight + all.toLeft) / m_tangentX, -0.5F * (all.upwards + all.downwards) / m_tangentY, all.along.nearest - kNearest});
+    const float z = std::min({-0.5F * (all.toRight + all.toLeft) / m_tangentX,
+        -0.5F * (all.upwards + all.downwards) / m_tangentY, all.along.nearest - kNearest});
     const glm::vec3 eye = x * all.right + y * all.up + z * all.forward;
     Camera out = m_camera;
     out.position = eye;
@@ -155,7 +162,8 @@ Camera Framing::still() const
 
 Framing::Demand Framing::demandAt(const glm::vec3& target) const
 {
-    // With the eye at T - D f each side of each moment asks for D >= (its support - T.(r - t f)) / t, r away from the picture's middle.
+    // With the eye at T - D f each side of each moment asks for D >= (its support - T.(r - t f)) / t, r away from the
+    // picture's middle.
     Demand most{kNearest, glm::vec3(0.0F)};
     const auto ask = [&](float support, const glm::vec3& side, float tangent, const glm::vec3& forward) {
         const glm::vec3 normal = side - tangent * forward;
@@ -169,7 +177,8 @@ Framing::Demand Framing::demandAt(const glm::vec3& target) const
         ask(moment.toLeft, -moment.right, m_tangentX, moment.forward);
         ask(moment.upwards, moment.up, m_tangentY, moment.forward);
         ask(moment.downwards, -moment.up, m_tangentY, moment.forward);
-        if (const float behind = glm::dot(target, moment.forward) - moment.along.nearest + kNearest; behind > most.distance) {
+        if (const float behind = glm::dot(target, moment.forward) - moment.along.nearest + kNearest;
+            behind > most.distance) {
             most = {behind, -moment.forward};
         }
     }

@@ -46,8 +46,9 @@ private:
 
 /// Finds where a camera must stand so that the smoke of many moments is within its picture, looking the way it does.
 ///
-/// A point p is within when |(p - e).r| <= t (p - e).f, e the eye, r and f the camera's right and forward, t half the picture's width over the focal length;
-/// likewise for up. Of all points only the largest p.r - t p.f and its like for the three other sides matter, which is all that is kept of a moment.
+/// A point p is within when |(p - e).r| <= t (p - e).f, e the eye, r and f the camera's right and forward, t half the
+/// picture's width over the focal length; likewise for up. Of all points only the largest p.r - t p.f and its like for
+/// the three other sides matter, which is all that is kept of a moment.
 class Framing {
 public:
     /// @param width,height of the picture, pixels
@@ -57,16 +58,17 @@ public:
     /// @param appearance of the same frame, with any axes
     void addParticles(const Particles& particles, const Appearance& appearance, float seconds);
 
-    /// Takes what a picture of the smoke shows, through a camera that looks the same way from anywhere. Where smoke touches the picture's border more
-    /// of it is taken to be outside.
+    /// Takes what a picture of the smoke shows, through a camera that looks the same way from anywhere. Where smoke
+    /// touches the picture's border more of it is taken to be outside.
     /// @param reach in pixels of the view
     /// @param depths nearest more than 0
     void addPicture(const View& view, const PictureReach& reach, const DepthRange& depths, float seconds);
 
     [[nodiscard]] bool isEmpty() const { return m_moments.empty(); }
 
-    /// The camera that sees all that was added, with a margin: nearest of all where the camera does not turn, near it on a turntable.
-    /// A camera that does not turn has its target in the middle of the smoke's depth, so that the hand orbits around the smoke.
+    /// The camera that sees all that was added, with a margin: nearest of all where the camera does not turn, near it
+    /// on a turntable. A camera that does not turn has its target in the middle of the smoke's depth, so that the hand
+    /// orbits around the smoke.
     [[nodiscard]] Camera camera() const;
 
     /// How far from its target, m, a camera would have to be to see all that was added.

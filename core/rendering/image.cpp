@@ -16,7 +16,8 @@ Image downsample(const Image& image, int factor, const std::stop_token& stop)
             for (int channel = 0; channel < 4; ++channel) {
                 float sum = 0.0F;
                 for (int j = 0; j < factor; ++j) {
-                    const float* from = image.row(static_cast<int>(y) * factor + j) + static_cast<std::size_t>(x * factor) * 4;
+                    const float* from =
+                        image.row(static_cast<int>(y) * factor + j) + static_cast<std::size_t>(x * factor) * 4;
                     for (int i = 0; i < factor; ++i) {
                         sum += from[i * 4 + channel];
                     }

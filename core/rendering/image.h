@@ -23,9 +23,15 @@ struct Image {
     }
 
     /// The first pixel of a row; y in [0, height), 0 on top.
-    [[nodiscard]] float* row(int y) { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4; }
+    [[nodiscard]] float* row(int y)
+    {
+        return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4;
+    }
     /// As above.
-    [[nodiscard]] const float* row(int y) const { return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4; }
+    [[nodiscard]] const float* row(int y) const
+    {
+        return pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4;
+    }
     /// One pixel, premultiplied.
     [[nodiscard]] glm::vec4 at(int x, int y) const
     {

@@ -7,7 +7,7 @@
 #define FUMAGE_LIGHT_LOOKUP_INL_H
 #endif
 
-#include "core/rendering/sprite_kernel.h"
+#include "core/rendering/sprite_job.h"
 
 #include <cstring>
 
@@ -33,7 +33,8 @@ HWY_INLINE Value trilinear(const GridShape& shape, const float* cells, std::int3
     constexpr std::size_t kChannels = sizeof(Value) / sizeof(float);
     const std::size_t du = shape.nu > 1 ? kChannels : 0;
     const std::size_t dv = shape.nv > 1 ? static_cast<std::size_t>(shape.nu) * kChannels : 0;
-    const std::size_t dw = shape.nw > 1 ? static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv) * kChannels : 0;
+    const std::size_t dw =
+        shape.nw > 1 ? static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv) * kChannels : 0;
     const float* at = cells + static_cast<std::size_t>(corner) * kChannels;
     const auto mix = [](Value a, Value b, float t) { return (b - a) * t + a; };
     const auto line = [&](const float* from) { return mix(cellAt<Value>(from), cellAt<Value>(from + du), u); };

@@ -1,5 +1,5 @@
-// Included once per SIMD target: bytes and halves packed in 32-bit lanes, and sums of their products, for which Highway 1.0.3 has no
-// operation. Integers give the same bits whichever way they are added.
+// Included once per SIMD target: bytes and halves packed in 32-bit lanes, and sums of their products, for which
+// Highway 1.0.3 has no operation. Integers give the same bits whichever way they are added.
 
 #if defined(FUMAGE_PACKED_DOT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUMAGE_PACKED_DOT_INL_H
@@ -28,7 +28,8 @@ HWY_INLINE VI spreadLowestByte(DI di, VI x)
 #endif
 }
 
-/// Two 16-bit sums in each lane: byte 0 of a (unsigned) times byte 0 of b (signed) plus bytes 1, then bytes 2 and 3. The sums have to fit.
+/// Two 16-bit sums in each lane: byte 0 of a (unsigned) times byte 0 of b (signed) plus bytes 1, then bytes 2 and 3.
+/// The sums have to fit.
 template <class DI, class VI = hn::VFromD<DI>>
 HWY_INLINE VI dotBytes(DI di, VI a, VI b)
 {
@@ -43,7 +44,8 @@ HWY_INLINE VI dotBytes(DI di, VI a, VI b)
     return VI{_mm_maddubs_epi16(a.raw, b.raw)};
 #else
     const auto low = hn::Set(di, 255);
-    const auto product = [&](VI x, VI signedTop) HWY_ATTR { return hn::Mul(hn::And(x, low), hn::ShiftRight<24>(signedTop)); };
+    const auto product = [&](VI x, VI signedTop)
+                             HWY_ATTR { return hn::Mul(hn::And(x, low), hn::ShiftRight<24>(signedTop)); };
     const VI first = hn::Add(product(a, hn::ShiftLeft<24>(b)), product(hn::ShiftRight<8>(a), hn::ShiftLeft<16>(b)));
     const VI second = hn::Add(product(hn::ShiftRight<16>(a), hn::ShiftLeft<8>(b)), product(hn::ShiftRight<24>(a), b));
     return hn::Or(hn::And(first, hn::Set(di, 0xffff)), hn::ShiftLeft<16>(second));

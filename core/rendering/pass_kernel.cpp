@@ -30,12 +30,15 @@ struct CellBlock {
             store(cell.fraction, fu, fv, fw, i);
         }
     }
-    [[nodiscard]] HWY_INLINE Float4 light(const GridShape& shape, const float* cells, std::size_t i) const { return trilinear<Float4>(shape, cells, corner[i], fu[i], fv[i], fw[i]); }
+    [[nodiscard]] HWY_INLINE Float4 light(const GridShape& shape, const float* cells, std::size_t i) const
+    {
+        return trilinear<Float4>(shape, cells, corner[i], fu[i], fv[i], fw[i]);
+    }
 };
 
-HWY_INLINE void put(SpriteLayer& layer, std::size_t sprite, Float4 colours)
+HWY_INLINE void put(SpriteTarget& target, std::size_t sprite, Float4 colours)
 {
-    std::memcpy(layer.colours.data() + sprite * SpriteLayer::kStride, &colours, sizeof(colours));
+    std::memcpy(target.colours.data() + sprite * SpriteTarget::kStride, &colours, sizeof(colours));
 }
 
 void lightSixWaysOf(const PassJob& job, std::size_t begin)
@@ -57,13 +60,15 @@ void shadowsOf(const PassJob& job, std::size_t begin)
     const CellBlock cells(*job.particles, shape, begin);
     HWY_ALIGN float depths[kSpriteBlock];
     for (std::size_t i = 0; i < kSpriteBlock; ++i) {
-        depths[i] = job.batch->depth[begin + i] == SpriteBatch::kHidden ? 0.0F : cells.light(shape, job.light->light.data(), i)[3];
+        depths[i] = job.batch->depth[begin + i] == SpriteBatch::kHidden
+            ? 0.0F
+            : cells.light(shape, job.light->light.data(), i)[3];
     }
     for (std::size_t i = 0; i < kSpriteBlock; i += hn::Lanes(d)) {
         hn::Store(exponential(d, hn::Load(d, depths + i) * -1.0F), d, depths + i);
     }
     for (std::size_t i = 0; i < kSpriteBlock; ++i) {
-        job.inner->colours[(begin + i) * SpriteLayer::kStride + 1] = depths[i];
+        job.inner->colours[(begin + i) * SpriteTarget::kStride + 1] = depths[i];
     }
 }
 
@@ -73,7 +78,8 @@ HWY_INLINE Vec3<V> seen(D d, const View& view, const Vec3<V>& place)
     const Vec3<V> way = place - view.eye;
     const V depth = dot(way, view.forward);
     const V perMetre = view.focal / hn::Max(depth, hn::Set(d, kNear));
-    return {dot(way, view.right) * perMetre * (1.0F / static_cast<float>(view.width)), dot(way, view.up) * perMetre * (1.0F / static_cast<float>(view.height)), depth};
+    return {dot(way, view.right) * perMetre * (1.0F / static_cast<float>(view.width)),
+        dot(way, view.up) * perMetre * (1.0F / static_cast<float>(view.height)), depth};
 }
 
 /// Where the particles are at another moment, and which of them are there at all.
@@ -83,13 +89,15 @@ HWY_INLINE M seenAt(D d, const PassJob& job, const OtherMoment& moment, std::siz
     const hn::RebindToUnsigned<D> du;
     const auto births = hn::Load(di, job.particles->birthStep.data() + at) + hn::Set(di, moment.laps);
     const auto born = hn::Eq(births, hn::Load(di, moment.particles->birthStep.data() + at));
-    const auto same = hn::Eq(hn::Load(du, job.particles->key.data() + at), hn::Load(du, moment.particles->key.data() + at));
+    const auto same =
+        hn::Eq(hn::Load(du, job.particles->key.data() + at), hn::Load(du, moment.particles->key.data() + at));
     place = seen(d, moment.view, load(d, moment.particles->x, moment.particles->y, moment.particles->z, at));
     const M both = hn::And(hn::RebindMask(d, born), hn::RebindMask(d, same));
     return hn::And(both, hn::Gt(place.z, hn::Set(d, kNear)));
 }
 
-/// The way from the moment before to the one after, halved; from or to now where one is missing; by its velocity where it is nowhere else.
+/// The way from the moment before to the one after, halved; from or to now where one is missing; by its velocity where
+/// it is nowhere else.
 void motionOf(const PassJob& job, std::size_t begin)
 {
     const D d;
@@ -119,7 +127,7 @@ void motionOf(const PassJob& job, std::size_t begin)
             prefer(hasAfter, now, after, 1.0F);
         }
         prefer(hn::And(hasBefore, hasAfter), before, after, 0.5F);
-        hn::StoreInterleaved4(x, y, now.z, hn::Zero(d), d, job.motion->colours.data() + at * SpriteLayer::kStride);
+        hn::StoreInterleaved4(x, y, now.z, hn::Zero(d), d, job.motion->colours.data() + at * SpriteTarget::kStride);
     }
 }
 

@@ -12,26 +12,26 @@ struct OtherMoment {
     std::int32_t laps = 0; ///< steps by which its births are numbered higher: those of a loop
 };
 
-/// What the layers of one frame are made of; a layer that is null is left out.
+/// What the targets of one frame are made of; a target that is null is left out.
 struct PassJob {
     const Particles* particles = nullptr;
     const SpriteBatch* batch = nullptr; ///< of the same particles
     View view;
 
     const SixWayLight* sixWay = nullptr;
-    SpriteLayer* above = nullptr;
-    SpriteLayer* below = nullptr;
+    SpriteTarget* above = nullptr;
+    SpriteTarget* below = nullptr;
 
     OtherMoment previous;
     OtherMoment next;
     float seconds = 0.0F; ///< to the next moment
-    SpriteLayer* motion = nullptr;
+    SpriteTarget* motion = nullptr;
 
     const LightGrid* light = nullptr;
-    SpriteLayer* inner = nullptr; ///< gets the shadow in its second channel
+    SpriteTarget* inner = nullptr; ///< gets the shadow in its second channel
 };
 
-/// Fills the layers for particles [begin, begin + kSpriteBlock).
+/// Fills the targets for particles [begin, begin + kSpriteBlock).
 /// @param begin a multiple of kSpriteBlock
 void makePassBlock(const PassJob& job, std::size_t begin);
 

@@ -13,7 +13,8 @@ namespace fumage {
 
 namespace {
 
-/// White sun, and no other light but what the smoke gives of itself: the sprites have their own colour as that of the sun, and their glow as all else.
+/// White sun, and no other light but what the smoke gives of itself: the sprites have their own colour as that of the
+/// sun, and their glow as all else.
 Effect inWhiteSun(const Effect& effect)
 {
     Effect white = effect;
@@ -23,20 +24,20 @@ Effect inWhiteSun(const Effect& effect)
 }
 
 /// From the heat from which smoke is seen to glow on, its share of the heat at birth. Cold smoke and soot have none.
-Gradient heatOfWhatGlows(const Light& light)
+Gradient heatOfWhatGlows(const Glow& glow)
 {
     constexpr float kSeen = 1.0F / 255.0F; // of white, or of the brightest where that is less
-    const GlowColours colours = glowColours(light);
+    const GlowColours colours = glowColours(glow);
     const auto brightness = [&](std::size_t i) { return std::max({colours[i].r, colours[i].g, colours[i].b}); };
     float most = 0.0F;
     for (std::size_t i = 0; i < colours.size(); ++i) {
         most = std::max(most, brightness(i));
     }
-    if (!(light.emission > 0.0F) || !(most > 0.0F)) {
+    if (!(glow.emission > 0.0F) || !(most > 0.0F)) {
         return {{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
     }
     std::size_t first = 0;
-    while (light.emission * brightness(first) < kSeen * std::min(1.0F, light.emission * most)) {
+    while (glow.emission * brightness(first) < kSeen * std::min(1.0F, glow.emission * most)) {
         ++first;
     }
     const auto at = [](std::size_t i) { return static_cast<float>(i) / static_cast<float>(kGlowTableSize - 1); };
@@ -46,23 +47,25 @@ Gradient heatOfWhatGlows(const Light& light)
     if (first + 1 == colours.size()) {
         return {{0.0F, glm::vec3(0.0F)}, {at(first - 1), glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F)}};
     }
-    return {{0.0F, glm::vec3(0.0F)}, {at(first - 1), glm::vec3(0.0F)}, {at(first), glm::vec3(at(first))}, {1.0F, glm::vec3(1.0F)}};
+    return {{0.0F, glm::vec3(0.0F)}, {at(first - 1), glm::vec3(0.0F)}, {at(first), glm::vec3(at(first))},
+        {1.0F, glm::vec3(1.0F)}};
 }
 
 /// A glow that says how hot the smoke is.
 Effect asThermometer(const Effect& effect)
 {
     Effect thermometer = inWhiteSun(effect);
-    thermometer.light.emission = 1.0F;
-    thermometer.light.hotCore = effect.light.emission > 0.0F ? effect.light.hotCore : 0.0F;
-    thermometer.light.flameOpacity = 1.0F;
-    thermometer.light.fireLight = 0.0F;
-    thermometer.light.emissionColour = EmissionColour::Gradient;
-    thermometer.light.emissionGradient = heatOfWhatGlows(effect.light);
+    thermometer.glow.emission = 1.0F;
+    thermometer.glow.hotCore = effect.glow.emission > 0.0F ? effect.glow.hotCore : 0.0F;
+    thermometer.glow.flameOpacity = 1.0F;
+    thermometer.glow.fireLight = 0.0F;
+    thermometer.glow.emissionColour = EmissionColour::Gradient;
+    thermometer.glow.emissionGradient = heatOfWhatGlows(effect.glow);
     return thermometer;
 }
 
-/// Where particles of another turn of a loop are, each in the slot that it has in this one: in every turn slots are counted on.
+/// Where particles of another turn of a loop are, each in the slot that it has in this one: in every turn slots are
+/// counted on.
 /// @param laps steps by which births are numbered higher there
 /// @param room where they are put, if they lie elsewhere
 const Particles* inTheSameSlots(const Frame& other, std::int64_t laps, Particles& room)
@@ -79,7 +82,9 @@ const Particles* inTheSameSlots(const Frame& other, std::int64_t laps, Particles
         return &from;
     }
     room.reset(from.capacity);
-    const auto turn = [&](const auto& column, auto& out) { std::rotate_copy(column.begin(), column.begin() + shift, column.begin() + slots, out.begin()); };
+    const auto turn = [&](const auto& column, auto& out) {
+        std::rotate_copy(column.begin(), column.begin() + shift, column.begin() + slots, out.begin());
+    };
     turn(from.x, room.x);
     turn(from.y, room.y);
     turn(from.z, room.z);
@@ -90,7 +95,8 @@ const Particles* inTheSameSlots(const Frame& other, std::int64_t laps, Particles
 
 /// @param frames how many frames later it is shown, less than 0: earlier
 /// @param room   where its particles are put, if they have other slots than now
-OtherMoment momentOf(const Frame& now, const Frame* other, int frames, const Effect& effect, const glm::ivec2& size, Particles& room)
+OtherMoment momentOf(
+    const Frame& now, const Frame* other, int frames, const Effect& effect, const glm::ivec2& size, Particles& room)
 {
     OtherMoment moment;
     if (other == nullptr) {
@@ -107,53 +113,56 @@ OtherMoment momentOf(const Frame& now, const Frame* other, int frames, const Eff
 
 void PassRenderer::makeOtherSprites(const Frame& frame, const Effect& other, const LightGrid& light)
 {
-    makeSprites(frame, sampled(other), m_renderer.appearance(), light, *m_renderer.texture(), m_renderer.batch().view, m_other);
+    makeSprites(
+        frame, sampled(other), m_renderer.appearance(), light, *m_renderer.texture(), m_renderer.batch().view, m_other);
 }
 
-void PassRenderer::take(const float (Sprite::*colour)[3], SpriteLayer& to)
+void PassRenderer::take(const float (Sprite::*colour)[3], SpriteTarget& to)
 {
     constexpr std::size_t kBlock = 4096;
     const std::size_t count = m_other.sprites.size();
     parallelFor((count + kBlock - 1) / kBlock, [&](std::size_t block) {
         for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) {
             if (m_other.depth[i] != SpriteBatch::kHidden) {
-                std::copy_n(m_other.sprites[i].*colour, 3, to.colours.begin() + static_cast<std::ptrdiff_t>(i * SpriteLayer::kStride));
+                std::copy_n(m_other.sprites[i].*colour, 3,
+                    to.colours.begin() + static_cast<std::ptrdiff_t>(i * SpriteTarget::kStride));
             }
         }
     });
 }
 
-void PassRenderer::makeLayers(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes)
+void PassRenderer::makeTargets(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes)
 {
     const SpriteBatch& batch = m_renderer.batch();
-    for (const PassLayer each : {PassLayer::RightTopBack, PassLayer::LeftBottomFront, PassLayer::Motion, PassLayer::Emission, PassLayer::Albedo, PassLayer::Inner}) {
-        if (needsLayer(passes, each)) {
-            layer(each).colours.resize(batch.sprites.size() * SpriteLayer::kStride);
+    for (const PassTarget each : {PassTarget::RightTopBack, PassTarget::LeftBottomFront, PassTarget::Motion,
+             PassTarget::Emission, PassTarget::Albedo, PassTarget::Inner}) {
+        if (needsTarget(passes, each)) {
+            target(each).colours.resize(batch.sprites.size() * SpriteTarget::kStride);
         }
     }
-    layer(PassLayer::RightTopBack).light = LayerLight::RightTopBack;
-    layer(PassLayer::LeftBottomFront).light = LayerLight::LeftBottomFront;
-    if (needsLayer(passes, PassLayer::RightTopBack)) {
+    target(PassTarget::RightTopBack).light = TargetLight::RightTopBack;
+    target(PassTarget::LeftBottomFront).light = TargetLight::LeftBottomFront;
+    if (needsTarget(passes, PassTarget::RightTopBack)) {
         const Axes axes{batch.view.right, batch.view.up, batch.view.forward};
         findAppearance(*frames.now, effect, axes, m_inView, m_renderer.texture()->greys(0));
         lightSixWays(*frames.now, effect, m_inView, axes, batch.view.eye, m_lightWorkspace, m_sixWay);
     }
-    if (needsLayer(passes, PassLayer::Emission) || needsLayer(passes, PassLayer::Albedo)) {
+    if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)) {
         m_even = m_renderer.light();
         for (std::size_t i = 0; i < m_even.light.size(); i += SixWayLight::kStride) {
             m_even.light[i] = 1.0F;
         }
         makeOtherSprites(*frames.now, inWhiteSun(effect), m_even);
-        if (needsLayer(passes, PassLayer::Emission)) {
-            take(&Sprite::ambient, layer(PassLayer::Emission));
+        if (needsTarget(passes, PassTarget::Emission)) {
+            take(&Sprite::ambient, target(PassTarget::Emission));
         }
-        if (needsLayer(passes, PassLayer::Albedo)) {
-            take(&Sprite::direct, layer(PassLayer::Albedo));
+        if (needsTarget(passes, PassTarget::Albedo)) {
+            take(&Sprite::direct, target(PassTarget::Albedo));
         }
     }
-    if (needsLayer(passes, PassLayer::Inner)) {
+    if (needsTarget(passes, PassTarget::Inner)) {
         makeOtherSprites(*frames.now, asThermometer(effect), m_renderer.light());
-        take(&Sprite::ambient, layer(PassLayer::Inner));
+        take(&Sprite::ambient, target(PassTarget::Inner));
     }
     fillColours(frames, effect, passes);
 }
@@ -165,53 +174,56 @@ void PassRenderer::fillColours(const FrameAmongOthers& frames, const SampledEffe
     job.particles = &frames.now->particles;
     job.batch = &batch;
     job.view = batch.view;
-    if (needsLayer(passes, PassLayer::RightTopBack)) {
+    if (needsTarget(passes, PassTarget::RightTopBack)) {
         job.sixWay = &m_sixWay;
-        job.above = &layer(PassLayer::RightTopBack);
-        job.below = &layer(PassLayer::LeftBottomFront);
+        job.above = &target(PassTarget::RightTopBack);
+        job.below = &target(PassTarget::LeftBottomFront);
     }
-    if (needsLayer(passes, PassLayer::Motion)) {
+    if (needsTarget(passes, PassTarget::Motion)) {
         const glm::ivec2 size(batch.view.width, batch.view.height);
         job.previous = momentOf(*frames.now, frames.previous, -frames.sincePrevious, effect, size, m_previous);
         job.next = momentOf(*frames.now, frames.next, frames.untilNext, effect, size, m_next);
         job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect->timeline.frameRate);
-        job.motion = &layer(PassLayer::Motion);
+        job.motion = &target(PassTarget::Motion);
     }
-    if (needsLayer(passes, PassLayer::Inner)) {
+    if (needsTarget(passes, PassTarget::Inner)) {
         job.light = &m_renderer.light();
-        job.inner = &layer(PassLayer::Inner);
+        job.inner = &target(PassTarget::Inner);
     }
-    parallelFor(batch.sprites.size() / kSpriteBlock, [&](std::size_t block) { makePassBlock(job, block * kSpriteBlock); });
+    parallelFor(
+        batch.sprites.size() / kSpriteBlock, [&](std::size_t block) { makePassBlock(job, block * kSpriteBlock); });
 }
 
-Status PassRenderer::render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height, PassSet passes, PassImages& images, const std::stop_token& stop)
+Status PassRenderer::render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height,
+    PassSet passes, PassImages& images, const std::stop_token& stop)
 {
     const int factor = effect->output.supersample;
-    const View view = makeView(effect->camera, secondsOf(effect->timeline, frames.now->number), width * factor, height * factor);
+    const View view =
+        makeView(effect->camera, secondsOf(effect->timeline, frames.now->number), width * factor, height * factor);
     if (Status status = m_renderer.prepare(*frames.now, effect, view, stop); !status) {
         return status;
     }
-    makeLayers(frames, effect, passes);
+    makeTargets(frames, effect, passes);
     PassImages& painted = factor == 1 ? images : m_large;
-    std::vector<Compositor::Layer> wanted;
-    for (std::size_t i = 0; i < kPassLayers; ++i) {
-        const auto which = static_cast<PassLayer>(i);
-        if (needsLayer(passes, which)) {
-            wanted.push_back({which == PassLayer::Colour ? nullptr : &m_layers[i], &painted.layers[i]});
+    std::vector<RenderTarget> wanted;
+    for (std::size_t i = 0; i < kPassTargets; ++i) {
+        const auto which = static_cast<PassTarget>(i);
+        if (needsTarget(passes, which)) {
+            wanted.push_back({which == PassTarget::Colour ? nullptr : &m_targets[i], &painted.targets[i]});
         } else {
-            images.layers[i] = {};
+            images.targets[i] = {};
         }
     }
     if (Status status = m_compositor.composeAll(m_renderer.batch(), *m_renderer.texture(), wanted, stop); !status) {
         return status;
     }
-    for (std::size_t i = 0; factor > 1 && i < kPassLayers; ++i) {
-        if (needsLayer(passes, static_cast<PassLayer>(i))) {
-            images.layers[i] = downsample(m_large.layers[i], factor, stop);
+    for (std::size_t i = 0; factor > 1 && i < kPassTargets; ++i) {
+        if (needsTarget(passes, static_cast<PassTarget>(i))) {
+            images.targets[i] = downsample(m_large.targets[i], factor, stop);
         }
     }
     if (stop.stop_requested()) {
-        return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
+        return Error{ErrorCode::Cancelled, makeMessage("the picture was cancelled"), {}, {}};
     }
     return Done{};
 }

@@ -15,27 +15,31 @@ struct FrameAmongOthers {
     int untilNext = 1;
 };
 
-/// Makes the layers of frames: the same sprites, in the same order, in several sets of colours. They are made, binned and sorted once.
+/// Makes the targets of frames: the same sprites, in the same order, in several sets of colours. They are made, binned
+/// and sorted once.
 ///
-/// Light maps: the smoke is white, and a white light of intensity 1 lights it from each direction of the camera's frame; what shadows, scatters and shades
-/// is the effect's own. Emission, albedo and temperature are what the sprites have in them under other lights. Keeps its buffers. Not thread-safe.
+/// Light maps: the smoke is white, and a white light of intensity 1 lights it from each direction of the camera's
+/// frame; what shadows, scatters and shades is the effect's own. Emission, albedo and temperature are what the sprites
+/// have in them under other lights. Keeps its buffers. Not thread-safe.
 class PassRenderer {
 public:
     /// @param width,height pixels; rendered effect.output.supersample times larger and averaged
-    /// @param passes  what the layers must do for
-    /// @param images  the layers that are needed are resized and written, the others emptied; linear and premultiplied, without background
+    /// @param passes  what the targets must do for
+    /// @param images  the targets that are needed are resized and written, the others emptied; linear and
+    /// premultiplied, without background
     /// @error TooLarge before allocating, Cancelled
     /// A pure function of its arguments, to the bit.
-    [[nodiscard]] Status render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height, PassSet passes, PassImages& images, const std::stop_token& stop = {});
+    [[nodiscard]] Status render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height,
+        PassSet passes, PassImages& images, const std::stop_token& stop = {});
 
     /// What the look has made of the particles of the last frame.
     [[nodiscard]] const Appearance& appearance() const { return m_renderer.appearance(); }
 
 private:
-    [[nodiscard]] SpriteLayer& layer(PassLayer which) { return m_layers[static_cast<std::size_t>(which)]; }
-    void makeLayers(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes);
+    [[nodiscard]] SpriteTarget& target(PassTarget which) { return m_targets[static_cast<std::size_t>(which)]; }
+    void makeTargets(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes);
     void makeOtherSprites(const Frame& frame, const Effect& other, const LightGrid& light);
-    void take(const float (Sprite::*colour)[3], SpriteLayer& to);
+    void take(const float (Sprite::*colour)[3], SpriteTarget& to);
     void fillColours(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes);
 
     Renderer m_renderer;
@@ -45,7 +49,7 @@ private:
     LightWorkspace m_lightWorkspace;
     SpriteBatch m_other; ///< the sprites under other light
     LightGrid m_even; ///< the light of the frame, but for the sun, which is everywhere
-    std::array<SpriteLayer, kPassLayers> m_layers;
+    std::array<SpriteTarget, kPassTargets> m_targets;
     PassImages m_large;
     Particles m_previous; ///< those of other turns of a loop, in the slots of this one
     Particles m_next;

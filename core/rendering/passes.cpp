@@ -6,7 +6,8 @@ namespace fumage {
 
 namespace {
 
-constexpr std::array<std::string_view, kPasses> kNames{"colour", "alpha", "density", "six-way-a", "six-way-b", "motion", "normal", "depth", "emission", "albedo", "temperature", "shadow"};
+constexpr std::array<std::string_view, kPasses> kNames{"colour", "alpha", "density", "six-way-a", "six-way-b", "motion",
+    "normal", "depth", "emission", "albedo", "temperature", "shadow"};
 constexpr std::string_view kNone = "none";
 
 /// The passes that a word of a list stands for; none: it is not known.
@@ -36,13 +37,16 @@ Result<PassSet> parsePasses(std::string_view text)
         return passes;
     }
     if (trimmed(text).empty()) {
-        return Error{ErrorCode::OutOfRange, said("no pass is asked for"), {}, said("Write colour,six-way,motion")};
+        return Error{
+            ErrorCode::OutOfRange, makeMessage("no pass is asked for"), {}, makeMessage("Write colour,six-way,motion")};
     }
     for (std::size_t i = 0; i < splitCount(text, ','); ++i) {
         const std::string_view word = trimmed(splitPart(text, ',', i));
         const PassSet called = passesCalled(word);
         if (called == PassSet()) {
-            return Error{ErrorCode::UnknownName, said("there is no pass %1", inQuotes(word)), {}, said("Choose among colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all")};
+            return Error{ErrorCode::UnknownName, makeMessage("there is no pass %1", inQuotes(word)), {},
+                makeMessage("Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, "
+                            "temperature, shadow and all")};
         }
         passes.add(called);
     }
@@ -60,16 +64,16 @@ std::string textOf(PassSet passes)
     return text.empty() ? std::string(kNone) : text;
 }
 
-bool needsLayer(PassSet passes, PassLayer layer)
+bool needsTarget(PassSet passes, PassTarget target)
 {
-    switch (layer) {
-    case PassLayer::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha, Pass::Density});
-    case PassLayer::RightTopBack: // both maps have one scale
-    case PassLayer::LeftBottomFront: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal});
-    case PassLayer::Motion: return passes.hasAny({Pass::Motion, Pass::Depth});
-    case PassLayer::Emission: return passes.hasAny({Pass::SixWayB, Pass::Emission});
-    case PassLayer::Albedo: return passes.has(Pass::Albedo);
-    case PassLayer::Inner: return passes.hasAny({Pass::Temperature, Pass::Shadow});
+    switch (target) {
+    case PassTarget::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha, Pass::Density});
+    case PassTarget::RightTopBack: // both maps have one scale
+    case PassTarget::LeftBottomFront: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal});
+    case PassTarget::Motion: return passes.hasAny({Pass::Motion, Pass::Depth});
+    case PassTarget::Emission: return passes.hasAny({Pass::SixWayB, Pass::Emission});
+    case PassTarget::Albedo: return passes.has(Pass::Albedo);
+    case PassTarget::Inner: return passes.hasAny({Pass::Temperature, Pass::Shadow});
     }
     return false;
 }

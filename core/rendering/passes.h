@@ -30,8 +30,9 @@ enum class Pass {
 inline constexpr std::size_t kPasses = 12;
 
 /// All of them, in the order in which they are told.
-inline constexpr std::array<Pass, kPasses> kAllPasses{Pass::Colour, Pass::Alpha, Pass::Density, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Normal,
-    Pass::Depth, Pass::Emission, Pass::Albedo, Pass::Temperature, Pass::Shadow};
+inline constexpr std::array<Pass, kPasses> kAllPasses{Pass::Colour, Pass::Alpha, Pass::Density, Pass::SixWayA,
+    Pass::SixWayB, Pass::Motion, Pass::Normal, Pass::Depth, Pass::Emission, Pass::Albedo, Pass::Temperature,
+    Pass::Shadow};
 
 /// "colour", "six-way-a": what command lines and side-cars call it.
 [[nodiscard]] std::string_view passName(Pass pass);
@@ -68,8 +69,9 @@ private:
 /// "colour,six-way-a", "none": what parsePasses() reads.
 [[nodiscard]] std::string textOf(PassSet passes);
 
-/// The pictures that passes are made of: each three channels that are blended as the colour is, premultiplied, and the alpha of the smoke.
-enum class PassLayer {
+/// The pictures that passes are made of: each three channels that are blended as the colour is, premultiplied, and the
+/// alpha of the smoke.
+enum class PassTarget {
     Colour,
     RightTopBack, ///< light of intensity 1 on white smoke, one direction a channel
     LeftBottomFront,
@@ -78,19 +80,19 @@ enum class PassLayer {
     Albedo,
     Inner, ///< temperature and shadow
 };
-inline constexpr std::size_t kPassLayers = 7;
+inline constexpr std::size_t kPassTargets = 7;
 
-/// The layers that passes need.
-[[nodiscard]] bool needsLayer(PassSet passes, PassLayer layer);
+/// The targets that passes need.
+[[nodiscard]] bool needsTarget(PassSet passes, PassTarget target);
 
-/// The layers of one frame; those that nobody asked for are empty.
+/// The targets of one frame; those that nobody asked for are empty.
 struct PassImages {
-    std::array<Image, kPassLayers> layers;
+    std::array<Image, kPassTargets> targets;
 
-    /// The picture of a layer.
-    [[nodiscard]] Image& of(PassLayer layer) { return layers[static_cast<std::size_t>(layer)]; }
+    /// The picture of a target.
+    [[nodiscard]] Image& of(PassTarget target) { return targets[static_cast<std::size_t>(target)]; }
     /// As above.
-    [[nodiscard]] const Image& of(PassLayer layer) const { return layers[static_cast<std::size_t>(layer)]; }
+    [[nodiscard]] const Image& of(PassTarget target) const { return targets[static_cast<std::size_t>(target)]; }
 };
 
 } // namespace fumage

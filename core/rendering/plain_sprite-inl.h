@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// The profile of a sprite that is too small for its texture: alpha = (rest - bend dx^2 - slope dx)^2, where rest and slope change with the row.
-/// All have the root of the opacity in them.
+/// The profile of a sprite that is too small for its texture: alpha = (rest - bend dx^2 - slope dx)^2, where rest and
+/// slope change with the row. All have the root of the opacity in them.
 struct PlainProfile {
     float bend, lean, yy, scale, highest;
 
@@ -28,9 +28,10 @@ struct PlainProfile {
 };
 
 /// A sprite too small for its texture: a soft disc of one colour.
-/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre @param kLayered there are other layers
-template <bool kLean, bool kFlat, bool kLayered>
-void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInLayers& others, Tile& tile)
+/// @param kLean the rim is no circle @param kFlat the profile reaches its full height before the centre @param
+/// kManyTargets there are other targets
+template <bool kLean, bool kFlat, bool kManyTargets>
+void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInTargets& others, Tile& tile)
 {
     const Patches box = patchesOf(sprite, tile);
     if (box.none()) {
@@ -62,11 +63,13 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInLa
     forRows(sprite, rim, box, tile, [&](int row, int first, int last) HWY_ATTR {
         for (std::size_t part = 0; part < Tile::kPatchPixels; part += lanes) {
             const V dy = fromCentre(d, kRows + part, tile.top + row * Tile::kPatch, sprite.y);
-            const V rest = hn::Mul(hn::Set(d, profile.scale), hn::Sub(one, hn::Mul(hn::Set(d, profile.yy), hn::Mul(dy, dy))));
+            const V rest =
+                hn::Mul(hn::Set(d, profile.scale), hn::Sub(one, hn::Mul(hn::Set(d, profile.yy), hn::Mul(dy, dy))));
             const V slope = hn::Mul(hn::Set(d, profile.lean), dy);
             float* pixels = tile.patches.data() + patchOffset(first, row) + part;
-            float* more = kLayered ? tile.others.data() + others.layers.offset(first, row) + part : nullptr;
-            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats, more += others.layers.stride()) {
+            float* more = kManyTargets ? tile.others.data() + others.targets.offset(first, row) + part : nullptr;
+            for (int column = first; column <= last;
+                 ++column, pixels += Tile::kPatchFloats, more += others.targets.stride()) {
                 const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
                 V root = hn::Sub(rest, hn::Load(d, curve + at));
                 if constexpr (kLean) {
@@ -77,7 +80,7 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInLa
                     root = hn::Min(root, most);
                 }
                 const V weight = under(d, pixels, hn::Mul(root, root), red, green, blue);
-                if constexpr (kLayered) {
+                if constexpr (kManyTargets) {
                     others.under<false>(d, more, weight, nullptr);
                 }
             }
@@ -85,12 +88,13 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInLa
     });
 }
 
-template <bool kLayered>
-void paintPlainSprite(const SpriteStyle& style, const Sprite& sprite, const SpriteInLayers& others, Tile& tile)
+template <bool kManyTargets>
+void paintPlainSprite(const SpriteStyle& style, const Sprite& sprite, const SpriteInTargets& others, Tile& tile)
 {
     const bool lean = sprite.m00 * sprite.m01 + sprite.m10 * sprite.m11 != 0.0F;
     const bool flat = style.hardness > 1.0F;
-    const auto paint = lean ? (flat ? paintPlain<true, true, kLayered> : paintPlain<true, false, kLayered>) : (flat ? paintPlain<false, true, kLayered> : paintPlain<false, false, kLayered>);
+    const auto paint = lean ? (flat ? paintPlain<true, true, kManyTargets> : paintPlain<true, false, kManyTargets>)
+                            : (flat ? paintPlain<false, true, kManyTargets> : paintPlain<false, false, kManyTargets>);
     paint(style, sprite, others, tile);
 }
 

@@ -1,6 +1,8 @@
 #include "core/rendering/renderer.h"
 
+#include "core/lighting/appearance.h"
 #include "core/lighting/soft_light.h"
+#include "core/rendering/sprites.h"
 
 namespace fumage {
 
@@ -55,7 +57,7 @@ Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const 
         lightSmoke(frame, effect, m_appearance, view.eye, m_lightWorkspace, m_light);
         softenLight(m_light, m_lightWorkspace);
         lightByFire(frame, effect, m_appearance, m_fireWorkspace, m_lightWorkspace, m_light);
-        growLoneParticles(frame, effect, m_light, m_overlapWorkspace, m_appearance);
+        inflateSparseParticles(frame, effect, m_light, m_overlapWorkspace, m_appearance);
     }
     const Stopwatch stopwatch(m_times.sprites);
     makeSprites(frame, effect, m_appearance, m_light, *m_texture, view, m_batch);
@@ -68,10 +70,13 @@ Status Renderer::composite(Image& image, const std::stop_token& stop)
     return m_compositor.compose(m_batch, *m_texture, image, stop);
 }
 
-Status Renderer::render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop)
+Status Renderer::render(
+    const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop)
 {
     const int factor = effect->output.supersample;
-    if (Status status = prepare(frame, effect, makeView(effect->camera, secondsOf(effect->timeline, frame.number), width * factor, height * factor), stop); !status) {
+    if (Status status = prepare(frame, effect,
+            makeView(effect->camera, secondsOf(effect->timeline, frame.number), width * factor, height * factor), stop);
+        !status) {
         return status;
     }
     if (Status status = composite(factor == 1 ? image : m_large, stop); !status) {
@@ -81,7 +86,7 @@ Status Renderer::render(const Frame& frame, const SampledEffect& effect, int wid
         image = downsample(m_large, factor, stop);
     }
     if (stop.stop_requested()) {
-        return Error{ErrorCode::Cancelled, said("the picture was cancelled"), {}, {}};
+        return Error{ErrorCode::Cancelled, makeMessage("the picture was cancelled"), {}, {}};
     }
     return Done{};
 }

@@ -31,12 +31,14 @@ public:
     /// @param image  resized; linear premultiplied light, before exposure, view transform and background
     /// @error TooLarge before allocating, OutOfRange where a particle is nowhere, Cancelled
     /// A pure function of its arguments, to the bit.
-    [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop = {});
+    [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image,
+        const std::stop_token& stop = {});
 
-    /// The first part of render(), for those who draw the sprites themselves or look through a view of their own: afterwards batch()
-    /// and texture() hold what there is to draw.
+    /// The first part of render(), for those who draw the sprites themselves or look through a view of their own:
+    /// afterwards batch() and texture() hold what there is to draw.
     /// @error OutOfRange where a particle is nowhere, Cancelled
-    [[nodiscard]] Status prepare(const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop = {});
+    [[nodiscard]] Status prepare(
+        const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop = {});
 
     /// Paints what prepare() has left, at the size of its view, with transparency.
     /// @error TooLarge before allocating, Cancelled

@@ -20,8 +20,8 @@ namespace fumage::HWY_NAMESPACE {
 constexpr float kSmallestRadius = 1.0F;
 /// Larger sprites are not drawn: the camera is inside of them.
 constexpr float kLargestRadius = 16384.0F;
-/// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture; where texture and shading are
-/// weaker, larger ones too: half the contrast needs twice the size to be seen.
+/// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture; where texture and shading
+/// are weaker, larger ones too: half the contrast needs twice the size to be seen.
 constexpr float kPlainRadius = 5.0F;
 
 HWY_INLINE Float4 lightAt(const LightGrid& grid, const SpriteBlock& block, std::size_t i)
@@ -43,7 +43,8 @@ HWY_INLINE void multiply(float xx, float xy, float yy, Sprite& sprite)
 }
 
 /// Stretches a sprite along its motion, with its area kept: M becomes M (longer^-1 along the motion, longer across it).
-HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float radius, Sprite& sprite)
+HWY_INLINE void stretchSprite(
+    const SpriteJob& job, const SpriteBlock& block, std::size_t i, float radius, Sprite& sprite)
 {
     const float vx = block.stretchX[i];
     const float vy = block.stretchY[i];
@@ -52,8 +53,8 @@ HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, st
     if (!(speed > kStill)) {
         return;
     }
-    constexpr float kMostStretch = 8.0F;
-    const float longer = std::min(kMostStretch, std::sqrt(1.0F + speed * job.stretch / radius));
+    constexpr float kMaxStretch = 8.0F;
+    const float longer = std::min(kMaxStretch, std::sqrt(1.0F + speed * job.stretch / radius));
     const float along = 1.0F / longer;
     const float ex = vx / speed;
     const float ey = vy / speed;
@@ -63,7 +64,8 @@ HWY_INLINE void stretchSprite(const SpriteJob& job, const SpriteBlock& block, st
     multiply(xx, xy, yy, sprite);
 }
 
-/// Box of the unit circle under M^-1: half extents are the lengths of its rows; of the square, the sums of magnitudes, and the soft edge.
+/// Box of the unit circle under M^-1: half extents are the lengths of its rows; of the square, the sums of magnitudes,
+/// and the soft edge.
 HWY_INLINE void boundSprite(bool square, Sprite& sprite)
 {
     const float inverse = 1.0F / (sprite.m00 * sprite.m11 - sprite.m01 * sprite.m10);
@@ -115,11 +117,14 @@ HWY_INLINE int textureLevel(const SpriteJob& job, float radius)
     return level;
 }
 
-/// Chooses slice, offset and resolution; a sprite too small for a texture takes one grey of the coarsest level into its opacity.
-HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, std::uint32_t key, float life, float radius, Sprite& sprite)
+/// Chooses slice, offset and resolution; a sprite too small for a texture takes one grey of the coarsest level into its
+/// opacity.
+HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, std::uint32_t key,
+    float life, float radius, Sprite& sprite)
 {
     const std::uint32_t offset = mixBits(key ^ 0x51ed270bU);
-    const auto slice = static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));
+    const auto slice =
+        static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));
     const float threshold = job.erosion * life;
     const auto erosion = static_cast<std::uint32_t>(threshold * static_cast<float>(TextureRef::kErosionSteps) + 0.5F);
     const auto makeEven = [&](int level) {
@@ -136,7 +141,8 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     }
     makeEven(job.texture->levels());
     const int coarsest = job.texture->levels() - 1;
-    const std::uint32_t texel = job.texture->texels(coarsest, static_cast<int>(slice))[offset >> 16U & (SpriteTexture::kSmallest * SpriteTexture::kSmallest - 1U)];
+    const std::uint32_t texel = job.texture->texels(
+        coarsest, static_cast<int>(slice))[offset >> 16U & (SpriteTexture::kSmallest * SpriteTexture::kSmallest - 1U)];
     const float grey = static_cast<float>(texel & 255U) / 255.0F;
     const float kept = std::clamp((grey - threshold) / job.style.erosionSoftness, 0.0F, 1.0F);
     sprite.opacity *= 1.0F - job.style.texture + job.style.texture * kept;
@@ -150,13 +156,16 @@ HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std:
     const Float4 direct = albedo * job.sun * light[0];
     Float4 ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
     if (job.isLitByFire) {
-        ambient += albedo * job.fire * trilinear<float>(job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
+        ambient += albedo * job.fire
+            * trilinear<float>(
+                job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
     }
     if (job.glows) {
         // Sky and ground together tell how open a place is.
         const float open = std::min(1.0F, light[1] + light[2]);
         const float heat = std::clamp(block.heat[i] * (1.0F - job.hotCore * open), 0.0F, 1.0F);
-        ambient += job.emission[static_cast<std::size_t>(heat * static_cast<float>(kGlowTableSize - 1))] * block.emission[i];
+        ambient +=
+            job.emission[static_cast<std::size_t>(heat * static_cast<float>(kGlowTableSize - 1))] * block.emission[i];
     }
     std::memcpy(sprite.direct, &direct, sizeof(sprite.direct));
     std::memcpy(sprite.ambient, &ambient, sizeof(sprite.ambient));
@@ -169,7 +178,8 @@ void spriteBlock(const SpriteJob& job, std::size_t begin)
     for (std::size_t i = 0; i < kSpriteBlock; ++i) {
         const std::size_t at = begin + i;
         const float exact = block.radius[i];
-        const bool visible = exact > 0.0F && exact < kLargestRadius && block.depth[i] > kNear && std::abs(block.x[i]) < 1e6F && std::abs(block.y[i]) < 1e6F;
+        const bool visible = exact > 0.0F && exact < kLargestRadius && block.depth[i] > kNear
+            && std::abs(block.x[i]) < 1e6F && std::abs(block.y[i]) < 1e6F;
         job.out->depth[at] = SpriteBatch::kHidden;
         job.out->boxes[at] = {};
         if (!visible) {

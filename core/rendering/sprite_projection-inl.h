@@ -12,7 +12,7 @@
 #include "core/base/math.h"
 #include "core/lighting/glow-inl.h"
 #include "core/lighting/grid_cell-inl.h"
-#include "core/rendering/sprite_kernel.h"
+#include "core/rendering/sprite_job.h"
 #include "core/simulation/ages-inl.h"
 #include "core/simulation/streams.h"
 
@@ -32,7 +32,8 @@ struct SpriteBlock {
     alignas(64) float slice[kSpriteBlock];
     alignas(64) float stretchX[kSpriteBlock]; ///< velocity on the screen, pixels/s
     alignas(64) float stretchY[kSpriteBlock];
-    alignas(64) float shapeXX[kSpriteBlock]; ///< what makes a disc of the particle: inverse axes on the screen, symmetric
+    alignas(
+        64) float shapeXX[kSpriteBlock]; ///< what makes a disc of the particle: inverse axes on the screen, symmetric
     alignas(64) float shapeXY[kSpriteBlock];
     alignas(64) float shapeYY[kSpriteBlock];
     alignas(64) float area[kSpriteBlock]; ///< over that of a disc
@@ -73,8 +74,9 @@ HWY_INLINE V sliceOf(D d, const SpriteJob& job, VU key, V age)
     return (moved - hn::Floor(moved)) * slices;
 }
 
-/// The ellipse of deformed particles on the screen: S, the part of their tensor C in the camera's plane, has the squares of its axes a and b as
-/// eigenvalues, and S^(-1/2) = 1/b + (1/a - 1/b) (S - b^2) / (a^2 - b^2) makes a disc of it.
+/// The ellipse of deformed particles on the screen: S, the part of their tensor C in the camera's plane, has the
+/// squares of its axes a and b as eigenvalues, and S^(-1/2) = 1/b + (1/a - 1/b) (S - b^2) / (a^2 - b^2) makes a disc of
+/// it.
 template <class D>
 HWY_INLINE void projectShape(D d, const SpriteJob& job, std::size_t at, std::size_t i, SpriteBlock& block)
 {
@@ -95,7 +97,8 @@ HWY_INLINE void projectShape(D d, const SpriteJob& job, std::size_t at, std::siz
     const V apart = hn::Sqrt(skew * skew + xy * xy);
     const V least = hn::Set(d, 1.0F / job.deformationLimit);
     const V most = hn::Set(d, job.deformationLimit);
-    const auto axis = [&](V square) HWY_ATTR { return hn::Min(hn::Max(hn::Sqrt(hn::Max(square, hn::Zero(d))), least), most); };
+    const auto axis = [&](V square)
+                          HWY_ATTR { return hn::Min(hn::Max(hn::Sqrt(hn::Max(square, hn::Zero(d))), least), most); };
     const V longer = axis(half + apart);
     const V shorter = axis(half - apart);
     constexpr float kNoDifference = 1e-6F;

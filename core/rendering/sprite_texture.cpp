@@ -33,8 +33,8 @@ AlignedArray<float> halved(const AlignedArray<float>& values, std::size_t edge)
 /// in so many.
 void countBetween(const AlignedArray<std::uint32_t>& texels, GreyCounts& greys)
 {
-    constexpr std::size_t kMost = std::size_t{1} << 18U;
-    const std::size_t stride = (texels.size() / kMost) | 1U; // odd: all columns are met
+    constexpr std::size_t kMax = std::size_t{1} << 18U;
+    const std::size_t stride = (texels.size() / kMax) | 1U; // odd: all columns are met
     for (std::size_t i = 0; i < texels.size(); i += stride) {
         const std::uint32_t g00 = texels[i] & 255U;
         const std::uint32_t g10 = texels[i] >> 8U & 255U;
@@ -58,7 +58,8 @@ SpriteTexture::SpriteTexture(int size, int slices)
     , m_slices(slices)
 {
     for (int edge = size; edge >= kSmallest; edge /= 2) {
-        m_levels.emplace_back(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * static_cast<std::size_t>(slices));
+        m_levels.emplace_back(
+            static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * static_cast<std::size_t>(slices));
     }
 }
 
@@ -69,13 +70,15 @@ void SpriteTexture::packSlice(int slice, AlignedArray<float> values)
         if (level > 0) {
             values = halved(values, edge * 2);
         }
-        std::uint32_t* out = m_levels[static_cast<std::size_t>(level)].data() + static_cast<std::size_t>(slice) * edge * edge;
+        std::uint32_t* out =
+            m_levels[static_cast<std::size_t>(level)].data() + static_cast<std::size_t>(slice) * edge * edge;
         for (std::size_t y = 0; y < edge; ++y) {
             const float* here = values.data() + y * edge;
             const float* above = values.data() + (y + 1) % edge * edge;
             for (std::size_t x = 0; x < edge; ++x) {
                 const std::size_t right = (x + 1) % edge;
-                out[y * edge + x] = quantise(here[x]) | quantise(here[right]) << 8U | quantise(above[x]) << 16U | quantise(above[right]) << 24U;
+                out[y * edge + x] = quantise(here[x]) | quantise(here[right]) << 8U | quantise(above[x]) << 16U
+                    | quantise(above[right]) << 24U;
             }
         }
     }
@@ -106,7 +109,8 @@ Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_to
     SpriteTexture texture(size, noise.slices);
     std::atomic<bool> failed{false};
     parallelFor(static_cast<std::size_t>(noise.slices), [&](std::size_t slice) {
-        Result<NoiseTile> tile = bakeNoise(noise, size, static_cast<float>(slice) / static_cast<float>(noise.slices), stop);
+        Result<NoiseTile> tile =
+            bakeNoise(noise, size, static_cast<float>(slice) / static_cast<float>(noise.slices), stop);
         if (tile) {
             texture.packSlice(static_cast<int>(slice), std::move(tile).value().values);
         } else {
@@ -114,7 +118,7 @@ Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_to
         }
     });
     if (failed) {
-        return Error{ErrorCode::Cancelled, said("baking the noise texture was cancelled"), {}, {}};
+        return Error{ErrorCode::Cancelled, makeMessage("baking the noise texture was cancelled"), {}, {}};
     }
     texture.countGreys();
     return texture;

@@ -15,8 +15,8 @@ namespace fumage {
 
 /// The noise texture as sprites read it: slices of 3D noise, each in several resolutions, in 8 bits.
 ///
-/// Every texel holds its own value and those of its neighbours to the right, above and both, one byte each from the lowest:
-/// one 32-bit read gives all that bilinear interpolation needs. Slices repeat in x, y and depth.
+/// Every texel holds its own value and those of its neighbours to the right, above and both, one byte each from the
+/// lowest: one 32-bit read gives all that bilinear interpolation needs. Slices repeat in x, y and depth.
 class SpriteTexture {
 public:
     /// Coarsest level: 4 x 4 texels.

@@ -39,11 +39,12 @@ void fillTables(const Effect& effect, SpriteJob& job)
 {
     const std::array<glm::vec3, kColourTableSize> albedo = coloursOverLife(effect.look);
     std::transform(albedo.begin(), albedo.end(), job.albedo.begin(), colour4);
-    job.glows = effect.light.emission > 0.0F;
+    job.glows = effect.glow.emission > 0.0F;
     if (job.glows) {
-        const GlowColours colours = glowColours(effect.light);
-        job.glow = Glow(effect, colours);
-        std::transform(colours.begin(), colours.end(), job.emission.begin(), [&](const glm::vec3& colour) { return colour4(colour * effect.light.emission); });
+        const GlowColours colours = glowColours(effect.glow);
+        job.glow = GlowTable(effect, colours);
+        std::transform(colours.begin(), colours.end(), job.emission.begin(),
+            [&](const glm::vec3& colour) { return colour4(colour * effect.glow.emission); });
     }
     job.sun = colour4(effect.light.colour);
     job.sky = colour4(effect.light.sky * effect.light.ambient);
@@ -54,7 +55,7 @@ void fillTables(const Effect& effect, SpriteJob& job)
 /// from afar.
 void fillEvenness(const Look& look, const SpriteTexture& texture, SpriteJob& job)
 {
-    constexpr float kMost = 2.0F; // where hardly anything is left, a level may have nothing
+    constexpr float kMax = 2.0F; // where hardly anything is left, a level may have nothing
     constexpr auto kSteps = static_cast<float>(TextureRef::kErosionSteps);
     const auto last = static_cast<std::size_t>(look.erosion * kSteps + 0.5F);
     for (std::size_t step = 0; step <= last; ++step) {
@@ -62,7 +63,7 @@ void fillEvenness(const Look& look, const SpriteTexture& texture, SpriteJob& job
         const float finest = textureLeaves(look, texture.greys(0), threshold);
         for (int level = 0; level <= texture.levels(); ++level) {
             const float here = textureLeaves(look, texture.greys(level), threshold);
-            job.evenness[static_cast<std::size_t>(level)][step] = finest < kMost * here ? finest / here : kMost;
+            job.evenness[static_cast<std::size_t>(level)][step] = finest < kMax * here ? finest / here : kMax;
         }
     }
 }
@@ -80,7 +81,7 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.roll = effect.look.roll;
     job.spinVariance = radians(effect.look.spinVariance);
     job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(slices) / effect.noise.depth;
-    job.hotCore = effect.light.hotCore;
+    job.hotCore = effect.glow.hotCore;
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;
     job.deformation = effect.look.deformation;
@@ -93,16 +94,16 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
 
 } // namespace
 
-void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light, const SpriteTexture& texture,
-    const View& view, SpriteBatch& out)
+void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light,
+    const SpriteTexture& texture, const View& view, SpriteBatch& out)
 {
     SpriteJob job = makeJob(frame, effect, texture.slices(), view);
     job.particles = &frame.particles;
     job.deforms = frame.particles.deforms();
     job.appearance = &appearance;
     job.light = &light;
-    job.isLitByFire = isLitByFire(effect->light) && !light.fire.empty();
-    job.fire = colour4(light.fireColour * effect->light.fireLight);
+    job.isLitByFire = isLitByFire(effect->glow) && !light.fire.empty();
+    job.fire = colour4(light.fireColour * effect->glow.fireLight);
     job.texture = &texture;
     if (effect->look.texture > 0.0F) {
         fillEvenness(effect->look, texture, job);

@@ -15,13 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// Texture coordinates are fixed-point numbers: added to this, a float has 1/128 texel in its lowest bit, negative ones in two's complement.
+/// Texture coordinates are fixed-point numbers: added to this, a float has 1/128 texel in its lowest bit, negative ones
+/// in two's complement.
 constexpr float kToFixed = 98304.0F;
 constexpr int kFractionBits = 7;
-/// Weights of the texels at fraction t are kFull - t and t: the last step before the next texel gives that texel, so that no value jumps.
+/// Weights of the texels at fraction t are kFull - t and t: the last step before the next texel gives that texel, so
+/// that no value jumps.
 constexpr int kFull = (1 << kFractionBits) - 1;
 
-/// How many lights shade the inside of a textured sprite: none, the sun, or that and those of other layers in place of what lights evenly.
+/// How many lights shade the inside of a textured sprite: none, the sun, or that and those of other targets in place of
+/// what lights evenly.
 constexpr std::size_t kSunAlone = 1;
 
 /// How one light shades the inside of a sprite.
@@ -29,7 +32,8 @@ struct LightOnSprite {
     float reliefU, reliefV; ///< by the noise's slope, per grey value * kFull
     float roundX, roundY; ///< by the place in the sprite, per pixel
 
-    /// @param scale of the sprite's matrix without which it only turns @param slope relief of one grey value * kFull @param lightX,lightY its way; y runs down
+    /// @param scale of the sprite's matrix without which it only turns @param slope relief of one grey value * kFull
+    /// @param lightX,lightY its way; y runs down
     LightOnSprite(const SpriteStyle& style, const Sprite& sprite, float scale, float slope, float lightX, float lightY)
     {
         const float lightP = (sprite.m00 * lightX + sprite.m01 * lightY) * scale;
@@ -71,20 +75,22 @@ struct TexturedSprite {
     }
 };
 
-/// What a textured sprite has for each column and each row of its pixels in a tile; the rest is a sum or product of the two.
+/// What a textured sprite has for each column and each row of its pixels in a tile; the rest is a sum or product of the
+/// two.
 struct SpriteLines {
     // Not initialised: that would cost more than the painting.
     // NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays)
     struct Across {
-        alignas(kAlignment) float dx[kLineRoom], bend[kLineRoom]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend + slope)
+        alignas(kAlignment) float dx[kLineRoom],
+            bend[kLineRoom]; ///< of the profile: hardness (1 - r^2) = rest - dx (bend + slope)
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< texture coordinates
-        alignas(kAlignment) float round[kLayerLights][kLineRoom]; ///< shading by each light
+        alignas(kAlignment) float round[kTargetLights][kLineRoom]; ///< shading by each light
         alignas(kAlignment) float p[kLineRoom], q[kLineRoom]; ///< place in a square, in pixels across its edges
     } across;
     struct Down {
         alignas(kAlignment) float slope[kLineRoom], rest[kLineRoom];
         alignas(kAlignment) float u[kLineRoom], v[kLineRoom]; ///< with kToFixed
-        alignas(kAlignment) float round[kLayerLights][kLineRoom];
+        alignas(kAlignment) float round[kTargetLights][kLineRoom];
         alignas(kAlignment) float p[kLineRoom], q[kLineRoom];
     } down;
     // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
@@ -103,7 +109,8 @@ struct SquareRim {
 
 /// What comes from the right goes to the left.
 template <std::size_t kLights>
-HWY_INLINE std::array<LightOnSprite, kLights> lightsOn(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look)
+HWY_INLINE std::array<LightOnSprite, kLights> lightsOn(
+    const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look)
 {
     const auto light = [&](float x, float y) { return LightOnSprite(style, sprite, look.turn, look.slope, x, y); };
     if constexpr (kLights == 0) {
@@ -111,12 +118,15 @@ HWY_INLINE std::array<LightOnSprite, kLights> lightsOn(const SpriteStyle& style,
     } else if constexpr (kLights == kSunAlone) {
         return {light(style.lightX, style.lightY)};
     } else {
-        return {light(style.lightX, style.lightY), light(-1.0F, 0.0F), light(0.0F, 1.0F), light(1.0F, 0.0F), light(0.0F, -1.0F)};
+        return {light(style.lightX, style.lightY), light(-1.0F, 0.0F), light(0.0F, 1.0F), light(1.0F, 0.0F),
+            light(0.0F, -1.0F)};
     }
 }
 
 template <bool kSquare, std::size_t kLights>
-HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look, const std::array<LightOnSprite, kLights>& lights, const Rim& rim, const SquareRim& edges, const Patches& box, const Tile& tile, SpriteLines& lines)
+HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const TexturedSprite& look,
+    const std::array<LightOnSprite, kLights>& lights, const Rim& rim, const SquareRim& edges, const Patches& box,
+    const Tile& tile, SpriteLines& lines)
 {
     const D d;
     const V bend = hn::Set(d, rim.xx * style.hardness);
@@ -125,7 +135,8 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
         for (int column = box.left; column <= box.right; ++column) {
             const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
             const V dx = fromCentre(d, kColumns + part, tile.left + column * Tile::kPatch, sprite.x);
-            const auto store = [&](float* HWY_RESTRICT to, float slope) HWY_ATTR { hn::Store(hn::Mul(hn::Set(d, slope), dx), d, to + at); };
+            const auto store = [&](float* HWY_RESTRICT to, float slope)
+                                   HWY_ATTR { hn::Store(hn::Mul(hn::Set(d, slope), dx), d, to + at); };
             store(lines.across.u, sprite.m00 * look.texelsAcross);
             store(lines.across.v, sprite.m10 * look.texelsAcross);
             for (std::size_t i = 0; i < kLights; ++i) {
@@ -142,7 +153,9 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
         for (int row = box.top; row <= box.bottom; ++row) {
             const std::size_t at = static_cast<std::size_t>(row) * Tile::kPatchPixels + part;
             const V dy = fromCentre(d, kRows + part, tile.top + row * Tile::kPatch, sprite.y);
-            const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR { hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + at); };
+            const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR {
+                hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + at);
+            };
             store(lines.down.u, sprite.m01 * look.texelsAcross, kToFixed + look.u);
             store(lines.down.v, sprite.m11 * look.texelsAcross, kToFixed + look.v);
             for (std::size_t i = 0; i < kLights; ++i) {
@@ -153,15 +166,17 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
                 store(lines.down.q, sprite.m11 * edges.q, 0.0F);
             } else {
                 store(lines.down.slope, 2.0F * rim.xy * style.hardness, 0.0F);
-                hn::Store(hn::Mul(hardness, hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Mul(hn::Set(d, rim.yy), dy), dy))), d, lines.down.rest + at);
+                hn::Store(hn::Mul(hardness, hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Mul(hn::Set(d, rim.yy), dy), dy))), d,
+                    lines.down.rest + at);
             }
         }
     }
 }
 
-/// @param kShaded its noise or its roundness is lit @param kLayered there are other layers
-template <bool kSquare, bool kShaded, bool kLayered>
-void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, const SpriteInLayers& others, Tile& tile)
+/// @param kShaded its noise or its roundness is lit @param kManyTargets there are other targets
+template <bool kSquare, bool kShaded, bool kManyTargets>
+void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite,
+    const SpriteInTargets& others, Tile& tile)
 {
     const Patches box = patchesOf(sprite, tile);
     if (box.none()) {
@@ -172,8 +187,7 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const TexturedSprite look(style, texture, sprite);
     const Rim rim(sprite);
     const SquareRim edges(sprite);
-    constexpr std::size_t kLights = !kShaded ? 0 : kLayered ? kLayerLights
-                                                            : kSunAlone;
+    constexpr std::size_t kLights = !kShaded ? 0 : kManyTargets ? kTargetLights : kSunAlone;
     const std::array<LightOnSprite, kLights> lights = lightsOn<kLights>(style, sprite, look);
     SpriteLines lines;
     fillLines<kSquare, kLights>(style, sprite, look, lights, rim, edges, box, tile, lines);
@@ -201,9 +215,12 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const V ambientBlue = hn::Set(d, sprite.ambient[2]);
     const auto* texels = reinterpret_cast<const std::int32_t*>(look.texels);
 
-    /// @param across,down of the vector's first pixel in the lists @param at its pixels in the tile @param more those in the other layers
-    const auto paintVector = [&](std::size_t across, std::size_t down, float* HWY_RESTRICT at, float* HWY_RESTRICT more) HWY_ATTR {
-        const auto sum = [&](const float* x, const float* y) HWY_ATTR { return hn::Add(hn::Load(d, x + across), hn::Load(d, y + down)); };
+    /// @param across,down of the vector's first pixel in the lists @param at its pixels in the tile @param more those
+    /// in the other targets
+    const auto paintVector = [&](std::size_t across, std::size_t down, float* HWY_RESTRICT at,
+                                 float* HWY_RESTRICT more) HWY_ATTR {
+        const auto sum = [&](const float* x, const float* y)
+                             HWY_ATTR { return hn::Add(hn::Load(d, x + across), hn::Load(d, y + down)); };
         const I u = hn::BitCast(di, sum(lines.across.u, lines.down.u));
         const I v = hn::BitCast(di, sum(lines.across.v, lines.down.v));
         const I line = hn::ShiftLeftSame(hn::And(hn::ShiftRight<kFractionBits>(v), wrap), look.shift);
@@ -223,22 +240,29 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
         }
         const auto dot = [&](I x, I y) HWY_ATTR { return hn::ConvertTo(d, dotHalves(di, x, y)); };
         const I pairs = dotBytes(di, footprint, alongU);
-        const V a = hn::Mul(mask, hn::Min(hn::Max(mulAdd(dot(pairs, alongV), alphaScale, alphaShift), leastAlpha), mostAlpha));
+        const V a =
+            hn::Mul(mask, hn::Min(hn::Max(mulAdd(dot(pairs, alongV), alphaScale, alphaShift), leastAlpha), mostAlpha));
         if constexpr (kShaded) {
             const V slopeU = dot(dotBytes(di, footprint, rise), alongV);
             const V slopeV = dot(pairs, riseOfHalves);
             const auto shadeBy = [&](std::size_t i) HWY_ATTR {
-                return hn::Max(zero, mulAdd(hn::Set(d, lights[i].reliefV), slopeV, mulAdd(hn::Set(d, lights[i].reliefU), slopeU, sum(lines.across.round[i], lines.down.round[i]))));
+                return hn::Max(zero,
+                    mulAdd(hn::Set(d, lights[i].reliefV), slopeV,
+                        mulAdd(
+                            hn::Set(d, lights[i].reliefU), slopeU, sum(lines.across.round[i], lines.down.round[i]))));
             };
             const V shade = shadeBy(0);
-            const V weight = under(d, at, a, mulAdd(shade, directRed, ambientRed), mulAdd(shade, directGreen, ambientGreen), mulAdd(shade, directBlue, ambientBlue));
-            if constexpr (kLayered) {
-                const V shades[kLayerLights] = {hn::Set(d, 1.0F), shadeBy(kFromRight), shadeBy(kFromTop), shadeBy(kFromLeft), shadeBy(kFromBottom)}; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+            const V weight = under(d, at, a, mulAdd(shade, directRed, ambientRed),
+                mulAdd(shade, directGreen, ambientGreen), mulAdd(shade, directBlue, ambientBlue));
+            if constexpr (kManyTargets) {
+                const V shades[kTargetLights] = {hn::Set(d, 1.0F), shadeBy(kFromRight), shadeBy(kFromTop),
+                    shadeBy(kFromLeft), shadeBy(kFromBottom)}; // NOLINT(cppcoreguidelines-avoid-c-arrays)
                 others.under<true>(d, more, weight, shades);
             }
         } else {
-            const V weight = under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen), hn::Add(directBlue, ambientBlue));
-            if constexpr (kLayered) {
+            const V weight = under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen),
+                hn::Add(directBlue, ambientBlue));
+            if constexpr (kManyTargets) {
                 others.under<false>(d, more, weight, nullptr);
             }
         }
@@ -246,9 +270,10 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const auto paintRow = [&](int row, int first, int last) HWY_ATTR {
         for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d)) {
             float* pixels = tile.patches.data() + patchOffset(first, row) + part;
-            float* more = kLayered ? tile.others.data() + others.layers.offset(first, row) + part : nullptr;
+            float* more = kManyTargets ? tile.others.data() + others.targets.offset(first, row) + part : nullptr;
             const std::size_t down = static_cast<std::size_t>(row) * Tile::kPatchPixels + part;
-            for (int column = first; column <= last; ++column, pixels += Tile::kPatchFloats, more += others.layers.stride()) {
+            for (int column = first; column <= last;
+                 ++column, pixels += Tile::kPatchFloats, more += others.targets.stride()) {
                 paintVector(static_cast<std::size_t>(column) * Tile::kPatchPixels + part, down, pixels, more);
             }
         }

@@ -8,10 +8,12 @@
 #endif
 
 #include "core/base/math-inl.h"
-#include "core/rendering/tile_kernel.h"
+#include "core/rendering/passes.h"
+#include "core/rendering/tile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <hwy/highway.h>
 
@@ -20,7 +22,8 @@ namespace fumage::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Pixels of a patch in one vector, or the part of them that fits: every vector of a patch starts at a multiple of its lanes.
+/// Pixels of a patch in one vector, or the part of them that fits: every vector of a patch starts at a multiple of its
+/// lanes.
 using D = hn::CappedTag<float, Tile::kPatchPixels>;
 using V = hn::Vec<D>;
 using I = hn::Vec<hn::RebindToSigned<D>>;
@@ -35,13 +38,20 @@ struct Patches {
 HWY_INLINE Patches patchesOf(const Sprite& sprite, const Tile& tile)
 {
     // Pixel centres lie at halves. Bounded as floats, for which that takes no branch.
-    const auto first = [](float edge, int least) { return static_cast<int>(std::max(static_cast<float>(least), std::ceil(edge - 0.5F))) - least; };
-    const auto last = [](float edge, int least, int end) { return static_cast<int>(std::max(std::min(static_cast<float>(end - 1), std::floor(edge - 0.5F)), static_cast<float>(least - 1))) - least; };
+    const auto first = [](float edge, int least) {
+        return static_cast<int>(std::max(static_cast<float>(least), std::ceil(edge - 0.5F))) - least;
+    };
+    const auto last = [](float edge, int least, int end) {
+        return static_cast<int>(std::max(
+                   std::min(static_cast<float>(end - 1), std::floor(edge - 0.5F)), static_cast<float>(least - 1)))
+            - least;
+    };
     const int left = first(sprite.x - sprite.halfWidth, tile.left);
     const int right = last(sprite.x + sprite.halfWidth, tile.left, tile.right);
     const int top = first(sprite.y - sprite.halfHeight, tile.top);
     const int bottom = last(sprite.y + sprite.halfHeight, tile.top, tile.bottom);
-    // A row or column that ends before it begins may lie in one patch; shifted, what lies before the tile stays negative.
+    // A row or column that ends before it begins may lie in one patch; shifted, what lies before the tile stays
+    // negative.
     constexpr int kShift = 2;
     static_assert(1 << kShift == Tile::kPatch);
     return {left >> kShift, right < left ? -1 : right >> kShift, top >> kShift, bottom < top ? -1 : bottom >> kShift};
@@ -80,62 +90,66 @@ HWY_INLINE std::size_t patchOffset(int column, int row)
     return static_cast<std::size_t>(row * Tile::kAcross + column) * Tile::kPatchFloats;
 }
 
-/// What lights the inside of a sprite in other layers: places in a list.
+/// What lights the inside of a sprite in other targets: places in a list.
 enum : std::size_t {
     kEvenly,
     kFromRight,
     kFromTop,
     kFromLeft,
     kFromBottom,
-    kLayerLights,
+    kTargetLights,
 };
 
-/// Layers beside the sprites' own colours.
-struct OtherLayers {
+/// Targets beside the sprites' own colours.
+struct OtherTargets {
     struct One {
         const float* colours; ///< of all sprites
         std::size_t red, green; ///< lights; nothing shades blue
     };
-    std::array<One, kPassLayers> layers{};
+    std::array<One, kPassTargets> targets{};
     std::size_t count = 0;
 
-    explicit OtherLayers(std::span<const Compositor::Layer> all)
+    explicit OtherTargets(std::span<const RenderTarget> all)
     {
-        for (const Compositor::Layer& layer : all) {
-            if (layer.colours != nullptr) {
-                layers[count++] = One{layer.colours->colours.data(), lightOf(layer, kFromRight, kFromLeft), lightOf(layer, kFromTop, kFromBottom)};
+        for (const RenderTarget& target : all) {
+            if (target.colours != nullptr) {
+                targets[count++] = One{target.colours->colours.data(), lightOf(target, kFromRight, kFromLeft),
+                    lightOf(target, kFromTop, kFromBottom)};
             }
         }
     }
     /// Floats from a patch of the tile to the next.
     [[nodiscard]] std::size_t stride() const { return count * Tile::kPatchColours; }
-    [[nodiscard]] std::size_t offset(int column, int row) const { return static_cast<std::size_t>(row * Tile::kAcross + column) * stride(); }
+    [[nodiscard]] std::size_t offset(int column, int row) const
+    {
+        return static_cast<std::size_t>(row * Tile::kAcross + column) * stride();
+    }
 
 private:
-    static std::size_t lightOf(const Compositor::Layer& layer, std::size_t above, std::size_t below)
+    static std::size_t lightOf(const RenderTarget& target, std::size_t above, std::size_t below)
     {
-        switch (layer.colours->light) {
-        case LayerLight::Flat: break;
-        case LayerLight::RightTopBack: return above;
-        case LayerLight::LeftBottomFront: return below;
+        switch (target.colours->light) {
+        case TargetLight::Flat: break;
+        case TargetLight::RightTopBack: return above;
+        case TargetLight::LeftBottomFront: return below;
         }
         return kEvenly;
     }
 };
 
-/// A sprite in the other layers of a tile; of no account where there are none.
-struct SpriteInLayers {
-    const OtherLayers& layers;
+/// A sprite in the other targets of a tile; of no account where there are none.
+struct SpriteInTargets {
+    const OtherTargets& targets;
     std::size_t sprite;
 
     /// Puts it under what is there.
-    /// @param weight what under() has found @param lights kLayerLights; null: all the same
+    /// @param weight what under() has found @param lights kTargetLights; null: all the same
     template <bool kLit>
     HWY_INLINE void under(D d, float* HWY_RESTRICT to, V weight, const V* lights) const
     {
-        for (std::size_t i = 0; i < layers.count; ++i, to += Tile::kPatchColours) {
-            const OtherLayers::One& layer = layers.layers[i];
-            const float* HWY_RESTRICT colour = layer.colours + sprite * SpriteLayer::kStride;
+        for (std::size_t i = 0; i < targets.count; ++i, to += Tile::kPatchColours) {
+            const OtherTargets::One& target = targets.targets[i];
+            const float* HWY_RESTRICT colour = target.colours + sprite * SpriteTarget::kStride;
             const auto put = [&](std::size_t channel, V value) HWY_ATTR {
                 float* HWY_RESTRICT at = to + channel * Tile::kPatchPixels;
                 hn::Store(mulAdd(weight, value, hn::Load(d, at)), d, at);
@@ -148,19 +162,23 @@ struct SpriteInLayers {
                     return value;
                 }
             };
-            put(0, lit(0, layer.red));
-            put(1, lit(1, layer.green));
+            put(0, lit(0, target.red));
+            put(1, lit(1, target.green));
             put(2, hn::Set(d, colour[2]));
         }
     }
 };
 
 /// Column and row of each pixel of a patch, at its centre.
-alignas(kAlignment) constexpr float kColumns[Tile::kPatchPixels] = {0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F};
-alignas(kAlignment) constexpr float kRows[Tile::kPatchPixels] = {0.5F, 0.5F, 0.5F, 0.5F, 1.5F, 1.5F, 1.5F, 1.5F, 2.5F, 2.5F, 2.5F, 2.5F, 3.5F, 3.5F, 3.5F, 3.5F};
+alignas(kAlignment) constexpr float kColumns[Tile::kPatchPixels] = {
+    0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F, 0.5F, 1.5F, 2.5F, 3.5F};
+alignas(kAlignment) constexpr float kRows[Tile::kPatchPixels] = {
+    0.5F, 0.5F, 0.5F, 0.5F, 1.5F, 1.5F, 1.5F, 1.5F, 2.5F, 2.5F, 2.5F, 2.5F, 3.5F, 3.5F, 3.5F, 3.5F};
 
-/// Way from the sprite's centre to pixels of a patch; exact before the subtraction, so that it does not depend on the vector's width.
-/// @param places kColumns or kRows, from the vector's part of the patch on @param start first pixel of the patch in the image
+/// Way from the sprite's centre to pixels of a patch; exact before the subtraction, so that it does not depend on the
+/// vector's width.
+/// @param places kColumns or kRows, from the vector's part of the patch on @param start first pixel of the patch in the
+/// image
 HWY_INLINE V fromCentre(D d, const float* places, int start, float centre)
 {
     return hn::Sub(hn::Add(hn::Load(d, places), hn::Set(d, static_cast<float>(start))), hn::Set(d, centre));
@@ -171,8 +189,10 @@ constexpr std::size_t kLineRoom = Tile::kPatchPixels * static_cast<std::size_t>(
 
 /// Columns of patches that the rim reaches in each row of patches.
 struct Ends {
-    alignas(kAlignment) std::int32_t first[roundUp(Tile::kDown, kAlignment / sizeof(std::int32_t))]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
-    alignas(kAlignment) std::int32_t last[roundUp(Tile::kDown, kAlignment / sizeof(std::int32_t))]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
+    alignas(kAlignment) std::int32_t first[roundUp(
+        Tile::kDown, kAlignment / sizeof(std::int32_t))]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+    alignas(kAlignment) std::int32_t
+        last[roundUp(Tile::kDown, kAlignment / sizeof(std::int32_t))]; // NOLINT(cppcoreguidelines-avoid-c-arrays)
 
     HWY_INLINE Ends(const Sprite& sprite, const Rim& rim, const Patches& box, const Tile& tile)
     {
@@ -181,7 +201,8 @@ struct Ends {
         const float slant = -rim.xy / rim.xx; // the centre of a row moves by this for each dy
         const V zero = hn::Zero(d);
         const V one = hn::Set(d, 1.0F);
-        constexpr auto kReach = static_cast<float>(Tile::kPatch - 1); // from the first row of pixels in a patch to its last
+        constexpr auto kReach =
+            static_cast<float>(Tile::kPatch - 1); // from the first row of pixels in a patch to its last
         const V height = hn::Set(d, rim.yy + rim.xy * slant);
         const V halfRoot = hn::Set(d, 1.0F / std::sqrt(rim.xx));
         const V lean = hn::Set(d, 0.5F * kReach * std::abs(slant));
@@ -190,22 +211,30 @@ struct Ends {
         const V farEnd = hn::Set(d, static_cast<float>(box.right));
         const V rows = hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(Tile::kPatch)));
         for (int i = 0; i <= box.bottom - box.top; i += static_cast<int>(hn::Lanes(d))) {
-            const V dy = hn::Add(rows, hn::Set(d, static_cast<float>(tile.top + (box.top + i) * Tile::kPatch) + 0.5F - sprite.y));
-            // The rows of a patch are as wide together as the widest, and the lean of the ellipse moves one against the other.
+            const V dy = hn::Add(
+                rows, hn::Set(d, static_cast<float>(tile.top + (box.top + i) * Tile::kPatch) + 0.5F - sprite.y));
+            // The rows of a patch are as wide together as the widest, and the lean of the ellipse moves one against the
+            // other.
             const V nearest = hn::IfThenElse(hn::Gt(dy, zero), dy, hn::Min(zero, hn::Add(dy, hn::Set(d, kReach))));
             const V root = hn::Sqrt(hn::Max(zero, hn::Sub(one, hn::Mul(height, hn::Mul(nearest, nearest)))));
             const V half = mulAdd(halfRoot, root, lean);
             // Counted in pixels, the centre of the tile's first being 0.
-            const V middle = mulAdd(hn::Set(d, slant), hn::Add(dy, hn::Set(d, 0.5F * kReach)), hn::Set(d, sprite.x - 0.5F - static_cast<float>(tile.left)));
-            hn::Store(hn::ConvertTo(di, hn::Max(nearEnd, hn::Floor(hn::Mul(hn::Ceil(hn::Sub(middle, half)), toPatches)))), di, first + i);
-            hn::Store(hn::ConvertTo(di, hn::Min(farEnd, hn::Floor(hn::Mul(hn::Floor(hn::Add(middle, half)), toPatches)))), di, last + i);
+            const V middle = mulAdd(hn::Set(d, slant), hn::Add(dy, hn::Set(d, 0.5F * kReach)),
+                hn::Set(d, sprite.x - 0.5F - static_cast<float>(tile.left)));
+            hn::Store(
+                hn::ConvertTo(di, hn::Max(nearEnd, hn::Floor(hn::Mul(hn::Ceil(hn::Sub(middle, half)), toPatches)))), di,
+                first + i);
+            hn::Store(
+                hn::ConvertTo(di, hn::Min(farEnd, hn::Floor(hn::Mul(hn::Floor(hn::Add(middle, half)), toPatches)))), di,
+                last + i);
         }
     }
 };
 
 /// Calls paintRow(row, first, last) for each row of patches that a disc touches.
 template <class PaintRow>
-HWY_INLINE void forRows(const Sprite& sprite, const Rim& rim, const Patches& box, const Tile& tile, const PaintRow& paintRow)
+HWY_INLINE void forRows(
+    const Sprite& sprite, const Rim& rim, const Patches& box, const Tile& tile, const PaintRow& paintRow)
 {
     // A few patches are painted sooner than it is found which of them the rim leaves out.
     constexpr int kFew = 6;

@@ -14,8 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// Nothing yet in the way of anything. What lies beyond the image's edge counts as covered, or the last tiles would never be full.
-void clearTile(const OtherLayers& others, Tile& tile)
+/// Nothing yet in the way of anything. What lies beyond the image's edge counts as covered, or the last tiles would
+/// never be full.
+void clearTile(const OtherTargets& others, Tile& tile)
 {
     const D d;
     tile.others.resize(std::max(tile.others.size(), others.stride() * Tile::kPatches));
@@ -27,12 +28,13 @@ void clearTile(const OtherLayers& others, Tile& tile)
     }
     const int width = tile.right - tile.left;
     const int height = tile.bottom - tile.top;
-    if (width == Compositor::kTileWidth && height == Compositor::kTileHeight) {
+    if (width == Tile::kWidth && height == Tile::kHeight) {
         return;
     }
-    for (int y = 0; y < Compositor::kTileHeight; ++y) {
-        for (int x = y < height ? width : 0; x < Compositor::kTileWidth; ++x) {
-            tile.patches[patchOffset(x / Tile::kPatch, y / Tile::kPatch) + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch + x % Tile::kPatch)] = 0.0F;
+    for (int y = 0; y < Tile::kHeight; ++y) {
+        for (int x = y < height ? width : 0; x < Tile::kWidth; ++x) {
+            tile.patches[patchOffset(x / Tile::kPatch, y / Tile::kPatch)
+                + static_cast<std::size_t>(y % Tile::kPatch * Tile::kPatch + x % Tile::kPatch)] = 0.0F;
         }
     }
 }
@@ -52,7 +54,7 @@ bool isOpaque(const Tile& tile)
     return true;
 }
 
-/// The planes of one layer in a tile.
+/// The planes of one target in a tile.
 struct Planes {
     const float* through; ///< from one patch to the next Tile::kPatchFloats
     const float* colours; ///< red, green and blue
@@ -77,8 +79,10 @@ void joinRow(Planes from, std::size_t line, int width, float* HWY_RESTRICT to)
     const hn::CappedTag<float, Tile::kPatch> d;
     const auto one = hn::Set(d, 1.0F);
     for (int x = 0; x < width; x += Tile::kPatch, from.next()) {
-        for (std::size_t i = line * Tile::kPatch; i < (line + 1) * Tile::kPatch; i += hn::Lanes(d), to += 4 * hn::Lanes(d)) {
-            const auto plane = [&](std::size_t number) HWY_ATTR { return hn::LoadU(d, from.colours + number * Tile::kPatchPixels + i); };
+        for (std::size_t i = line * Tile::kPatch; i < (line + 1) * Tile::kPatch;
+             i += hn::Lanes(d), to += 4 * hn::Lanes(d)) {
+            const auto plane = [&](std::size_t number)
+                                   HWY_ATTR { return hn::LoadU(d, from.colours + number * Tile::kPatchPixels + i); };
             hn::StoreInterleaved4(plane(0), plane(1), plane(2), hn::Sub(one, hn::LoadU(d, from.through + i)), d, to);
         }
     }
@@ -88,7 +92,8 @@ void joinRow(Planes from, std::size_t line, int width, float* HWY_RESTRICT to)
 
 /// Writes rows of four pixels: block i of each vector is one pixel of row i.
 template <class DRows, class VRows>
-HWY_INLINE void streamRows(DRows d, VRows first, VRows second, VRows third, VRows fourth, float* HWY_RESTRICT to, std::size_t stride)
+HWY_INLINE void streamRows(
+    DRows d, VRows first, VRows second, VRows third, VRows fourth, float* HWY_RESTRICT to, std::size_t stride)
 {
     constexpr std::size_t kBlock = 4; // floats
     if constexpr (hn::MaxLanes(d) == kBlock) {
@@ -103,9 +108,11 @@ HWY_INLINE void streamRows(DRows d, VRows first, VRows second, VRows third, VRow
         hn::Stream(hn::ConcatUpperUpper(d, fourth, third), d, to + stride + 2 * kBlock);
     } else {
         const hn::Half<DRows> half;
-        streamRows(half, hn::LowerHalf(half, first), hn::LowerHalf(half, second), hn::LowerHalf(half, third), hn::LowerHalf(half, fourth), to, stride);
+        streamRows(half, hn::LowerHalf(half, first), hn::LowerHalf(half, second), hn::LowerHalf(half, third),
+            hn::LowerHalf(half, fourth), to, stride);
         to += hn::Lanes(half) / kBlock * stride;
-        streamRows(half, hn::UpperHalf(half, first), hn::UpperHalf(half, second), hn::UpperHalf(half, third), hn::UpperHalf(half, fourth), to, stride);
+        streamRows(half, hn::UpperHalf(half, first), hn::UpperHalf(half, second), hn::UpperHalf(half, third),
+            hn::UpperHalf(half, fourth), to, stride);
     }
 }
 
@@ -115,15 +122,19 @@ HWY_INLINE void streamPatch(const Planes& from, float* HWY_RESTRICT to, std::siz
 {
     const D d;
     const hn::Repartition<double, D> pairs;
-    for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d), to += hn::Lanes(d) / Tile::kPatch * stride) {
-        const auto plane = [&](std::size_t number) HWY_ATTR { return hn::Load(d, from.colours + number * Tile::kPatchPixels + part); };
+    for (std::size_t part = 0; part < Tile::kPatchPixels;
+         part += hn::Lanes(d), to += hn::Lanes(d) / Tile::kPatch * stride) {
+        const auto plane = [&](std::size_t number)
+                               HWY_ATTR { return hn::Load(d, from.colours + number * Tile::kPatchPixels + part); };
         const V alpha = hn::Sub(hn::Set(d, 1.0F), hn::Load(d, from.through + part));
         const auto lowRg = hn::BitCast(pairs, hn::InterleaveLower(d, plane(0), plane(1)));
         const auto highRg = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(0), plane(1)));
         const auto lowBa = hn::BitCast(pairs, hn::InterleaveLower(d, plane(2), alpha));
         const auto highBa = hn::BitCast(pairs, hn::InterleaveUpper(d, plane(2), alpha));
-        streamRows(d, hn::BitCast(d, hn::InterleaveLower(pairs, lowRg, lowBa)), hn::BitCast(d, hn::InterleaveUpper(pairs, lowRg, lowBa)),
-            hn::BitCast(d, hn::InterleaveLower(pairs, highRg, highBa)), hn::BitCast(d, hn::InterleaveUpper(pairs, highRg, highBa)), to, stride);
+        streamRows(d, hn::BitCast(d, hn::InterleaveLower(pairs, lowRg, lowBa)),
+            hn::BitCast(d, hn::InterleaveUpper(pairs, lowRg, lowBa)),
+            hn::BitCast(d, hn::InterleaveLower(pairs, highRg, highBa)),
+            hn::BitCast(d, hn::InterleaveUpper(pairs, highRg, highBa)), to, stride);
     }
 }
 
@@ -140,7 +151,8 @@ float* pixelsOf(const Tile& tile, Image& image, int row)
     return image.row(tile.top + row) + static_cast<std::size_t>(tile.left) * 4;
 }
 
-/// Past the cache where that can be: nothing reads the image before the whole picture, which is larger than the cache, is done.
+/// Past the cache where that can be: nothing reads the image before the whole picture, which is larger than the cache,
+/// is done.
 void writeTile(const Tile& tile, const Planes& planes, Image& image)
 {
     const int width = tile.right - tile.left;
@@ -159,7 +171,8 @@ void writeTile(const Tile& tile, const Planes& planes, Image& image)
     }
 #endif
     for (; y < height; ++y) {
-        alignas(kAlignment) float line[static_cast<std::size_t>(Compositor::kTileWidth) * 4]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
+        alignas(kAlignment) float line[static_cast<std::size_t>(Tile::kWidth)
+            * 4]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
         joinRow(planes.at(0, y / Tile::kPatch), static_cast<std::size_t>(y % Tile::kPatch), width, line);
         std::copy_n(line, static_cast<std::size_t>(width) * 4, pixelsOf(tile, image, y));
     }
@@ -184,21 +197,23 @@ void writeNothing(const Tile& tile, Image& image)
     hwy::FlushStream();
 }
 
-using PaintTextured = void (*)(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite, const SpriteInLayers& others, Tile& tile);
+using PaintTextured = void (*)(const SpriteStyle& style, const SpriteTexture& texture, const Sprite& sprite,
+    const SpriteInTargets& others, Tile& tile);
 
-template <bool kLayered>
+template <bool kManyTargets>
 PaintTextured painterOf(const SpriteStyle& style)
 {
     const bool isShaded = style.relief != 0.0F || style.roundness != 0.0F;
     if (style.square) {
-        return isShaded ? paintTextured<true, true, kLayered> : paintTextured<true, false, kLayered>;
+        return isShaded ? paintTextured<true, true, kManyTargets> : paintTextured<true, false, kManyTargets>;
     }
-    return isShaded ? paintTextured<false, true, kLayered> : paintTextured<false, false, kLayered>;
+    return isShaded ? paintTextured<false, true, kManyTargets> : paintTextured<false, false, kManyTargets>;
 }
 
 /// Calls paintSprite(index) near to far, until nothing behind can be seen.
 template <class PaintSprite>
-HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherLayers& others, std::span<const DepthEntry> entries, const Tile& tile, const PaintSprite& paintSprite)
+HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherTargets& others, std::span<const DepthEntry> entries,
+    const Tile& tile, const PaintSprite& paintSprite)
 {
     constexpr std::size_t kBetweenLooks = 32;
     constexpr std::size_t kAhead = 12;
@@ -207,42 +222,45 @@ HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherLayers& others, 
             break;
         }
         if (i + kAhead < entries.size()) {
-            // Here and not in a function: GCC takes one that only fetches for one without effect, and leaves out its calls.
+            // Here and not in a function: GCC takes one that only fetches for one without effect, and leaves out its
+            // calls.
             const std::size_t next = entryIndex(entries[i + kAhead]);
             hwy::Prefetch(&batch.sprites[next]);
-            for (std::size_t layer = 0; layer < others.count; ++layer) {
-                hwy::Prefetch(others.layers[layer].colours + next * SpriteLayer::kStride);
+            for (std::size_t target = 0; target < others.count; ++target) {
+                hwy::Prefetch(others.targets[target].colours + next * SpriteTarget::kStride);
             }
         }
         paintSprite(entryIndex(entries[i]));
     }
 }
 
-/// Paints the sprites' own colours and those of the other layers.
-template <bool kLayered>
-void paintAll(const SpriteBatch& batch, const SpriteTexture& texture, const OtherLayers& others, std::span<const DepthEntry> entries, Tile& tile)
+/// Paints the sprites' own colours and those of the other targets.
+template <bool kManyTargets>
+void paintAll(const SpriteBatch& batch, const SpriteTexture& texture, const OtherTargets& others,
+    std::span<const DepthEntry> entries, Tile& tile)
 {
-    const PaintTextured paintWithTexture = painterOf<kLayered>(batch.style);
+    const PaintTextured paintWithTexture = painterOf<kManyTargets>(batch.style);
     forEntries(batch, others, entries, tile, [&](std::uint32_t index) HWY_ATTR {
         const Sprite& sprite = batch.sprites[index];
-        const SpriteInLayers inLayers{others, index};
+        const SpriteInTargets inTargets{others, index};
         if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
-            paintPlainSprite<kLayered>(batch.style, sprite, inLayers, tile);
+            paintPlainSprite<kManyTargets>(batch.style, sprite, inTargets, tile);
         } else {
-            paintWithTexture(batch.style, texture, sprite, inLayers, tile);
+            paintWithTexture(batch.style, texture, sprite, inTargets, tile);
         }
     });
 }
 
-void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Compositor::Layer> layers, std::span<const DepthEntry> entries, Tile& tile)
+void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const RenderTarget> targets,
+    std::span<const DepthEntry> entries, Tile& tile)
 {
     if (entries.empty()) {
-        for (const Compositor::Layer& layer : layers) {
-            writeNothing(tile, *layer.image);
+        for (const RenderTarget& target : targets) {
+            writeNothing(tile, *target.image);
         }
         return;
     }
-    const OtherLayers others(layers);
+    const OtherTargets others(targets);
     clearTile(others, tile);
     if (others.count > 0) {
         paintAll<true>(batch, texture, others, entries, tile);
@@ -251,11 +269,11 @@ void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<con
     }
     const float* const through = tile.patches.data();
     const float* other = tile.others.data();
-    for (const Compositor::Layer& layer : layers) {
-        if (layer.colours == nullptr) {
-            writeTile(tile, {through, through + Tile::kPatchPixels, Tile::kPatchFloats}, *layer.image);
+    for (const RenderTarget& target : targets) {
+        if (target.colours == nullptr) {
+            writeTile(tile, {through, through + Tile::kPatchPixels, Tile::kPatchFloats}, *target.image);
         } else {
-            writeTile(tile, {through, other, others.stride()}, *layer.image);
+            writeTile(tile, {through, other, others.stride()}, *target.image);
             other += Tile::kPatchColours;
         }
     }
@@ -269,10 +287,11 @@ namespace fumage {
 
 HWY_EXPORT(paint);
 
-void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const Compositor::Layer> layers, std::span<const DepthEntry> entries, Tile& tile)
+void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const RenderTarget> targets,
+    std::span<const DepthEntry> entries, Tile& tile)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(paint);
-    kernel(batch, texture, layers, entries, tile);
+    kernel(batch, texture, targets, entries, tile);
 }
 
 } // namespace fumage

@@ -26,7 +26,9 @@ constexpr float kWhitePoint = 96.0F; ///< light from which on all is white
 
 HWY_INLINE V srgb(D d, V linear)
 {
-    const V bent = hn::Sub(hn::Mul(hn::Set(d, 1.055F), exponential(d, hn::Mul(logarithm(d, linear), hn::Set(d, 1.0F / 2.4F)))), hn::Set(d, 0.055F));
+    const V bent =
+        hn::Sub(hn::Mul(hn::Set(d, 1.055F), exponential(d, hn::Mul(logarithm(d, linear), hn::Set(d, 1.0F / 2.4F)))),
+            hn::Set(d, 0.055F));
     return hn::IfThenElse(hn::Le(linear, hn::Set(d, 0.0031308F)), hn::Mul(linear, hn::Set(d, 12.92F)), bent);
 }
 
@@ -91,13 +93,14 @@ HWY_INLINE void show(float* HWY_RESTRICT light, std::size_t count, bool isFilmic
     }
 }
 
-constexpr float kLeastAlpha = 1e-6F;
+constexpr float kMinAlpha = 1e-6F;
 constexpr float kLit = 1.0F; // as bright as smoke in the sun
 constexpr float kBurning = 3.0F;
 
 /// Raises the alpha of straight colours that cannot show the light there is.
 /// @param shown room for the row
-void coverLight(const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT shown, float* HWY_RESTRICT straight)
+void coverLight(const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT shown,
+    float* HWY_RESTRICT straight)
 {
     for (std::size_t i = 0; i < count * 4; ++i) {
         shown[i] = from[i] * gain;
@@ -106,7 +109,7 @@ void coverLight(const float* HWY_RESTRICT from, std::size_t count, float gain, b
     for (std::size_t i = 0; i < count; ++i, from += 4, shown += 4, straight += 4) {
         const float alpha = straight[3];
         const float brightest = std::max({shown[0], shown[1], shown[2]});
-        const float colour = gain * std::max({from[0], from[1], from[2]}) / std::max(alpha, kLeastAlpha);
+        const float colour = gain * std::max({from[0], from[1], from[2]}) / std::max(alpha, kMinAlpha);
         if (!(brightest > alpha) || colour <= kLit) {
             continue;
         }
@@ -121,7 +124,8 @@ void coverLight(const float* HWY_RESTRICT from, std::size_t count, float gain, b
 }
 
 /// Encodes one row of RGBA floats into floats in [0, 1], with straight alpha.
-void encodeRow(const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT straight)
+void encodeRow(
+    const float* HWY_RESTRICT from, std::size_t count, float gain, bool isFilmic, float* HWY_RESTRICT straight)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const float alpha = from[i * 4 + 3];
@@ -149,13 +153,13 @@ void encodeRowOver(const float* HWY_RESTRICT from, const float* HWY_RESTRICT beh
         const V alpha = clamp01(d, smoke.a);
         const Pixels light = smoke.each([gain](V x) HWY_ATTR { return x * gain; });
         // Smoke in the colour that transparent pictures have, and light as it is over black.
-        const V thick = hn::Max(alpha, hn::Set(d, kLeastAlpha));
+        const V thick = hn::Max(alpha, hn::Set(d, kMinAlpha));
         const Pixels straight = shownLight(d, light.each([thick](V x) HWY_ATTR { return x / thick; }), isFilmic);
         const Pixels glow = shownLight(d, light, isFilmic);
         const V brightest = glow.brightest();
         const V colour = light.brightest() / thick;
         constexpr float kWholly = 4.0F; // over the part of the light that alpha does not cover
-        const V uncovered = clamp01(d, (brightest - alpha) / hn::Max(brightest, hn::Set(d, kLeastAlpha)) * kWholly);
+        const V uncovered = clamp01(d, (brightest - alpha) / hn::Max(brightest, hn::Set(d, kMinAlpha)) * kWholly);
         const V share = uncovered * smoothStep(clamp01(d, (colour - kLit) * (1.0F / (kBurning - kLit))));
         const V through = one - (alpha + share * hn::Max(none, brightest - alpha));
         const auto over = [&](V plain, V bright, V rear) HWY_ATTR {
@@ -247,9 +251,9 @@ void encodeAll(const Image& image, const Output& output, EncodedImage<Channel>& 
 
 } // namespace
 
-Cover coverOf(const Light& light)
+Cover coverOf(const Glow& glow)
 {
-    return hasClearFlames(light) ? Cover::Light : Cover::Alpha;
+    return hasClearFlames(glow) ? Cover::Light : Cover::Alpha;
 }
 
 void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out, Cover cover)
@@ -269,7 +273,8 @@ void encodeOver(const Image& image, const Output& output, const Backing& backing
 
 float brightestShown(const Output& output)
 {
-    // Where the filmic curve, x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), comes to 1: the positive root of 0.08 x^2 - 0.56 x - 0.14.
+    // Where the filmic curve, x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), comes to 1: the positive root of 0.08 x^2
+    // - 0.56 x - 0.14.
     constexpr float kFilmic = 7.24166F;
     return (output.viewTransform == ViewTransform::Filmic ? kFilmic : 1.0F) / exposureGain(output.exposure);
 }

@@ -23,7 +23,7 @@ enum class Cover {
 };
 
 /// How opaque smoke under this light is encoded: clear flames by their light.
-[[nodiscard]] Cover coverOf(const Light& light);
+[[nodiscard]] Cover coverOf(const Glow& glow);
 
 /// Encodes linear light for display: exposure, then the view transform, then the sRGB curve (IEC 61966-2-1), with
 /// straight alpha. Filmic is the fit of Narkowicz, "ACES Filmic Tone Mapping Curve", 2015, of the brightest channel;

@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/simulation/chunk_step.h"
-#include "core/simulation/slot_ring.h"
+#include "core/simulation/particle_ring.h"
 
 #include <algorithm>
 #include <span>
@@ -28,9 +28,9 @@ struct PlannedStep {
 
 class ChunkRunner {
 public:
-    ChunkRunner(const Model& model, Particles& particles)
+    ChunkRunner(const SimulationModel& model, Particles& particles)
         : m_schedule(model.schedule())
-        , m_birthPlace(model.effect()->emitter)
+        , m_spawner(model.effect()->emitter)
         , m_particles(particles)
         , m_ring(particles)
     {
@@ -44,44 +44,51 @@ public:
             if (occupied) {
                 moveChunk(step.parts, m_particles, chunk);
             }
-            m_ring.forChunk(chunk, step.firstBirth, step.endBirth, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
-                bear(low, high, slot, step.parts);
-                occupied = true;
-            });
+            m_ring.forChunk(
+                chunk, step.firstBirth, step.endBirth, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
+                    spawn(low, high, slot, step.parts);
+                    occupied = true;
+                });
         }
     }
 
     /// Empties the slots of a chunk whose particles are not alive at a step.
-    void bury(std::size_t chunk, std::int64_t step) const { m_ring.clearOthers(m_particles, chunk, m_schedule.firstAlive(step), firstUnborn(step)); }
+    void retire(std::size_t chunk, std::int64_t step) const
+    {
+        m_ring.clearOthers(m_particles, chunk, m_schedule.firstAlive(step), firstUnborn(step));
+    }
 
 private:
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.
-    void bear(std::int64_t first, std::int64_t last, std::size_t slot, std::span<const StepConstants> parts) const
+    void spawn(std::int64_t first, std::int64_t last, std::size_t slot, std::span<const StepConstants> parts) const
     {
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
-            const std::int64_t count = m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
+            const std::int64_t count =
+                m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
             const std::size_t end = slot + static_cast<std::size_t>(count);
-            bearInChunk(m_birthPlace, parts, random, slot, end, m_particles);
+            spawnInChunk(m_spawner, parts, random, slot, end, m_particles);
             slot = end;
             first += count;
         }
     }
 
     const Schedule& m_schedule;
-    BirthPlace m_birthPlace;
+    Spawner m_spawner;
     Particles& m_particles;
-    SlotRing m_ring;
+    ParticleRing m_ring;
 };
 
 /// Plans steps (from, to].
-Result<std::vector<PlannedStep>> plannedSteps(const Model& model, std::int64_t from, std::int64_t to, const std::stop_token& stop)
+Result<std::vector<PlannedStep>> plannedSteps(
+    const SimulationModel& model, std::int64_t from, std::int64_t to, const std::stop_token& stop)
 {
     std::vector<PlannedStep> steps;
     for (std::int64_t step = from + 1; step <= to; ++step) {
-        PlannedStep& planned = steps.emplace_back(PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
+        PlannedStep& planned = steps.emplace_back(
+            PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
         if (model.air() != nullptr) {
             const auto field = model.air()->field(step, stop);
             if (!field) {
@@ -95,18 +102,20 @@ Result<std::vector<PlannedStep>> plannedSteps(const Model& model, std::int64_t f
 }
 
 /// Bakes the air of all steps up to one, so that somebody hears how far it is.
-Status bakeAir(const Model& model, std::int64_t last, const std::stop_token& stop, const Progress& progress)
+Status bakeAir(const SimulationModel& model, std::int64_t last, const std::stop_token& stop, const Progress& progress)
 {
     if (model.air() == nullptr || model.air()->isBaked(last)) {
         return Done{};
     }
     constexpr int kParts = 1000;
-    return model.air()->bake(last, stop, [&](double share) { progress(Work::Air, static_cast<int>(share * kParts), kParts); });
+    return model.air()->bake(
+        last, stop, [&](double share) { progress(ProgressPhase::Air, static_cast<int>(share * kParts), kParts); });
 }
 
 /// @param prepare called for a chunk before its first step
 template <class Prepare>
-Status run(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress, const Prepare& prepare)
+Status run(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
+    const std::stop_token& stop, const Progress& progress, const Prepare& prepare)
 {
     const ChunkRunner runner(model, particles);
     if (Status status = bakeAir(model, to, stop, progress); !status) {
@@ -131,16 +140,16 @@ Status run(const Model& model, Particles& particles, std::int64_t from, std::int
             }
             runner.run(chunk, done, steps);
             if (last == to) {
-                runner.bury(chunk, to);
+                runner.retire(chunk, to);
             }
         });
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, said("the simulation was cancelled"), {}, {}};
+            return Error{ErrorCode::Cancelled, makeMessage("the simulation was cancelled"), {}, {}};
         }
         first = false;
         done = last;
         if (to - from > kStepsAtOnce) {
-            progress(Work::PreRoll, static_cast<int>(done - from), static_cast<int>(to - from));
+            progress(ProgressPhase::PreRoll, static_cast<int>(done - from), static_cast<int>(to - from));
         }
     } while (done < to);
     return Done{};
@@ -148,21 +157,26 @@ Status run(const Model& model, Particles& particles, std::int64_t from, std::int
 
 } // namespace
 
-Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress)
+Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
+    const std::stop_token& stop, const Progress& progress)
 {
     return run(model, particles, from, to, stop, progress, [](std::size_t) {});
 }
 
-Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop, const Progress& progress)
+Status advanceInto(const SimulationModel& model, const Particles& before, Particles& after, std::int64_t from,
+    std::int64_t to, const std::stop_token& stop, const Progress& progress)
 {
     if (after.x.size() != before.x.size() || after.columns() != before.columns()) {
         after.reset(before.capacity, before.columns());
     }
     after.capacity = before.capacity;
-    return run(model, after, from, to, stop, progress, [&](std::size_t chunk) { after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk); });
+    return run(model, after, from, to, stop, progress, [&](std::size_t chunk) {
+        after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk);
+    });
 }
 
-Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop, const Progress& progress)
+Status advanceFromNothing(const SimulationModel& model, Particles& particles, std::int64_t to,
+    const std::stop_token& stop, const Progress& progress)
 {
     particles.reset(static_cast<std::size_t>(model.schedule().capacity()), columnsOf(model));
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);

@@ -3,7 +3,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/simulation/emitter.h"
-#include "core/simulation/model.h"
+#include "core/simulation/simulation_model.h"
 #include "core/simulation/particles.h"
 
 #include <stop_token>
@@ -12,18 +12,24 @@ namespace fumage {
 
 /// Moves all particles from one step to a later one, births and deaths included.
 ///
-/// Particles never act on one another, so each chunk runs through many steps at once while it is in the cache, and chunks run in parallel.
-/// @param particles the state at step from; for a later one, empty (see Particles::reset()) where from is before every living birth
+/// Particles never act on one another, so each chunk runs through many steps at once while it is in the cache, and
+/// chunks run in parallel.
+/// @param particles the state at step from; for a later one, empty (see Particles::reset()) where from is before every
+/// living birth
 /// @param from,to   steps, from <= to
-/// @param progress hears of Work::PreRoll where there are hundreds of steps, and of Work::Air where it has to be baked
+/// @param progress hears of ProgressPhase::PreRoll where there are hundreds of steps, and of ProgressPhase::Air where
+/// it has to be baked
 /// @error Cancelled, also that of the air; the particles are then between steps and must be thrown away
 /// O(particles * steps). The same bits for any number of threads, and for any way to split [from, to].
-[[nodiscard]] Status advance(const Model& model, Particles& particles, std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
+    const std::stop_token& stop = {}, const Progress& progress = {});
 
 /// The same out of place: the state at step from is read, the one at step to written into another.
-[[nodiscard]] Status advanceInto(const Model& model, const Particles& before, Particles& after, std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Status advanceInto(const SimulationModel& model, const Particles& before, Particles& after,
+    std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
 
 /// Fills the state at a step from nothing, through a pre-roll of at most one lifetime.
-[[nodiscard]] Status advanceFromNothing(const Model& model, Particles& particles, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Status advanceFromNothing(const SimulationModel& model, Particles& particles, std::int64_t to,
+    const std::stop_token& stop = {}, const Progress& progress = {});
 
 } // namespace fumage

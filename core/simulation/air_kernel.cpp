@@ -27,7 +27,8 @@ struct Carried {
 
     static HWY_INLINE Carried from(D d, const Particles& p, std::size_t i)
     {
-        Carried out{Moving::from<false>(d, p, i), load(d, p.relativeX, p.relativeY, p.relativeZ, i), hn::Load(d, p.heat.data() + i), Shape::round(d)};
+        Carried out{Moving::from<false>(d, p, i), load(d, p.relativeX, p.relativeY, p.relativeZ, i),
+            hn::Load(d, p.heat.data() + i), Shape::round(d)};
         if (p.deforms()) {
             out.shape = Shape::from(d, p, i);
         }
@@ -55,19 +56,20 @@ struct Carried {
 HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& velocity)
 {
     const float radius = air.obstacleHalf.x;
-    const Vec3<V> away = place - air.obstaclePlace;
+    const Vec3<V> away = place - air.obstaclePosition;
     const V distance2 = dot(away, away);
     const auto inside = hn::Lt(distance2, hn::Set(d, radius * radius));
-    constexpr float kLeast = 1e-12F; // m^2: the centre has no direction
-    const Vec3<V> outward = away * hn::Div(hn::Set(d, 1.0F), hn::Sqrt(hn::Max(distance2, hn::Set(d, kLeast))));
-    Vec3<V> pushed = outward * radius + air.obstaclePlace;
+    constexpr float kMin = 1e-12F; // m^2: the centre has no direction
+    const Vec3<V> outward = away * hn::Div(hn::Set(d, 1.0F), hn::Sqrt(hn::Max(distance2, hn::Set(d, kMin))));
+    Vec3<V> pushed = outward * radius + air.obstaclePosition;
     if (air.hasGround) {
         // Under the ground it would come out of the ball: beside the ball instead, at the height of the ground.
-        const float below = air.groundHeight - air.obstaclePlace.y;
+        const float below = air.groundHeight - air.obstaclePosition.y;
         const auto buried = hn::Lt(pushed.y, hn::Set(d, air.groundHeight));
-        const V level = hn::Sqrt(hn::Max(away.x * away.x + away.z * away.z, hn::Set(d, kLeast)));
+        const V level = hn::Sqrt(hn::Max(away.x * away.x + away.z * away.z, hn::Set(d, kMin)));
         const V ring = hn::Div(hn::Sqrt(hn::Max(hn::Zero(d), hn::Set(d, radius * radius - below * below))), level);
-        const Vec3<V> beside{air.obstaclePlace.x + ring * away.x, hn::Set(d, air.groundHeight), air.obstaclePlace.z + ring * away.z};
+        const Vec3<V> beside{air.obstaclePosition.x + ring * away.x, hn::Set(d, air.groundHeight),
+            air.obstaclePosition.z + ring * away.z};
         pushed = chosen(buried, beside, pushed);
     }
     const V into = hn::Min(hn::Zero(d), dot(velocity, outward));
@@ -78,12 +80,12 @@ HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3
 /// The same for a box: out through its nearest face, and not through one that lies under the ground.
 HWY_INLINE void keepOutOfBox(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& velocity)
 {
-    const Vec3<V> away = place - air.obstaclePlace;
+    const Vec3<V> away = place - air.obstaclePosition;
     const Vec3<V> half = broadcast(d, air.obstacleHalf);
     const Vec3<V> depth{half.x - hn::Abs(away.x), half.y - hn::Abs(away.y), half.z - hn::Abs(away.z)};
     const V zero = hn::Zero(d);
     const auto inside = hn::And(hn::And(hn::Gt(depth.x, zero), hn::Gt(depth.y, zero)), hn::Gt(depth.z, zero));
-    const bool onGround = air.hasGround && air.obstaclePlace.y - air.obstacleHalf.y <= air.groundHeight;
+    const bool onGround = air.hasGround && air.obstaclePosition.y - air.obstacleHalf.y <= air.groundHeight;
     const V up = onGround ? hn::Set(d, 1.0F) : hn::CopySign(hn::Set(d, 1.0F), away.y);
     const V depthY = onGround ? half.y - away.y : depth.y;
     const auto byX = hn::And(hn::Le(depth.x, depthY), hn::Le(depth.x, depth.z));
@@ -92,10 +94,11 @@ HWY_INLINE void keepOutOfBox(D d, const AirConstants& air, Vec3<V>& place, Vec3<
     const auto throughX = hn::And(inside, byX);
     const auto throughY = hn::And(inside, byY);
     const auto throughZ = hn::And(inside, byZ);
-    place.x = hn::IfThenElse(throughX, air.obstaclePlace.x + hn::CopySign(half.x, away.x), place.x);
-    place.y = hn::IfThenElse(throughY, air.obstaclePlace.y + half.y * up, place.y);
-    place.z = hn::IfThenElse(throughZ, air.obstaclePlace.z + hn::CopySign(half.z, away.z), place.z);
-    velocity = {hn::IfThenZeroElse(throughX, velocity.x), hn::IfThenZeroElse(throughY, velocity.y), hn::IfThenZeroElse(throughZ, velocity.z)};
+    place.x = hn::IfThenElse(throughX, air.obstaclePosition.x + hn::CopySign(half.x, away.x), place.x);
+    place.y = hn::IfThenElse(throughY, air.obstaclePosition.y + half.y * up, place.y);
+    place.z = hn::IfThenElse(throughZ, air.obstaclePosition.z + hn::CopySign(half.z, away.z), place.z);
+    velocity = {hn::IfThenZeroElse(throughX, velocity.x), hn::IfThenZeroElse(throughY, velocity.y),
+        hn::IfThenZeroElse(throughZ, velocity.z)};
 }
 
 /// Keeps places out of obstacle and ground. They slide along: what velocity they have into it goes.
@@ -134,7 +137,8 @@ HWY_INLINE void setOut(D d, const StepConstants& constants, Way& way)
 HWY_INLINE void readHere(const StepConstants& constants, Way& way)
 {
     const AirThere<V> here = airAt<true>(*constants.air.field, constants.air.reach, way.places);
-    way.gradient2 = dot(here.slope[0], here.slope[0]) + dot(here.slope[1], here.slope[1]) + dot(here.slope[2], here.slope[2]);
+    way.gradient2 =
+        dot(here.slope[0], here.slope[0]) + dot(here.slope[1], here.slope[1]) + dot(here.slope[2], here.slope[2]);
     way.here = here;
 }
 
@@ -146,7 +150,8 @@ HWY_INLINE void accelerate(D d, const StepConstants& constants, const Time& time
     const Vec3<V> before = way.relative;
     way.relative = accelerated(d, constants, time, way.key, lift, way.position, before);
     way.flown = flown(d, constants, time, before, way.relative);
-    way.places = placesIn(d, *constants.air.field, way.position + (way.here.velocity + way.flown) * time(0.5F * constants.dt));
+    way.places =
+        placesIn(d, *constants.air.field, way.position + (way.here.velocity + way.flown) * time(0.5F * constants.dt));
 }
 
 HWY_INLINE void findDetail(D d, const StepConstants& constants, Way& way)
@@ -168,7 +173,8 @@ HWY_INLINE Vec3<V> turnOf(const StepConstants& constants, const Time& time, cons
 }
 
 template <class Time>
-HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, const Way& way, Vec3<V>& position, Vec3<V>& velocity, Vec3<V>& relative, V& heat)
+HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, const Way& way, Vec3<V>& position,
+    Vec3<V>& velocity, Vec3<V>& relative, V& heat)
 {
     const AirThere<V> midway = airAt<false>(*constants.air.field, constants.air.reach, way.places);
     heat = midway.heat;
@@ -184,7 +190,8 @@ HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, co
     keepOut(d, constants.air, position, relative);
 }
 
-/// Vectors that go through a step together, stage by stage: what one of them waits for is then hidden behind the others.
+/// Vectors that go through a step together, stage by stage: what one of them waits for is then hidden behind the
+/// others.
 constexpr std::size_t kTogether = 4;
 /// So many of them are fetched in advance: a particle has more columns than the processor can foresee.
 constexpr std::size_t kAhead = 2;
@@ -222,11 +229,14 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
         each([&](Way& way, std::size_t /*i*/) HWY_ATTR { findDetail(d, constants, way); });
         if (p.rolls()) {
             each([&](Way& way, std::size_t i) HWY_ATTR {
-                store(load(d, p.rollX, p.rollY, p.rollZ, i) + turnOf(constants, time, way.here.slope), p.rollX, p.rollY, p.rollZ, i);
+                store(load(d, p.rollX, p.rollY, p.rollZ, i) + turnOf(constants, time, way.here.slope), p.rollX, p.rollY,
+                    p.rollZ, i);
             });
         }
         if (p.deforms()) {
-            each([&](Way& way, std::size_t i) HWY_ATTR { deformed(d, constants, time, way.here.slope, way.gradient2, Shape::from(d, p, i)).to(d, p, i); });
+            each([&](Way& way, std::size_t i) HWY_ATTR {
+                deformed(d, constants, time, way.here.slope, way.gradient2, Shape::from(d, p, i)).to(d, p, i);
+            });
         }
         each([&](Way& way, std::size_t i) HWY_ATTR {
             Vec3<V> position, velocity, relative;
@@ -240,9 +250,10 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
     }
 }
 
-/// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that none stands at the rim, where the air does
-/// and would keep a skirt of smoke, and above the plane by a depth that ends as a dome. A slab of even density would be seen as one.
-HWY_INLINE Vec3<V> insideSource(D d, const StepConstants& constants, VU key, const Vec3<V>& onEmitter)
+/// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that none stands at the
+/// rim, where the air does and would keep a skirt of smoke, and above the plane by a depth that ends as a dome. A slab
+/// of even density would be seen as one.
+HWY_INLINE Vec3<V> positionInSource(D d, const StepConstants& constants, VU key, const Vec3<V>& onEmitter)
 {
     constexpr float kReach = 0.8F; // of the source's own
     constexpr float kInwards = 0.85F; // of that, at most
@@ -260,7 +271,7 @@ HWY_INLINE Carried throughParts(D d, std::span<const StepConstants> parts, VU ke
 {
     const StepConstants& whole = parts.front();
     Carried at = born;
-    at.moving.position = insideSource(d, whole, key, born.moving.position);
+    at.moving.position = positionInSource(d, whole, key, born.moving.position);
     // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
     at.relative = born.moving.velocity - whole.air.sourceVelocity;
     at.shape = Shape::round(d);
@@ -291,14 +302,14 @@ void carryJustBorn(std::span<const StepConstants> parts, Particles& particles, s
         const V share = agesInSteps(d, particles, i, key, whole.step, whole.betweenSteps);
         const Carried before = Carried::from(d, particles, i);
         const Carried after = throughParts(d, parts, key, share, before);
-        const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
+        const auto isNew = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         Carried kept;
-        kept.moving.position = chosen(isNewborn, after.moving.position, before.moving.position);
-        kept.moving.velocity = chosen(isNewborn, after.moving.velocity, before.moving.velocity);
-        kept.moving.roll = chosen(isNewborn, after.moving.roll, before.moving.roll);
-        kept.relative = chosen(isNewborn, after.relative, before.relative);
-        kept.heat = hn::IfThenElse(isNewborn, after.heat, before.heat);
-        kept.shape = chosen(isNewborn, after.shape, before.shape);
+        kept.moving.position = chosen(isNew, after.moving.position, before.moving.position);
+        kept.moving.velocity = chosen(isNew, after.moving.velocity, before.moving.velocity);
+        kept.moving.roll = chosen(isNew, after.moving.roll, before.moving.roll);
+        kept.relative = chosen(isNew, after.relative, before.relative);
+        kept.heat = hn::IfThenElse(isNew, after.heat, before.heat);
+        kept.shape = chosen(isNew, after.shape, before.shape);
         kept.to(d, particles, i);
     }
 }
@@ -318,7 +329,7 @@ void carryChunk(const StepConstants& constants, Particles& particles, std::size_
     kernel(constants, particles, chunk);
 }
 
-void carryNewborns(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last)
+void carryNewParticles(std::span<const StepConstants> parts, Particles& particles, std::size_t first, std::size_t last)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(carryJustBorn);
     kernel(parts, particles, first, last);

@@ -2,7 +2,9 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
-#include "core/simulation/model.h"
+#include "core/effect/known_parameter.h"
+#include "core/effect/parameter_table.h"
+#include "core/simulation/simulation_model.h"
 
 #include <algorithm>
 #include <array>
@@ -15,22 +17,25 @@ namespace fumage {
 
 namespace {
 
-/// The least radius of a source that a box is made for, m: about that of a wick. A point in still air would else have a box without extent.
-constexpr float kLeastRadius = 0.005F;
+/// The least radius of a source that a box is made for, m: about that of a wick. A point in still air would else have a
+/// box without extent.
+constexpr float kMinRadius = 0.005F;
 
 /// How far the smoke is expected to rise, m.
 float expectedRise(const SampledEffect& effect, float seconds)
 {
     const Emitter& emitter = effect->emitter;
-    const Motion& motion = effect->motion;
-    const float radius = std::max(kLeastRadius, sourceRadius(emitter));
-    const float buoyancy = std::abs(motion.buoyancy);
+    const Air& air = effect->air;
+    const float radius = std::max(kMinRadius, sourceRadius(emitter));
+    const float buoyancy = std::abs(air.buoyancy);
     constexpr float kLasting = 2.0F; // heat e^-2 lifts hardly more
-    const float lifted = motion.cooling > 0.0F ? std::min(seconds, kLasting / motion.cooling) : seconds;
+    const float lifted = air.cooling > 0.0F ? std::min(seconds, kLasting / air.cooling) : seconds;
     if (emitter.mode == EmissionMode::Burst) {
-        const float blown = radius * portableExp(std::min(2.0F, effect->air.expansion * emitter.burstDuration / 3.0F));
+        const float blown =
+            radius * portableExp(std::min(2.0F, effect->source.expansion * emitter.burstDuration / 3.0F));
         const float volume = 4.0F / 3.0F * kPi * blown * blown * blown;
-        return 2.0F * blown + 2.4F * portablePow(buoyancy * volume, 0.25F) * std::sqrt(lifted) + emitter.speed * std::min(seconds, 0.5F);
+        return 2.0F * blown + 2.4F * portablePow(buoyancy * volume, 0.25F) * std::sqrt(lifted)
+            + emitter.speed * std::min(seconds, 0.5F);
     }
     const float area = kPi * radius * radius;
     const float speed = std::max(emitter.speed, std::sqrt(buoyancy * radius));
@@ -50,17 +55,19 @@ Box fittedBox(const SampledEffect& effect)
     const Emitter& emitter = effect->emitter;
     const float seconds = effect->life.initialAlpha / effect->life.fadeRate;
     const float rise = expectedRise(effect, seconds);
-    const float radius = std::max(kLeastRadius, sourceRadius(emitter));
+    const float radius = std::max(kMinRadius, sourceRadius(emitter));
     constexpr float kWidening = 0.25F;
     constexpr float kRoom = 1.3F;
     const float side = kRoom * radius + kWidening * rise;
-    const glm::vec3 up = effect->motion.buoyancy < 0.0F ? glm::vec3(0.0F, -1.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+    const glm::vec3 up = effect->air.buoyancy < 0.0F ? glm::vec3(0.0F, -1.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
     // A jet goes where it points, heat goes up.
-    const glm::vec3 both = emitter.normal * (emitter.speed + 0.01F) + up * std::sqrt(std::abs(effect->motion.buoyancy) * rise + 0.01F);
+    const glm::vec3 both =
+        emitter.normal * (emitter.speed + 0.01F) + up * std::sqrt(std::abs(effect->air.buoyancy) * rise + 0.01F);
     constexpr float kNoWay = 1e-3F; // m/s: they cancel
     const glm::vec3 way = glm::length(both) > kNoWay ? glm::normalize(both) : up;
-    const float angle = radians(effect->motion.windAngle);
-    const glm::vec3 wind = windSpeed(effect->motion.wind * glm::vec3(portableCos(angle), 0.0F, portableSin(angle)), effect->motion);
+    const float angle = radians(effect->wind.angle);
+    const glm::vec3 wind =
+        windSpeed(effect->wind.strength * glm::vec3(portableCos(angle), 0.0F, portableSin(angle)), effect->air);
     constexpr float kBlown = 0.7F; // of its life that smoke is high enough for the wind
     const glm::vec3 end = emitter.position + rise * way + kBlown * seconds * wind;
     Box box{glm::min(emitter.position, end) - side, glm::max(emitter.position, end) + side};
@@ -101,12 +108,13 @@ std::vector<Solid> solidsOf(const Air& air)
     if (air.obstacle == Obstacle::None) {
         return {};
     }
-    return {{air.obstacle == Obstacle::Sphere ? SolidShape::Sphere : SolidShape::Box, air.obstaclePlace, air.obstacleSize}};
+    return {{air.obstacle == Obstacle::Sphere ? SolidShape::Sphere : SolidShape::Box, air.obstaclePosition,
+        air.obstacleSize}};
 }
 
-/// Most cells that may have to be stepped before a first picture: about five minutes of one processor. The longest loop of the built-in presets takes a
-/// twentieth.
-constexpr double kMostWork = 1e10;
+/// Most cells that may have to be stepped before a first picture: about five minutes of one processor. The longest loop
+/// of the built-in presets takes a twentieth.
+constexpr double kMaxWork = 1e10;
 
 /// Cells that are stepped before the first picture is there: of a loop, all of it and the half into which it goes over.
 double workBeforeFirstFrame(const SampledEffect& effect, const AirGrid& grid)
@@ -128,10 +136,14 @@ AirGrid airGrid(const SampledEffect& effect)
     const glm::vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
     constexpr float kFinest = 0x1p-20F;
     AirGrid grid;
-    grid.cell = std::max(longest / static_cast<float>(effect->air.resolution), kFinest * std::max({farthest.x, farthest.y, farthest.z}));
+    grid.cell = std::max(
+        longest / static_cast<float>(effect->air.resolution), kFinest * std::max({farthest.x, farthest.y, farthest.z}));
     // Rounded to the nearest even number, and the box stays where its middle and its foot are.
-    const auto even = [&](float length) { return std::clamp(2 * static_cast<int>(std::lround(0.5F * length / grid.cell)), kMinAirCells, kMaxAirCells); };
-    grid.cells = {even(size.x), std::clamp(static_cast<int>(std::lround(size.y / grid.cell)), kMinAirCells, kMaxAirCells), even(size.z)};
+    const auto even = [&](float length) {
+        return std::clamp(2 * static_cast<int>(std::lround(0.5F * length / grid.cell)), kMinAirCells, kMaxAirCells);
+    };
+    grid.cells = {even(size.x),
+        std::clamp(static_cast<int>(std::lround(size.y / grid.cell)), kMinAirCells, kMaxAirCells), even(size.z)};
     const glm::vec3 whole = grid.size();
     const glm::vec3 middle = 0.5F * (box.low + box.high);
     grid.corner = {middle.x - 0.5F * whole.x, box.low.y, middle.z - 0.5F * whole.z};
@@ -145,40 +157,53 @@ Status checkAir(const SampledEffect& effect)
     }
     const AirGrid grid = airGrid(effect);
     if (!std::isfinite(grid.size().x + grid.size().y + grid.size().z)) {
-        return Error{ErrorCode::OutOfRange, said("the box of the air has no finite size"), std::string("air"), said("Turn air.fit off and give air.size, or make the emitter smaller or slower")};
+        return Error{ErrorCode::OutOfRange, makeMessage("the box of the air has no finite size"), std::string("air"),
+            makeMessage("Turn air.fit off and give air.size, or make the emitter smaller or slower")};
     }
     const glm::vec3 place = effect->emitter.position;
-    if (glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell)) || glm::any(glm::greaterThan(place, grid.end()))) {
+    if (glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell))
+        || glm::any(glm::greaterThan(place, grid.end()))) {
         const bool isBuried = effect->air.ground && place.y < effect->air.groundHeight;
-        return isBuried ? Error{ErrorCode::OutOfRange, said("the emitter lies under the ground"), std::string("air"), said("Lower air.ground_height or raise emitter.position")}
-                        : Error{ErrorCode::OutOfRange, said("the emitter lies outside the box of the air"), std::string("air"), said("Turn air.fit on, or change air.offset or air.size")};
+        return isBuried ? Error{ErrorCode::OutOfRange, makeMessage("the emitter lies under the ground"),
+                   std::string("air"), makeMessage("Lower air.ground_height or raise emitter.position")}
+                        : Error{ErrorCode::OutOfRange, makeMessage("the emitter lies outside the box of the air"),
+                            std::string("air"), makeMessage("Turn air.fit on, or change air.offset or air.size")};
     }
-    if (workBeforeFirstFrame(effect, grid) > kMostWork) {
+    if (workBeforeFirstFrame(effect, grid) > kMaxWork) {
         return effect->timeline.loop
-            ? Error{ErrorCode::TooLarge, said("the air of a loop of %1 frames is baked whole before its first picture, which would take very long", effect->timeline.length), std::string("timeline.length"),
-                said("Shorten timeline.length, lower air.resolution, or turn timeline.loop off")}
-            : Error{ErrorCode::TooLarge, said("the air has to be moved on for a whole life of the smoke before its first picture, which would take very long"), std::string("timeline.prewarm"),
-                said("Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution")};
+            ? Error{ErrorCode::TooLarge,
+                makeMessage("the air of a loop of %1 frames is baked whole before its first picture, which would take "
+                            "very long",
+                    effect->timeline.length),
+                std::string("timeline.length"),
+                makeMessage("Shorten timeline.length, lower air.resolution, or turn timeline.loop off")}
+            : Error{ErrorCode::TooLarge,
+                makeMessage("the air has to be moved on for a whole life of the smoke before its first picture, which "
+                            "would take very long"),
+                std::string("timeline.prewarm"),
+                makeMessage("Turn timeline.prewarm off, raise life.fade_rate, or lower air.resolution")};
     }
     const std::vector<Solid> solids = solidsOf(effect->air);
-    if (solids.empty() || anyCell(grid.cells, [&](const glm::ivec3& cell) { return !solids.front().contains(grid.centre(cell)); })) {
+    if (solids.empty()
+        || anyCell(grid.cells, [&](const glm::ivec3& cell) { return !solids.front().contains(grid.centre(cell)); })) {
         return Done{};
     }
-    return Error{ErrorCode::OutOfRange, said("the obstacle fills the box of the air"), std::string("air.obstacle_size"), said("Make the obstacle smaller, or move it")};
+    return Error{ErrorCode::OutOfRange, makeMessage("the obstacle fills the box of the air"),
+        std::string("air.obstacle_size"), makeMessage("Make the obstacle smaller, or move it")};
 }
 
-AirPlan airPlan(const Model& model)
+AirPlan airPlan(const SimulationModel& model)
 {
     const SampledEffect& effect = model.effect();
     AirPlan plan;
     plan.grid = airGrid(effect);
-    plan.borders.low[1] = standsOnGround(effect, plan.grid) ? Border::Solid : Border::Open;
+    plan.boundaries.low[1] = standsOnGround(effect, plan.grid) ? Boundary::Solid : Boundary::Open;
     plan.solids = solidsOf(effect->air);
     plan.firstStep = model.schedule().firstStep;
     plan.loopSteps = model.schedule().loopSteps;
     plan.parts = usualParts(model);
-    plan.wind = windSpeed(model.windAt(0.0), effect->motion);
-    plan.stepTo = [model = Model(effect), grid = plan.grid](std::int64_t number) {
+    plan.wind = windSpeed(model.windAt(0.0), effect->air);
+    plan.stepTo = [model = SimulationModel(effect), grid = plan.grid](std::int64_t number) {
         return airStep(model, grid, number, model.schedule().actsAfter(number - 1));
     };
     return plan;
@@ -187,26 +212,12 @@ AirPlan airPlan(const Model& model)
 Effect airPart(const Effect& effect)
 {
     Effect part;
-    part.air = effect.air;
-    part.air.detail = Air().detail;
-    part.air.heatOpacity = Air().heatOpacity;
-    part.emitter = effect.emitter;
-    part.emitter.count = Emitter().count;
-    part.emitter.velocityRandomness = Emitter().velocityRandomness;
-    part.emitter.subframe = Emitter().subframe;
-    part.motion.wind = effect.motion.wind;
-    part.motion.windAngle = effect.motion.windAngle;
-    part.motion.gust = effect.motion.gust;
-    part.motion.gustRate = effect.motion.gustRate;
-    part.motion.drag = effect.motion.drag;
-    part.motion.buoyancy = effect.motion.buoyancy;
-    part.motion.cooling = effect.motion.cooling;
-    part.vortex = effect.vortex;
-    part.life.initialAlpha = effect.life.initialAlpha;
-    part.life.fadeRate = effect.life.fadeRate;
-    part.timeline = effect.timeline;
-    if (!effect.timeline.loop) {
-        part.timeline.length = Timeline().length;
+    for (const Parameter& parameter : parameterTable()) {
+        // What does not loop goes on for ever: its length is that of the pictures.
+        if (parameter.dirties == DirtyStage::Air
+            && (effect.timeline.loop || &parameter != &knownParameter("timeline.length"))) {
+            parameter.set(part, parameter.get(effect));
+        }
     }
     return part;
 }

@@ -18,7 +18,8 @@ float sourceRadius(const Emitter& emitter)
 
 glm::vec2 sourceReach(const Emitter& emitter)
 {
-    return emitter.shape == EmitterShape::Rectangle ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth) : glm::vec2(emitter.radius);
+    return emitter.shape == EmitterShape::Rectangle ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth)
+                                                    : glm::vec2(emitter.radius);
 }
 
 float alongNormal(const Emitter& emitter)
@@ -33,15 +34,15 @@ glm::vec3 sourceDepth(const Emitter& emitter, const AirGrid& grid)
         return glm::vec3(0.0F);
     }
     constexpr float kShareOfRadius = 0.4F;
-    constexpr float kLeastCells = 1.5F;
-    return glm::normalize(emitter.normal) * std::max(kShareOfRadius * sourceRadius(emitter), kLeastCells * grid.cell);
+    constexpr float kMinCells = 1.5F;
+    return glm::normalize(emitter.normal) * std::max(kShareOfRadius * sourceRadius(emitter), kMinCells * grid.cell);
 }
 
 std::array<glm::vec3, 2> sourceSides(const Emitter& emitter)
 {
     const PlaneBasis basis = planeBasis(glm::normalize(emitter.normal));
-    constexpr float kLeast = 1e-6F; // m: a point has no sides
-    const glm::vec2 reach = glm::max(sourceReach(emitter), glm::vec2(kLeast));
+    constexpr float kMin = 1e-6F; // m: a point has no sides
+    const glm::vec2 reach = glm::max(sourceReach(emitter), glm::vec2(kMin));
     return {basis.across / reach.x, basis.along / reach.y};
 }
 

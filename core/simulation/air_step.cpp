@@ -19,14 +19,15 @@ namespace {
 /// Streams of the random numbers of the air.
 enum AirStream : std::uint32_t {
     kRim = 140,
-    kStirring = 150
+    kForcing = 150
 };
 
-/// Drag, 1/s, below which the wind is as fast as if there were this much: without any it would have no speed of its own.
-constexpr float kLeastWindDrag = 0.5F;
+/// Drag, 1/s, below which the wind is as fast as if there were this much: without any it would have no speed of its
+/// own.
+constexpr float kMinWindDrag = 0.5F;
 
 /// How soon the air in the source has the emitter's speed, 1/s.
-constexpr float kGrip = 30.0F;
+constexpr float kRelaxation = 30.0F;
 
 /// The source, as far as it is the same at every step.
 AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
@@ -43,15 +44,18 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
     const float radius = std::min(source.reach.x, source.reach.y);
     source.depth = glm::length(sourceDepth(emitter, grid));
     source.softness = std::max(0.4F * radius, 1.5F * grid.cell);
-    source.raggedness = effect->air.raggedness;
-    source.unevenness = effect->air.unevenness;
+    source.raggedness = effect->source.raggedness;
+    source.unevenness = effect->source.unevenness;
     source.speed = emitter.speed * alongNormal(emitter);
     source.heat = 1.0F;
-    source.expansion = effect->air.expansion;
-    const float extent = (1.0F + 3.0F * source.raggedness) * std::max(source.reach.x, source.reach.y) * 1.5F + source.depth + source.softness;
-    // Within the box before they are whole numbers: an emitter that a game puts far away lies more cells off than an int holds.
+    source.expansion = effect->source.expansion;
+    const float extent = (1.0F + 3.0F * source.raggedness) * std::max(source.reach.x, source.reach.y) * 1.5F
+        + source.depth + source.softness;
+    // Within the box before they are whole numbers: an emitter that a game puts far away lies more cells off than an
+    // int holds.
     const auto cellOf = [&](float sign, float more) {
-        return glm::ivec3(glm::clamp(glm::floor((source.place - grid.corner + sign * extent) / grid.cell) + more, glm::vec3(0.0F), glm::vec3(grid.cells)));
+        return glm::ivec3(glm::clamp(glm::floor((source.place - grid.corner + sign * extent) / grid.cell) + more,
+            glm::vec3(0.0F), glm::vec3(grid.cells)));
     };
     source.first = cellOf(-1.0F, 0.0F);
     source.last = cellOf(1.0F, 1.0F);
@@ -62,15 +66,18 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
 }
 
 /// An octave of noise at a step: two slices of time that cross-fade.
-/// @param seed of its own @param frequency 1/m @param rate how often it becomes another, 1/s @param weight of a component's root mean square
+/// @param seed of its own @param frequency 1/m @param rate how often it becomes another, 1/s @param weight of a
+/// component's root mean square
 AirOctave octaveAt(double step, const Schedule& schedule, std::uint32_t seed, float frequency, float rate, float weight)
 {
     const RowPosition row = rowPosition(step, schedule, static_cast<double>(rate * schedule.dt));
-    const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
+    const float turn =
+        0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
     AirOctave octave;
     octave.frequency = frequency;
     octave.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
-    octave.slices.key = {keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
+    octave.slices.key = {
+        keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
     octave.slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};
     return octave;
 }
@@ -85,13 +92,14 @@ float meanOfUneven(float deviation)
     return below + deviation * kPeak * portableExp(-0.5F * x * x);
 }
 
-/// Makes the mean heat of a source that of all such sources: its largest swirls are larger than itself, and one would else be twice as hot as another.
+/// Makes the mean heat of a source that of all such sources: its largest swirls are larger than itself, and one would
+/// else be twice as hot as another.
 void evenOut(AirSource& source)
 {
     constexpr float kThirdOctave = 1.2F; // its square comes on top of the two others', which are 1
-    constexpr float kLeast = 0.25F; // a source that is all but cold is not made hot
+    constexpr float kMin = 0.25F; // a source that is all but cold is not made hot
     const float usual = meanOfUneven(source.unevenness * std::sqrt(kThirdOctave));
-    source.heat *= usual / std::max(kLeast, meanUnevenness(source));
+    source.heat *= usual / std::max(kMin, meanUnevenness(source));
 }
 
 /// The source's noise at a step.
@@ -105,7 +113,9 @@ void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed,
     std::uint32_t stream = kRim;
     for (AirOctave* octave : {&source.rim[0], &source.rim[1], &source.billow}) {
         *octave = octaveAt(step, schedule, streamBits(seed, stream), frequency, often, weight);
-        weight *= stream == kRim ? 0.5F : 1.0F; // the smallest is as strong as the one before it: it is what makes billows on billows
+        weight *= stream == kRim
+            ? 0.5F
+            : 1.0F; // the smallest is as strong as the one before it: it is what makes billows on billows
         frequency *= 2.0F;
         often *= 1.6F;
         ++stream;
@@ -115,50 +125,53 @@ void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed,
     }
 }
 
-/// What stirs the air at a step. Each octave has swirls half as large as the one before and 0.7 of its strength, and becomes another about as often as
-/// its swirls turn around.
-AirStirring stirringAt(const SampledEffect& effect, const AirGrid& grid, const Schedule& schedule, double step)
+/// What stirs the air at a step. Each octave has swirls half as large as the one before and 0.7 of its strength, and
+/// becomes another about as often as its swirls turn around.
+TurbulenceForcing forcingAt(const SampledEffect& effect, const AirGrid& grid, const Schedule& schedule, double step)
 {
     const Air& air = effect->air;
     constexpr float kRoughness = 0.7F;
     constexpr float kSquares = 1.0F + kRoughness * kRoughness * (1.0F + kRoughness * kRoughness); // of three octaves
     constexpr float kComponents = 3.0F;
     constexpr float kTurns = 0.2F;
-    constexpr float kLeastCells = 2.0F; // a smaller swirl is none
-    AirStirring stirring;
-    stirring.strength = air.turbulence;
-    stirring.place = effect->emitter.position;
-    stirring.calm = 0.5F * std::max(sourceRadius(effect->emitter), grid.cell);
-    float size = std::max(air.turbulenceScale, kLeastCells * grid.cell);
+    constexpr float kMinCells = 2.0F; // a smaller swirl is none
+    TurbulenceForcing forcing;
+    forcing.strength = air.turbulence;
+    forcing.place = effect->emitter.position;
+    forcing.calm = 0.5F * std::max(sourceRadius(effect->emitter), grid.cell);
+    float size = std::max(air.turbulenceScale, kMinCells * grid.cell);
     float weight = kCurlNormalisation / std::sqrt(kComponents * kSquares);
     float strength = air.turbulence;
-    for (std::uint32_t i = 0; i < kStirringOctaves && size >= kLeastCells * grid.cell; ++i) {
-        const std::uint32_t own = streamBits(effect->emitter.seed, kStirring + i);
-        stirring.octave[i] = octaveAt(step, schedule, own, 1.0F / size, kTurns * std::sqrt(strength / size), weight);
-        stirring.octaves = i + 1;
+    for (std::uint32_t i = 0; i < kForcingOctaves && size >= kMinCells * grid.cell; ++i) {
+        const std::uint32_t own = streamBits(effect->emitter.seed, kForcing + i);
+        forcing.octave[i] = octaveAt(step, schedule, own, 1.0F / size, kTurns * std::sqrt(strength / size), weight);
+        forcing.octaves = i + 1;
         size *= 0.5F;
         weight *= kRoughness;
         strength *= kRoughness;
     }
-    return stirring;
+    return forcing;
 }
 
 /// The vortex of the effect, about an axis through the emitter. The air takes up its speed while it goes a radius far.
-AirSwirl swirlOf(const SampledEffect& effect, float dt)
+AirVortex vortexOf(const SampledEffect& effect, float dt)
 {
     const Vortex& vortex = effect->vortex;
     const float rate = std::abs(vortex.strength) / vortex.radius;
-    return {vortex.strength, vortex.radius, vortex.widening, effect->emitter.position, glm::normalize(vortex.axis), 1.0F - portableExp(-rate * dt)};
+    return {vortex.strength, vortex.radius, vortex.widening, effect->emitter.position, glm::normalize(vortex.axis),
+        1.0F - portableExp(-rate * dt)};
 }
 
-/// Longest that air is followed at once, s: over more of it heat goes on rising straight where it would have turned, and smoke gets too high.
+/// Longest that air is followed at once, s: over more of it heat goes on rising straight where it would have turned,
+/// and smoke gets too high.
 constexpr float kLongestPiece = 1.0F / 24.0F;
 
-/// Most that the source adds to the air in a piece, of its own volume: air is traced back along straight ways, which a source that blows up bends.
-constexpr float kMostGrowth = 0.6F;
+/// Most that the source adds to the air in a piece, of its own volume: air is traced back along straight ways, which a
+/// source that blows up bends.
+constexpr float kMaxGrowth = 0.6F;
 
 /// Most parts that are kept for the particles, which go through more pieces than that by several at once.
-constexpr int kMostParts = 8;
+constexpr int kMaxParts = 8;
 
 /// A part of a step.
 struct Moment {
@@ -177,16 +190,16 @@ struct Division {
 Division divisionOf(const SampledEffect& effect, float seconds, bool acts)
 {
     constexpr float kRounding = 1e-4F;
-    const float growth = acts ? effect->air.expansion * seconds : 0.0F;
-    const float least = std::ceil(std::max(seconds / kLongestPiece, growth / kMostGrowth) - kRounding);
+    const float growth = acts ? effect->source.expansion * seconds : 0.0F;
+    const float least = std::ceil(std::max(seconds / kLongestPiece, growth / kMaxGrowth) - kRounding);
     const int pieces = std::max(1, static_cast<int>(least));
-    const int parts = std::min(pieces, kMostParts);
+    const int parts = std::min(pieces, kMaxParts);
     return {parts, (pieces + parts - 1) / parts};
 }
 
 /// Calls visit(moment, pieces) for the parts of a step in their order.
 template <class Visit>
-void forParts(const Model& model, std::int64_t number, float acts, const Visit& visit)
+void forParts(const SimulationModel& model, std::int64_t number, float acts, const Visit& visit)
 {
     const auto start = static_cast<double>(number - 1);
     const auto divide = [&](double begin, double end, bool active) {
@@ -206,31 +219,32 @@ void forParts(const Model& model, std::int64_t number, float acts, const Visit& 
     }
 }
 
-AirStep airPartOfStep(const Model& model, const AirGrid& grid, const Moment& moment, int pieces)
+AirStep airPartOfStep(const SimulationModel& model, const AirGrid& grid, const Moment& moment, int pieces)
 {
     const SampledEffect& effect = model.effect();
     const Schedule& schedule = model.schedule();
-    const Motion& motion = effect->motion;
+    const Air& air = effect->air;
     AirStep step;
     step.share = moment.share;
     step.pieces = pieces;
     step.dt = schedule.dt * moment.share / static_cast<float>(pieces);
-    step.buoyancy = motion.buoyancy;
-    step.heatKept = portableExp(-motion.cooling * step.dt);
-    step.confinement = effect->air.vorticity;
-    step.friction = effect->air.friction;
-    step.wind = windSpeed(model.windAt(moment.end), motion);
-    step.windChange = (step.wind - windSpeed(model.windAt(moment.begin), motion)) / static_cast<float>(pieces);
+    step.buoyancy = air.buoyancy;
+    step.heatKept = portableExp(-air.cooling * step.dt);
+    step.confinement = air.vorticity;
+    step.friction = air.friction;
+    step.wind = windSpeed(model.windAt(moment.end), air);
+    step.windChange = (step.wind - windSpeed(model.windAt(moment.begin), air)) / static_cast<float>(pieces);
     step.source = steadySource(effect, grid);
     step.source.acts = moment.acts;
-    step.source.grip = effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kGrip * alongNormal(effect->emitter) * step.dt) : 0.0F;
-    step.swirl = swirlOf(effect, step.dt);
-    if (effect->air.turbulence > 0.0F) {
-        step.stirring = stirringAt(effect, grid, schedule, moment.end);
+    step.source.relaxation =
+        effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kRelaxation * alongNormal(effect->emitter) * step.dt) : 0.0F;
+    step.vortex = vortexOf(effect, step.dt);
+    if (air.turbulence > 0.0F) {
+        step.forcing = forcingAt(effect, grid, schedule, moment.end);
     }
     if (moment.acts && (step.source.raggedness > 0.0F || step.source.unevenness > 0.0F)) {
         const float radius = std::max(step.source.reach.x, step.source.reach.y);
-        const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(motion.buoyancy) * radius)) / radius;
+        const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(air.buoyancy) * radius)) / radius;
         moveSource(step.source, schedule, effect->emitter.seed, rate, moment.end);
     }
     return step;
@@ -238,9 +252,9 @@ AirStep airPartOfStep(const Model& model, const AirGrid& grid, const Moment& mom
 
 } // namespace
 
-glm::vec3 windSpeed(const glm::vec3& acceleration, const Motion& motion)
+glm::vec3 windSpeed(const glm::vec3& acceleration, const Air& air)
 {
-    return acceleration / std::max(motion.drag, kLeastWindDrag);
+    return acceleration / std::max(air.drag, kMinWindDrag);
 }
 
 int piecesOfStep(const SampledEffect& effect, float seconds, bool acts)
@@ -249,15 +263,16 @@ int piecesOfStep(const SampledEffect& effect, float seconds, bool acts)
     return division.parts * division.pieces;
 }
 
-std::size_t usualParts(const Model& model)
+std::size_t usualParts(const SimulationModel& model)
 {
     constexpr double kFewSteps = 64.0;
     int parts = 0;
-    forParts(model, 1, model.schedule().emittingSteps > kFewSteps ? 1.0F : 0.0F, [&](const Moment& /*moment*/, int /*pieces*/) { ++parts; });
+    forParts(model, 1, model.schedule().emittingSteps > kFewSteps ? 1.0F : 0.0F,
+        [&](const Moment& /*moment*/, int /*pieces*/) { ++parts; });
     return static_cast<std::size_t>(parts);
 }
 
-AirStep airStep(const Model& model, const AirGrid& grid, std::int64_t number, float acts)
+AirStep airStep(const SimulationModel& model, const AirGrid& grid, std::int64_t number, float acts)
 {
     std::vector<AirStep> earlier;
     AirStep last;

@@ -5,13 +5,13 @@
 
 namespace fumage {
 
-Particles::Columns columnsOf(const Model& model)
+Particles::Columns columnsOf(const SimulationModel& model)
 {
     const Look& look = model.effect()->look;
     return {.rolls = look.roll > 0.0F, .inAir = model.inAir(), .deforms = model.inAir() && look.deformation > 0.0F};
 }
 
-void findParts(const Model& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out)
+void findParts(const SimulationModel& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out)
 {
     out.clear();
     if (air == nullptr) {
@@ -40,15 +40,16 @@ void moveChunk(std::span<const StepConstants> parts, Particles& particles, std::
     }
 }
 
-void bearInChunk(const BirthPlace& place, std::span<const StepConstants> parts, std::int64_t randomIndex, std::size_t slot, std::size_t end, Particles& particles)
+void spawnInChunk(const Spawner& place, std::span<const StepConstants> parts, std::int64_t randomIndex,
+    std::size_t slot, std::size_t end, Particles& particles)
 {
     const StepConstants& constants = parts.back();
     particles.clearRoll(slot, end);
-    bearParticles(place, randomIndex, constants.step, slot, end - slot, particles);
+    spawnParticles(place, randomIndex, constants.step, slot, end - slot, particles);
     if (constants.air.field != nullptr) {
-        carryNewborns(parts, particles, slot, end);
+        carryNewParticles(parts, particles, slot, end);
     } else if (constants.betweenSteps) {
-        stepNewborns(constants, particles, slot, end);
+        stepNewParticles(constants, particles, slot, end);
     }
 }
 

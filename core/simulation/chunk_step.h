@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/simulation/emitter.h"
-#include "core/simulation/model.h"
+#include "core/simulation/simulation_model.h"
 #include "core/simulation/particles.h"
 
 #include <span>
@@ -10,11 +10,11 @@
 namespace fumage {
 
 /// The columns that the particles of an effect need.
-[[nodiscard]] Particles::Columns columnsOf(const Model& model);
+[[nodiscard]] Particles::Columns columnsOf(const SimulationModel& model);
 
 /// The parts of a step: one of it all, or as many as its air has.
 /// @param air of the step, which has to outlive them, or nullptr
-void findParts(const Model& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out);
+void findParts(const SimulationModel& model, std::int64_t step, const AirField* air, std::vector<StepConstants>& out);
 
 /// Moves one chunk of particles by one step: by carryChunk() where air carries them, else by stepChunk().
 /// @param parts of the step
@@ -23,9 +23,10 @@ void moveChunk(std::span<const StepConstants> parts, Particles& particles, std::
 
 /// Gives birth to particles of consecutive index and moves them through the part of the step that they have lived.
 /// @param parts of the step at which they first appear
-/// @param randomIndex of the first, see bearParticles()
+/// @param randomIndex of the first, see spawnParticles()
 /// @param slot,end  slots [slot, end) of one chunk
 /// Thread-safe for different chunks.
-void bearInChunk(const BirthPlace& place, std::span<const StepConstants> parts, std::int64_t randomIndex, std::size_t slot, std::size_t end, Particles& particles);
+void spawnInChunk(const Spawner& place, std::span<const StepConstants> parts, std::int64_t randomIndex,
+    std::size_t slot, std::size_t end, Particles& particles);
 
 } // namespace fumage

@@ -21,12 +21,14 @@ using V = hn::Vec<D>;
 using DU = hn::RebindToUnsigned<D>;
 using VU = hn::Vec<DU>;
 
-HWY_INLINE Vec3<V> birthPosition(D d, const BirthPlace& place, VU key)
+HWY_INLINE Vec3<V> birthPosition(D d, const Spawner& place, VU key)
 {
     const Emitter& emitter = place.emitter;
     const V u = signedStream(d, key, kBirthAcross);
     const V v = signedStream(d, key, kBirthAlong);
-    const auto onPlane = [&](V across, V along) HWY_ATTR { return broadcast(d, emitter.position) + across * place.basis.across + along * place.basis.along; };
+    const auto onPlane = [&](V across, V along) HWY_ATTR {
+        return broadcast(d, emitter.position) + across * place.basis.across + along * place.basis.along;
+    };
     if (emitter.shape == EmitterShape::Rectangle) {
         return onPlane(u * (0.5F * emitter.width), v * (0.5F * emitter.depth));
     }
@@ -43,7 +45,7 @@ HWY_INLINE Vec3<V> birthPosition(D d, const BirthPlace& place, VU key)
     return onPlane(r * (level * turn.cosine), r * (level * turn.sine)) + r * v * emitter.normal;
 }
 
-HWY_INLINE Vec3<V> birthVelocity(D d, const BirthPlace& place, VU key)
+HWY_INLINE Vec3<V> birthVelocity(D d, const Spawner& place, VU key)
 {
     const Emitter& emitter = place.emitter;
     Vec3<V> n = broadcast(d, emitter.normal);
@@ -54,7 +56,8 @@ HWY_INLINE Vec3<V> birthVelocity(D d, const BirthPlace& place, VU key)
         const SineCosine<V> turn = sinCos(d, kPi * signedStream(d, key, kBirthConeTurn));
         n = n * (1.0F - below) + sine * turn.cosine * place.basis.across + sine * turn.sine * place.basis.along;
     }
-    const Vec3<V> random{signedStream(d, key, kBirthVelocityX), unitStream(d, key, kBirthVelocityY), signedStream(d, key, kBirthVelocityZ)};
+    const Vec3<V> random{signedStream(d, key, kBirthVelocityX), unitStream(d, key, kBirthVelocityY),
+        signedStream(d, key, kBirthVelocityZ)};
     return n * (random * emitter.velocityRandomness + glm::vec3(1.0F - emitter.velocityRandomness)) * emitter.speed;
 }
 
@@ -64,9 +67,9 @@ struct Start {
     Vec3<V> velocity;
 };
 
-/// Takes starts at the emitter's place now to where it was when they were born. The turn from normal n to m, unit vectors, is
-/// v + k x v + k x (k x v) / (1 + n.m) with k = n x m.
-HWY_INLINE Start onTheWay(D d, const BirthPlace& place, VU key, const Start& born)
+/// Takes starts at the emitter's place now to where it was when they were born. The turn from normal n to m, unit
+/// vectors, is v + k x v + k x (k x v) / (1 + n.m) with k = n x m.
+HWY_INLINE Start onTheWay(D d, const Spawner& place, VU key, const Start& born)
 {
     const EmitterTravel& travel = place.travel;
     const V lived = travel.betweenSteps ? signedValue(d, hn::ShiftRight<8>(key)) * 0x1p-24F : hn::Zero(d);
@@ -88,7 +91,8 @@ HWY_INLINE Start onTheWay(D d, const BirthPlace& place, VU key, const Start& bor
     return {away + place.emitter.position - lived * travel.way, velocity + travel.velocity};
 }
 
-void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
+void spawn(const Spawner& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count,
+    Particles& particles)
 {
     const D d;
     const DU du;
@@ -108,7 +112,8 @@ void bear(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, 
         const auto index = static_cast<std::uint64_t>(randomIndex) + done;
         const auto start = static_cast<std::uint32_t>(index);
         const VU low = hn::Iota(du, 0U) + start;
-        const VU carry = hn::VecFromMask(du, hn::Lt(low, hn::Set(du, start))); // all ones, which is -1, where the low half has wrapped
+        const VU carry = hn::VecFromMask(
+            du, hn::Lt(low, hn::Set(du, start))); // all ones, which is -1, where the low half has wrapped
         const VU high = static_cast<std::uint32_t>(index >> 32U) - carry;
         const VU key = keysOf(place.emitter.seed, low, high);
         Start born{birthPosition(d, place, key), birthVelocity(d, place, key)};
@@ -136,9 +141,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumage {
 
-HWY_EXPORT(bear);
+HWY_EXPORT(spawn);
 
-BirthPlace::BirthPlace(const Emitter& from)
+Spawner::Spawner(const Emitter& from)
     : emitter(from)
     , basis(planeBasis(from.normal))
 {
@@ -146,16 +151,17 @@ BirthPlace::BirthPlace(const Emitter& from)
     coneHeight = 2.0F * half * half; // 1 - cos(spread), without its cancellation
 }
 
-BirthPlace::BirthPlace(const Emitter& at, const EmitterTravel& coming)
-    : BirthPlace(at)
+Spawner::Spawner(const Emitter& at, const EmitterTravel& coming)
+    : Spawner(at)
 {
     travel = coming;
     travels = coming.way != glm::vec3(0.0F) || coming.normalBefore != at.normal || coming.velocity != glm::vec3(0.0F);
 }
 
-void bearParticles(const BirthPlace& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot, std::size_t count, Particles& particles)
+void spawnParticles(const Spawner& place, std::int64_t randomIndex, std::int32_t step, std::size_t slot,
+    std::size_t count, Particles& particles)
 {
-    const auto kernel = HWY_DYNAMIC_DISPATCH(bear);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(spawn);
     kernel(place, randomIndex, step, slot, count, particles);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/model.h"
+#include "core/simulation/simulation_model.h"
 #include "core/simulation/particles.h"
 
 #include <memory>
@@ -9,7 +9,7 @@ namespace fumage {
 
 /// The smoke at one frame: a pure function of (effect, frame number).
 struct Frame {
-    std::shared_ptr<const Model> model;
+    std::shared_ptr<const SimulationModel> model;
     int number = 0;
     std::int64_t step = 0;
     Particles particles;
@@ -21,6 +21,7 @@ struct Lifecycle {
     float life = 0.0F; ///< share of its life that has passed, in [0, 1)
     float alpha = 0.0F; ///< Ai - fade * age (eq. XIII), with lifetime variance as a faster fade
     bool alive = false;
+    friend bool operator==(const Lifecycle&, const Lifecycle&) = default;
 };
 
 /// @param slot index below particles.capacity

@@ -22,7 +22,8 @@ using V = hn::Vec<D>;
 using DU = hn::RebindToUnsigned<D>;
 using VU = hn::Vec<DU>;
 
-/// Three independent random int32 as float, for one particle and step: three rounds of multiply and shift over key XOR step key.
+/// Three independent random int32 as float, for one particle and step: three rounds of multiply and shift over key XOR
+/// step key.
 HWY_INLINE Vec3<V> signedDraws(D d, VU key, VU stepKey)
 {
     VU bits = (key ^ stepKey) * kMixFactor1;
@@ -73,7 +74,10 @@ struct WholeStep {
     {
         return {hn::Set(d, constants.flightBefore), hn::Set(d, constants.flightAfter)};
     }
-    [[nodiscard]] static HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) { return {hn::Set(d, constants.rotationSin), hn::Set(d, constants.rotationCos)}; }
+    [[nodiscard]] static HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants)
+    {
+        return {hn::Set(d, constants.rotationSin), hn::Set(d, constants.rotationCos)};
+    }
 };
 
 /// The same for what was born during the step: each lane has a share of it.
@@ -104,7 +108,10 @@ struct PartOfStep {
         const V after = lacking / mean;
         return {mean - after * (1.0F - x * mean), after};
     }
-    [[nodiscard]] HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) const { return sinCos(d, constants.rotation * share); }
+    [[nodiscard]] HWY_INLINE SineCosine<V> rotation(D d, const StepConstants& constants) const
+    {
+        return sinCos(d, constants.rotation * share);
+    }
 };
 
 /// Turned about the vertical, from +z towards +x.
@@ -120,10 +127,12 @@ HWY_INLINE Vec3<V> turnedAboutPivot(const SineCosine<V>& angle, const StepConsta
     return {away.x + constants.pivot.x, place.y, away.z + constants.pivot.z};
 }
 
-/// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the same randomness, and drag.
+/// The velocity after a step's acceleration: wind and gravity, buoyancy and the pull towards the axis, all with the
+/// same randomness, and drag.
 /// @param lift m/s a step: what buoyancy gives this particle
 template <class Time>
-HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V lift, const Vec3<V>& position, const Vec3<V>& velocity)
+HWY_INLINE Vec3<V> accelerated(D d, const StepConstants& constants, const Time& time, VU key, V lift,
+    const Vec3<V>& position, const Vec3<V>& velocity)
 {
     const Vec3<V> away = position - constants.pivot;
     const Vec3<V> own{-constants.pull * away.x, lift, -constants.pull * away.z};

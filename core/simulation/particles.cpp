@@ -12,7 +12,8 @@ constexpr std::size_t columnCount()
     forEachColumn([&](const auto& /*column*/) { ++count; });
     return count;
 }
-static_assert(sizeof(Particles) == columnCount() * sizeof(AlignedArray<float>) + sizeof(std::size_t), "a member of Particles has no line in forEachColumn()");
+static_assert(sizeof(Particles) == columnCount() * sizeof(AlignedArray<float>) + sizeof(std::size_t),
+    "a member of Particles has no line in forEachColumn()");
 
 template <class T>
 void fillSlots(AlignedArray<T>& values, std::size_t first, std::size_t last, T value)
@@ -25,14 +26,10 @@ void fillSlots(AlignedArray<T>& values, std::size_t first, std::size_t last, T v
 bool hasColumnsOf(ColumnOf owner, const Particles::Columns& columns)
 {
     switch (owner) {
-    case ColumnOf::Rolling:
-        return columns.rolls;
-    case ColumnOf::InAir:
-        return columns.inAir;
-    case ColumnOf::Deforming:
-        return columns.deforms;
-    case ColumnOf::All:
-        break;
+    case ColumnOf::Rolling: return columns.rolls;
+    case ColumnOf::InAir: return columns.inAir;
+    case ColumnOf::Deforming: return columns.deforms;
+    case ColumnOf::All: break;
     }
     return true;
 }

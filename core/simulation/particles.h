@@ -8,8 +8,8 @@
 
 namespace fumage {
 
-/// The state of every particle at one step: a structure of arrays, one slot a particle, slot = birth index modulo capacity.
-/// Arrays are padded to whole chunks; slots that are not alive hold zeros and kUnborn.
+/// The state of every particle at one step: a structure of arrays, one slot a particle, slot = birth index modulo
+/// capacity. Arrays are padded to whole chunks; slots that are not alive hold zeros and kUnborn.
 struct Particles {
     static constexpr std::int32_t kUnborn = std::numeric_limits<std::int32_t>::max();
 
@@ -19,10 +19,13 @@ struct Particles {
     // A new column needs its line in forEachColumn().
     AlignedArray<float> x, y, z; ///< position, m
     AlignedArray<float> vx, vy, vz; ///< velocity without the turbulence that carries the particle, m/s
-    AlignedArray<float> rollX, rollY, rollZ; ///< how far the swirls have turned the particle, a rotation vector in radians; empty where nobody asks
-    AlignedArray<float> relativeX, relativeY, relativeZ; ///< velocity against the air, m/s; empty where no air carries them
+    AlignedArray<float> rollX, rollY,
+        rollZ; ///< how far the swirls have turned the particle, a rotation vector in radians; empty where nobody asks
+    AlignedArray<float> relativeX, relativeY,
+        relativeZ; ///< velocity against the air, m/s; empty where no air carries them
     AlignedArray<float> heat; ///< of the air at the particle, 1 at the source; empty where no air carries them
-    AlignedArray<float> shapeXX, shapeYY, shapeZZ, shapeXY, shapeXZ, shapeYZ; ///< squares of its axes, a symmetric tensor, 1 at birth; empty where nobody asks
+    AlignedArray<float> shapeXX, shapeYY, shapeZZ, shapeXY, shapeXZ,
+        shapeYZ; ///< squares of its axes, a symmetric tensor, 1 at birth; empty where nobody asks
     AlignedArray<std::uint32_t> key; ///< random bits of the particle, see keyOf()
     AlignedArray<std::int32_t> birthStep; ///< kUnborn where the slot is empty
     std::size_t capacity = 0; ///< slots in use at most

@@ -43,7 +43,8 @@ std::int64_t Schedule::birthIndex(std::int64_t step, std::int64_t slot, std::int
 std::int64_t Schedule::capacity() const
 {
     const std::int64_t rest = lifetimeSteps % periodSteps;
-    const std::int64_t inRest = rest == 0 ? 0 : std::min(birthsPerPeriod, ceilDivide(rest * birthsPerPeriod, windowSteps) + 1);
+    const std::int64_t inRest =
+        rest == 0 ? 0 : std::min(birthsPerPeriod, ceilDivide(rest * birthsPerPeriod, windowSteps) + 1);
     return std::max<std::int64_t>(1, lifetimeSteps / periodSteps * birthsPerPeriod + inRest);
 }
 
@@ -62,9 +63,9 @@ RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerSt
     const std::int64_t cells = schedule.loopSteps == 0
         ? 0
         : std::max<std::int64_t>(1, std::llround(cellsPerStep * static_cast<double>(schedule.loopSteps)));
-    const double position = cells == 0
-        ? cellsPerStep * step
-        : std::fmod(step, static_cast<double>(schedule.loopSteps)) * static_cast<double>(cells) / static_cast<double>(schedule.loopSteps);
+    const double position = cells == 0 ? cellsPerStep * step
+                                       : std::fmod(step, static_cast<double>(schedule.loopSteps))
+            * static_cast<double>(cells) / static_cast<double>(schedule.loopSteps);
     const double cell = std::floor(position);
     RowPosition row;
     row.cells = cells;
@@ -84,14 +85,16 @@ Schedule makeSchedule(const SampledEffect& effect)
     schedule.dt = static_cast<float>(dt);
     schedule.stepsPerFrame = timeline.stepsPerFrame;
     schedule.betweenSteps = effect->emitter.subframe;
-    schedule.lifetimeSteps = wholeSteps(static_cast<double>(effect->life.initialAlpha) / static_cast<double>(effect->life.fadeRate), dt);
+    schedule.lifetimeSteps =
+        wholeSteps(static_cast<double>(effect->life.initialAlpha) / static_cast<double>(effect->life.fadeRate), dt);
     schedule.loopSteps = timeline.loop ? static_cast<std::int64_t>(timeline.length) * timeline.stepsPerFrame : 0;
 
     const bool burst = effect->emitter.mode == EmissionMode::Burst;
     const std::int64_t lifetime = schedule.lifetimeSteps;
     if (timeline.loop) {
         schedule.periodSteps = schedule.loopSteps;
-        schedule.birthsPerPeriod = burst ? count / ceilDivide(lifetime, schedule.loopSteps) : count * schedule.loopSteps / lifetime;
+        schedule.birthsPerPeriod =
+            burst ? count / ceilDivide(lifetime, schedule.loopSteps) : count * schedule.loopSteps / lifetime;
         schedule.firstStep = ceilDivide(lifetime, schedule.loopSteps) * schedule.loopSteps;
     } else {
         schedule.periodSteps = burst ? kNever : lifetime;
@@ -99,11 +102,15 @@ Schedule makeSchedule(const SampledEffect& effect)
         schedule.firstStep = timeline.prewarm && !burst ? lifetime : 0;
     }
     schedule.birthsPerPeriod = std::max<std::int64_t>(1, schedule.birthsPerPeriod);
-    // One that takes no time gives the air its speed and its expansion for as long as a frame of film, whatever a step is.
+    // One that takes no time gives the air its speed and its expansion for as long as a frame of film, whatever a step
+    // is.
     constexpr double kShortestBurst = 1.0 / 30.0; // s
     const double emitting = std::max(static_cast<double>(effect->emitter.burstDuration), kShortestBurst) / dt;
-    schedule.emittingSteps = burst ? std::min(static_cast<double>(schedule.periodSteps), emitting) : static_cast<double>(schedule.periodSteps);
-    schedule.windowSteps = burst ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect->emitter.burstDuration), dt)) : schedule.periodSteps;
+    schedule.emittingSteps = burst ? std::min(static_cast<double>(schedule.periodSteps), emitting)
+                                   : static_cast<double>(schedule.periodSteps);
+    schedule.windowSteps = burst
+        ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect->emitter.burstDuration), dt))
+        : schedule.periodSteps;
     return schedule;
 }
 

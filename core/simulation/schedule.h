@@ -6,23 +6,27 @@
 
 namespace fumage {
 
-/// When each particle is born and how long it lives, in whole steps: closed forms, so that any step can be reached at once.
+/// When each particle is born and how long it lives, in whole steps: closed forms, so that any step can be reached at
+/// once.
 ///
-/// Births repeat with a period of periodSteps; each period has birthsPerPeriod of them, spread over its first windowSteps.
-/// A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1. Between steps, its birth is a random part of a step before b.
+/// Births repeat with a period of periodSteps; each period has birthsPerPeriod of them, spread over its first
+/// windowSteps. A particle that is born at step b is alive at steps b to b + lifetimeSteps - 1. Between steps, its
+/// birth is a random part of a step before b.
 struct Schedule {
     float dt = 0.0F; ///< seconds a step
     std::int64_t lifetimeSteps = 1; ///< L = ceil(Ai / (fade dt)), eq. XIII of the 2012 model
     std::int64_t birthsPerPeriod = 1;
     std::int64_t periodSteps = 1;
     std::int64_t windowSteps = 1; ///< at most periodSteps
-    double emittingSteps = 1.0; ///< for which the source acts on the air in each period: windowSteps before they are made whole
+    double emittingSteps =
+        1.0; ///< for which the source acts on the air in each period: windowSteps before they are made whole
     std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it
     std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;
     bool betweenSteps = false; ///< births are spread over the time between two steps, each by its own random part of it
 
-    /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step 0.
+    /// Births before the given step, which is also the index of the first particle born at it or later. 0 before step
+    /// 0.
     [[nodiscard]] std::int64_t birthsBefore(std::int64_t step) const;
 
     /// Index of the first particle that may be alive at a step.
@@ -37,12 +41,16 @@ struct Schedule {
     [[nodiscard]] std::int64_t capacity() const;
 
     /// The index that randomness sees: the same in every turn of a loop.
-    [[nodiscard]] std::int64_t randomIndex(std::int64_t birthIndex) const { return loopSteps == 0 ? birthIndex : birthIndex % birthsPerPeriod; }
+    [[nodiscard]] std::int64_t randomIndex(std::int64_t birthIndex) const
+    {
+        return loopSteps == 0 ? birthIndex : birthIndex % birthsPerPeriod;
+    }
 
     /// The step that randomness and moving fields see: the same in every turn of a loop.
     [[nodiscard]] std::int64_t randomStep(std::int64_t step) const { return loopSteps == 0 ? step : step % loopSteps; }
 
-    /// How much of the time from a step to the next the source acts on the air, 0 to 1: a burst that ends between two steps gives off no more for that.
+    /// How much of the time from a step to the next the source acts on the air, 0 to 1: a burst that ends between two
+    /// steps gives off no more for that.
     /// @param step 0 or more
     [[nodiscard]] float actsAfter(std::int64_t step) const;
 
@@ -58,7 +66,8 @@ struct RowPosition {
     std::int64_t cells = 0; ///< of a loop; 0: endless
 };
 
-/// Where a step lies in the row of random values that something has which changes cellsPerStep times a step; whole numbers of them in a loop.
+/// Where a step lies in the row of random values that something has which changes cellsPerStep times a step; whole
+/// numbers of them in a loop.
 /// @param step 0 or more; parts of steps too
 [[nodiscard]] RowPosition rowPosition(double step, const Schedule& schedule, double cellsPerStep);
 

@@ -22,7 +22,10 @@ HWY_INLINE Vec3<V> chosen(M where, const Vec3<V>& a, const Vec3<V>& b)
 struct Shape {
     V xx, yy, zz, xy, xz, yz;
 
-    static HWY_INLINE Shape round(D d) { return {hn::Set(d, 1.0F), hn::Set(d, 1.0F), hn::Set(d, 1.0F), hn::Zero(d), hn::Zero(d), hn::Zero(d)}; }
+    static HWY_INLINE Shape round(D d)
+    {
+        return {hn::Set(d, 1.0F), hn::Set(d, 1.0F), hn::Set(d, 1.0F), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    }
 
     static HWY_INLINE Shape from(D d, const Particles& p, std::size_t i)
     {
@@ -70,7 +73,8 @@ template <class M>
 HWY_INLINE Shape chosen(M where, const Shape& a, const Shape& b)
 {
     const auto either = [&](V x, V y) HWY_ATTR { return hn::IfThenElse(where, x, y); };
-    return {either(a.xx, b.xx), either(a.yy, b.yy), either(a.zz, b.zz), either(a.xy, b.xy), either(a.xz, b.xz), either(a.yz, b.yz)};
+    return {either(a.xx, b.xx), either(a.yy, b.yy), either(a.zz, b.zz), either(a.xy, b.xy), either(a.xz, b.xz),
+        either(a.yz, b.yz)};
 }
 
 /// A map by what it makes of the three unit vectors.
@@ -78,8 +82,8 @@ struct Map {
     Vec3<V> x, y, z;
 };
 
-/// What a flow B in the half of a step maps its start to, by its middle: (1 - B)^-1 (1 + B) = 2 (1 - B)^-1 - 1, which turns what turns without stretching
-/// it and keeps volumes to third order.
+/// What a flow B in the half of a step maps its start to, by its middle: (1 - B)^-1 (1 + B) = 2 (1 - B)^-1 - 1, which
+/// turns what turns without stretching it and keeps volumes to third order.
 /// @param b by its columns
 HWY_INLINE Map mapOf(const Map& b)
 {
@@ -99,12 +103,14 @@ HWY_INLINE Map mapOf(const Map& b)
     return out;
 }
 
-/// A shape after a step: dC/dt = G C + C G^T - (C - 1) / tau, by C' = F C F^T, which stays positive, and then some way back to a ball. Flows that would
-/// stretch by more than their own length in a step count as if they did so by as much, so that their map always has an inverse.
+/// A shape after a step: dC/dt = G C + C G^T - (C - 1) / tau, by C' = F C F^T, which stays positive, and then some way
+/// back to a ball. Flows that would stretch by more than their own length in a step count as if they did so by as much,
+/// so that their map always has an inverse.
 /// @param slope     of the air along each axis, m/s a cell
 /// @param gradient2 sum of their squares
 template <class Time>
-HWY_INLINE Shape deformed(D d, const StepConstants& constants, const Time& time, const Vec3<V> (&slope)[3], V gradient2, const Shape& shape)
+HWY_INLINE Shape deformed(
+    D d, const StepConstants& constants, const Time& time, const Vec3<V> (&slope)[3], V gradient2, const Shape& shape)
 {
     const auto cells = time(constants.dt / constants.air.field->grid.cell);
     const V norm2 = gradient2 * (cells * cells);
@@ -114,7 +120,7 @@ HWY_INLINE Shape deformed(D d, const StepConstants& constants, const Time& time,
         const SineCosine<V> angle = time.rotation(d, constants);
         map = {rotated(angle, map.x), rotated(angle, map.y), rotated(angle, map.z)};
     }
-    return shape.mapped(map.x, map.y, map.z).relaxed(constants.air.shapeLost).bounded(d, kMostDeformation);
+    return shape.mapped(map.x, map.y, map.z).relaxed(constants.air.shapeLost).bounded(d, kMaxDeformation);
 }
 
 } // namespace fumage::HWY_NAMESPACE::stepping

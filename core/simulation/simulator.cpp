@@ -8,9 +8,9 @@ namespace fumage {
 
 namespace {
 
-std::shared_ptr<BakedAir> airFor(const SampledEffect& effect, const std::shared_ptr<AirShelf>& shelf)
+std::shared_ptr<BakedAir> airFor(const SampledEffect& effect, const std::shared_ptr<AirCache>& shelf)
 {
-    return shelf ? shelf->airOf(effect) : AirShelf().airOf(effect);
+    return shelf ? shelf->airOf(effect) : AirCache().airOf(effect);
 }
 
 /// Checkpoints a lifetime: a jump steps an eighth of a pre-roll at most once they are there.
@@ -18,9 +18,9 @@ constexpr std::int64_t kCheckpointsALifetime = 8;
 
 } // namespace
 
-Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, const std::shared_ptr<AirShelf>& shelf)
+Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, const std::shared_ptr<AirCache>& shelf)
     : m_airStatus(checkAir(effect))
-    , m_model(std::make_shared<const Model>(effect, m_airStatus ? airFor(effect, shelf) : nullptr))
+    , m_model(std::make_shared<const SimulationModel>(effect, m_airStatus ? airFor(effect, shelf) : nullptr))
     , m_checkpoints(checkpointBytes)
 {
 }
@@ -28,7 +28,8 @@ Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, c
 std::shared_ptr<const Frame> Simulator::nearestBefore(int number) const
 {
     std::shared_ptr<const Frame> checkpoint = m_checkpoints.nearestBefore(number);
-    const bool latestIsNearer = m_latest && m_latest->number <= number && (!checkpoint || checkpoint->number < m_latest->number);
+    const bool latestIsNearer =
+        m_latest && m_latest->number <= number && (!checkpoint || checkpoint->number < m_latest->number);
     return latestIsNearer ? m_latest : checkpoint;
 }
 
@@ -73,7 +74,9 @@ Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const std::sto
     next->number = number;
     next->step = step;
     m_latest = next;
-    m_checkpoints.offer(m_latest, static_cast<int>(std::max<std::int64_t>(1, schedule.lifetimeSteps / schedule.stepsPerFrame / kCheckpointsALifetime)));
+    m_checkpoints.offer(m_latest,
+        static_cast<int>(
+            std::max<std::int64_t>(1, schedule.lifetimeSteps / schedule.stepsPerFrame / kCheckpointsALifetime)));
     return m_latest;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/simulation/advance.h"
-#include "core/simulation/air_shelf.h"
+#include "core/simulation/air_cache.h"
 #include "core/simulation/checkpoints.h"
 #include "core/simulation/frame.h"
 
@@ -18,15 +18,18 @@ class Simulator {
 public:
     /// @param checkpointBytes memory that checkpoints may take
     /// @param shelf with air that is baked already, or where it is to be kept for others; null: this simulator's own
-    explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes, const std::shared_ptr<AirShelf>& shelf = nullptr);
+    explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes,
+        const std::shared_ptr<AirCache>& shelf = nullptr);
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
-    /// @param progress hears of Work::PreRoll where many steps lead to the frame, and of Work::Air where it has to be baked
+    /// @param progress hears of ProgressPhase::PreRoll where many steps lead to the frame, and of ProgressPhase::Air
+    /// where it has to be baked
     /// @error Cancelled; that of checkAir()
-    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const std::stop_token& stop = {}, const Progress& progress = {});
+    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(
+        int number, const std::stop_token& stop = {}, const Progress& progress = {});
 
     /// The constants and the schedule that the effect came to.
-    [[nodiscard]] const Model& model() const { return *m_model; }
+    [[nodiscard]] const SimulationModel& model() const { return *m_model; }
 
     static constexpr std::size_t kDefaultCheckpointBytes = std::size_t{256} << 20U;
 
@@ -35,7 +38,7 @@ private:
     [[nodiscard]] std::shared_ptr<Frame> blankFrame();
 
     Status m_airStatus; ///< of checkAir()
-    std::shared_ptr<const Model> m_model;
+    std::shared_ptr<const SimulationModel> m_model;
     Checkpoints m_checkpoints;
     std::shared_ptr<const Frame> m_latest;
     std::vector<std::shared_ptr<Frame>> m_pool; ///< frames to write into again once nobody else holds them

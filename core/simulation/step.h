@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/simulation/model.h"
+#include "core/simulation/simulation_model.h"
 #include "core/simulation/particles.h"
 
 #include <span>
@@ -19,17 +19,17 @@ namespace fumage {
 /// Thread-safe for different chunks. The same bits on every instruction set.
 void stepChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);
 
-/// Moves particles that were born during a step from where they were born through the part of the step that they have lived: smoke then
-/// leaves along the air that carries it as a stream, and not in plates a step apart.
+/// Moves particles that were born during a step from where they were born through the part of the step that they have
+/// lived: smoke then leaves along the air that carries it as a stream, and not in plates a step apart.
 /// @param constants of the step at which they first appear, which is their birth step
 /// @param first,last slots [first, last) of one chunk
 /// Thread-safe for different chunks. The same bits on every instruction set.
-void stepNewborns(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last);
+void stepNewParticles(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last);
 
 /// Evaluates the turbulence of a step at points, m/s, as stepChunk() does for particles older than the onset.
 /// @param x,y,z        positions, m; all spans have the same length
 /// @param vx,vy,vz     results
-void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y, std::span<const float> z,
-    std::span<float> vx, std::span<float> vy, std::span<float> vz);
+void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y,
+    std::span<const float> z, std::span<float> vx, std::span<float> vy, std::span<float> vz);
 
 } // namespace fumage

@@ -57,7 +57,8 @@ HWY_INLINE Moving stepped(D d, const StepConstants& constants, const Time& time,
     if (constants.vortexStrength != 0.0F) {
         p = turnedByVortex(d, constants, time, p);
     }
-    const V lift = constants.buoyancy * (1.0F + heatDeviation(d, constants, key)) * exponential(d, -constants.cooling * age);
+    const V lift =
+        constants.buoyancy * (1.0F + heatDeviation(d, constants, key)) * exponential(d, -constants.cooling * age);
     const Vec3<V> before = at.velocity;
     at.velocity = accelerated(d, constants, time, key, lift, p, before);
     Vec3<V> carried = flown(d, constants, time, before, at.velocity);
@@ -96,7 +97,8 @@ HWY_INLINE void stepWholeWith(const StepConstants& constants, Particles& particl
 
 /// Slots [first, last); neighbours in the same vectors stay as they are.
 template <bool kTurns>
-HWY_INLINE void stepNewbornsWith(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+HWY_INLINE void stepNewParticlesWith(
+    const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
 {
     const D d;
     for (std::size_t i = first / hn::Lanes(d) * hn::Lanes(d); i < last; i += hn::Lanes(d)) {
@@ -104,11 +106,13 @@ HWY_INLINE void stepNewbornsWith(const StepConstants& constants, Particles& part
         const V share = agesInSteps(d, particles, i, key, constants.step, true);
         const Moving before = Moving::from<kTurns>(d, particles, i);
         const Moving after = stepped<kTurns>(d, constants, PartOfStep{share}, key, share * constants.dt, before);
-        const auto isNewborn = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
+        const auto isNew = hn::AndNot(hn::FirstN(d, first - std::min(first, i)), hn::FirstN(d, last - i));
         const auto chosen = [&](const Vec3<V>& a, const Vec3<V>& b) HWY_ATTR {
-            return Vec3<V>{hn::IfThenElse(isNewborn, a.x, b.x), hn::IfThenElse(isNewborn, a.y, b.y), hn::IfThenElse(isNewborn, a.z, b.z)};
+            return Vec3<V>{
+                hn::IfThenElse(isNew, a.x, b.x), hn::IfThenElse(isNew, a.y, b.y), hn::IfThenElse(isNew, a.z, b.z)};
         };
-        const Moving kept{chosen(after.position, before.position), chosen(after.velocity, before.velocity), chosen(after.roll, before.roll)};
+        const Moving kept{chosen(after.position, before.position), chosen(after.velocity, before.velocity),
+            chosen(after.roll, before.roll)};
         kept.to<kTurns>(particles, i);
     }
 }
@@ -125,13 +129,14 @@ void stepWhole(const StepConstants& constants, Particles& particles, std::size_t
 void stepJustBorn(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
 {
     if (particles.rolls()) {
-        stepNewbornsWith<true>(constants, particles, first, last);
+        stepNewParticlesWith<true>(constants, particles, first, last);
     } else {
-        stepNewbornsWith<false>(constants, particles, first, last);
+        stepNewParticlesWith<false>(constants, particles, first, last);
     }
 }
 
-void evaluateTurbulence(const StepConstants& constants, const std::array<std::span<const float>, 3>& from, const std::array<std::span<float>, 3>& to)
+void evaluateTurbulence(const StepConstants& constants, const std::array<std::span<const float>, 3>& from,
+    const std::array<std::span<float>, 3>& to)
 {
     const D d;
     constexpr std::size_t kRoom = HWY_MAX_BYTES / sizeof(float);
@@ -169,14 +174,14 @@ void stepChunk(const StepConstants& constants, Particles& particles, std::size_t
     step(constants, particles, chunk);
 }
 
-void stepNewborns(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
+void stepNewParticles(const StepConstants& constants, Particles& particles, std::size_t first, std::size_t last)
 {
     const auto step = HWY_DYNAMIC_DISPATCH(stepJustBorn);
     step(constants, particles, first, last);
 }
 
-void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y, std::span<const float> z,
-    std::span<float> vx, std::span<float> vy, std::span<float> vz)
+void turbulenceAt(const StepConstants& constants, std::span<const float> x, std::span<const float> y,
+    std::span<const float> z, std::span<float> vx, std::span<float> vy, std::span<float> vz)
 {
     const auto evaluate = HWY_DYNAMIC_DISPATCH(evaluateTurbulence);
     evaluate(constants, {x, y, z}, {vx, vy, vz});

@@ -4,7 +4,8 @@
 
 namespace fumage {
 
-/// What a particle's random numbers are for; each purpose has a stream of its own, see streamBits(). Changing a value changes every picture.
+/// What a particle's random numbers are for; each purpose has a stream of its own, see streamBits(). Changing a value
+/// changes every picture.
 enum ParticleStream : std::uint32_t {
     kBirthAcross = 0,
     kBirthAlong = 1,

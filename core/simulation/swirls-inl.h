@@ -1,4 +1,5 @@
-// Included once per SIMD target: the moving air that carries particles. Turbulence, a train of vortex rings and a vortex.
+// Included once per SIMD target: the moving air that carries particles. Turbulence, a train of vortex rings and a
+// vortex.
 
 #if defined(FUMAGE_SWIRLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUMAGE_SWIRLS_INL_H
@@ -10,7 +11,7 @@
 #include "core/base/hash-inl.h"
 #include "core/base/math-inl.h"
 #include "core/noise/simplex-inl.h"
-#include "core/simulation/model.h"
+#include "core/simulation/simulation_model.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -20,9 +21,9 @@ template <bool kTurns, bool kPotential, class D, class V = hn::VFromD<D>>
 HWY_INLINE void addOctave(D d, const Vec3<V>& place, const CurlSlices& slices, Swirl<V>& swirl)
 {
     if (slices.weight[1] != 0.0F) {
-        addSwirl<kTurns, kPotential, 2>(d, place, slices, swirl);
+        addVortex<kTurns, kPotential, 2>(d, place, slices, swirl);
     } else {
-        addSwirl<kTurns, kPotential, 1>(d, place, slices, swirl);
+        addVortex<kTurns, kPotential, 1>(d, place, slices, swirl);
     }
 }
 
@@ -88,7 +89,8 @@ HWY_INLINE void addTurbulence(
     }
 }
 
-/// Three numbers in [0, 1), fixed for each number of a ring: what its strength loses, and where its axis lies to two sides.
+/// Three numbers in [0, 1), fixed for each number of a ring: what its strength loses, and where its axis lies to two
+/// sides.
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE Vec3<V> ringDraws(D d, V number, std::uint32_t key)
 {
@@ -97,7 +99,8 @@ HWY_INLINE Vec3<V> ringDraws(D d, V number, std::uint32_t key)
     const auto bits = mixedBits(hn::BitCast(du, hn::ConvertTo(di, number)) ^ key);
     constexpr std::uint32_t kTenBits = 1023;
     const auto unit = [&](auto tenBits) HWY_ATTR { return signedValue(d, tenBits) * 0x1p-10F; };
-    return {unit(hn::ShiftRight<22>(bits)), unit(hn::ShiftRight<12>(bits) & kTenBits), unit(hn::ShiftRight<2>(bits) & kTenBits)};
+    return {unit(hn::ShiftRight<22>(bits)), unit(hn::ShiftRight<12>(bits) & kTenBits),
+        unit(hn::ShiftRight<2>(bits) & kTenBits)};
 }
 
 /// The strength of a ring of some number; where ring 0 is the first, the air before it is still.
@@ -126,7 +129,8 @@ HWY_INLINE V ringStrength(D d, const StepConstants& constants, V number, V draw)
 /// the air before the first can be still. The vorticity is that of rings that do not arch. Polynomials stand in for the
 /// Gauss and cosine shapes of measured rings, at a third of their cost.
 template <bool kTurns, class D, class V = hn::VFromD<D>>
-HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& position, Vec3<V>& velocity, Vec3<V>& vorticity)
+HWY_INLINE void addRings(
+    D d, const StepConstants& constants, const Vec3<V>& position, Vec3<V>& velocity, Vec3<V>& vorticity)
 {
     const V zero = hn::Zero(d);
     const Vec3<V> axis = broadcast(d, constants.ringAxis);
@@ -181,8 +185,9 @@ HWY_INLINE void addRings(D d, const StepConstants& constants, const Vec3<V>& pos
     }
 }
 
-/// Where a vortex about an axis through the pivot takes a position in one step or a part of it: speed = strength * 2 s / (1 + s^2), s = distance / radius, which may widen along the axis
-/// (Scully 1975). Turned exactly, by the angle at that distance; a straight step along the tangent would lead outwards in a spiral.
+/// Where a vortex about an axis through the pivot takes a position in one step or a part of it: speed = strength * 2 s
+/// / (1 + s^2), s = distance / radius, which may widen along the axis (Scully 1975). Turned exactly, by the angle at
+/// that distance; a straight step along the tangent would lead outwards in a spiral.
 /// @param time see WholeStep
 template <class D, class Time, class V = hn::VFromD<D>>
 HWY_INLINE Vec3<V> turnedByVortex(D d, const StepConstants& constants, const Time& time, const Vec3<V>& position)

@@ -25,13 +25,13 @@ CAMERA = ["camera.mode=fixed", "camera.position=[0,2.8,9]", "camera.view=[0,0,-1
 FRONT = ["light.direction=[-0.66,-0.64,-0.38]"]
 BACK = ["light.direction=[-0.32,0.34,0.88]"]
 YOUNG = ["timeline.prewarm=false"]
-AIR = ["air.resolution=96", "air.unevenness=1", "look.overlap=6", "look.texture=0.3", "look.deformation=0.5", "life.size=[[0,0.7],[1,1.2]]"]
-PLUME = AIR + ["emitter.position=[0,0,0]", "emitter.radius=0.55", "emitter.speed=1.3", "emitter.count=500000", "motion.buoyancy=2.2", "air.size=[3,8,3]", "air.turbulence=8", "air.turbulence_scale=0.35"]
+AIR = ["air.resolution=96", "source.unevenness=1", "look.overlap=6", "look.texture=0.3", "look.deformation=0.5", "life.size=[[0,0.7],[1,1.2]]"]
+PLUME = AIR + ["emitter.position=[0,0,0]", "emitter.radius=0.55", "emitter.speed=1.3", "emitter.count=500000", "air.buoyancy=2.2", "air.size=[3,8,3]", "air.turbulence=8", "air.turbulence_scale=0.35"]
 SMALL = ["look.size=0.09", "look.opacity=1.5"]
 OLD = ["life.fade_rate=0.012", "look.size=0.1", "look.opacity=1.2"]
-WIND = AIR + ["light.direction=[0.86,-0.5,0]", "emitter.position=[-1.45,0.58,0]", "emitter.radius=0.22", "emitter.speed=0.3", "life.fade_rate=0.03", "motion.wind=2.6", "motion.drag=2", "motion.buoyancy=0.7",
-              "motion.gust=0", "air.size=[5,2.5,2]", "air.offset=[1.8,-0.6,0]", "air.turbulence=4", "air.turbulence_scale=0.2", "look.size=0.075", "look.opacity=0.7"]
-WISP = AIR + ["emitter.position=[0,0.56,0]", "emitter.radius=0.2", "emitter.count=100000", "emitter.speed=0.35", "life.fade_rate=0.012", "motion.buoyancy=0.4", "air.size=[1.5,3.5,1.5]", "air.turbulence=0.6",
+WIND = AIR + ["light.direction=[0.86,-0.5,0]", "emitter.position=[-1.45,0.58,0]", "emitter.radius=0.22", "emitter.speed=0.3", "life.fade_rate=0.03", "wind.strength=2.6", "motion.drag=2", "air.drag=2", "air.buoyancy=0.7",
+              "wind.gust=0", "air.size=[5,2.5,2]", "air.offset=[1.8,-0.6,0]", "air.turbulence=4", "air.turbulence_scale=0.2", "look.size=0.075", "look.opacity=0.7"]
+WISP = AIR + ["emitter.position=[0,0.56,0]", "emitter.radius=0.2", "emitter.count=100000", "emitter.speed=0.35", "life.fade_rate=0.012", "air.buoyancy=0.4", "air.size=[1.5,3.5,1.5]", "air.turbulence=0.6",
               "air.turbulence_scale=0.2", "look.size=0.075", "look.opacity=0.25"]
 # reference file, preset, frame, what to set
 PAIRS = [

@@ -92,7 +92,7 @@
         <translation>&amp;Variationer…</translation>
     </message>
     <message>
-        <source>Randomise a &amp;little</source>
+        <source>Randomise s&amp;lightly</source>
         <translation>Slumpa &amp;lite</translation>
     </message>
     <message>
@@ -136,10 +136,6 @@
         <translation>&amp;Handtag</translation>
     </message>
     <message>
-        <source>Motion &amp;tracks</source>
-        <translation>&amp;Rörelsespår</translation>
-    </message>
-    <message>
         <source>E&amp;xport frame</source>
         <translation>E&amp;xportram</translation>
     </message>
@@ -148,7 +144,7 @@
         <translation>Mät&amp;värden</translation>
     </message>
     <message>
-        <source>&amp;Checker behind the smoke</source>
+        <source>&amp;Checkerboard</source>
         <translation>&amp;Schackrutor bakom röken</translation>
     </message>
     <message>
@@ -168,27 +164,27 @@
         <translation>&amp;Spela eller pausa</translation>
     </message>
     <message>
-        <source>One frame &amp;on</source>
+        <source>&amp;Next frame</source>
         <translation>En bildruta &amp;framåt</translation>
     </message>
     <message>
-        <source>One frame &amp;back</source>
+        <source>&amp;Previous frame</source>
         <translation>En bildruta &amp;bakåt</translation>
     </message>
     <message>
-        <source>To the &amp;first frame</source>
+        <source>Go to &amp;start</source>
         <translation>Till &amp;första bildrutan</translation>
     </message>
     <message>
-        <source>To the &amp;last frame</source>
+        <source>Go to &amp;end</source>
         <translation>Till &amp;sista bildrutan</translation>
     </message>
     <message>
-        <source>Range starts &amp;here</source>
+        <source>Set &amp;in point</source>
         <translation>Intervallet börjar &amp;här</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
+        <source>Set &amp;out point</source>
         <translation>Intervallet &amp;slutar här</translation>
     </message>
     <message>
@@ -196,7 +192,7 @@
         <translation>&amp;Hela intervallet</translation>
     </message>
     <message>
-        <source>&amp;Remember this as B</source>
+        <source>&amp;Store as B</source>
         <translation>&amp;Kom ihåg detta som B</translation>
     </message>
     <message>
@@ -204,7 +200,7 @@
         <translation>&amp;Delad vy av A och B</translation>
     </message>
     <message>
-        <source>&amp;Adopt B</source>
+        <source>&amp;Replace A with B</source>
         <translation>&amp;Ta över B</translation>
     </message>
     <message>
@@ -244,7 +240,7 @@
         <translation>&amp;Paneler</translation>
     </message>
     <message>
-        <source>&amp;Mouse habits</source>
+        <source>&amp;Navigation style</source>
         <translation>&amp;Musvanor</translation>
     </message>
     <message>
@@ -260,7 +256,7 @@
         <translation>Visa &amp;hela animationen</translation>
     </message>
     <message>
-        <source>&amp;Only the smoke</source>
+        <source>&amp;Hide panels</source>
         <translation>&amp;Bara röken</translation>
     </message>
     <message>
@@ -290,6 +286,10 @@
     <message>
         <source>Cop&amp;y the picture</source>
         <translation>Kopiera &amp;bilden</translation>
+    </message>
+    <message>
+        <source>Particle pa&amp;ths</source>
+        <translation>Partikel&amp;banor</translation>
     </message>
 </context>
 <context>
@@ -329,7 +329,7 @@
         <translation>Förinställning: %1</translation>
     </message>
     <message>
-        <source>Nothing is found by “%1”. Try a part of a word, or another word.</source>
+        <source>No results for “%1”. Try a part of a word, or another word.</source>
         <translation>Inget hittas med ”%1”. Prova en del av ett ord eller ett annat ord.</translation>
     </message>
     <message>
@@ -340,14 +340,14 @@
 <context>
     <name>fumage::ui::Comparison</name>
     <message>
-        <source>Adopt B</source>
+        <source>Replace A with B</source>
         <translation>Ta över B</translation>
     </message>
 </context>
 <context>
     <name>fumage::ui::CurveEditor</name>
     <message>
-        <source>Press to add, drag to move, Delete or right click to take away</source>
+        <source>Click to add, drag to move, Delete or right click to remove</source>
         <translation>Tryck för att lägga till, dra för att flytta, Delete eller högerklick för att ta bort</translation>
     </message>
 </context>
@@ -526,7 +526,7 @@
         <translation>Spara ändringarna i ”%1”?</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them.</source>
+        <source>Your changes will be lost if you don&apos;t save them.</source>
         <translation>De går förlorade om du inte sparar dem.</translation>
     </message>
     <message>
@@ -621,7 +621,7 @@
         <translation>&amp;Gör om</translation>
     </message>
     <message>
-        <source>Randomise a little</source>
+        <source>Randomise slightly</source>
         <translation>Slumpa lite</translation>
     </message>
 </context>
@@ -644,7 +644,7 @@
         <translation>Inget skiljer sig från förinställningen.</translation>
     </message>
     <message>
-        <source>No parameter is found by “%1”. Try a part of a word, or another word.</source>
+        <source>No parameter matches “%1”. Try a part of a word, or another word.</source>
         <translation>Ingen parameter hittas med ”%1”. Prova en del av ett ord eller ett annat ord.</translation>
     </message>
 </context>
@@ -708,7 +708,15 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::ExportDesk</name>
+    <name>fumage::ui::ExportController</name>
+    <message>
+        <source>The queue of exports cannot be kept safe: %1</source>
+        <translation>Exportkön kan inte sparas undan: %1</translation>
+    </message>
+    <message>
+        <source>Exporting “%1”: %2</source>
+        <translation>Exporterar ”%1”: %2</translation>
+    </message>
     <message>
         <source>Exported %1</source>
         <translation>Exporterade %1</translation>
@@ -720,14 +728,6 @@
     <message>
         <source>Export failed: %1</source>
         <translation>Exporten misslyckades: %1</translation>
-    </message>
-    <message>
-        <source>The queue of exports cannot be kept safe: %1</source>
-        <translation>Exportkön kan inte sparas undan: %1</translation>
-    </message>
-    <message>
-        <source>Exporting “%1”: %2</source>
-        <translation>Exporterar ”%1”: %2</translation>
     </message>
 </context>
 <context>
@@ -743,22 +743,6 @@
     <message>
         <source>Show in folder</source>
         <translation>Visa i mappen</translation>
-    </message>
-    <message>
-        <source>Image sequence</source>
-        <translation>Bildsekvens</translation>
-    </message>
-    <message>
-        <source>Single picture</source>
-        <translation>En bild</translation>
-    </message>
-    <message>
-        <source>Noise texture</source>
-        <translation>Brustextur</translation>
-    </message>
-    <message>
-        <source>Particles</source>
-        <translation>Partiklar</translation>
     </message>
     <message>
         <source>Format</source>
@@ -785,136 +769,12 @@
         <translation>Stäng</translation>
     </message>
     <message>
-        <source>CSV, one particle a line</source>
-        <translation>CSV, en partikel per rad</translation>
-    </message>
-    <message>
-        <source>PLY, binary points</source>
-        <translation>PLY, binära punkter</translation>
-    </message>
-    <message>
-        <source>PNG, 8 bits</source>
-        <translation>PNG, 8 bitar</translation>
-    </message>
-    <message>
-        <source>PNG, 16 bits</source>
-        <translation>PNG, 16 bitar</translation>
-    </message>
-    <message>
-        <source>OpenEXR, half floats, linear</source>
-        <translation>OpenEXR, halva flyttal, linjär</translation>
-    </message>
-    <message>
-        <source>OpenEXR, floats, linear</source>
-        <translation>OpenEXR, flyttal, linjär</translation>
-    </message>
-    <message>
-        <source>Files: %1, from %2 to %3</source>
-        <translation>Filer: %1, från %2 till %3</translation>
-    </message>
-    <message>
-        <source>Choose a file, and a first frame that comes before the last.</source>
-        <translation>Välj en fil, och en första bildruta som kommer före den sista.</translation>
-    </message>
-    <message>
         <source>Export to</source>
         <translation>Exportera till</translation>
     </message>
     <message>
-        <source>Flipbook</source>
-        <translation>Flipbook</translation>
-    </message>
-    <message>
-        <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
-        <translation>%1 bildrutor fyller inte %2 rutor: välj fler bildrutor eller färre kolumner och rader.</translation>
-    </message>
-    <message>
-        <source>%1 of the files are there already; the first is %2.</source>
-        <translation>%1 av filerna finns redan; den första är %2.</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Skriv över</translation>
-    </message>
-    <message>
-        <source>%1, %2 × %3 pixels, and %4 more files</source>
-        <translation>%1, %2 × %3 bildpunkter, och %4 filer till</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>Film</translation>
-    </message>
-    <message>
-        <source>MP4 (H.264), on the background colour</source>
-        <translation>MP4 (H.264), på bakgrundsfärgen</translation>
-    </message>
-    <message>
-        <source>WebM (VP9), transparent</source>
-        <translation>WebM (VP9), genomskinlig</translation>
-    </message>
-    <message>
-        <source>QuickTime (ProRes 4444), transparent</source>
-        <translation>QuickTime (ProRes 4444), genomskinlig</translation>
-    </message>
-    <message>
-        <source>GIF, on the background colour</source>
-        <translation>GIF, på bakgrundsfärgen</translation>
-    </message>
-    <message>
-        <source>APNG, transparent</source>
-        <translation>APNG, genomskinlig</translation>
-    </message>
-    <message>
-        <source>%1, %2 × %3 pixels, %4 s</source>
-        <translation>%1, %2 × %3 bildpunkter, %4 s</translation>
-    </message>
-    <message>
-        <source>On the graphics card: %1 as BC7, %2 uncompressed</source>
-        <translation>På grafikkortet: %1 som BC7, %2 okomprimerat</translation>
-    </message>
-    <message>
-        <source>Point cache for Unity, binary</source>
-        <translation>Punktmoln för Unity, binärt</translation>
-    </message>
-    <message>
-        <source>TGA, 8 bits</source>
-        <translation>TGA, 8 bitar</translation>
-    </message>
-    <message>
         <source>Size of cells</source>
         <translation>Cellernas storlek</translation>
-    </message>
-    <message>
-        <source>Volumes</source>
-        <translation>Volymer</translation>
-    </message>
-    <message>
-        <source>Air as a vector field</source>
-        <translation>Luften som vektorfält</translation>
-    </message>
-    <message>
-        <source>OpenVDB, half floats</source>
-        <translation>OpenVDB, halva flyttal</translation>
-    </message>
-    <message>
-        <source>FGA for Unreal</source>
-        <translation>FGA för Unreal</translation>
-    </message>
-    <message>
-        <source>Volume File for Unity</source>
-        <translation>Volume File för Unity</translation>
-    </message>
-    <message>
-        <source>No air carries this smoke: switch it on in the group Air.</source>
-        <translation>Ingen luft bär denna rök: slå på den i gruppen Luft.</translation>
-    </message>
-    <message>
-        <source>Save as %1</source>
-        <translation>Spara som %1</translation>
-    </message>
-    <message>
-        <source>%1 already exists.</source>
-        <translation>%1 finns redan.</translation>
     </message>
     <message>
         <source>Type</source>
@@ -923,26 +783,6 @@
     <message>
         <source>Frame</source>
         <translation>Bildruta</translation>
-    </message>
-    <message>
-        <source>%1, %2 × %3 pixels, and %4</source>
-        <translation>%1, %2 × %3 bildpunkter, och %4</translation>
-    </message>
-    <message>
-        <source>Use %1 × %2 cells</source>
-        <translation>Använd %1 × %2 rutor</translation>
-    </message>
-    <message>
-        <source>Use frames %1</source>
-        <translation>Använd bildrutorna %1</translation>
-    </message>
-    <message>
-        <source>Cell width</source>
-        <translation>Rutans bredd</translation>
-    </message>
-    <message>
-        <source>Cell height</source>
-        <translation>Rutans höjd</translation>
     </message>
 </context>
 <context>
@@ -963,36 +803,12 @@
 <context>
     <name>fumage::ui::ExportQueue</name>
     <message>
-        <source>Waiting</source>
-        <translation>Väntar</translation>
-    </message>
-    <message>
-        <source>Begun</source>
-        <translation>Påbörjad</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Klar</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>Misslyckades</translation>
-    </message>
-    <message>
-        <source>Cancelled. Files that were complete are kept.</source>
-        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 av %2</translation>
     </message>
     <message>
         <source>%1, %2 s left</source>
         <translation>%1, %2 s kvar</translation>
-    </message>
-    <message>
-        <source>Not finished: left from before</source>
-        <translation>Inte färdig: kvar sedan tidigare</translation>
     </message>
 </context>
 <context>
@@ -1032,6 +848,201 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.</source>
         <translation>Röken skärs av vid rutornas kant (%1) i bildruta %2 till %3. Anpassa kameran.</translation>
+    </message>
+</context>
+<context>
+    <name>Exports</name>
+    <message>
+        <source>Image sequence</source>
+        <translation>Bildsekvens</translation>
+    </message>
+    <message>
+        <source>Flipbook</source>
+        <translation>Flipbook</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Single picture</source>
+        <translation>En bild</translation>
+    </message>
+    <message>
+        <source>Noise texture</source>
+        <translation>Brustextur</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>Partiklar</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>Volymer</translation>
+    </message>
+    <message>
+        <source>Air as a vector field</source>
+        <translation>Luften som vektorfält</translation>
+    </message>
+    <message>
+        <source>CSV, one particle a line</source>
+        <translation>CSV, en partikel per rad</translation>
+    </message>
+    <message>
+        <source>PLY, binary points</source>
+        <translation>PLY, binära punkter</translation>
+    </message>
+    <message>
+        <source>Point cache for Unity, binary</source>
+        <translation>Punktmoln för Unity, binärt</translation>
+    </message>
+    <message>
+        <source>OpenVDB, half floats</source>
+        <translation>OpenVDB, halva flyttal</translation>
+    </message>
+    <message>
+        <source>FGA for Unreal</source>
+        <translation>FGA för Unreal</translation>
+    </message>
+    <message>
+        <source>Volume File for Unity</source>
+        <translation>Volume File för Unity</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264), on the background colour</source>
+        <translation>MP4 (H.264), på bakgrundsfärgen</translation>
+    </message>
+    <message>
+        <source>WebM (VP9), transparent</source>
+        <translation>WebM (VP9), genomskinlig</translation>
+    </message>
+    <message>
+        <source>QuickTime (ProRes 4444), transparent</source>
+        <translation>QuickTime (ProRes 4444), genomskinlig</translation>
+    </message>
+    <message>
+        <source>GIF, on the background colour</source>
+        <translation>GIF, på bakgrundsfärgen</translation>
+    </message>
+    <message>
+        <source>APNG, transparent</source>
+        <translation>APNG, genomskinlig</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bits</source>
+        <translation>PNG, 8 bitar</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bits</source>
+        <translation>PNG, 16 bitar</translation>
+    </message>
+    <message>
+        <source>OpenEXR, half floats, linear</source>
+        <translation>OpenEXR, halva flyttal, linjär</translation>
+    </message>
+    <message>
+        <source>OpenEXR, floats, linear</source>
+        <translation>OpenEXR, flyttal, linjär</translation>
+    </message>
+    <message>
+        <source>TGA, 8 bits</source>
+        <translation>TGA, 8 bitar</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4 more files</source>
+        <translation>%1, %2 × %3 bildpunkter, och %4 filer till</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4</source>
+        <translation>%1, %2 × %3 bildpunkter, och %4</translation>
+    </message>
+    <message>
+        <source>On the graphics card: %1 as BC7, %2 uncompressed</source>
+        <translation>På grafikkortet: %1 som BC7, %2 okomprimerat</translation>
+    </message>
+    <message>
+        <source>Files: %1, from %2 to %3</source>
+        <translation>Filer: %1, från %2 till %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, %4 s</source>
+        <translation>%1, %2 × %3 bildpunkter, %4 s</translation>
+    </message>
+    <message>
+        <source>Choose a file, and a first frame that comes before the last.</source>
+        <translation>Välj en fil, och en första bildruta som kommer före den sista.</translation>
+    </message>
+    <message>
+        <source>No air carries this smoke: switch it on in the group Air.</source>
+        <translation>Ingen luft bär denna rök: slå på den i gruppen Luft.</translation>
+    </message>
+    <message>
+        <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
+        <translation>%1 bildrutor fyller inte %2 rutor: välj fler bildrutor eller färre kolumner och rader.</translation>
+    </message>
+    <message>
+        <source>Use %1 × %2 cells</source>
+        <translation>Använd %1 × %2 rutor</translation>
+    </message>
+    <message>
+        <source>Use frames %1</source>
+        <translation>Använd bildrutorna %1</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Spara som %1</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 finns redan.</translation>
+    </message>
+    <message>
+        <source>%1 of the files are there already; the first is %2.</source>
+        <translation>%1 av filerna finns redan; den första är %2.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Skriv över</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Cell width</source>
+        <translation>Rutans bredd</translation>
+    </message>
+    <message>
+        <source>Cell height</source>
+        <translation>Rutans höjd</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Inte färdig: kvar sedan tidigare</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Väntar</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>Påbörjad</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Klar</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Misslyckades</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>Avbruten. Filer som var färdiga finns kvar.</translation>
     </message>
 </context>
 <context>
@@ -1223,7 +1234,7 @@
 <context>
     <name>fumage::ui::GradientEditor</name>
     <message>
-        <source>Press to add, drag to move, double click for the colour, right click for more</source>
+        <source>Click to add, drag to move, double click for the colour, right click for more</source>
         <translation>Tryck för att lägga till, dra för att flytta, dubbelklicka för färgen, högerklicka för mer</translation>
     </message>
     <message>
@@ -1350,7 +1361,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Osparat arbete kan inte hållas i säkerhet: %1</translation>
     </message>
     <message>
-        <source>Put in “%1”</source>
+        <source>Apply “%1”</source>
         <translation>Lägg in ”%1”</translation>
     </message>
     <message>
@@ -1575,10 +1586,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>%1 saknar &quot;=&quot;</translation>
     </message>
     <message>
-        <source>Write key=value, for example motion.wind=1.5</source>
-        <translation>Skriv nyckel=värde, till exempel motion.wind=1.5</translation>
-    </message>
-    <message>
         <source>there is no parameter %1</source>
         <translation>det finns ingen parameter %1</translation>
     </message>
@@ -1599,7 +1606,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>bilden kan inte skrivas som EXR: %1</translation>
     </message>
     <message>
-        <source>no smoke is to be seen in frames %1 to %2</source>
+        <source>no visible smoke in frames %1 to %2</source>
         <translation>ingen rök syns i bildruta %1 till %2</translation>
     </message>
     <message>
@@ -1667,7 +1674,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>bilden kan inte skrivas som PNG: %1</translation>
     </message>
     <message>
-        <source>frames %1 are not understood</source>
+        <source>invalid frame range %1</source>
         <translation>bildrutorna %1 går inte att förstå</translation>
     </message>
     <message>
@@ -2019,7 +2026,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>%1 x %2 celler fyller inget ark vars sidor är tvåpotenser</translation>
     </message>
     <message>
-        <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
+        <source>Choose columns and rows from 1, 2, 4, 8, 16, 32 and 64</source>
         <translation>Välj kolumner och rader bland 1, 2, 4, 8, 16, 32 och 64</translation>
     </message>
     <message>
@@ -2079,7 +2086,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>%1 saknas i manifestet eller är av en annan typ</translation>
     </message>
     <message>
-        <source>this is no manifest</source>
+        <source>this is not a manifest</source>
         <translation>det här är inget manifest</translation>
     </message>
     <message>
@@ -2183,7 +2190,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>%1 är inte känt här</translation>
     </message>
     <message>
-        <source>Choose among %1</source>
+        <source>Choose from %1</source>
         <translation>Välj bland %1</translation>
     </message>
     <message>
@@ -2271,7 +2278,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>det finns inget pass %1</translation>
     </message>
     <message>
-        <source>Choose among colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
+        <source>Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
         <translation>Välj bland colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow och all</translation>
     </message>
     <message>
@@ -2329,22 +2336,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Pass the seconds since the last step, 0 or more</source>
         <translation>Ange sekunderna sedan förra steget, 0 eller mer</translation>
-    </message>
-    <message>
-        <source>a step cannot become longer or shorter while the simulation runs</source>
-        <translation>ett steg kan inte bli längre eller kortare medan simuleringen pågår</translation>
-    </message>
-    <message>
-        <source>Keep timeline.frame_rate and timeline.steps_per_frame, or start a new simulation</source>
-        <translation>Behåll timeline.frame_rate och timeline.steps_per_frame, eller starta en ny simulering</translation>
-    </message>
-    <message>
-        <source>box, grid, ground and obstacle of the air are fixed while the simulation runs</source>
-        <translation>luftens låda, rutnät, mark och hinder ligger fast medan simuleringen pågår</translation>
-    </message>
-    <message>
-        <source>Keep them, or start a new simulation</source>
-        <translation>Behåll dem, eller starta en ny simulering</translation>
     </message>
     <message>
         <source>Only frames and flipbooks can; of others the files are checked</source>
@@ -2499,10 +2490,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>röken har lämnat alla gränser: en partikel är ingenstans</translation>
     </message>
     <message>
-        <source>Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength</source>
-        <translation>Sänk krafter och hastigheter, till exempel motion.buoyancy, air.expansion eller turbulence.strength</translation>
-    </message>
-    <message>
         <source>the box of the air has no finite size</source>
         <translation>luftens låda har ingen ändlig storlek</translation>
     </message>
@@ -2555,8 +2542,28 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>förinställningen som den här bilden bär kan inte läsas: %1</translation>
     </message>
     <message>
-        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <source>Choose from alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
         <translation>Välj bland alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, deras .g, .b och .a, 0 och 1</translation>
+    </message>
+    <message>
+        <source>Write key=value, for example wind.strength=1.5</source>
+        <translation>Skriv nyckel=värde, till exempel wind.strength=1.5</translation>
+    </message>
+    <message>
+        <source>Lower forces and speeds, such as motion.buoyancy, source.expansion or turbulence.strength</source>
+        <translation>Sänk krafter och hastigheter, såsom motion.buoyancy, source.expansion eller turbulence.strength</translation>
+    </message>
+    <message>
+        <source>%1 is fixed while the simulation runs</source>
+        <translation>%1 är fast så länge simuleringen pågår</translation>
+    </message>
+    <message>
+        <source>Keep it, or start a new simulation</source>
+        <translation>Behåll det, eller starta en ny simulering</translation>
+    </message>
+    <message>
+        <source>the preset has %1 layers, this program reads presets of one</source>
+        <translation>förinställningen har %1 lager, detta program läser förinställningar med ett</translation>
     </message>
 </context>
 <context>
@@ -2859,7 +2866,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>2012 års modell, ekv. II (1 där)</translation>
     </message>
     <message>
-        <source>Velocity randomness</source>
+        <source>Speed variation</source>
         <translation>Hastighetsslump</translation>
     </message>
     <message>
@@ -2867,7 +2874,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>0: varje partikel lämnar med full fart. 1: varje komponent av hastigheten multipliceras med ett eget slumptal.</translation>
     </message>
     <message>
-        <source>Spread</source>
+        <source>Cone angle</source>
         <translation>Spridning</translation>
     </message>
     <message>
@@ -2891,7 +2898,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Tiden under vilken en puff föder alla sina partiklar.</translation>
     </message>
     <message>
-        <source>Birth between steps</source>
+        <source>Sub-frame emission</source>
         <translation>Födsel mellan steg</translation>
     </message>
     <message>
@@ -2995,7 +3002,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur ofta vinden ändrar sig.</translation>
     </message>
     <message>
-        <source>Heat variance</source>
+        <source>Heat variation</source>
         <translation>Värmevariation</translation>
     </message>
     <message>
@@ -3003,7 +3010,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur mycket värmen vid födseln skiljer mellan partiklar, kring samma medelvärde; de heta springer före.</translation>
     </message>
     <message>
-        <source>Pull to axis</source>
+        <source>Attract to axis</source>
         <translation>Drag mot axeln</translation>
     </message>
     <message>
@@ -3013,10 +3020,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Rotation</source>
         <translation>Rotation</translation>
-    </message>
-    <message>
-        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
-        <translation>Medeltakt som hela molnet vrids med kring den lodräta linjen genom utsändaren: från +X mot -Z, mot vindvinkelns riktning. Utsändaren vrids inte.</translation>
     </message>
     <message>
         <source>2012 model, whole-body rotation (0 there)</source>
@@ -3087,7 +3090,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur ofta de största virvlarna blir andra; mindre ändrar sig fortare.</translation>
     </message>
     <message>
-        <source>Onset</source>
+        <source>Fade-in time</source>
         <translation>Insats</translation>
     </message>
     <message>
@@ -3163,7 +3166,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>2012 års modell, ekv. XIII (0.1 där)</translation>
     </message>
     <message>
-        <source>Lifetime variance</source>
+        <source>Lifetime variation</source>
         <translation>Livslängdsvariation</translation>
     </message>
     <message>
@@ -3271,7 +3274,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur mycket en puff skuggas som en boll.</translation>
     </message>
     <message>
-        <source>Size variance</source>
+        <source>Size variation</source>
         <translation>Storleksvariation</translation>
     </message>
     <message>
@@ -3279,7 +3282,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur mycket storlekarna skiljer sig; 1 blandar allt ned till ingenting.</translation>
     </message>
     <message>
-        <source>Dilution</source>
+        <source>Density falloff</source>
         <translation>Utspädning</translation>
     </message>
     <message>
@@ -3303,7 +3306,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur fort bruset i en partikel sjuder: gitterceller längs tredje axeln i sekunden.</translation>
     </message>
     <message>
-        <source>Rotation variance</source>
+        <source>Rotation variation</source>
         <translation>Rotationsvariation</translation>
     </message>
     <message>
@@ -3319,7 +3322,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Takt som varje partikel vrids med på skärmen.</translation>
     </message>
     <message>
-        <source>Spin variance</source>
+        <source>Spin variation</source>
         <translation>Snurrvariation</translation>
     </message>
     <message>
@@ -3335,7 +3338,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Förlänger en partikels textur längs dess rörelse, med vägen den går på denna tid.</translation>
     </message>
     <message>
-        <source>Mask</source>
+        <source>Particle shape</source>
         <translation>Mask</translation>
     </message>
     <message>
@@ -3471,7 +3474,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Riktningen som solens ljus går i.</translation>
     </message>
     <message>
-        <source>Intensity</source>
+        <source>Sun intensity</source>
         <translation>Intensitet</translation>
     </message>
     <message>
@@ -3499,7 +3502,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Wrenninge m.fl. 2013, oktaver av spridning</translation>
     </message>
     <message>
-        <source>Anisotropy</source>
+        <source>Forward scattering</source>
         <translation>Anisotropi</translation>
     </message>
     <message>
@@ -3651,7 +3654,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Bildrutan efter den sista är den första igen, på biten när.</translation>
     </message>
     <message>
-        <source>Start warm</source>
+        <source>Prewarm</source>
         <translation>Börja varm</translation>
     </message>
     <message>
@@ -3667,7 +3670,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Bildrutor i sekunden.</translation>
     </message>
     <message>
-        <source>Steps a frame</source>
+        <source>Substeps</source>
         <translation>Steg per bildruta</translation>
     </message>
     <message>
@@ -3875,10 +3878,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>En rings radie vid emittern: innanför den stiger röken, utanför sjunker den.</translation>
     </message>
     <message>
-        <source>Widening</source>
-        <translation>Vidgning</translation>
-    </message>
-    <message>
         <source>Metres that the radius grows with each metre from the emitter.</source>
         <translation>Hur många meter radien växer för varje meter från emittern.</translation>
     </message>
@@ -3891,7 +3890,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Avståndet från en ring till nästa.</translation>
     </message>
     <message>
-        <source>Followers</source>
+        <source>Following rings</source>
         <translation>Följande</translation>
     </message>
     <message>
@@ -3899,7 +3898,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>De följande ringarnas styrka i förhållande till den första; rök som börjar varm har bara följande.</translation>
     </message>
     <message>
-        <source>Variance</source>
+        <source>Variation</source>
         <translation>Variation</translation>
     </message>
     <message>
@@ -3923,7 +3922,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur mycket svalare kanten glöder än det inre: luften kyler det som ligger öppet, och elden syns i springorna.</translation>
     </message>
     <message>
-        <source>Emission from</source>
+        <source>Fire colours from</source>
         <translation>Glöd från</translation>
     </message>
     <message>
@@ -3987,7 +3986,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Sömlös slinga</translation>
     </message>
     <message>
-        <source>Moving air</source>
+        <source>Fluid simulation</source>
         <translation>Luft i rörelse</translation>
     </message>
     <message>
@@ -4023,11 +4022,11 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Flyttar luftens låda från emittern. Emittern måste vara kvar i den.</translation>
     </message>
     <message>
-        <source>Vorticity</source>
+        <source>Vorticity confinement</source>
         <translation>Virvling</translation>
     </message>
     <message>
-        <source>Gives swirls back what the grid takes from them. A little makes billows crisp; much makes them boil.</source>
+        <source>Gives swirls back what the grid takes from them, and no more than that. It makes billows crisp.</source>
         <translation>Ger virvlarna tillbaka det som rutnätet tar från dem. Lite gör bolstren skarpa; mycket får dem att koka.</translation>
     </message>
     <message>
@@ -4035,7 +4034,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Steinhoff och Underhill 1994</translation>
     </message>
     <message>
-        <source>Raggedness</source>
+        <source>Source noise</source>
         <translation>Ojämnhet</translation>
     </message>
     <message>
@@ -4051,7 +4050,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Kim, Thürey, James, Gross 2008</translation>
     </message>
     <message>
-        <source>Opacity by heat</source>
+        <source>Heat opacity</source>
         <translation>Täckning efter värme</translation>
     </message>
     <message>
@@ -4083,7 +4082,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Friktion</translation>
     </message>
     <message>
-        <source>Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, a wood has 0.1.</source>
+        <source>Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, forest has 0.1.</source>
         <translation>Motståndskoefficient för golvet och hindret: 0 låter luften glida, en skog har 0,1.</translation>
     </message>
     <message>
@@ -4093,10 +4092,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>A body that air and smoke flow around.</source>
         <translation>En kropp som luft och rök strömmar runt.</translation>
-    </message>
-    <message>
-        <source>Obstacle place</source>
-        <translation>Hindrets plats</translation>
     </message>
     <message>
         <source>Centre of the obstacle.</source>
@@ -4163,7 +4158,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur tät röken är medan den glöder, mot när den är kall. 1: den glöder som lava. 0,1: en klar låga som man ser in i och där sot bildas när den svalnar.</translation>
     </message>
     <message>
-        <source>Light of the fire</source>
+        <source>Fire light</source>
         <translation>Eldens ljus</translation>
     </message>
     <message>
@@ -4175,7 +4170,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Hur långt källans rand vandrar och hur ojämnt den blåser. Utan detta stiger röken som en pelare med en enda bredd.</translation>
     </message>
     <message>
-        <source>Uneven heat</source>
+        <source>Heat noise</source>
         <translation>Ojämn värme</translation>
     </message>
     <message>
@@ -4217,6 +4212,46 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Fire</source>
         <translation>Eld</translation>
+    </message>
+    <message>
+        <source>Upward acceleration of air that is as hot as the source makes it; it fades as the air cools.</source>
+        <translation>Acceleration uppåt hos luft som är så het som källan gör den; den avtar när luften svalnar.</translation>
+    </message>
+    <message>
+        <source>How fast the heat that lifts the air is lost.</source>
+        <translation>Hur snabbt värmen som lyfter luften går förlorad.</translation>
+    </message>
+    <message>
+        <source>Wind drag</source>
+        <translation>Vindmotstånd</translation>
+    </message>
+    <message>
+        <source>The wind blows the air as fast as its acceleration over this, 0.5 at least: with 1 a wind of 2 m/s² is one of 2 m/s.</source>
+        <translation>Vinden för luften så fort som sin acceleration delad med detta, minst 0,5: med 1 är en vind på 2 m/s² en på 2 m/s.</translation>
+    </message>
+    <message>
+        <source>Obstacle position</source>
+        <translation>Hindrets läge</translation>
+    </message>
+    <message>
+        <source>Fire brightness</source>
+        <translation>Eldens ljusstyrka</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Utvidgning</translation>
+    </message>
+    <message>
+        <source>Wind strength</source>
+        <translation>Vindstyrka</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Källa</translation>
+    </message>
+    <message>
+        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
+        <translation>Medeltakt som hela molnet vrids med kring den lodräta linjen genom utsändaren: från +X mot -Z, mot vindvinkelns riktning. Utsändaren vrids inte.</translation>
     </message>
 </context>
 <context>
@@ -4359,7 +4394,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Öppna</translation>
     </message>
     <message>
-        <source>Put into this document</source>
+        <source>Apply to this document</source>
         <translation>Lägg in i detta dokument</translation>
     </message>
     <message>
@@ -4390,7 +4425,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Det finns inga favoriter än: en förinställnings meny gör den till en.</translation>
     </message>
     <message>
-        <source>No preset speaks of “%1”.</source>
+        <source>No preset matches “%1”.</source>
         <translation>Ingen förinställning handlar om ”%1”.</translation>
     </message>
 </context>
@@ -4772,7 +4807,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Sista bildrutan</translation>
     </message>
     <message>
-        <source>Every so many frames</source>
+        <source>Step</source>
         <translation>Var så många bildrutor</translation>
     </message>
     <message>
@@ -4795,7 +4830,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
 <context>
     <name>Readout</name>
     <message>
-        <source>%1 frames/s</source>
+        <source>%1 fps</source>
         <translation>%1 bilder/s</translation>
     </message>
     <message>
@@ -4830,7 +4865,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>tärning</translation>
     </message>
     <message>
-        <source>Throw the dice: another seed, another smoke of the same kind</source>
+        <source>New seed: another smoke of the same kind</source>
         <translation>Kasta tärningen: ett annat frö, en annan rök av samma slag</translation>
     </message>
     <message>
@@ -4869,7 +4904,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Exports that are not finished: %1</source>
+        <source>Exports still running or waiting: %1</source>
         <translation>Exporter som inte är färdiga: %1</translation>
     </message>
     <message>
@@ -4951,7 +4986,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Visa detta när Fumage startar</translation>
     </message>
     <message>
-        <source>Begin with a smoke</source>
+        <source>Start from a preset</source>
         <translation>Börja med en rök</translation>
     </message>
     <message>
@@ -4963,7 +4998,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Öppna en fil…</translation>
     </message>
     <message>
-        <source>The default smoke</source>
+        <source>New smoke</source>
         <translation>Standardröken</translation>
     </message>
     <message>
@@ -4974,11 +5009,11 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
 <context>
     <name>fumage::ui::TimelineBar</name>
     <message>
-        <source>To the first frame (Home)</source>
+        <source>Go to start (Home)</source>
         <translation>Till första bildrutan (Home)</translation>
     </message>
     <message>
-        <source>One frame back (Left)</source>
+        <source>Previous frame (Left)</source>
         <translation>En bildruta bakåt (Vänster)</translation>
     </message>
     <message>
@@ -4986,11 +5021,11 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Spela eller pausa (Blanksteg)</translation>
     </message>
     <message>
-        <source>One frame on (Right)</source>
+        <source>Next frame (Right)</source>
         <translation>En bildruta framåt (Höger)</translation>
     </message>
     <message>
-        <source>To the last frame (End)</source>
+        <source>Go to end (End)</source>
         <translation>Till sista bildrutan (End)</translation>
     </message>
     <message>
@@ -5018,7 +5053,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Effektens bildrutor per sekund</translation>
     </message>
     <message>
-        <source> frames/s</source>
+        <source> fps</source>
         <translation> bilder/s</translation>
     </message>
     <message>
@@ -5072,7 +5107,7 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Klicka för att ta över variationen</translation>
     </message>
     <message>
-        <source>Back to the smoke before this one</source>
+        <source>Previous variation</source>
         <translation>Tillbaka till röken före denna</translation>
     </message>
     <message>
@@ -5120,10 +5155,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Smoke</source>
         <translation>Rök</translation>
-    </message>
-    <message>
-        <source>Reset the camera</source>
-        <translation>Återställ kameran</translation>
     </message>
 </context>
 <context>

@@ -92,7 +92,7 @@
         <translation>变体(&amp;V)…</translation>
     </message>
     <message>
-        <source>Randomise a &amp;little</source>
+        <source>Randomise s&amp;lightly</source>
         <translation>稍作随机(&amp;L)</translation>
     </message>
     <message>
@@ -136,10 +136,6 @@
         <translation>操纵器(&amp;Z)</translation>
     </message>
     <message>
-        <source>Motion &amp;tracks</source>
-        <translation>运动轨迹(&amp;T)</translation>
-    </message>
-    <message>
         <source>E&amp;xport frame</source>
         <translation>导出画框(&amp;X)</translation>
     </message>
@@ -148,7 +144,7 @@
         <translation>读数(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Checker behind the smoke</source>
+        <source>&amp;Checkerboard</source>
         <translation>烟雾后的棋盘格(&amp;C)</translation>
     </message>
     <message>
@@ -168,27 +164,27 @@
         <translation>播放或暂停(&amp;P)</translation>
     </message>
     <message>
-        <source>One frame &amp;on</source>
+        <source>&amp;Next frame</source>
         <translation>前进一帧(&amp;O)</translation>
     </message>
     <message>
-        <source>One frame &amp;back</source>
+        <source>&amp;Previous frame</source>
         <translation>后退一帧(&amp;B)</translation>
     </message>
     <message>
-        <source>To the &amp;first frame</source>
+        <source>Go to &amp;start</source>
         <translation>到第一帧(&amp;F)</translation>
     </message>
     <message>
-        <source>To the &amp;last frame</source>
+        <source>Go to &amp;end</source>
         <translation>到最后一帧(&amp;L)</translation>
     </message>
     <message>
-        <source>Range starts &amp;here</source>
+        <source>Set &amp;in point</source>
         <translation>区间从这里开始(&amp;H)</translation>
     </message>
     <message>
-        <source>Range &amp;ends here</source>
+        <source>Set &amp;out point</source>
         <translation>区间到这里结束(&amp;E)</translation>
     </message>
     <message>
@@ -196,7 +192,7 @@
         <translation>整个区间(&amp;W)</translation>
     </message>
     <message>
-        <source>&amp;Remember this as B</source>
+        <source>&amp;Store as B</source>
         <translation>记为 B(&amp;R)</translation>
     </message>
     <message>
@@ -204,7 +200,7 @@
         <translation>A 与 B 分屏(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Adopt B</source>
+        <source>&amp;Replace A with B</source>
         <translation>采用 B(&amp;A)</translation>
     </message>
     <message>
@@ -244,7 +240,7 @@
         <translation>面板(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Mouse habits</source>
+        <source>&amp;Navigation style</source>
         <translation>鼠标习惯(&amp;M)</translation>
     </message>
     <message>
@@ -260,7 +256,7 @@
         <translation>显示整个动画(&amp;W)</translation>
     </message>
     <message>
-        <source>&amp;Only the smoke</source>
+        <source>&amp;Hide panels</source>
         <translation>只显示烟雾(&amp;O)</translation>
     </message>
     <message>
@@ -290,6 +286,10 @@
     <message>
         <source>Cop&amp;y the picture</source>
         <translation>复制画面(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Particle pa&amp;ths</source>
+        <translation>粒子路径(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -329,7 +329,7 @@
         <translation>预设：%1</translation>
     </message>
     <message>
-        <source>Nothing is found by “%1”. Try a part of a word, or another word.</source>
+        <source>No results for “%1”. Try a part of a word, or another word.</source>
         <translation>没有找到“%1”。请试试词的一部分或另一个词。</translation>
     </message>
     <message>
@@ -340,14 +340,14 @@
 <context>
     <name>fumage::ui::Comparison</name>
     <message>
-        <source>Adopt B</source>
+        <source>Replace A with B</source>
         <translation>采用 B</translation>
     </message>
 </context>
 <context>
     <name>fumage::ui::CurveEditor</name>
     <message>
-        <source>Press to add, drag to move, Delete or right click to take away</source>
+        <source>Click to add, drag to move, Delete or right click to remove</source>
         <translation>按下添加，拖动移动，按 Delete 或右键删除</translation>
     </message>
 </context>
@@ -526,7 +526,7 @@
         <translation>要保存对“%1”的更改吗？</translation>
     </message>
     <message>
-        <source>They are lost if you do not save them.</source>
+        <source>Your changes will be lost if you don&apos;t save them.</source>
         <translation>如果不保存，这些更改将会丢失。</translation>
     </message>
     <message>
@@ -621,7 +621,7 @@
         <translation>重做(&amp;R)</translation>
     </message>
     <message>
-        <source>Randomise a little</source>
+        <source>Randomise slightly</source>
         <translation>稍作随机</translation>
     </message>
 </context>
@@ -644,7 +644,7 @@
         <translation>与预设没有不同。</translation>
     </message>
     <message>
-        <source>No parameter is found by “%1”. Try a part of a word, or another word.</source>
+        <source>No parameter matches “%1”. Try a part of a word, or another word.</source>
         <translation>没有参数与“%1”匹配。请试试词的一部分或另一个词。</translation>
     </message>
 </context>
@@ -708,7 +708,15 @@
     </message>
 </context>
 <context>
-    <name>fumage::ui::ExportDesk</name>
+    <name>fumage::ui::ExportController</name>
+    <message>
+        <source>The queue of exports cannot be kept safe: %1</source>
+        <translation>无法妥善保存导出队列：%1</translation>
+    </message>
+    <message>
+        <source>Exporting “%1”: %2</source>
+        <translation>正在导出“%1”：%2</translation>
+    </message>
     <message>
         <source>Exported %1</source>
         <translation>已导出 %1</translation>
@@ -720,14 +728,6 @@
     <message>
         <source>Export failed: %1</source>
         <translation>导出失败：%1</translation>
-    </message>
-    <message>
-        <source>The queue of exports cannot be kept safe: %1</source>
-        <translation>无法妥善保存导出队列：%1</translation>
-    </message>
-    <message>
-        <source>Exporting “%1”: %2</source>
-        <translation>正在导出“%1”：%2</translation>
     </message>
 </context>
 <context>
@@ -743,22 +743,6 @@
     <message>
         <source>Show in folder</source>
         <translation>在文件夹中显示</translation>
-    </message>
-    <message>
-        <source>Image sequence</source>
-        <translation>图像序列</translation>
-    </message>
-    <message>
-        <source>Single picture</source>
-        <translation>单张图像</translation>
-    </message>
-    <message>
-        <source>Noise texture</source>
-        <translation>噪声纹理</translation>
-    </message>
-    <message>
-        <source>Particles</source>
-        <translation>粒子</translation>
     </message>
     <message>
         <source>Format</source>
@@ -785,136 +769,12 @@
         <translation>关闭</translation>
     </message>
     <message>
-        <source>CSV, one particle a line</source>
-        <translation>CSV，每行一个粒子</translation>
-    </message>
-    <message>
-        <source>PLY, binary points</source>
-        <translation>PLY，二进制点</translation>
-    </message>
-    <message>
-        <source>PNG, 8 bits</source>
-        <translation>PNG，8 位</translation>
-    </message>
-    <message>
-        <source>PNG, 16 bits</source>
-        <translation>PNG，16 位</translation>
-    </message>
-    <message>
-        <source>OpenEXR, half floats, linear</source>
-        <translation>OpenEXR，半精度浮点，线性</translation>
-    </message>
-    <message>
-        <source>OpenEXR, floats, linear</source>
-        <translation>OpenEXR，浮点，线性</translation>
-    </message>
-    <message>
-        <source>Files: %1, from %2 to %3</source>
-        <translation>文件数：%1，从 %2 到 %3</translation>
-    </message>
-    <message>
-        <source>Choose a file, and a first frame that comes before the last.</source>
-        <translation>请选择文件，并让第一帧在最后一帧之前。</translation>
-    </message>
-    <message>
         <source>Export to</source>
         <translation>导出到</translation>
     </message>
     <message>
-        <source>Flipbook</source>
-        <translation>序列帧图集</translation>
-    </message>
-    <message>
-        <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
-        <translation>%1 帧无法填满 %2 个格子：请选择更多帧，或减少列数和行数。</translation>
-    </message>
-    <message>
-        <source>%1 of the files are there already; the first is %2.</source>
-        <translation>其中 %1 个文件已经存在；第一个是 %2。</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>覆盖</translation>
-    </message>
-    <message>
-        <source>%1, %2 × %3 pixels, and %4 more files</source>
-        <translation>%1，%2 × %3 像素，以及另外 %4 个文件</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>视频</translation>
-    </message>
-    <message>
-        <source>MP4 (H.264), on the background colour</source>
-        <translation>MP4 (H.264)，以背景色为底</translation>
-    </message>
-    <message>
-        <source>WebM (VP9), transparent</source>
-        <translation>WebM (VP9)，透明</translation>
-    </message>
-    <message>
-        <source>QuickTime (ProRes 4444), transparent</source>
-        <translation>QuickTime (ProRes 4444)，透明</translation>
-    </message>
-    <message>
-        <source>GIF, on the background colour</source>
-        <translation>GIF，以背景色为底</translation>
-    </message>
-    <message>
-        <source>APNG, transparent</source>
-        <translation>APNG，透明</translation>
-    </message>
-    <message>
-        <source>%1, %2 × %3 pixels, %4 s</source>
-        <translation>%1，%2 × %3 像素，%4 秒</translation>
-    </message>
-    <message>
-        <source>On the graphics card: %1 as BC7, %2 uncompressed</source>
-        <translation>显卡内存：BC7 格式 %1，未压缩 %2</translation>
-    </message>
-    <message>
-        <source>Point cache for Unity, binary</source>
-        <translation>Unity 点缓存，二进制</translation>
-    </message>
-    <message>
-        <source>TGA, 8 bits</source>
-        <translation>TGA，8 位</translation>
-    </message>
-    <message>
         <source>Size of cells</source>
         <translation>单元格大小</translation>
-    </message>
-    <message>
-        <source>Volumes</source>
-        <translation>体积</translation>
-    </message>
-    <message>
-        <source>Air as a vector field</source>
-        <translation>空气矢量场</translation>
-    </message>
-    <message>
-        <source>OpenVDB, half floats</source>
-        <translation>OpenVDB，半精度浮点</translation>
-    </message>
-    <message>
-        <source>FGA for Unreal</source>
-        <translation>Unreal 用 FGA</translation>
-    </message>
-    <message>
-        <source>Volume File for Unity</source>
-        <translation>Unity 用 Volume File</translation>
-    </message>
-    <message>
-        <source>No air carries this smoke: switch it on in the group Air.</source>
-        <translation>此烟雾没有空气承载：请在“空气”组中启用。</translation>
-    </message>
-    <message>
-        <source>Save as %1</source>
-        <translation>另存为 %1</translation>
-    </message>
-    <message>
-        <source>%1 already exists.</source>
-        <translation>%1 已存在。</translation>
     </message>
     <message>
         <source>Type</source>
@@ -923,26 +783,6 @@
     <message>
         <source>Frame</source>
         <translation>帧</translation>
-    </message>
-    <message>
-        <source>%1, %2 × %3 pixels, and %4</source>
-        <translation>%1，%2 × %3 像素，以及 %4</translation>
-    </message>
-    <message>
-        <source>Use %1 × %2 cells</source>
-        <translation>使用 %1 × %2 个单元格</translation>
-    </message>
-    <message>
-        <source>Use frames %1</source>
-        <translation>使用帧 %1</translation>
-    </message>
-    <message>
-        <source>Cell width</source>
-        <translation>单元格宽度</translation>
-    </message>
-    <message>
-        <source>Cell height</source>
-        <translation>单元格高度</translation>
     </message>
 </context>
 <context>
@@ -963,36 +803,12 @@
 <context>
     <name>fumage::ui::ExportQueue</name>
     <message>
-        <source>Waiting</source>
-        <translation>等待中</translation>
-    </message>
-    <message>
-        <source>Begun</source>
-        <translation>已开始</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>失败</translation>
-    </message>
-    <message>
-        <source>Cancelled. Files that were complete are kept.</source>
-        <translation>已取消。已完成的文件会保留。</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
     <message>
         <source>%1, %2 s left</source>
         <translation>%1，剩余 %2 秒</translation>
-    </message>
-    <message>
-        <source>Not finished: left from before</source>
-        <translation>尚未完成：上次遗留</translation>
     </message>
 </context>
 <context>
@@ -1032,6 +848,201 @@
     <message>
         <source>The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.</source>
         <translation>第 %2 至 %3 帧的烟雾在单元格边缘（%1）被截断。请让摄像机适应烟雾。</translation>
+    </message>
+</context>
+<context>
+    <name>Exports</name>
+    <message>
+        <source>Image sequence</source>
+        <translation>图像序列</translation>
+    </message>
+    <message>
+        <source>Flipbook</source>
+        <translation>序列帧图集</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>视频</translation>
+    </message>
+    <message>
+        <source>Single picture</source>
+        <translation>单张图像</translation>
+    </message>
+    <message>
+        <source>Noise texture</source>
+        <translation>噪声纹理</translation>
+    </message>
+    <message>
+        <source>Particles</source>
+        <translation>粒子</translation>
+    </message>
+    <message>
+        <source>Volumes</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Air as a vector field</source>
+        <translation>空气矢量场</translation>
+    </message>
+    <message>
+        <source>CSV, one particle a line</source>
+        <translation>CSV，每行一个粒子</translation>
+    </message>
+    <message>
+        <source>PLY, binary points</source>
+        <translation>PLY，二进制点</translation>
+    </message>
+    <message>
+        <source>Point cache for Unity, binary</source>
+        <translation>Unity 点缓存，二进制</translation>
+    </message>
+    <message>
+        <source>OpenVDB, half floats</source>
+        <translation>OpenVDB，半精度浮点</translation>
+    </message>
+    <message>
+        <source>FGA for Unreal</source>
+        <translation>Unreal 用 FGA</translation>
+    </message>
+    <message>
+        <source>Volume File for Unity</source>
+        <translation>Unity 用 Volume File</translation>
+    </message>
+    <message>
+        <source>MP4 (H.264), on the background colour</source>
+        <translation>MP4 (H.264)，以背景色为底</translation>
+    </message>
+    <message>
+        <source>WebM (VP9), transparent</source>
+        <translation>WebM (VP9)，透明</translation>
+    </message>
+    <message>
+        <source>QuickTime (ProRes 4444), transparent</source>
+        <translation>QuickTime (ProRes 4444)，透明</translation>
+    </message>
+    <message>
+        <source>GIF, on the background colour</source>
+        <translation>GIF，以背景色为底</translation>
+    </message>
+    <message>
+        <source>APNG, transparent</source>
+        <translation>APNG，透明</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bits</source>
+        <translation>PNG，8 位</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bits</source>
+        <translation>PNG，16 位</translation>
+    </message>
+    <message>
+        <source>OpenEXR, half floats, linear</source>
+        <translation>OpenEXR，半精度浮点，线性</translation>
+    </message>
+    <message>
+        <source>OpenEXR, floats, linear</source>
+        <translation>OpenEXR，浮点，线性</translation>
+    </message>
+    <message>
+        <source>TGA, 8 bits</source>
+        <translation>TGA，8 位</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4 more files</source>
+        <translation>%1，%2 × %3 像素，以及另外 %4 个文件</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, and %4</source>
+        <translation>%1，%2 × %3 像素，以及 %4</translation>
+    </message>
+    <message>
+        <source>On the graphics card: %1 as BC7, %2 uncompressed</source>
+        <translation>显卡内存：BC7 格式 %1，未压缩 %2</translation>
+    </message>
+    <message>
+        <source>Files: %1, from %2 to %3</source>
+        <translation>文件数：%1，从 %2 到 %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3 pixels, %4 s</source>
+        <translation>%1，%2 × %3 像素，%4 秒</translation>
+    </message>
+    <message>
+        <source>Choose a file, and a first frame that comes before the last.</source>
+        <translation>请选择文件，并让第一帧在最后一帧之前。</translation>
+    </message>
+    <message>
+        <source>No air carries this smoke: switch it on in the group Air.</source>
+        <translation>此烟雾没有空气承载：请在“空气”组中启用。</translation>
+    </message>
+    <message>
+        <source>%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.</source>
+        <translation>%1 帧无法填满 %2 个格子：请选择更多帧，或减少列数和行数。</translation>
+    </message>
+    <message>
+        <source>Use %1 × %2 cells</source>
+        <translation>使用 %1 × %2 个单元格</translation>
+    </message>
+    <message>
+        <source>Use frames %1</source>
+        <translation>使用帧 %1</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>另存为 %1</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 已存在。</translation>
+    </message>
+    <message>
+        <source>%1 of the files are there already; the first is %2.</source>
+        <translation>其中 %1 个文件已经存在；第一个是 %2。</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cell width</source>
+        <translation>单元格宽度</translation>
+    </message>
+    <message>
+        <source>Cell height</source>
+        <translation>单元格高度</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>尚未完成：上次遗留</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>已开始</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Cancelled. Files that were complete are kept.</source>
+        <translation>已取消。已完成的文件会保留。</translation>
     </message>
 </context>
 <context>
@@ -1223,7 +1234,7 @@
 <context>
     <name>fumage::ui::GradientEditor</name>
     <message>
-        <source>Press to add, drag to move, double click for the colour, right click for more</source>
+        <source>Click to add, drag to move, double click for the colour, right click for more</source>
         <translation>按下添加，拖动移动，双击选择颜色，右键显示更多</translation>
     </message>
     <message>
@@ -1350,7 +1361,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>无法妥善保存未保存的工作：%1</translation>
     </message>
     <message>
-        <source>Put in “%1”</source>
+        <source>Apply “%1”</source>
         <translation>放入“%1”</translation>
     </message>
     <message>
@@ -1575,10 +1586,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>%1 缺少“=”</translation>
     </message>
     <message>
-        <source>Write key=value, for example motion.wind=1.5</source>
-        <translation>请写成 键=值，例如 motion.wind=1.5</translation>
-    </message>
-    <message>
         <source>there is no parameter %1</source>
         <translation>没有参数 %1</translation>
     </message>
@@ -1599,7 +1606,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>无法将图像写为 EXR：%1</translation>
     </message>
     <message>
-        <source>no smoke is to be seen in frames %1 to %2</source>
+        <source>no visible smoke in frames %1 to %2</source>
         <translation>第 %1 到 %2 帧中看不到烟雾</translation>
     </message>
     <message>
@@ -1667,7 +1674,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>无法将图像写为 PNG：%1</translation>
     </message>
     <message>
-        <source>frames %1 are not understood</source>
+        <source>invalid frame range %1</source>
         <translation>无法理解帧 %1</translation>
     </message>
     <message>
@@ -2019,7 +2026,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>%1 x %2 个单元格无法填满边长为 2 的幂的序列帧图集</translation>
     </message>
     <message>
-        <source>Choose columns and rows among 1, 2, 4, 8, 16, 32 and 64</source>
+        <source>Choose columns and rows from 1, 2, 4, 8, 16, 32 and 64</source>
         <translation>列数和行数请选 1、2、4、8、16、32 或 64</translation>
     </message>
     <message>
@@ -2079,7 +2086,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>清单中缺少 %1，或其类型不符</translation>
     </message>
     <message>
-        <source>this is no manifest</source>
+        <source>this is not a manifest</source>
         <translation>这不是清单</translation>
     </message>
     <message>
@@ -2183,7 +2190,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>此处不认识 %1</translation>
     </message>
     <message>
-        <source>Choose among %1</source>
+        <source>Choose from %1</source>
         <translation>请从 %1 中选择</translation>
     </message>
     <message>
@@ -2271,7 +2278,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>没有通道图 %1</translation>
     </message>
     <message>
-        <source>Choose among colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
+        <source>Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, temperature, shadow and all</source>
         <translation>请从 colour、alpha、density、six-way、motion、normal、depth、emission、albedo、temperature、shadow 和 all 中选择</translation>
     </message>
     <message>
@@ -2329,22 +2336,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Pass the seconds since the last step, 0 or more</source>
         <translation>请传入距上一步的秒数，0 或更多</translation>
-    </message>
-    <message>
-        <source>a step cannot become longer or shorter while the simulation runs</source>
-        <translation>模拟运行时不能改变步长</translation>
-    </message>
-    <message>
-        <source>Keep timeline.frame_rate and timeline.steps_per_frame, or start a new simulation</source>
-        <translation>请保持 timeline.frame_rate 和 timeline.steps_per_frame，或开始新的模拟</translation>
-    </message>
-    <message>
-        <source>box, grid, ground and obstacle of the air are fixed while the simulation runs</source>
-        <translation>模拟运行时，空气的范围、网格、地面和障碍物固定不变</translation>
-    </message>
-    <message>
-        <source>Keep them, or start a new simulation</source>
-        <translation>请保持不变，或开始新的模拟</translation>
     </message>
     <message>
         <source>Only frames and flipbooks can; of others the files are checked</source>
@@ -2499,10 +2490,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>烟雾已超出所有边界：某个粒子没有位置</translation>
     </message>
     <message>
-        <source>Lower forces and speeds, such as motion.buoyancy, air.expansion or turbulence.strength</source>
-        <translation>请降低力和速度，例如 motion.buoyancy、air.expansion 或 turbulence.strength</translation>
-    </message>
-    <message>
         <source>the box of the air has no finite size</source>
         <translation>空气盒的大小不是有限的</translation>
     </message>
@@ -2555,8 +2542,28 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>此图片携带的预设无法读取：%1</translation>
     </message>
     <message>
-        <source>Choose among alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
+        <source>Choose from alpha, density, depth, temperature, shadow, colour.r, six-way-a.r, six-way-b.r, motion.r, normal.r, emission.r, albedo.r, their .g, .b and .a, 0 and 1</source>
         <translation>可选：alpha、density、depth、temperature、shadow、colour.r、six-way-a.r、six-way-b.r、motion.r、normal.r、emission.r、albedo.r，它们的 .g、.b 和 .a，以及 0 和 1</translation>
+    </message>
+    <message>
+        <source>Write key=value, for example wind.strength=1.5</source>
+        <translation>请写成 键=值，例如 wind.strength=1.5</translation>
+    </message>
+    <message>
+        <source>Lower forces and speeds, such as motion.buoyancy, source.expansion or turbulence.strength</source>
+        <translation>请减小力和速度，例如 motion.buoyancy、source.expansion 或 turbulence.strength</translation>
+    </message>
+    <message>
+        <source>%1 is fixed while the simulation runs</source>
+        <translation>模拟运行期间 %1 是固定的</translation>
+    </message>
+    <message>
+        <source>Keep it, or start a new simulation</source>
+        <translation>请保持不变，或开始新的模拟</translation>
+    </message>
+    <message>
+        <source>the preset has %1 layers, this program reads presets of one</source>
+        <translation>该预设有 %1 个图层，本程序只能读取一个图层的预设</translation>
     </message>
 </context>
 <context>
@@ -2859,7 +2866,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>2012 年模型, 式 II (原为 1)</translation>
     </message>
     <message>
-        <source>Velocity randomness</source>
+        <source>Speed variation</source>
         <translation>速度随机性</translation>
     </message>
     <message>
@@ -2867,7 +2874,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>0：每个粒子都以全速离开。1：速度的每个分量都乘以各自的随机数。</translation>
     </message>
     <message>
-        <source>Spread</source>
+        <source>Cone angle</source>
         <translation>扩散</translation>
     </message>
     <message>
@@ -2891,7 +2898,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>一次爆发产生其全部粒子所用的时间。</translation>
     </message>
     <message>
-        <source>Birth between steps</source>
+        <source>Sub-frame emission</source>
         <translation>在步间诞生</translation>
     </message>
     <message>
@@ -2995,7 +3002,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>风变化得多频繁。</translation>
     </message>
     <message>
-        <source>Heat variance</source>
+        <source>Heat variation</source>
         <translation>热量差异</translation>
     </message>
     <message>
@@ -3003,7 +3010,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>各粒子诞生时热量的差别，平均值不变；热的跑在前面。</translation>
     </message>
     <message>
-        <source>Pull to axis</source>
+        <source>Attract to axis</source>
         <translation>向轴拉力</translation>
     </message>
     <message>
@@ -3013,10 +3020,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Rotation</source>
         <translation>旋转</translation>
-    </message>
-    <message>
-        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
-        <translation>整团烟绕过发射器竖直线转动的平均速率：从 +X 转向 -Z，与风角度的方向相反。发射器不转动。</translation>
     </message>
     <message>
         <source>2012 model, whole-body rotation (0 there)</source>
@@ -3087,7 +3090,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>最大的涡流多久换成另一些；较小的变得更快。</translation>
     </message>
     <message>
-        <source>Onset</source>
+        <source>Fade-in time</source>
         <translation>起始</translation>
     </message>
     <message>
@@ -3163,7 +3166,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>2012 年模型, 式 XIII (0.原为 1)</translation>
     </message>
     <message>
-        <source>Lifetime variance</source>
+        <source>Lifetime variation</source>
         <translation>寿命差异</translation>
     </message>
     <message>
@@ -3271,7 +3274,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>烟团像球一样着色的程度。</translation>
     </message>
     <message>
-        <source>Size variance</source>
+        <source>Size variation</source>
         <translation>大小差异</translation>
     </message>
     <message>
@@ -3279,7 +3282,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>大小相差多少；1 混合直至为零的各种大小。</translation>
     </message>
     <message>
-        <source>Dilution</source>
+        <source>Density falloff</source>
         <translation>稀释</translation>
     </message>
     <message>
@@ -3303,7 +3306,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>粒子中的噪声翻腾得多快：每秒沿第三轴的格数。</translation>
     </message>
     <message>
-        <source>Rotation variance</source>
+        <source>Rotation variation</source>
         <translation>旋转差异</translation>
     </message>
     <message>
@@ -3319,7 +3322,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>每个粒子在屏幕上转动的速率。</translation>
     </message>
     <message>
-        <source>Spin variance</source>
+        <source>Spin variation</source>
         <translation>自转差异</translation>
     </message>
     <message>
@@ -3335,7 +3338,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>按粒子在这段时间内走过的路程，沿运动方向拉长其纹理。</translation>
     </message>
     <message>
-        <source>Mask</source>
+        <source>Particle shape</source>
         <translation>遮罩</translation>
     </message>
     <message>
@@ -3471,7 +3474,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>太阳光行进的方向。</translation>
     </message>
     <message>
-        <source>Intensity</source>
+        <source>Sun intensity</source>
         <translation>强度</translation>
     </message>
     <message>
@@ -3499,7 +3502,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>Wrenninge 等 2013, 散射倍频程</translation>
     </message>
     <message>
-        <source>Anisotropy</source>
+        <source>Forward scattering</source>
         <translation>各向异性</translation>
     </message>
     <message>
@@ -3651,7 +3654,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>最后一帧之后又是第一帧，逐位相同。</translation>
     </message>
     <message>
-        <source>Start warm</source>
+        <source>Prewarm</source>
         <translation>预热开始</translation>
     </message>
     <message>
@@ -3667,7 +3670,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>每秒帧数。</translation>
     </message>
     <message>
-        <source>Steps a frame</source>
+        <source>Substeps</source>
         <translation>每帧步数</translation>
     </message>
     <message>
@@ -3875,10 +3878,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>涡环在发射器处的半径：环内烟上升，环外烟下沉。</translation>
     </message>
     <message>
-        <source>Widening</source>
-        <translation>展宽</translation>
-    </message>
-    <message>
         <source>Metres that the radius grows with each metre from the emitter.</source>
         <translation>离发射器每远一米，半径增加的米数。</translation>
     </message>
@@ -3891,7 +3890,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>一个涡环到下一个的距离。</translation>
     </message>
     <message>
-        <source>Followers</source>
+        <source>Following rings</source>
         <translation>后续</translation>
     </message>
     <message>
@@ -3899,7 +3898,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>后续涡环相对于第一个的强度；预热开始的烟只有后续涡环。</translation>
     </message>
     <message>
-        <source>Variance</source>
+        <source>Variation</source>
         <translation>差异</translation>
     </message>
     <message>
@@ -3923,7 +3922,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>边缘比内部暗多少：暴露在空气中的部分冷却，火光从缝隙中透出。</translation>
     </message>
     <message>
-        <source>Emission from</source>
+        <source>Fire colours from</source>
         <translation>发光来源</translation>
     </message>
     <message>
@@ -3987,7 +3986,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>无缝循环</translation>
     </message>
     <message>
-        <source>Moving air</source>
+        <source>Fluid simulation</source>
         <translation>流动的空气</translation>
     </message>
     <message>
@@ -4023,11 +4022,11 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>将空气盒移离发射器。发射器必须留在盒内。</translation>
     </message>
     <message>
-        <source>Vorticity</source>
+        <source>Vorticity confinement</source>
         <translation>涡度</translation>
     </message>
     <message>
-        <source>Gives swirls back what the grid takes from them. A little makes billows crisp; much makes them boil.</source>
+        <source>Gives swirls back what the grid takes from them, and no more than that. It makes billows crisp.</source>
         <translation>把网格从漩涡中夺走的还给它们。少量使烟团清晰；大量使它们沸腾。</translation>
     </message>
     <message>
@@ -4035,7 +4034,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>Steinhoff 和 Underhill 1994</translation>
     </message>
     <message>
-        <source>Raggedness</source>
+        <source>Source noise</source>
         <translation>参差度</translation>
     </message>
     <message>
@@ -4051,7 +4050,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>Kim、Thürey、James、Gross 2008</translation>
     </message>
     <message>
-        <source>Opacity by heat</source>
+        <source>Heat opacity</source>
         <translation>按热量的不透明度</translation>
     </message>
     <message>
@@ -4083,7 +4082,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>摩擦</translation>
     </message>
     <message>
-        <source>Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, a wood has 0.1.</source>
+        <source>Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, forest has 0.1.</source>
         <translation>地面和障碍物的阻力系数：0 让空气滑过，树林为 0.1。</translation>
     </message>
     <message>
@@ -4093,10 +4092,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>A body that air and smoke flow around.</source>
         <translation>空气和烟绕其流动的物体。</translation>
-    </message>
-    <message>
-        <source>Obstacle place</source>
-        <translation>障碍物位置</translation>
     </message>
     <message>
         <source>Centre of the obstacle.</source>
@@ -4163,7 +4158,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>烟雾发光时相对于冷却后的不透明度。1：像熔岩一样发光。0.1：可以看进去的清澈火焰，冷却后形成烟炱。</translation>
     </message>
     <message>
-        <source>Light of the fire</source>
+        <source>Fire light</source>
         <translation>火光照明</translation>
     </message>
     <message>
@@ -4175,7 +4170,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>热源边缘游移多远，吹出有多不均匀。没有它，烟会像粗细不变的柱子一样上升。</translation>
     </message>
     <message>
-        <source>Uneven heat</source>
+        <source>Heat noise</source>
         <translation>不均匀的热</translation>
     </message>
     <message>
@@ -4217,6 +4212,46 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Fire</source>
         <translation>火焰</translation>
+    </message>
+    <message>
+        <source>Upward acceleration of air that is as hot as the source makes it; it fades as the air cools.</source>
+        <translation>被源加热到最热的空气的向上加速度；随空气冷却而减弱。</translation>
+    </message>
+    <message>
+        <source>How fast the heat that lifts the air is lost.</source>
+        <translation>抬升空气的热量散失的速度。</translation>
+    </message>
+    <message>
+        <source>Wind drag</source>
+        <translation>风阻</translation>
+    </message>
+    <message>
+        <source>The wind blows the air as fast as its acceleration over this, 0.5 at least: with 1 a wind of 2 m/s² is one of 2 m/s.</source>
+        <translation>风带动空气的速度等于其加速度除以此值（至少 0.5）：取 1 时，2 m/s² 的风就是 2 m/s。</translation>
+    </message>
+    <message>
+        <source>Obstacle position</source>
+        <translation>障碍物位置</translation>
+    </message>
+    <message>
+        <source>Fire brightness</source>
+        <translation>火焰亮度</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>扩张</translation>
+    </message>
+    <message>
+        <source>Wind strength</source>
+        <translation>风力</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>源</translation>
+    </message>
+    <message>
+        <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
+        <translation>整团烟绕过发射器竖直线转动的平均速率：从 +X 转向 -Z，与风角度的方向相反。发射器不转动。</translation>
     </message>
 </context>
 <context>
@@ -4359,7 +4394,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>打开</translation>
     </message>
     <message>
-        <source>Put into this document</source>
+        <source>Apply to this document</source>
         <translation>放入此文档</translation>
     </message>
     <message>
@@ -4390,7 +4425,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>还没有收藏：可在预设的菜单中将其设为收藏。</translation>
     </message>
     <message>
-        <source>No preset speaks of “%1”.</source>
+        <source>No preset matches “%1”.</source>
         <translation>没有与“%1”相关的预设。</translation>
     </message>
 </context>
@@ -4772,7 +4807,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>末帧</translation>
     </message>
     <message>
-        <source>Every so many frames</source>
+        <source>Step</source>
         <translation>每隔多少帧</translation>
     </message>
     <message>
@@ -4795,7 +4830,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
 <context>
     <name>Readout</name>
     <message>
-        <source>%1 frames/s</source>
+        <source>%1 fps</source>
         <translation>%1 帧/秒</translation>
     </message>
     <message>
@@ -4830,7 +4865,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>骰子</translation>
     </message>
     <message>
-        <source>Throw the dice: another seed, another smoke of the same kind</source>
+        <source>New seed: another smoke of the same kind</source>
         <translation>掷骰子：换一个种子，得到同类的另一团烟</translation>
     </message>
     <message>
@@ -4869,7 +4904,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>导出</translation>
     </message>
     <message>
-        <source>Exports that are not finished: %1</source>
+        <source>Exports still running or waiting: %1</source>
         <translation>尚未完成的导出：%1</translation>
     </message>
     <message>
@@ -4951,7 +4986,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>Fumage 启动时显示此窗口</translation>
     </message>
     <message>
-        <source>Begin with a smoke</source>
+        <source>Start from a preset</source>
         <translation>从一团烟开始</translation>
     </message>
     <message>
@@ -4963,7 +4998,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>打开文件…</translation>
     </message>
     <message>
-        <source>The default smoke</source>
+        <source>New smoke</source>
         <translation>默认的烟</translation>
     </message>
     <message>
@@ -4974,11 +5009,11 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
 <context>
     <name>fumage::ui::TimelineBar</name>
     <message>
-        <source>To the first frame (Home)</source>
+        <source>Go to start (Home)</source>
         <translation>到第一帧 (Home)</translation>
     </message>
     <message>
-        <source>One frame back (Left)</source>
+        <source>Previous frame (Left)</source>
         <translation>后退一帧 (左)</translation>
     </message>
     <message>
@@ -4986,11 +5021,11 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>播放或暂停 (空格)</translation>
     </message>
     <message>
-        <source>One frame on (Right)</source>
+        <source>Next frame (Right)</source>
         <translation>前进一帧 (右)</translation>
     </message>
     <message>
-        <source>To the last frame (End)</source>
+        <source>Go to end (End)</source>
         <translation>到最后一帧 (End)</translation>
     </message>
     <message>
@@ -5018,7 +5053,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>效果的每秒帧数</translation>
     </message>
     <message>
-        <source> frames/s</source>
+        <source> fps</source>
         <translation> 帧/秒</translation>
     </message>
     <message>
@@ -5072,7 +5107,7 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>点击以采用此变体</translation>
     </message>
     <message>
-        <source>Back to the smoke before this one</source>
+        <source>Previous variation</source>
         <translation>回到此前的烟</translation>
     </message>
     <message>
@@ -5120,10 +5155,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Smoke</source>
         <translation>烟</translation>
-    </message>
-    <message>
-        <source>Reset the camera</source>
-        <translation>重置相机</translation>
     </message>
 </context>
 <context>

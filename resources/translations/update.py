@@ -13,7 +13,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Contexts that are names of their own and not of classes.
-PLAIN_CONTEXTS = ["Actions", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "GradientPresets", "Readout", "QCommandLineParser", "main"]
+PLAIN_CONTEXTS = ["Actions", "Exports", "Parameters", "Presets", "Messages", "Help", "Menus", "Gizmos", "GlSprites", "GradientPresets", "Readout", "QCommandLineParser", "main"]
 TABLE = ROOT / "core/effect/parameters"
 
 
@@ -23,10 +23,10 @@ def table_texts() -> list[str]:
     rows, choices, headings = [], [], []
     for file in sorted(TABLE.glob("*.h")):
         source = file.read_text()
-        rows += re.findall(rf"\.(?:label|tip|source) = ({literal}(?:\s+{literal})*)", source)
+        rows += re.findall(rf"\.(?:label|tip|source) =\s*({literal}(?:\s+{literal})*)", source)
         for names in re.findall(r"string_view, \d+> k\w+\{(.*?)\};", source):
             choices += re.findall(literal, names)
-        headings += re.findall(rf"(?:kGroup<\w+>|kShown\w+)\{{.*, ({literal})\}};", source)
+        headings += re.findall(rf"kGroup<\w+>\{{[^;]*, ({literal}),\s*Scope::\w+\}};", source)
     texts = ["".join(part[1:-1] for part in re.findall(literal, text)) for text in rows + choices + headings]
     return list(dict.fromkeys(texts))
 
@@ -38,10 +38,10 @@ def preset_texts() -> list[str]:
 
 
 def message_texts() -> list[str]:
-    """What the core and the editor say by said(), wherever it comes to a user of the editor."""
+    """What the core and the editor say by makeMessage(), wherever it comes to a user of the editor."""
     sources = [file for room in ("core", "ui") for ending in ("*.h", "*.cpp") for file in sorted((ROOT / room).rglob(ending))]
     literal = r'"(?:[^"\\]|\\.)*"'
-    found = [text for file in sources for text in re.findall(rf"\bsaid\(\s*({literal}(?:\s+{literal})*)", file.read_text())]
+    found = [text for file in sources for text in re.findall(rf"\bmakeMessage\(\s*({literal}(?:\s+{literal})*)", file.read_text())]
     texts = ["".join(part[1:-1] for part in re.findall(literal, text)) for text in found]
     return list(dict.fromkeys(texts))
 

@@ -33,7 +33,8 @@ class AlignedArrayTest : public QObject {
 private slots:
     void everySizeIsAlignedAndHoldsWhatIsWritten()
     {
-        for (const std::size_t size : {std::size_t{1}, std::size_t{1000}, 4 * kMebi - 1, 4 * kMebi, 4 * kMebi + 1, 7 * kMebi + 12345}) {
+        for (const std::size_t size :
+            {std::size_t{1}, std::size_t{1000}, 4 * kMebi - 1, 4 * kMebi, 4 * kMebi + 1, 7 * kMebi + 12345}) {
             AlignedArray<std::uint8_t> array(size, 7);
             QCOMPARE(reinterpret_cast<std::uintptr_t>(array.data()) % kAlignment, std::uintptr_t{0});
             array.back() = 9;

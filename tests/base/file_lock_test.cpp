@@ -51,10 +51,7 @@ private slots:
         QVERIFY(FileLock::tryTake(file) != nullptr);
     }
 
-    void aFolderThatIsNotThereHasNone()
-    {
-        QVERIFY(FileLock::tryTake("/no/such/folder/work.lock") == nullptr);
-    }
+    void aFolderThatIsNotThereHasNone() { QVERIFY(FileLock::tryTake("/no/such/folder/work.lock") == nullptr); }
 };
 
 QTEST_APPLESS_MAIN(FileLockTest)

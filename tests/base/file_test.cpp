@@ -128,7 +128,8 @@ private slots:
         QCOMPARE(error.code, ErrorCode::TooLarge);
         QVERIFY(error.text().find("/big") != std::string::npos);
         QCOMPARE(writeFileAtomically(base, std::string_view("x")).error().code, ErrorCode::NotAFile);
-        QCOMPARE(writeFileAtomically(base + "/no/such/folder", std::string_view("x")).error().code, ErrorCode::FileNotFound);
+        QCOMPARE(
+            writeFileAtomically(base + "/no/such/folder", std::string_view("x")).error().code, ErrorCode::FileNotFound);
     }
 
     void aDraftTakesItsPlaceOnlyWhenPublished_data()
@@ -144,9 +145,11 @@ private slots:
         const std::filesystem::path path = folder.path().toStdString() + "/a.txt";
         for (const std::string_view text : {"one", "second"}) {
             {
-                FileDraft given = FileDraft::make(path, bytesOf("rubbish"), FileAccess::Usual, FileDraft::Naming(naming)).value();
+                FileDraft given =
+                    FileDraft::make(path, bytesOf("rubbish"), FileAccess::Usual, FileDraft::Naming(naming)).value();
             }
-            FileDraft draft = FileDraft::make(path, bytesOf(text), FileAccess::Usual, FileDraft::Naming(naming)).value();
+            FileDraft draft =
+                FileDraft::make(path, bytesOf(text), FileAccess::Usual, FileDraft::Naming(naming)).value();
             QVERIFY(readFile(path, 100).ok() == (text == "second"));
             clearLeftovers(folder.path().toStdString()); // its writer lives
             QVERIFY(draft.publish().ok());
@@ -162,7 +165,8 @@ private slots:
         QVERIFY(writeFileAtomically(base + "/.fumage", std::string_view("not ours")));
         const pid_t writer = fork();
         if (writer == 0) {
-            const Result<FileDraft> draft = FileDraft::make(base + "/a.txt", bytesOf("half"), FileAccess::Usual, FileDraft::Naming::Temporary);
+            const Result<FileDraft> draft =
+                FileDraft::make(base + "/a.txt", bytesOf("half"), FileAccess::Usual, FileDraft::Naming::Temporary);
             _exit(draft ? 0 : 1);
         }
         int status = 1;
@@ -188,7 +192,8 @@ private slots:
             QCOMPARE(modeOf(path), mode_t(0600));
         }
         umask(mask);
-        QCOMPARE(writeFileAtomically(base + "/" + std::string(256, 'n'), std::string_view("x")).error().message.text(), std::string("cannot write: the name is too long"));
+        QCOMPARE(writeFileAtomically(base + "/" + std::string(256, 'n'), std::string_view("x")).error().message.text(),
+            std::string("cannot write: the name is too long"));
         QCOMPARE(namesIn(folder).size(), 3);
     }
 
@@ -224,7 +229,8 @@ private slots:
             QVERIFY(std::filesystem::is_symlink(base + "/link") && std::filesystem::is_symlink(base + "/chain"));
         }
         std::filesystem::create_symlink("round", base + "/round");
-        QVERIFY(writeFileAtomically(base + "/round", std::string_view("x")).error().message.text().find("circle") != std::string::npos);
+        QVERIFY(writeFileAtomically(base + "/round", std::string_view("x")).error().message.text().find("circle")
+            != std::string::npos);
         QVERIFY(readFile(base + "/round", 100).error().message.text().find("circle") != std::string::npos);
         std::filesystem::create_hard_link(base + "/far/target", base + "/other");
         QVERIFY(writeFileAtomically(base + "/far/target", std::string_view("new")).ok());
@@ -242,13 +248,16 @@ private slots:
             QCOMPARE(error.message.text(), std::string("cannot write: it is not a regular file"));
         }
         QCOMPARE(writeFileAtomically(base + "/none/a", std::string_view("x")).error().place.text(), base + "/none");
-        QCOMPARE(fileError(EROFS, "a", ErrorCode::WriteFailed, FileUse::Write).message.text(), std::string("cannot write: the disk is read-only"));
+        QCOMPARE(fileError(EROFS, "a", ErrorCode::WriteFailed, FileUse::Write).message.text(),
+            std::string("cannot write: the disk is read-only"));
         std::filesystem::permissions(base, std::filesystem::perms(0555));
         const pid_t writer = fork();
         if (writer == 0) {
             static_cast<void>(seteuid(65534)); // root may write anywhere
             const Status status = writeFileAtomically(base + "/a", std::string_view("x"));
-            _exit(!status && status.error().code == ErrorCode::PermissionDenied && status.error().place.text() == base ? 0 : 1);
+            _exit(!status && status.error().code == ErrorCode::PermissionDenied && status.error().place.text() == base
+                    ? 0
+                    : 1);
         }
         int result = 1;
         QVERIFY(waitpid(writer, &result, 0) == writer);
@@ -287,7 +296,8 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString name = QStringLiteral(u"r\u00f6k \u70df \U0001f525.txt");
-        QVERIFY(writeFileAtomically(pathFrom(folder.path().toStdString()) / pathFrom(name.toStdString()), std::string_view("smoke")));
+        QVERIFY(writeFileAtomically(
+            pathFrom(folder.path().toStdString()) / pathFrom(name.toStdString()), std::string_view("smoke")));
         QCOMPARE(namesIn(folder), QStringList(name));
         QCOMPARE(pathFrom("\xff\xfe.txt").native(), std::string("\xff\xfe.txt"));
         QVERIFY(pathFrom("").empty());

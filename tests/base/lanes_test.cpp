@@ -1,4 +1,5 @@
-// Formulas over vectors of lanes give, lane for lane, the bits of the same formula over plain numbers, on every instruction set.
+// Formulas over vectors of lanes give, lane for lane, the bits of the same formula over plain numbers, on every
+// instruction set.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/base/lanes_test.cpp"
@@ -27,8 +28,9 @@ void vectorFormulas(const tests::VectorInput& in, tests::VectorRows& out)
     for (std::size_t i = 0; i < tests::kLaneCount; i += hn::Lanes(d)) {
         const Vec3<V> p = load(d, in.px, in.py, in.pz, i);
         const Vec3<V> q = load(d, in.qx, in.qy, in.qz, i);
-        const std::array<Vec3<V>, tests::kFormulas> rows{p + q, p - q, p * q, p * q.x, q.x * p, p * f, p + g, p - g, p * g, q.y * g, cross(p, q),
-            broadcast(d, g), uniform(q.z), Vec3<V>{dot(p, q), dot(p, g), f / p.x}, Vec3<V>{f + p.x, f - p.x, f * p.x}, Vec3<V>{p.x + f, p.x - f, p.x * f}};
+        const std::array<Vec3<V>, tests::kFormulas> rows{p + q, p - q, p * q, p * q.x, q.x * p, p * f, p + g, p - g,
+            p * g, q.y * g, cross(p, q), broadcast(d, g), uniform(q.z), Vec3<V>{dot(p, q), dot(p, g), f / p.x},
+            Vec3<V>{f + p.x, f - p.x, f * p.x}, Vec3<V>{p.x + f, p.x - f, p.x * f}};
         for (std::size_t row = 0; row < rows.size(); ++row) {
             store(rows[row], out[row].x, out[row].y, out[row].z, i);
         }
@@ -89,8 +91,9 @@ namespace {
 /// The formulas of vectorFormulas(), as GLM has them.
 std::array<glm::vec3, kFormulas> formulas(const glm::vec3& p, const glm::vec3& q, const glm::vec3& g, float f)
 {
-    return {p + q, p - q, p * q, p * q.x, q.x * p, p * f, p + g, p - g, p * g, q.y * g, glm::cross(p, q),
-        g, glm::vec3(q.z), glm::vec3(glm::dot(p, q), glm::dot(p, g), f / p.x), glm::vec3(f + p.x, f - p.x, f * p.x), glm::vec3(p.x + f, p.x - f, p.x * f)};
+    return {p + q, p - q, p * q, p * q.x, q.x * p, p * f, p + g, p - g, p * g, q.y * g, glm::cross(p, q), g,
+        glm::vec3(q.z), glm::vec3(glm::dot(p, q), glm::dot(p, g), f / p.x), glm::vec3(f + p.x, f - p.x, f * p.x),
+        glm::vec3(p.x + f, p.x - f, p.x * f)};
 }
 
 float randomFloat(std::uint32_t index)
@@ -134,9 +137,11 @@ private slots:
         HWY_DYNAMIC_DISPATCH(vectorFormulas)
         (in, rows);
         for (std::size_t i = 0; i < kLaneCount; ++i) {
-            const auto expected = formulas({in.px[i], in.py[i], in.pz[i]}, {in.qx[i], in.qy[i], in.qz[i]}, in.same, in.factor);
+            const auto expected =
+                formulas({in.px[i], in.py[i], in.pz[i]}, {in.qx[i], in.qy[i], in.qz[i]}, in.same, in.factor);
             for (std::size_t row = 0; row < kFormulas; ++row) {
-                const bool same = sameBits(rows[row].x[i], expected[row].x) && sameBits(rows[row].y[i], expected[row].y) && sameBits(rows[row].z[i], expected[row].z);
+                const bool same = sameBits(rows[row].x[i], expected[row].x) && sameBits(rows[row].y[i], expected[row].y)
+                    && sameBits(rows[row].z[i], expected[row].z);
                 QVERIFY2(same, qPrintable(QString("formula %1, lane %2").arg(row).arg(i)));
             }
         }

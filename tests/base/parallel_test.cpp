@@ -147,8 +147,7 @@ private slots:
                 parallelFor(1000, [&](std::size_t) {
                     int seen = nice.load();
                     const int mine = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
-                    while (mine > seen && !nice.compare_exchange_weak(seen, mine)) {
-                    }
+                    while (mine > seen && !nice.compare_exchange_weak(seen, mine)) { }
                 });
             }).join();
             return nice.load();

@@ -5,7 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/base/simd.h"
 #include "core/simulation/advance.h"
-#include "core/simulation/air_shelf.h"
+#include "core/simulation/air_cache.h"
 
 namespace fumage::benchmarks {
 
@@ -46,7 +46,8 @@ void obviousAir(benchmark::State& state, const glm::ivec3& cells)
     }
 }
 
-/// The default look in air, with two octaves of turbulence below the grid. A short loop, whose air is baked once for all numbers of particles.
+/// The default look in air, with two octaves of turbulence below the grid. A short loop, whose air is baked once for
+/// all numbers of particles.
 /// @param deformation of each particle, 0: they stay balls
 Effect inAir(int particles, float deformation)
 {
@@ -61,7 +62,7 @@ Effect inAir(int particles, float deformation)
 }
 
 /// A step of particles through air that is baked.
-void carry(benchmark::State& state, AirShelf& shelf, const Effect& of, int threads, const std::string& simd)
+void carry(benchmark::State& state, AirCache& shelf, const Effect& of, int threads, const std::string& simd)
 {
     const SampledEffect effect = sampled(of);
     const std::shared_ptr<BakedAir> air = shelf.airOf(effect);
@@ -74,7 +75,7 @@ void carry(benchmark::State& state, AirShelf& shelf, const Effect& of, int threa
         state.SkipWithError("not on this machine");
         return;
     }
-    const Model model(effect, air);
+    const SimulationModel model(effect, air);
     Particles carried;
     std::int64_t at = model.schedule().firstStep + model.schedule().lifetimeSteps;
     (void)advanceFromNothing(model, carried, at);
@@ -95,7 +96,8 @@ void obviousCarry(benchmark::State& state, int count)
     }
     std::vector<ObviousAir::Place> particles;
     for (int i = 0; i < count; ++i) {
-        particles.push_back({static_cast<float>(i % cells.x), static_cast<float>(i / 7 % cells.y), static_cast<float>(i / 11 % cells.z)});
+        particles.push_back({static_cast<float>(i % cells.x), static_cast<float>(i / 7 % cells.y),
+            static_cast<float>(i / 11 % cells.z)});
     }
     for (auto _ : state) {
         air.carry(particles, 1.0F / 30.0F);
@@ -104,8 +106,10 @@ void obviousCarry(benchmark::State& state, int count)
 
 void addCarried(std::vector<Claim>& claims)
 {
-    const auto add = [](const std::string& name, const auto& run) { benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond); };
-    const auto shelf = std::make_shared<AirShelf>();
+    const auto add = [](const std::string& name, const auto& run) {
+        benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
+    };
+    const auto shelf = std::make_shared<AirCache>();
     struct Number {
         int particles;
         std::string text;
@@ -120,10 +124,12 @@ void addCarried(std::vector<Claim>& claims)
         add(name + "_1thread", [=](benchmark::State& state) { carry(state, *shelf, balls, 1, ""); });
         add(name + "_ellipsoids", [=](benchmark::State& state) { carry(state, *shelf, ellipsoids, 2, ""); });
         add(name + "_obvious", [=](benchmark::State& state) { obviousCarry(state, count); });
-        claims.push_back({number.text + " particles through air, 2 octaves, a step, 2 threads", name, "", "", number.target, true});
+        claims.push_back(
+            {number.text + " particles through air, 2 octaves, a step, 2 threads", name, "", "", number.target, true});
         claims.push_back({"  2 threads over 1", name, name + "_1thread", "", 1.7});
         claims.push_back({"  when they deform, too", name + "_ellipsoids", "", ""});
-        claims.push_back({"  1 thread over the obvious program without noise", name + "_1thread", name + "_obvious", ""});
+        claims.push_back(
+            {"  1 thread over the obvious program without noise", name + "_1thread", name + "_obvious", ""});
         for (const std::string& simd : availableSimdTargets()) {
             add(name + "_" + simd, [=](benchmark::State& state) { carry(state, *shelf, balls, 2, simd); });
             claims.push_back({"  on " + simd, name + "_" + simd, "", ""});
@@ -135,14 +141,17 @@ void addCarried(std::vector<Claim>& claims)
 
 void addAirBenchmarks(std::vector<Claim>& claims)
 {
-    const auto add = [](const std::string& name, const auto& run) { benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond); };
+    const auto add = [](const std::string& name, const auto& run) {
+        benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
+    };
     struct Size {
         glm::ivec3 cells;
         double target; ///< ms on two threads
     };
     for (const Size& size : {Size{{32, 64, 32}, 1.5}, Size{{48, 96, 48}, 5.0}, Size{{64, 128, 64}, 13.0}}) {
         const glm::ivec3 cells = size.cells;
-        const std::string text = std::to_string(cells.x) + "x" + std::to_string(cells.y) + "x" + std::to_string(cells.z);
+        const std::string text =
+            std::to_string(cells.x) + "x" + std::to_string(cells.y) + "x" + std::to_string(cells.z);
         const std::string name = "air/" + text;
         add(name, [=](benchmark::State& state) { airStep(state, cells, 2, ""); });
         add(name + "_1thread", [=](benchmark::State& state) { airStep(state, cells, 1, ""); });

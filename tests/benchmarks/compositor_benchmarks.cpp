@@ -27,7 +27,7 @@ const SpriteTexture& texture()
     return baked;
 }
 
-/// Rotated sprites of one size, spread evenly over the picture, with low alpha so that many layers show.
+/// Rotated sprites of one size, spread evenly over the picture, with low alpha so that many targets show.
 SpriteBatch scatteredSprites(int count, float edge, float opacity, bool shaded = false)
 {
     SpriteBatch batch;
@@ -52,7 +52,9 @@ SpriteBatch scatteredSprites(int count, float edge, float opacity, bool shaded =
         s.ambient[0] = s.ambient[1] = s.ambient[2] = 0.2F;
         s.opacity = opacity;
         const int level = std::clamp(static_cast<int>(std::log2(64.0F / edge)), 0, texture().levels() - 1);
-        s.texture = edge < 6.0F ? packTexture(0, TextureRef::kPlain, 0, 0, 0) : packTexture(key >> 27U, static_cast<std::uint32_t>(level), key & 255U, key >> 8U & 255U, 6);
+        s.texture = edge < 6.0F
+            ? packTexture(0, TextureRef::kPlain, 0, 0, 0)
+            : packTexture(key >> 27U, static_cast<std::uint32_t>(level), key & 255U, key >> 8U & 255U, 6);
         batch.add(s, streamBits(key, 3) >> 10U);
     }
     return batch;
@@ -71,8 +73,11 @@ void compose(benchmark::State& state, int count, float edge, int threads, const 
     for (auto _ : state) {
         (void)compositor.compose(batch, texture(), image);
     }
-    state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
-    state.counters["Mpixels/s"] = benchmark::Counter(static_cast<double>(count) * static_cast<double>(edge * edge) * 1e-6 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["frames/s"] =
+        benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["Mpixels/s"] = benchmark::Counter(
+        static_cast<double>(count) * static_cast<double>(edge * edge) * 1e-6 * static_cast<double>(state.iterations()),
+        benchmark::Counter::kIsRate);
     (void)forceSimdTarget("");
 }
 
@@ -87,13 +92,16 @@ void obvious(benchmark::State& state, int count, float edge)
         for (std::size_t i = 0; i < order.size(); ++i) {
             order[i] = i;
         }
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return batch.depth[a] > batch.depth[b]; });
+        std::sort(
+            order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return batch.depth[a] > batch.depth[b]; });
         std::fill(image.begin(), image.end(), 0.0F);
         for (const std::size_t index : order) {
             const Sprite& s = batch.sprites[index];
             const std::uint32_t* texels = texture().texels(0, 0);
-            for (int y = std::max(0, static_cast<int>(s.y - s.halfHeight)); y < std::min(kHeight, static_cast<int>(s.y + s.halfHeight) + 1); ++y) {
-                for (int x = std::max(0, static_cast<int>(s.x - s.halfWidth)); x < std::min(kWidth, static_cast<int>(s.x + s.halfWidth) + 1); ++x) {
+            for (int y = std::max(0, static_cast<int>(s.y - s.halfHeight));
+                 y < std::min(kHeight, static_cast<int>(s.y + s.halfHeight) + 1); ++y) {
+                for (int x = std::max(0, static_cast<int>(s.x - s.halfWidth));
+                     x < std::min(kWidth, static_cast<int>(s.x + s.halfWidth) + 1); ++x) {
                     const float dx = static_cast<float>(x) + 0.5F - s.x;
                     const float dy = static_cast<float>(y) + 0.5F - s.y;
                     const float p = s.m00 * dx + s.m01 * dy;
@@ -111,7 +119,8 @@ void obvious(benchmark::State& state, int count, float edge)
                     const float low = byte(0) + fu * (byte(8) - byte(0));
                     const float high = byte(16) + fu * (byte(24) - byte(16));
                     const float a = s.opacity * inside * inside * (low + fv * (high - low)) / 255.0F;
-                    float* pixel = image.data() + (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 4;
+                    float* pixel =
+                        image.data() + (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 4;
                     for (int channel = 0; channel < 3; ++channel) {
                         pixel[channel] = pixel[channel] * (1.0F - a) + a * (s.direct[channel] + s.ambient[channel]);
                     }
@@ -133,16 +142,25 @@ void addCompositorBenchmarks(std::vector<Claim>& claims)
         double framesPerSecond;
         const char* llvmpipe;
     };
-    for (const Case& each : {Case{20000, 64.0F, 30.0, "3.6"}, Case{20000, 16.0F, 250.0, "36"}, Case{1000000, 4.0F, 20.0, "1.9"}}) {
-        const std::string name = "compose/" + std::to_string(each.count) + "x" + std::to_string(static_cast<int>(each.edge)) + "px";
+    for (const Case& each :
+        {Case{20000, 64.0F, 30.0, "3.6"}, Case{20000, 16.0F, 250.0, "36"}, Case{1000000, 4.0F, 20.0, "1.9"}}) {
+        const std::string name =
+            "compose/" + std::to_string(each.count) + "x" + std::to_string(static_cast<int>(each.edge)) + "px";
         const auto add = [&](const std::string& suffix, int threads, const std::string& simd, bool shaded = false) {
-            benchmark::RegisterBenchmark((name + suffix).c_str(), [=](benchmark::State& state) { compose(state, each.count, each.edge, threads, simd, shaded); })->UseRealTime()->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark((name + suffix).c_str(),
+                [=](benchmark::State& state) { compose(state, each.count, each.edge, threads, simd, shaded); })
+                ->UseRealTime()
+                ->Unit(benchmark::kMillisecond);
         };
         add("", 2, "");
         add("_1thread", 1, "");
         add("_shaded", 2, "", true);
-        benchmark::RegisterBenchmark((name + "_obvious").c_str(), [=](benchmark::State& state) { obvious(state, each.count, each.edge); })->UseRealTime()->Unit(benchmark::kMillisecond);
-        claims.push_back({name + ", 1280 x 720, 2 threads (llvmpipe: " + each.llvmpipe + ")", name, "", "frames/s", each.framesPerSecond});
+        benchmark::RegisterBenchmark(
+            (name + "_obvious").c_str(), [=](benchmark::State& state) { obvious(state, each.count, each.edge); })
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond);
+        claims.push_back({name + ", 1280 x 720, 2 threads (llvmpipe: " + each.llvmpipe + ")", name, "", "frames/s",
+            each.framesPerSecond});
         claims.push_back({"  shaded by the slope of the noise", name + "_shaded", "", "frames/s"});
         claims.push_back({"  over the obvious scalar program, 1 thread", name, name + "_obvious", ""});
         claims.push_back({"  2 threads over 1", name, name + "_1thread", "", 1.8});

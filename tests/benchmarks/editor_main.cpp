@@ -1,4 +1,5 @@
-// How the editor answers: on the offscreen platform, where the compositor paints as it does on a machine without a graphics card.
+// How the editor answers: on the offscreen platform, where the compositor paints as it does on a machine without a
+// graphics card.
 #include "tests/benchmarks/measure.h"
 
 #include "ui/document/document.h"
@@ -77,7 +78,9 @@ double cpuSeconds()
 {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6; };
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -119,8 +122,9 @@ private:
     std::vector<double> m_gaps;
 };
 
-/// A drag of the buoyancy of the default look in air: the time to the first changed picture, whose air is coarse while the hand moves, and from the end of the drag to
-/// the picture of the whole air. Each drag begins with a bake that is whole.
+/// A drag of the buoyancy of the default look in air: the time to the first changed picture, whose air is coarse while
+/// the hand moves, and from the end of the drag to the picture of the whole air. Each drag begins with a bake that is
+/// whole.
 void dragOfAir(benchmark::State& state)
 {
     Editor editor(loadPreset("default").value().preset);
@@ -196,7 +200,8 @@ void blockedWhileExporting(benchmark::State& state)
         ExportPlan plan;
         plan.output = folder.filePath(QStringLiteral("smoke_####.png")).toStdString();
         plan.frames = {0, 10000, 1};
-        worker.start(std::make_shared<ExportJob>(ExportJob{"long", {.effect = editor.window->document().effect()}, plan}));
+        worker.start(
+            std::make_shared<ExportJob>(ExportJob{"long", {.effect = editor.window->document().effect()}, plan}));
         editor.window->player().play();
         Heartbeat heartbeat;
         Editor::waitFor(5000);
@@ -256,7 +261,9 @@ int main(int argc, char** argv)
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
     std::vector<fumage::benchmarks::Claim> claims;
-    const auto add = [&](const char* name, auto* function) { return benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond)->UseRealTime(); };
+    const auto add = [&](const char* name, auto* function) {
+        return benchmark::RegisterBenchmark(name, function)->Unit(benchmark::kMillisecond)->UseRealTime();
+    };
     add(
         "slider/gravity", +[](benchmark::State& state) { slider(state, "motion.gravity"); })
         ->Arg(5000)
@@ -279,12 +286,16 @@ int main(int argc, char** argv)
         claims.push_back({name + ", 100 000 particles", name + "/100000", "", "", 100.0, true});
         claims.push_back({name + ", 1 000 000 particles", name + "/1000000", "", "", 0.0, true});
     }
-    claims.push_back({"drag of the buoyancy in air, default look, to the changed picture", "drag/air", "", "changed ms", 100.0, true});
+    claims.push_back({"drag of the buoyancy in air, default look, to the changed picture", "drag/air", "", "changed ms",
+        100.0, true});
     claims.push_back({"  from its end to the whole air", "drag/air", "", "", 1500.0, true});
     claims.push_back({"  GUI thread blocked, longest", "drag/air", "", "longest ms", 16.0, true});
-    claims.push_back({"GUI thread blocked, playing 100 000 particles, longest", "blocked/playing/100000", "", "longest ms", 16.0, true});
-    claims.push_back({"GUI thread blocked, playing 1 000 000 particles, longest", "blocked/playing/1000000", "", "longest ms", 16.0, true});
-    claims.push_back({"GUI thread blocked, playing during an export, longest", "blocked/exporting", "", "longest ms", 16.0, true});
+    claims.push_back({"GUI thread blocked, playing 100 000 particles, longest", "blocked/playing/100000", "",
+        "longest ms", 16.0, true});
+    claims.push_back({"GUI thread blocked, playing 1 000 000 particles, longest", "blocked/playing/1000000", "",
+        "longest ms", 16.0, true});
+    claims.push_back(
+        {"GUI thread blocked, playing during an export, longest", "blocked/exporting", "", "longest ms", 16.0, true});
     claims.push_back({"processor while paused", "idle", "", "% of a core", 0.5, true});
     claims.push_back({"memory grown in 45 s of play", "memory", "", "MiB grown", 8.0, true});
     claims.push_back({"a new window to its first picture", "start", "", "", 500.0, true});

@@ -44,12 +44,15 @@ void play(benchmark::State& state, const Effect& effect, int width, int height, 
         sums.sprites += renderer.times().sprites;
         sums.composite += renderer.times().composite;
     }
-    const auto mean = [&](std::chrono::nanoseconds sum) { return benchmark::Counter(static_cast<double>(sum.count()) * 1e-6, benchmark::Counter::kAvgIterations); };
+    const auto mean = [&](std::chrono::nanoseconds sum) {
+        return benchmark::Counter(static_cast<double>(sum.count()) * 1e-6, benchmark::Counter::kAvgIterations);
+    };
     state.counters["step_ms"] = mean(stepping);
     state.counters["light_ms"] = mean(sums.light);
     state.counters["sprites_ms"] = mean(sums.sprites);
     state.counters["composite_ms"] = mean(sums.composite);
-    state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["frames/s"] =
+        benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
 /// The default look with another number of particles, whose area is divided so that together they cover as much.
@@ -77,7 +80,10 @@ void encodeForScreen(benchmark::State& state)
 void addFrameBenchmarks(std::vector<Claim>& claims)
 {
     const auto add = [](const std::string& name, const Effect& effect, int width, int height, int threads) {
-        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { play(state, effect, width, height, threads); })->UseRealTime()->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(
+            name.c_str(), [=](benchmark::State& state) { play(state, effect, width, height, threads); })
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond);
     };
     add("frame/default_100k", defaultLook(100000), kWidth, kHeight, 2);
     add("frame/default_1M", defaultLook(1000000), kWidth, kHeight, 2);
@@ -87,7 +93,8 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     finest.output.quality = Quality::Final;
     add("frame/default_4k_final", finest, 3840, 2160, 2);
     benchmark::RegisterBenchmark("frame/encode_8bit", encodeForScreen)->UseRealTime()->Unit(benchmark::kMillisecond);
-    claims.push_back({"whole frame, default look, 100 000 particles, 1280 x 720, 2 threads", "frame/default_100k", "", "frames/s", 60.0});
+    claims.push_back({"whole frame, default look, 100 000 particles, 1280 x 720, 2 threads", "frame/default_100k", "",
+        "frames/s", 60.0});
     for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
         claims.push_back({"  part", "frame/default_100k", "", part});
     }
@@ -97,7 +104,8 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
         claims.push_back({"  part", "frame/default_1M", "", part});
     }
     claims.push_back({"default preset at 512 x 512", "frame/default_512", "", "", 16.0, true});
-    claims.push_back({"default preset in final quality at 3840 x 2160", "frame/default_4k_final", "", "", 2000.0, true});
+    claims.push_back(
+        {"default preset in final quality at 3840 x 2160", "frame/default_4k_final", "", "", 2000.0, true});
     claims.push_back({"encoding 1280 x 720 for the screen", "frame/encode_8bit", "", ""});
 
     struct Row {
@@ -108,12 +116,15 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     if (!thesis) {
         return;
     }
-    for (const Row& row : {Row{1000, 114.67}, Row{2500, 48.00}, Row{5000, 24.89}, Row{10000, 13.33}, Row{20000, 6.40}}) {
+    for (const Row& row :
+        {Row{1000, 114.67}, Row{2500, 48.00}, Row{5000, 24.89}, Row{10000, 13.33}, Row{20000, 6.40}}) {
         Effect effect = thesis.value().preset.effect;
         effect.emitter.count = row.particles;
         const std::string name = "frame/thesis_" + std::to_string(row.particles);
         add(name, effect, kWidth, kHeight, 2);
-        claims.push_back({"2012 preset, " + std::to_string(row.particles) + " particles (2012: " + std::to_string(row.thesis).substr(0, 6) + ")", name, "", "frames/s", row.thesis});
+        claims.push_back({"2012 preset, " + std::to_string(row.particles)
+                + " particles (2012: " + std::to_string(row.thesis).substr(0, 6) + ")",
+            name, "", "frames/s", row.thesis});
     }
 }
 

@@ -49,7 +49,7 @@ void step(benchmark::State& state, int particles, Way way)
         return;
     }
     LiveSimulation& live = made.value();
-    const std::int64_t lifetime = Model(sampled(effect)).schedule().lifetimeSteps;
+    const std::int64_t lifetime = SimulationModel(sampled(effect)).schedule().lifetimeSteps;
     for (std::int64_t i = 0; i < lifetime; ++i) {
         (void)live.step(live.stepSeconds());
     }
@@ -68,7 +68,7 @@ void step(benchmark::State& state, int particles, Way way)
 void advanceAlone(benchmark::State& state, int particles)
 {
     const ThreadLimit one(1);
-    const Model model(sampled(inGame(particles)));
+    const SimulationModel model(sampled(inGame(particles)));
     Particles moved;
     std::int64_t at = model.schedule().lifetimeSteps;
     (void)advanceFromNothing(model, moved, at);
@@ -95,7 +95,8 @@ double quantile(const std::vector<double>& sorted, double share)
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-/// What the thread has computed, s: on a machine that others use as well a clock on the wall tells how long they have taken.
+/// What the thread has computed, s: on a machine that others use as well a clock on the wall tells how long they have
+/// taken.
 double secondsOfThread()
 {
     timespec time{};
@@ -137,7 +138,8 @@ Minute minuteOf(LiveSimulation& live)
         out.wall.push_back(1e3 * (secondsOnWall() - wall));
         out.share += static_cast<double>(live.share()) / Minute::kSteps;
         settled = step == 600 ? memoryNow() : settled;
-        out.isSound = out.isSound && isTaken && isDone && tests::isFinite(live.particles()) && tests::longestJump(before, live.particles(), swirls) < 1e-4F;
+        out.isSound = out.isSound && isTaken && isDone && tests::isFinite(live.particles())
+            && tests::longestJump(before, live.particles(), swirls) < 1e-4F;
     }
     out.grown = memoryNow() - settled;
     std::sort(out.own.begin(), out.own.end());
@@ -169,7 +171,10 @@ void minute(benchmark::State& state, const Effect& effect, double budgetMs)
 void addMinutes(std::vector<Claim>& claims)
 {
     const auto add = [&](const std::string& name, const std::string& what, const Effect& effect, double budgetMs) {
-        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { minute(state, effect, budgetMs); })->UseRealTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { minute(state, effect, budgetMs); })
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1);
         claims.push_back({what + ", 99 of 100 steps", name, "", "p99ms", budgetMs, true});
         claims.push_back({"  half of them", name, "", "p50ms"});
         claims.push_back({"  all", name, "", "most_ms"});
@@ -187,7 +192,9 @@ void addMinutes(std::vector<Claim>& claims)
 
 void addLiveBenchmarks(std::vector<Claim>& claims)
 {
-    const auto add = [](const std::string& name, const auto& run) { benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMicrosecond); };
+    const auto add = [](const std::string& name, const auto& run) {
+        benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMicrosecond);
+    };
     for (const int count : {16, 10000}) {
         const std::string name = "live/" + std::to_string(count);
         add(name + "_still", [=](benchmark::State& state) { step(state, count, Way::Still); });

@@ -58,7 +58,8 @@ void print(const RememberingReporter& reporter, const Claim& claim)
     const bool reached = claim.atMost ? figure <= claim.target : figure >= claim.target;
     std::printf("%-66s %10.2f %-14s", claim.what.c_str(), figure, unit.c_str());
     if (claim.target > 0.0) {
-        std::printf(" %s %-8.6g %s", claim.atMost ? "at most " : "at least", claim.target, reached ? "reached" : "MISSED");
+        std::printf(
+            " %s %-8.6g %s", claim.atMost ? "at most " : "at least", claim.target, reached ? "reached" : "MISSED");
     }
     std::printf("\n");
 }

@@ -11,7 +11,8 @@ namespace fumage::benchmarks {
 struct Claim {
     std::string what;
     std::string benchmark; ///< full name as Google Benchmark prints it
-    std::string baseline; ///< name of another: the figure is baseline time / benchmark time; empty: the counter or time itself
+    std::string
+        baseline; ///< name of another: the figure is baseline time / benchmark time; empty: the counter or time itself
     std::string counter; ///< user counter to show; empty: milliseconds
     double target = 0.0; ///< 0: shown only
     bool atMost = false; ///< the figure should not exceed the target; else reach it

@@ -13,7 +13,7 @@ namespace fumage::benchmarks {
 namespace {
 
 constexpr int kSize = 512;
-constexpr float kBetweenLayers = 0.37F;
+constexpr float kBetweenPlanes = 0.37F;
 
 Noise sixOctaves(NoiseBasis basis)
 {
@@ -27,11 +27,13 @@ Noise sixOctaves(NoiseBasis basis)
 
 void countPixels(benchmark::State& state)
 {
-    state.counters["Mpixels/s"] = benchmark::Counter(static_cast<double>(kSize * kSize) * 1e-6 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["Mpixels/s"] =
+        benchmark::Counter(static_cast<double>(kSize * kSize) * 1e-6 * static_cast<double>(state.iterations()),
+            benchmark::Counter::kIsRate);
 }
 
-/// A tile has the size at which the heap gives memory back to the system, or not, by the chance of what lies above it; to get it again
-/// costs as much as the noise. Something kept above holds it.
+/// A tile has the size at which the heap gives memory back to the system, or not, by the chance of what lies above it;
+/// to get it again costs as much as the noise. Something kept above holds it.
 std::unique_ptr<char[]> heldHeap(const Noise& noise)
 {
     constexpr std::size_t kBytes = 4096;
@@ -68,7 +70,10 @@ void bakeObviously(benchmark::State& state, const Noise& noise, const NoiseAt& n
                 float sum = 0.0F;
                 for (const Octave& octave : octaves) {
                     const float scale = static_cast<float>(octave.period.x) / kSize;
-                    sum += octave.amplitude * noiseAt(octave, (static_cast<float>(x) + 0.5F) * scale, (static_cast<float>(y) + 0.5F) * scale, kBetweenLayers * static_cast<float>(octave.period.z));
+                    sum += octave.amplitude
+                        * noiseAt(octave, (static_cast<float>(x) + 0.5F) * scale,
+                            (static_cast<float>(y) + 0.5F) * scale,
+                            kBetweenPlanes * static_cast<float>(octave.period.z));
                 }
                 pixels[static_cast<std::size_t>(y * kSize + x)] = sum;
             }
@@ -81,7 +86,9 @@ void bakeObviously(benchmark::State& state, const Noise& noise, const NoiseAt& n
 void obviousLattice(benchmark::State& state)
 {
     const Noise noise = sixOctaves(NoiseBasis::Lattice);
-    bakeObviously(state, noise, [&](const Octave& octave, float x, float y, float z) { return valueNoise(noise, octave.seed, octave.period, x, y, z); });
+    bakeObviously(state, noise, [&](const Octave& octave, float x, float y, float z) {
+        return valueNoise(noise, octave.seed, octave.period, x, y, z);
+    });
 }
 
 void obviousSimplex(benchmark::State& state)
@@ -94,24 +101,31 @@ void obviousSimplex(benchmark::State& state)
 void addNoiseBenchmarks(std::vector<Claim>& claims)
 {
     const auto add = [](const std::string& name, const Noise& noise, float depth, const std::string& simd = "") {
-        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { bake(state, noise, depth, simd); })->UseRealTime()->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { bake(state, noise, depth, simd); })
+            ->UseRealTime()
+            ->Unit(benchmark::kMicrosecond);
     };
-    benchmark::RegisterBenchmark("noise/obvious_lattice3d", obviousLattice)->UseRealTime()->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark("noise/obvious_simplex3d", obviousSimplex)->UseRealTime()->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("noise/obvious_lattice3d", obviousLattice)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("noise/obvious_simplex3d", obviousSimplex)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
     const Noise gradient = sixOctaves(NoiseBasis::Gradient);
     add("noise/gradient2d", gradient, 0.0F);
-    add("noise/gradient3d", gradient, kBetweenLayers);
+    add("noise/gradient3d", gradient, kBetweenPlanes);
     const Noise lattice = sixOctaves(NoiseBasis::Lattice);
-    add("noise/lattice3d", lattice, kBetweenLayers);
+    add("noise/lattice3d", lattice, kBetweenPlanes);
     Noise smoothCubic = lattice;
     smoothCubic.interpolation = Interpolation::Cubic;
     smoothCubic.smooth = 1.0F;
-    add("noise/lattice3d_smooth_cubic", smoothCubic, kBetweenLayers);
-    add("noise/simplex3d", sixOctaves(NoiseBasis::Simplex), kBetweenLayers);
-    claims.push_back({"gradient noise, 512 x 512, 6 octaves, 1 thread (FastNoise2: 256)", "noise/gradient2d", "", "Mpixels/s", 600.0});
+    add("noise/lattice3d_smooth_cubic", smoothCubic, kBetweenPlanes);
+    add("noise/simplex3d", sixOctaves(NoiseBasis::Simplex), kBetweenPlanes);
+    claims.push_back({"gradient noise, 512 x 512, 6 octaves, 1 thread (FastNoise2: 256)", "noise/gradient2d", "",
+        "Mpixels/s", 600.0});
     claims.push_back({"  slice of 3D (FastNoise2: 160)", "noise/gradient3d", "", "Mpixels/s", 300.0});
     for (const std::string& simd : availableSimdTargets()) {
-        add("noise/gradient3d_" + simd, gradient, kBetweenLayers, simd);
+        add("noise/gradient3d_" + simd, gradient, kBetweenPlanes, simd);
         claims.push_back({"  slice of 3D on " + simd, "noise/gradient3d_" + simd, "", "Mpixels/s"});
     }
     claims.push_back({"lattice value noise, slice of 3D (FastNoise2: 218)", "noise/lattice3d", "", "Mpixels/s", 450.0});

@@ -4,8 +4,8 @@
 
 namespace fumage::benchmarks {
 
-/// The air as one writes it down first: plain loops over plain arrays in floats, one number at a time. The same method with the same number of traces and
-/// of sweeps; no obstacles, no source, no confinement.
+/// The air as one writes it down first: plain loops over plain arrays in floats, one number at a time. The same method
+/// with the same number of traces and of sweeps; no obstacles, no source, no confinement.
 class ObviousAir {
 public:
     ObviousAir(int nx, int ny, int nz, float cell);

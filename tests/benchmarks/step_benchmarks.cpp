@@ -17,8 +17,8 @@ Effect thesisMotion()
 {
     Effect effect = tests::thesisEffect(kThesisParticles);
     effect.emitter.velocityRandomness = 1.0F;
-    effect.motion.wind = 0.5F;
-    effect.motion.windAngle = 37.0F;
+    effect.wind.strength = 0.5F;
+    effect.wind.angle = 37.0F;
     effect.motion.gravity = 0.5F;
     effect.motion.randomness = 1.0F;
     return effect;
@@ -34,7 +34,9 @@ Effect wholeModel(int particles, int octaves)
 
 void countRate(benchmark::State& state, std::int64_t particles, std::int64_t steps)
 {
-    state.counters["Mparticles/s"] = benchmark::Counter(static_cast<double>(particles * steps) * 1e-6 * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["Mparticles/s"] =
+        benchmark::Counter(static_cast<double>(particles * steps) * 1e-6 * static_cast<double>(state.iterations()),
+            benchmark::Counter::kIsRate);
 }
 
 void obvious(benchmark::State& state, std::unique_ptr<Obvious2012> program)
@@ -53,7 +55,7 @@ void step(benchmark::State& state, const Effect& effect, int threads, const std:
         state.SkipWithError("not on this machine");
         return;
     }
-    const Model model(sampled(effect));
+    const SimulationModel model(sampled(effect));
     Particles particles;
     std::int64_t at = model.schedule().lifetimeSteps;
     (void)advanceFromNothing(model, particles, at);
@@ -69,23 +71,36 @@ void step(benchmark::State& state, const Effect& effect, int threads, const std:
 
 void addStepBenchmarks(std::vector<Claim>& claims)
 {
-    const auto add = [](const std::string& name, const Effect& effect, int threads, const std::string& simd = "", int stepsAtOnce = 1) {
-        benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { step(state, effect, threads, simd, stepsAtOnce); })->UseRealTime()->Unit(benchmark::kMicrosecond);
+    const auto add = [](const std::string& name, const Effect& effect, int threads, const std::string& simd = "",
+                         int stepsAtOnce = 1) {
+        benchmark::RegisterBenchmark(
+            name.c_str(), [=](benchmark::State& state) { step(state, effect, threads, simd, stepsAtOnce); })
+            ->UseRealTime()
+            ->Unit(benchmark::kMicrosecond);
     };
-    benchmark::RegisterBenchmark("step2012/obvious", [](benchmark::State& state) { obvious(state, makeObvious2012(kThesisParticles)); })->UseRealTime()->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark("step2012/obvious_native", [](benchmark::State& state) { obvious(state, makeObvious2012Native(kThesisParticles)); })->UseRealTime()->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(
+        "step2012/obvious", [](benchmark::State& state) { obvious(state, makeObvious2012(kThesisParticles)); })
+        ->UseRealTime()
+        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("step2012/obvious_native",
+        [](benchmark::State& state) { obvious(state, makeObvious2012Native(kThesisParticles)); })
+        ->UseRealTime()
+        ->Unit(benchmark::kMicrosecond);
     add("step2012/fumage", thesisMotion(), 1);
     for (const std::string& simd : availableSimdTargets()) {
         add("step2012/fumage_" + simd, thesisMotion(), 1, simd);
     }
     add("step2012/fumage_16_steps", thesisMotion(), 1, "", 16);
-    claims.push_back({"2012 kernel, 20 000 particles, 1 thread, over the obvious program", "step2012/fumage", "step2012/obvious", "", 30.0});
-    claims.push_back({"  over the same built with -march=native", "step2012/fumage", "step2012/obvious_native", "", 10.0});
+    claims.push_back({"2012 kernel, 20 000 particles, 1 thread, over the obvious program", "step2012/fumage",
+        "step2012/obvious", "", 30.0});
+    claims.push_back(
+        {"  over the same built with -march=native", "step2012/fumage", "step2012/obvious_native", "", 10.0});
     claims.push_back({"  rate", "step2012/fumage", "", "Mparticles/s"});
     for (const std::string& simd : availableSimdTargets()) {
         claims.push_back({"  rate on " + simd, "step2012/fumage_" + simd, "", "Mparticles/s"});
     }
-    claims.push_back({"  rate when 16 steps are taken at once, as in seeking", "step2012/fumage_16_steps", "", "Mparticles/s"});
+    claims.push_back(
+        {"  rate when 16 steps are taken at once, as in seeking", "step2012/fumage_16_steps", "", "Mparticles/s"});
 
     constexpr int kMillion = 1000000;
     for (const int octaves : {2, 4}) {

@@ -4,7 +4,7 @@
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -54,8 +54,11 @@ private slots:
             "cd '" + folder.path() + "' && trap '' XFSZ; ulimit -f 60; \"$0\" \"$@\"");
         QCOMPARE(outcome.code, 1);
         QVERIFY2(outcome.error.contains("job 3 of 5: large\n"), outcome.error.constData());
-        QVERIFY2(outcome.error.contains("fumage-cli: nowhere: ") && outcome.error.contains("fumage-cli: large: ") && outcome.error.contains("fumage-cli: itself: c.png: this would overwrite"), outcome.error.constData());
-        QVERIFY2(outcome.error.trimmed().endsWith(": 3 of 5 jobs failed. Mend what is said above, and do them again"), outcome.error.constData());
+        QVERIFY2(outcome.error.contains("fumage-cli: nowhere: ") && outcome.error.contains("fumage-cli: large: ")
+                && outcome.error.contains("fumage-cli: itself: c.png: this would overwrite"),
+            outcome.error.constData());
+        QVERIFY2(outcome.error.trimmed().endsWith(": 3 of 5 jobs failed. Mend what is said above, and do them again"),
+            outcome.error.constData());
         QCOMPARE(QDir(folder.filePath("a")).entryList(QDir::Files), (QStringList{"x_00.png", "x_01.png"}));
         QVERIFY(QFile::exists(folder.filePath("d.flipbook.json")) && !QFile::exists(folder.filePath("large.exr")));
         const QJsonObject answer = QJsonDocument::fromJson(outcome.out).object();
@@ -70,7 +73,9 @@ private slots:
         QVERIFY(jobs[2].toObject()["error"].toString().contains("large.exr"));
         QCOMPARE(jobs[4].toObject()["last"].toString(), QString("d.flipbook.json"));
         // All of them done is a success, and standard input will do.
-        const Outcome fine = run({"render", "--jobs", "-"}, "cd '" + folder.path() + "' && \"$0\" \"$@\" < " + writeList(folder, R"({"output": "e.png", "kind": "picture", $small})"));
+        const Outcome fine = run({"render", "--jobs", "-"},
+            "cd '" + folder.path() + "' && \"$0\" \"$@\" < "
+                + writeList(folder, R"({"output": "e.png", "kind": "picture", $small})"));
         QVERIFY2(fine.code == 0 && fine.error.trimmed().endsWith("wrote e.png"), fine.error.constData());
     }
 
@@ -84,7 +89,8 @@ private slots:
         QVERIFY(writePresetFile(folder.filePath("deep/my.json").toStdString(), preset).ok());
         const std::string list =
             R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", "preset": "missing.json", "kind": "picture", "output": "a.png"},
-            {"name": "B", "preset": "my.json", "kind": "picture", "frames": "5", "output": "out/b.png"}, {"name": "C", "preset": "my.json", "frames": "5-6", "output": "jj_%04d.png"}]})";
+            {"name": "B", "preset": "my.json", "kind": "picture", "frames": "5", "output": "out/b.png"},
+            {"name": "C", "preset": "my.json", "frames": "5-6", "output": "jj_%04d.png"}]})";
         QVERIFY(writeFileAtomically(folder.filePath("deep/jobs.json").toStdString(), list).ok());
         const Outcome outcome = runIn(folder, {"render", "--jobs", "deep/jobs.json", "--json"});
         QCOMPARE(outcome.code, 1); // as of a preset that is not there
@@ -100,20 +106,23 @@ private slots:
     void jobsKeepTheirManifestAndWhatIsThere()
     {
         const QTemporaryDir folder;
-        const QString list = writeList(folder, R"({"output": "x.png", "frames": "0-2", "manifest": "x", "skip_existing": true, $small})");
+        const QString list = writeList(
+            folder, R"({"output": "x.png", "frames": "0-2", "manifest": "x", "skip_existing": true, $small})");
         const Outcome first = runIn(folder, {"render", "--jobs", list});
         QVERIFY2(first.code == 0 && first.error.contains("wrote 3 files"), first.error.constData());
         QVERIFY(QFile::remove(folder.filePath("x_0001.png")));
         QCOMPARE(runIn(folder, {"verify", "x.0-2.manifest.json"}).code, 4);
         const Outcome second = runIn(folder, {"render", "--jobs", list});
-        QVERIFY2(second.code == 0 && second.error.contains("2 of 3 files were there already"), second.error.constData());
+        QVERIFY2(
+            second.code == 0 && second.error.contains("2 of 3 files were there already"), second.error.constData());
         QCOMPARE(runIn(folder, {"verify", "x.0-2.manifest.json"}).code, 0);
     }
 
     void jobsOfOneFileAreRefusedBeforeAnythingIsRendered()
     {
         const QTemporaryDir folder;
-        const QString list = writeList(folder, R"({"name": "one", "output": "a.png", "kind": "picture", $small}, {"name": "two", "output": "./a.png", "kind": "flipbook", "columns": 1, "rows": 1, $small})");
+        const QString list = writeList(folder,
+            R"({"name": "one", "output": "a.png", "kind": "picture", $small}, {"name": "two", "output": "./a.png", "kind": "flipbook", "columns": 1, "rows": 1, $small})");
         const Outcome outcome = runIn(folder, {"render", "--jobs", list});
         QCOMPARE(outcome.code, 3);
         QVERIFY2(outcome.error.contains("\"two\" would write over a file of \"one\""), outcome.error.constData());

@@ -4,7 +4,7 @@
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QDirIterator>
 
@@ -20,9 +20,11 @@ private slots:
     void fullStandardOutputIsAnError_data()
     {
         QTest::addColumn<QStringList>("arguments");
-        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"presets", "--show", "default"}, QStringList{"validate", "default"}, QStringList{"parameters"},
-                 QStringList{"parameters", "--markdown"}, QStringList{"info"}, QStringList{"info", "default"}, QStringList{"schema"}, QStringList{"--help"}, QStringList{"render", "--help"},
-                 QStringList{"--version"}, QStringList{"dump", "default", "--set", "emitter.count=5"}}) {
+        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"presets", "--show", "default"},
+                 QStringList{"validate", "default"}, QStringList{"parameters"}, QStringList{"parameters", "--markdown"},
+                 QStringList{"info"}, QStringList{"info", "default"}, QStringList{"schema"}, QStringList{"--help"},
+                 QStringList{"render", "--help"}, QStringList{"--version"},
+                 QStringList{"dump", "default", "--set", "emitter.count=5"}}) {
             QTest::newRow(qPrintable(arguments.join(' '))) << arguments;
         }
     }
@@ -50,7 +52,8 @@ private slots:
             // Root may write anywhere: run as nobody.
             const QTemporaryDir folder;
             const QString command = "cd / && setpriv --reuid=65534 --clear-groups \"$0\" \"$@\"";
-            const Outcome outcome = run({"bake-noise", "thesis-2012", "--size", "16", "-o", folder.path() + "/a.png"}, command);
+            const Outcome outcome =
+                run({"bake-noise", "thesis-2012", "--size", "16", "-o", folder.path() + "/a.png"}, command);
             QCOMPARE(outcome.code, 1);
             QVERIFY2(outcome.error.contains("permission denied"), outcome.error.constData());
         } else {
@@ -64,9 +67,12 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString command = "trap '' XFSZ; ulimit -f 1; \"$0\" \"$@\"";
-        const Outcome outcome = run(QStringList{"render", "default", "-f", "0", "-o", folder.path() + "/a.exr", "--size", "200", "--set", "emitter.count=500"}, command);
+        const Outcome outcome = run(QStringList{"render", "default", "-f", "0", "-o", folder.path() + "/a.exr",
+                                        "--size", "200", "--set", "emitter.count=500"},
+            command);
         QCOMPARE(outcome.code, 75);
-        QVERIFY2(outcome.error.contains("larger than may be written") || outcome.error.contains("disk is full"), outcome.error.constData());
+        QVERIFY2(outcome.error.contains("larger than may be written") || outcome.error.contains("disk is full"),
+            outcome.error.constData());
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
@@ -75,7 +81,10 @@ private slots:
         const QTemporaryDir all;
         const QTemporaryDir some;
         QCOMPARE(run(QStringList{"render", "default", "-f", "0-29", "-o", all.path() + "/f_##.png"} + kSmall).code, 0);
-        QCOMPARE(run(QStringList{"--threads", "1", "render", "default", "-f", "20-29", "-o", some.path() + "/f_##.png"} + kSmall).code, 0);
+        QCOMPARE(run(QStringList{"--threads", "1", "render", "default", "-f", "20-29", "-o", some.path() + "/f_##.png"}
+                     + kSmall)
+                     .code,
+            0);
         for (int i = 0; i < 20; ++i) {
             QVERIFY(QFile::remove(all.path() + QString("/f_%1.png").arg(i, 2, 10, QChar('0'))));
         }
@@ -86,9 +95,13 @@ private slots:
     void threadsAndInstructionSetsGiveTheSameFiles()
     {
         QByteArray first;
-        for (const QStringList& how : {QStringList{"--threads", "1"}, QStringList{"--threads", "2"}, QStringList{"--threads", "7"}, QStringList{"--simd", "baseline"}}) {
+        for (const QStringList& how : {QStringList{"--threads", "1"}, QStringList{"--threads", "2"},
+                 QStringList{"--threads", "7"}, QStringList{"--simd", "baseline"}}) {
             const QTemporaryDir folder;
-            QCOMPARE(run(how + QStringList{"render", "thesis-2012", "-f", "3-4", "-o", folder.path() + "/f.png"} + kSmall).code, 0);
+            QCOMPARE(
+                run(how + QStringList{"render", "thesis-2012", "-f", "3-4", "-o", folder.path() + "/f.png"} + kSmall)
+                    .code,
+                0);
             const Outcome csv = run(how + QStringList{"dump", "thesis-2012", "-f", "40", "--set", "emitter.count=300"});
             QCOMPARE(csv.code, 0);
             const QByteArray here = contents(folder.path()) + csv.out;
@@ -104,12 +117,15 @@ private slots:
         QCOMPARE(runIn(folder, QStringList{"render", "default"} + changed + QStringList{"a.png"}).code, 0);
         QCOMPARE(runIn(folder, {"render", "a.png", "--frames", "5", "--size", "48", "-o", "b.png"}).code, 0);
         QCOMPARE(runIn(folder, {"render", "a.png", "--frames", "5", "--size", "48", "-o", "c/"}).code, 0);
-        const auto bytes = [&](const char* name) { return readFile((folder.path() + "/" + name).toStdString(), std::size_t{1} << 24U).value(); };
+        const auto bytes = [&](const char* name) {
+            return readFile((folder.path() + "/" + name).toStdString(), std::size_t{1} << 24U).value();
+        };
         QVERIFY(bytes("a.png") == bytes("b.png") && bytes("a.png") == bytes("c/a.png"));
         QVERIFY(runIn(folder, {"presets", "--show", "a.png"}).out.contains("\"gravity\": 2"));
         const Outcome over = runIn(folder, {"render", "a.png", "--frames", "5"});
         QVERIFY2(over.code == 3 && over.error.contains("a.png"), over.error);
-        QCOMPARE(runIn(folder, QStringList{"render", "default", "--no-preset"} + changed + QStringList{"bare.png"}).code, 0);
+        QCOMPARE(
+            runIn(folder, QStringList{"render", "default", "--no-preset"} + changed + QStringList{"bare.png"}).code, 0);
         const Outcome bare = runIn(folder, {"render", "bare.png", "-o", "d.png"});
         QVERIFY2(bare.code == 3 && bare.error.contains("carries no preset"), bare.error);
     }
@@ -118,10 +134,16 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString frames = folder.filePath("f_##.exr");
-        QStringList smoke{"thesis-2012", "-f", "3-4", "--set", "output.background=colour", "--set", "output.background_colour=[0,1,0]",
-            "--set", "output.width=16", "--set", "output.height=16", "--set", "emitter.count=50"};
-        const auto join = [&] { return run(QStringList{"join"} + smoke + QStringList{"--input", frames, "--grid", "1x2", "-o", folder.filePath("s.png")}); };
-        const auto render = [&](const QStringList& more) { return run(QStringList{"render"} + smoke + more + QStringList{"-o", frames}); };
+        QStringList smoke{"thesis-2012", "-f", "3-4", "--set", "output.background=colour", "--set",
+            "output.background_colour=[0,1,0]", "--set", "output.width=16", "--set", "output.height=16", "--set",
+            "emitter.count=50"};
+        const auto join = [&] {
+            return run(QStringList{"join"} + smoke
+                + QStringList{"--input", frames, "--grid", "1x2", "-o", folder.filePath("s.png")});
+        };
+        const auto render = [&](const QStringList& more) {
+            return run(QStringList{"render"} + smoke + more + QStringList{"-o", frames});
+        };
         QCOMPARE(render({}).code, 0);
         QCOMPARE(join().code, 0);
         smoke += QStringList{"--set", "output.view_transform=filmic"};
@@ -140,11 +162,13 @@ private slots:
     void whatWasWrittenIsSaidInTheLastLine()
     {
         const QTemporaryDir folder;
-        const QStringList arguments = QStringList{"render", "thesis-2012", "-f", "0-2", "-o", folder.path() + "/f.png"} + kSmall;
+        const QStringList arguments =
+            QStringList{"render", "thesis-2012", "-f", "0-2", "-o", folder.path() + "/f.png"} + kSmall;
         const Outcome outcome = run(arguments);
         QCOMPARE(outcome.code, 0);
         QVERIFY(outcome.out.isEmpty());
-        QCOMPARE(outcome.error, QString("fumage-cli: wrote 3 files, %1/f_0000.png to %1/f_0002.png\n").arg(folder.path()).toUtf8());
+        QCOMPARE(outcome.error,
+            QString("fumage-cli: wrote 3 files, %1/f_0000.png to %1/f_0002.png\n").arg(folder.path()).toUtf8());
         QCOMPARE(run(arguments + QStringList{"-f", "1"}).code, 2); // named twice
         const Outcome quiet = run(QStringList{"--quiet"} + arguments);
         QVERIFY(quiet.code == 0 && quiet.out.isEmpty() && quiet.error.isEmpty());
@@ -153,8 +177,12 @@ private slots:
     void aFitIsPrintedAsOptionsThatKeepAllSmokeInThePicture()
     {
         const QTemporaryDir folder;
-        const QStringList smoke{"default", "--set", "emitter.count=500", "--set", "camera.distance=2", "--frames", "20-29", "--size", "48"};
-        const auto bookWith = [&](const QStringList& more) { return run(QStringList{"flipbook"} + smoke + QStringList{"--grid", "2", "-o", folder.filePath("a.png")} + more); };
+        const QStringList smoke{
+            "default", "--set", "emitter.count=500", "--set", "camera.distance=2", "--frames", "20-29", "--size", "48"};
+        const auto bookWith = [&](const QStringList& more) {
+            return run(
+                QStringList{"flipbook"} + smoke + QStringList{"--grid", "2", "-o", folder.filePath("a.png")} + more);
+        };
         QVERIFY(bookWith({}).error.contains("cut off"));
         QVERIFY(bookWith({}).error.contains("frames 20 to 27"));
         const Outcome fit = run(QStringList{"fit"} + smoke);
@@ -170,13 +198,16 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QStringList>("files");
-        const auto row = [](const char* name, const QStringList& arguments, const QStringList& files) { QTest::newRow(name) << arguments << files; };
+        const auto row = [](const char* name, const QStringList& arguments, const QStringList& files) {
+            QTest::newRow(name) << arguments << files;
+        };
         const QStringList two{"render", "thesis-2012", "-f", "7-8", "-o"};
         const QStringList one{"render", "thesis-2012", "-f", "7", "-o"};
         row("capitals", one + QStringList{"x.PNG"}, {"x.PNG"});
         row("exr", one + QStringList{"x.Exr"}, {"x.Exr"});
         row("tga", one + QStringList{"x.TGA"}, {"x.TGA"});
-        row("a flipbook in tga", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "x", "--format", "tga"}, {"x.flipbook.json", "x.tga"});
+        row("a flipbook in tga", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "x", "--format", "tga"},
+            {"x.flipbook.json", "x.tga"});
         row("noise in tga", {"bake-noise", "thesis-2012", "-o", "n.tga"}, {"n.tga"});
         row("format without an ending", one + QStringList{"x", "--format", "exr"}, {"x.exr"});
         row("printf", two + QStringList{"x_%03d.png"}, {"x_007.png", "x_008.png"});
@@ -185,19 +216,29 @@ private slots:
         row("a folder that is there", two + QStringList{"d"}, {"d/thesis-2012_0007.png", "d/thesis-2012_0008.png"});
         row("a folder to be made", one + QStringList{"e/"}, {"e/thesis-2012.png"});
         row("no name", {"render", "thesis-2012", "-f", "7"}, {"thesis-2012.png"});
-        row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"}, {"d/default.png", "d/thesis-2012.png"});
-        row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"}, {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
-        row("the best that fits", {"flipbook", "thesis-2012", "--for", "pixi", "-f", "0-9", "--optimise", "4KB", "-o", "d"},
+        row("two presets", {"render", "thesis-2012", "default", "-f", "7", "-o", "d/"},
+            {"d/default.png", "d/thesis-2012.png"});
+        row("flipbook in a folder", {"flipbook", "thesis-2012", "--grid", "1", "-f", "7", "-o", "d"},
+            {"d/thesis-2012.flipbook.json", "d/thesis-2012.png"});
+        row("the best that fits",
+            {"flipbook", "thesis-2012", "--for", "pixi", "-f", "0-9", "--optimise", "4KB", "-o", "d"},
             {"d/thesis-2012_4x2.atlas.json", "d/thesis-2012_4x2.flipbook.json", "d/thesis-2012_4x2.png"});
-        row("trimmed and retimed", {"flipbook", "thesis-2012", "--grid", "2", "-f", "0-9", "--trim", "--retime", "[[0,1],[1,0]]", "-o", "x"}, {"x.flipbook.json", "x.png"});
-        row("packed pictures", {"flipbook", "--pack", "a=alpha", "thesis-2012", "--pack", "b=depth,1@1/2", "--passes", "none", "--grid", "1", "-f", "7", "-o", "x"}, {"x.flipbook.json", "x_a.png", "x_b.png"});
+        row("trimmed and retimed",
+            {"flipbook", "thesis-2012", "--grid", "2", "-f", "0-9", "--trim", "--retime", "[[0,1],[1,0]]", "-o", "x"},
+            {"x.flipbook.json", "x.png"});
+        row("packed pictures",
+            {"flipbook", "--pack", "a=alpha", "thesis-2012", "--pack", "b=depth,1@1/2", "--passes", "none", "--grid",
+                "1", "-f", "7", "-o", "x"},
+            {"x.flipbook.json", "x_a.png", "x_b.png"});
         row("noise", {"bake-noise", "thesis-2012", "-o", "d"}, {"d/thesis-2012_noise.png"});
         row("particles by the ending", {"dump", "thesis-2012", "-o", "p.ply"}, {"p.ply"});
         row("point cache", {"dump", "thesis-2012", "-o", "p.pcache"}, {"p.pcache"});
-        row("volumes", {"volume", "thesis-2012", "--cells", "16", "-f", "0-2:2", "-o", "v_##"}, {"v_00.vdb", "v_02.vdb"});
+        row("volumes", {"volume", "thesis-2012", "--cells", "16", "-f", "0-2:2", "-o", "v_##"},
+            {"v_00.vdb", "v_02.vdb"});
         row("air", {"air", "plume", "--set", "air.resolution=16", "-o", "plume.vf"}, {"plume.vf"});
         row("air in its default format", {"air", "plume", "--set", "air.resolution=16", "-o", "."}, {"plume.fga"});
-        row("particles of several frames", {"dump", "thesis-2012", "-f", "0-4:2", "-o", "p_##.csv"}, {"p_00.csv", "p_02.csv", "p_04.csv"});
+        row("particles of several frames", {"dump", "thesis-2012", "-f", "0-4:2", "-o", "p_##.csv"},
+            {"p_00.csv", "p_02.csv", "p_04.csv"});
     }
     void outputsAreNamedAsTheUserMeans()
     {
@@ -206,7 +247,9 @@ private slots:
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkdir("d"));
         const bool isPicture = !QStringList{"dump", "volume", "air"}.contains(arguments[0]);
-        const QString small = !isPicture ? " --set emitter.count=20" : " --size 16 --set emitter.count=20 --set noise.slices=1 --set noise.resolution=8";
+        const QString small = !isPicture
+            ? " --set emitter.count=20"
+            : " --size 16 --set emitter.count=20 --set noise.slices=1 --set noise.resolution=8";
         const Outcome outcome = run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"" + small);
         QVERIFY2(outcome.code == 0, outcome.error.constData());
         QStringList found;
@@ -267,7 +310,8 @@ private slots:
         QVERIFY(contents(folder.path()) == "a.png" + picture.out);
         const QString piped = "\"$0\" presets --show campfire | \"$0\" \"$@\"";
         QCOMPARE(run({"validate", "--strict", "-"}, piped).code, 0);
-        QCOMPARE(run(QStringList{"dump", "-", "--set", "emitter.count=50"}, piped).out, run({"dump", "campfire", "--set", "emitter.count=50"}).out);
+        QCOMPARE(run(QStringList{"dump", "-", "--set", "emitter.count=50"}, piped).out,
+            run({"dump", "campfire", "--set", "emitter.count=50"}).out);
         QCOMPARE(run({"validate", "-"}, "echo rubbish | \"$0\" \"$@\"").code, 3);
     }
 
@@ -293,7 +337,8 @@ private slots:
             run(arguments, "cd / && " + asNobody + "bash -c 'ulimit -u 1; exec \"$0\" \"$@\"' \"$0\" \"$@\"");
         QVERIFY2(threads.code == 75 && threads.error.contains("threads") && threads.error.contains("ulimit"),
             threads.error.constData());
-        const Outcome files = run(arguments, "exec 3>&-; ulimit -n 4; \"$0\" \"$@\""); // what it was given by others is closed
+        const Outcome files =
+            run(arguments, "exec 3>&-; ulimit -n 4; \"$0\" \"$@\""); // what it was given by others is closed
         QVERIFY2(files.code == 75 && files.error.contains("ulimit"), files.error.constData());
         QVERIFY(QDir(folder.path()).isEmpty());
     }

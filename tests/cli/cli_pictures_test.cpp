@@ -156,7 +156,8 @@ private slots:
     {
         const std::string list =
             R"({"format": "fumage-jobs", "version": 1, "jobs": [{"preset": "one.png", "output": "out/a.png"}, {"preset": "one.exr", "output": "out/b.png", "kind": "picture"},
-            {"preset": "one.png", "output": "out/c_##.csv", "kind": "particles"}, {"preset": "sheet.png", "output": "out/d.png", "kind": "flipbook"}]})";
+            {"preset": "one.png", "output": "out/c_##.csv", "kind": "particles"},
+            {"preset": "sheet.png", "output": "out/d.png", "kind": "flipbook"}]})";
         QVERIFY(writeFileAtomically(m_folder->filePath("list.json").toStdString(), list).ok());
         QCOMPARE(runIn(*m_folder, {"render", "--jobs", "list.json"}).code, 0);
         QCOMPARE(namesIn(*m_folder, "out"), (QStringList{"a.png", "b.png", "c_07.csv", "d.flipbook.json", "d.png"}));

@@ -21,8 +21,11 @@ private slots:
     void anInterruptionOfALargePictureIsQuick()
     {
         const QTemporaryDir folder;
-        const pid_t program = start({"--threads", "1", "render", "thesis-2012", "-f", "40-45", "--size", "2048", "--supersample", "2", "-o", folder.path() + "/f.png"}, STDERR_FILENO);
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).entryList({"*.png"}).isEmpty(), 120000); // so the second is being made
+        const pid_t program = start({"--threads", "1", "render", "thesis-2012", "-f", "40-45", "--size", "2048",
+                                        "--supersample", "2", "-o", folder.path() + "/f.png"},
+            STDERR_FILENO);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !QDir(folder.path()).entryList({"*.png"}).isEmpty(), 120000); // so the second is being made
         const rusage before = usageOf(program);
         ::kill(program, SIGINT);
         int status = 0;
@@ -30,7 +33,8 @@ private slots:
         QCOMPARE(::wait4(program, &status, 0, &after), program);
         QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 130);
         // Time of the processor: one such picture takes several times as much.
-        QVERIFY2(secondsOf(after) - secondsOf(before) < 0.5, QByteArray::number(secondsOf(after) - secondsOf(before)).constData());
+        QVERIFY2(secondsOf(after) - secondsOf(before) < 0.5,
+            QByteArray::number(secondsOf(after) - secondsOf(before)).constData());
     }
 
     void interruptingADumpThatNobodyReadsEndsIt_data() { signalNumbers(); }
@@ -79,7 +83,9 @@ private slots:
 
     void aReaderThatLeavesAPictureEarlyIsAFailure()
     {
-        QCOMPARE(exitCodeOf(start(QStringList{"render", "thesis-2012", "-f", "1", "-o", "-"} + kSmall, outputThatNobodyReads())), 75);
+        QCOMPARE(exitCodeOf(start(
+                     QStringList{"render", "thesis-2012", "-f", "1", "-o", "-"} + kSmall, outputThatNobodyReads())),
+            75);
     }
 
     void theSecondInterruptionEndsAtOnce()
@@ -95,8 +101,7 @@ private slots:
             char byte = 0;
             QCOMPARE(::read(ends[0], &byte, 1), ssize_t(1));
             ::kill(program, SIGINT);
-            while (isPending(program)) {
-            }
+            while (isPending(program)) { }
             ::kill(program, SIGINT);
             int status = 0;
             QCOMPARE(::waitpid(program, &status, 0), program);
@@ -110,7 +115,8 @@ private slots:
     {
         const QTemporaryDir folder;
         const auto pictures = [&] { return QDir(folder.path()).entryList({"*.png"}).size(); };
-        const pid_t program = start({"render", "default", "-f", "0-19", "--size", "64", "-o", folder.path() + "/f.png"}, STDERR_FILENO, {SIGINT, SIGHUP});
+        const pid_t program = start({"render", "default", "-f", "0-19", "--size", "64", "-o", folder.path() + "/f.png"},
+            STDERR_FILENO, {SIGINT, SIGHUP});
         QTRY_VERIFY_WITH_TIMEOUT(pictures() > 0, 120000); // it is at work
         ::kill(program, SIGINT);
         ::kill(program, SIGHUP);
@@ -122,7 +128,8 @@ private slots:
     {
         const QTemporaryDir folder;
         QProcess process;
-        process.start(FUMAGE_CLI, {"render", "default", "-f", "0-100000", "--size", "64", "-o", folder.path() + "/f.png"});
+        process.start(
+            FUMAGE_CLI, {"render", "default", "-f", "0-100000", "--size", "64", "-o", folder.path() + "/f.png"});
         QTRY_VERIFY_WITH_TIMEOUT(!QDir(folder.path()).entryList({"*.png"}).isEmpty(), 60000);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(30000));
@@ -188,7 +195,9 @@ private:
 
     static double secondsOf(const rusage& usage)
     {
-        const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+        const auto seconds = [](const timeval& time) {
+            return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        };
         return seconds(usage.ru_utime) + seconds(usage.ru_stime);
     }
 

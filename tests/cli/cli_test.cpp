@@ -5,7 +5,7 @@
 
 #include "core/base/file.h"
 #include "core/effect/parameter_table.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,7 +22,8 @@ private slots:
     {
         const Outcome help = run({"--help"});
         QCOMPARE(help.code, 0);
-        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "volume", "air", "validate", "info", "presets", "parameters", "schema", "verify", "farm", "join"}) {
+        for (const char* command : {"render", "flipbook", "video", "check-sheet", "fit", "bake-noise", "dump", "volume",
+                 "air", "validate", "info", "presets", "parameters", "schema", "verify", "farm", "join"}) {
             QVERIFY2(help.out.contains(command), command);
             QCOMPARE(run({command, "--help"}).code, 0);
         }
@@ -42,9 +43,9 @@ private slots:
     {
         const RefusalRows row;
         row("unknown preset", {"render", "campfir"}, "campfire");
-        row("unknown key", {"render", "default", "--set", "motion.wnd=1"}, "motion.wind");
-        row("no equals sign", {"render", "default", "--set", "motion.wind"}, "key=value");
-        row("NaN", {"render", "default", "--set", "motion.wind=nan"}, "motion.wind");
+        row("unknown key", {"render", "default", "--set", "motion.wnd=1"}, "wind.strength");
+        row("no equals sign", {"render", "default", "--set", "wind.strength"}, "key=value");
+        row("NaN", {"render", "default", "--set", "wind.strength=nan"}, "wind.strength");
         row("frames", {"render", "default", "--frames", "9-2"}, "9-2");
         row("size", {"render", "default", "--size", "0x9"}, "0x9");
         row("huge size", {"render", "default", "--size", "99999"}, "8192");
@@ -53,12 +54,15 @@ private slots:
         row("pass", {"flipbook", "default", "--passes", "colour,sixway"}, "six-way");
         row("no pass", {"flipbook", "default", "--passes", ","}, "--passes");
         row("grid that is no power of two", {"flipbook", "default", "--grid", "6x5", "--power-of-two"}, "6 x 5 cells");
-        row("budget without a unit", {"flipbook", "default", "--optimise", "4"}, "--optimise: the budget \"4\" is not understood");
-        row("budget that fits nothing", {"flipbook", "thesis-2012", "--optimise", "0.1KB", "-f", "0-9"}, "no sheet fits into 102 bytes");
+        row("budget without a unit", {"flipbook", "default", "--optimise", "4"},
+            "--optimise: the budget \"4\" is not understood");
+        row("budget that fits nothing", {"flipbook", "thesis-2012", "--optimise", "0.1KB", "-f", "0-9"},
+            "no sheet fits into 102 bytes");
         row("curve that is none", {"flipbook", "default", "--retime", "fast"}, "--retime: expected a list");
         row("curve beyond the end", {"flipbook", "default", "--retime", "[[0,0],[1,2]]"}, "between 0 and 1");
         row("trimmed loop", {"flipbook", "thesis-2012", "--set", "timeline.loop=true", "--trim"}, "loop");
-        row("packed channel", {"flipbook", "default", "--pack", "masks=shadw"}, "--pack: there is no channel \"shadw\". Did you mean \"shadow\"?");
+        row("packed channel", {"flipbook", "default", "--pack", "masks=shadw"},
+            "--pack: there is no channel \"shadw\". Did you mean \"shadow\"?");
         row("packed without channels", {"flipbook", "default", "--pack", "masks"}, "masks=shadow");
         row("packed under the name of a pass", {"flipbook", "default", "--pack", "motion=alpha"}, "name of a pass");
         row("neither pass nor packed", {"flipbook", "default", "--passes", "none", "-f", "0-63"}, "no pass");
@@ -110,7 +114,9 @@ private slots:
         QVERIFY(thirty.count('\n') > 10);
         QCOMPARE(run(QStringList{"dump", "default", "--frame", "0030"} + small).out, thirty);
         QCOMPARE(run(QStringList{"dump", "default", "--frame", "0019"} + small).code, 0);
-        const auto noise = [](const char* size) { return run({"bake-noise", "default", "--size", size, "-o", "-"}).out; };
+        const auto noise = [](const char* size) {
+            return run({"bake-noise", "default", "--size", size, "-o", "-"}).out;
+        };
         QVERIFY(!noise("010").isEmpty() && noise("010") == noise("10"));
     }
 
@@ -118,9 +124,31 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString preset = folder.path() + "/seed.json";
-        QVERIFY(writeFileAtomically(preset.toStdString(), QByteArray(R"({"format": "fumage-preset", "version": 1, "emitter": {"seed": -5}})").toStdString()).ok());
+        QVERIFY(writeFileAtomically(preset.toStdString(),
+            QByteArray(R"({"format": "fumage-preset", "version": 1, "emitter": {"seed": -5}})").toStdString())
+                    .ok());
         QCOMPARE(run({"validate", "--strict", preset}).code, 3);
-        QVERIFY(run({"dump", "default", "--set", "emitter.count=5", "--set", "emitter.seed=1e11"}).error.contains("emitter.seed=1e11: out of range"));
+        QVERIFY(run({"dump", "default", "--set", "emitter.count=5", "--set", "emitter.seed=1e11"})
+                    .error.contains("emitter.seed=1e11: out of range"));
+    }
+
+    void whatIsSetAndHasNoEffectIsSaid()
+    {
+        const QByteArray said = run({"dump", "steam", "--set", "emitter.count=5", "--set", "air.enabled=true", "--set",
+                                        "motion.buoyancy=2", "--set", "air.resolution=16"})
+                                    .error;
+        QVERIFY2(said.contains("motion.buoyancy=2: has no effect while air.enabled is true"), said.constData());
+        QVERIFY(!said.contains("air.resolution=16"));
+    }
+
+    void keysOfVersion1AreStillTaken()
+    {
+        const QStringList few{
+            "dump", "default", "--frame", "3", "--set", "emitter.count=20", "--set", "air.resolution=16"};
+        const QByteArray old = run(few + QStringList{"--set", "motion.wind=2"}).out;
+        QVERIFY(!old.isEmpty());
+        QCOMPARE(old, run(few + QStringList{"--set", "wind.strength=2"}).out);
+        QVERIFY(old != run(few).out);
     }
 
     void namesOfPresetsSteerNoTerminal()
@@ -134,11 +162,13 @@ private slots:
         QVERIFY(writePresetFile((presets + "/a\x1b[1m.json").toStdString(), preset).ok());
         QVERIFY(writeFileAtomically((presets + "/\x1b[2m.json").toStdString(), std::string_view("{\"\x1b[2m")).ok());
         const QString command = "XDG_DATA_HOME='" + folder.path() + "' \"$0\" \"$@\"";
-        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"info", presets + "/a\x1b[1m.json"}, QStringList{"validate", presets + "/a\x1b[1m.json", presets + "/\x1b[2m.json"}}) {
+        for (const QStringList& arguments : {QStringList{"presets"}, QStringList{"info", presets + "/a\x1b[1m.json"},
+                 QStringList{"validate", presets + "/a\x1b[1m.json", presets + "/\x1b[2m.json"}}) {
             const Outcome outcome = run(arguments, command);
             QVERIFY(outcome.out.contains("?["));
             for (const QByteArray& text : {outcome.out, outcome.error}) {
-                QVERIFY2(!text.contains('\x1b') && !text.contains('\x07') && !text.contains("\u009b"), text.constData());
+                QVERIFY2(
+                    !text.contains('\x1b') && !text.contains('\x07') && !text.contains("\u009b"), text.constData());
             }
         }
     }
@@ -176,10 +206,14 @@ private slots:
     void answersCanBeReadByPrograms()
     {
         const auto answer = [](const QStringList& arguments) { return QJsonDocument::fromJson(run(arguments).out); };
-        const auto hasOne = [](const QJsonArray& all, const auto& isIt) { return std::any_of(all.begin(), all.end(), isIt); };
+        const auto hasOne = [](const QJsonArray& all, const auto& isIt) {
+            return std::any_of(all.begin(), all.end(), isIt);
+        };
         const QJsonArray presets = answer({"presets", "--json"}).array();
         QVERIFY(presets.size() >= 16);
-        QVERIFY(hasOne(presets, [](const QJsonValue& one) { return one["id"].toString() == "campfire" && one["builtin"].toBool() && one["loop"].toBool(); }));
+        QVERIFY(hasOne(presets, [](const QJsonValue& one) {
+            return one["id"].toString() == "campfire" && one["builtin"].toBool() && one["loop"].toBool();
+        }));
         const QJsonObject info = answer({"info", "default", "--json"}).object();
         QCOMPARE(info["frames"].toInt(), Effect().timeline.length);
         QVERIFY(info["changed"].toObject()["air.enabled"].toBool());
@@ -187,7 +221,9 @@ private slots:
         QVERIFY(!answer({"info", "--json"})["instructionSets"].toArray().isEmpty());
         const QJsonArray parameters = answer({"parameters", "--json"}).array();
         QCOMPARE(static_cast<std::size_t>(parameters.size()), parameterTable().size());
-        QVERIFY(hasOne(parameters, [](const QJsonValue& one) { return one["key"].toString() == "motion.wind" && one["maximum"].toDouble() > 0.0; }));
+        QVERIFY(hasOne(parameters, [](const QJsonValue& one) {
+            return one["key"].toString() == "wind.strength" && one["maximum"].toDouble() > 0.0;
+        }));
     }
 
     void slipsInTheNameOfACommandAreAnswered()

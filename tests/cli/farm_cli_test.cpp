@@ -1,4 +1,5 @@
-// Frames that many machines share: manifests, what is there already, what schedulers are told, and what farms are given.
+// Frames that many machines share: manifests, what is there already, what schedulers are told, and what farms are
+// given.
 
 #include "tests/cli/refusals.h"
 #include "tests/helpers.h"
@@ -61,7 +62,9 @@ private slots:
         const QTemporaryDir folder;
         const Outcome none = runIn(folder, {"verify", "."});
         QVERIFY2(none.code == 1 && none.error.contains("--manifest"), none.error);
-        QVERIFY(writeFileAtomically(folder.filePath("x.manifest.json").toStdString(), std::string_view("{\"format\": 1}")).ok());
+        QVERIFY(
+            writeFileAtomically(folder.filePath("x.manifest.json").toStdString(), std::string_view("{\"format\": 1}"))
+                .ok());
         const Outcome wrong = runIn(folder, {"verify", "."});
         QVERIFY2(wrong.code == 3 && wrong.error.contains("x.manifest.json"), wrong.error);
     }
@@ -69,7 +72,12 @@ private slots:
     void aFlipbookHasAManifestOfAllItsFiles()
     {
         const QTemporaryDir folder;
-        QCOMPARE(runIn(folder, QStringList{"flipbook", "thesis-2012", "--grid", "2x2", "-f", "0-7", "--for", "unity", "--manifest", "-o", "sheet.png"} + kSmall).code, 0);
+        QCOMPARE(runIn(folder,
+                     QStringList{"flipbook", "thesis-2012", "--grid", "2x2", "-f", "0-7", "--for", "unity",
+                         "--manifest", "-o", "sheet.png"}
+                         + kSmall)
+                     .code,
+            0);
         QCOMPARE(runIn(folder, {"verify", "."}).code, 0);
         const Outcome again = runIn(folder, {"verify", ".", "--render", "0"});
         QVERIFY2(again.code == 0 && again.out.contains("files come out the same"), again.error);
@@ -84,7 +92,8 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("particles") << QStringList{"dump", "thesis-2012", "--set", "emitter.count=50", "-o", "p_##.ply"};
-        QTest::newRow("volumes") << QStringList{"volume", "thesis-2012", "--set", "emitter.count=50", "--cells", "16", "-o", "v_##.vdb"};
+        QTest::newRow("volumes") << QStringList{
+            "volume", "thesis-2012", "--set", "emitter.count=50", "--cells", "16", "-o", "v_##.vdb"};
         QTest::newRow("air") << QStringList{"air", "plume", "--set", "air.resolution=8", "-o", "a_##.fga"};
     }
     void filesThatAreNoPicturesHaveManifestsToo()
@@ -143,10 +152,13 @@ private slots:
         const QStringList exr{"render", "thesis-2012", "-f", "0-7", "-o", "f_##.exr"};
         QCOMPARE(runIn(folder, exr + kSmall).code, 0);
         const QStringList small = kSmall.mid(2) + QStringList{"--set", "output.width=48", "--set", "output.height=48"};
-        const Outcome sheet = runIn(folder, QStringList{"join", "thesis-2012", "--input", "f_##.exr", "-f", "0-7", "--grid", "2x2", "-o", "sheet.png"} + small);
+        const Outcome sheet = runIn(folder,
+            QStringList{"join", "thesis-2012", "--input", "f_##.exr", "-f", "0-7", "--grid", "2x2", "-o", "sheet.png"}
+                + small);
         QVERIFY2(sheet.code == 0, sheet.error);
         QVERIFY(QFile::exists(folder.filePath("sheet.flipbook.json")));
-        const Outcome wrong = runIn(folder, {"join", "thesis-2012", "--input", "f_##.exr", "-f", "0-7", "--grid", "2x2", "-o", "other.png"});
+        const Outcome wrong = runIn(
+            folder, {"join", "thesis-2012", "--input", "f_##.exr", "-f", "0-7", "--grid", "2x2", "-o", "other.png"});
         QVERIFY2(wrong.code == 3 && wrong.error.contains("f_00.exr"), wrong.error);
     }
 
@@ -157,14 +169,19 @@ private slots:
         QTest::newRow("slurm") << "slurm" << QStringList{"smoke.fumage.json", "smoke.join.slurm.sh", "smoke.slurm.sh"};
         QTest::newRow("openjd") << "openjd" << QStringList{"smoke.fumage.json", "smoke.openjd.json"};
         QTest::newRow("flamenco") << "flamenco" << QStringList{"smoke.flamenco.js", "smoke.fumage.json"};
-        QTest::newRow("deadline") << "deadline" << QStringList{"smoke.deadline.job", "smoke.deadline.plugin", "smoke.deadline.sh", "smoke.fumage.json", "smoke.join.deadline.job", "smoke.join.deadline.plugin"};
+        QTest::newRow("deadline") << "deadline"
+                                  << QStringList{"smoke.deadline.job", "smoke.deadline.plugin", "smoke.deadline.sh",
+                                         "smoke.fumage.json", "smoke.join.deadline.job", "smoke.join.deadline.plugin"};
     }
     void aFarmGetsItsFilesAndThePresetAsItIs()
     {
         QFETCH(QString, farm);
         QFETCH(QStringList, files);
         const QTemporaryDir folder;
-        const Outcome made = runIn(folder, QStringList{"farm", "thesis-2012", "-f", "0-63", "--for", farm, "--then", "flipbook", "--chunk", "8", "-o", "out/smoke_####"} + kSmall);
+        const Outcome made = runIn(folder,
+            QStringList{"farm", "thesis-2012", "-f", "0-63", "--for", farm, "--then", "flipbook", "--chunk", "8", "-o",
+                "out/smoke_####"}
+                + kSmall);
         QVERIFY2(made.code == 0, made.error);
         QVERIFY2(made.error.contains("64 frames in 8 tasks of 8"), made.error);
         QVERIFY(!made.out.isEmpty());
@@ -188,7 +205,8 @@ private slots:
     void openJobDescriptionGetsNoLongerTasksThanItTakes()
     {
         const QTemporaryDir folder;
-        const QStringList words{"farm", "thesis-2012", "--for", "openjd", "-f", "0-9999", "--set", "output.width=4", "--set", "output.height=4", "-o", "a_##.png"};
+        const QStringList words{"farm", "thesis-2012", "--for", "openjd", "-f", "0-9999", "--set", "output.width=4",
+            "--set", "output.height=4", "-o", "a_##.png"};
         const Outcome refused = runIn(folder, words + QStringList{"--chunk", "151"});
         QVERIFY2(refused.code == 3 && refused.error.contains("150"), refused.error);
         QVERIFY(!QFile::exists(folder.filePath("a.openjd.json")));

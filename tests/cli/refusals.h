@@ -17,13 +17,17 @@ public:
         QTest::addColumn<QByteArray>("says");
     }
 
-    void operator()(const char* name, const QStringList& arguments, const char* says) const { QTest::newRow(name) << m_first + arguments << QByteArray(says); }
+    void operator()(const char* name, const QStringList& arguments, const char* says) const
+    {
+        QTest::newRow(name) << m_first + arguments << QByteArray(says);
+    }
 
 private:
     QStringList m_first;
 };
 
-/// Runs a row's arguments in an empty folder: they are refused by one line with what the row says, and nothing is written.
+/// Runs a row's arguments in an empty folder: they are refused by one line with what the row says, and nothing is
+/// written.
 inline void isRefusedAsTheRowSays()
 {
     QFETCH(QStringList, arguments);

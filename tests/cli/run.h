@@ -24,7 +24,8 @@ inline Outcome run(const QStringList& arguments, const QString& wrapper = {})
         process.start("bash", QStringList{"-c", wrapper, FUMAGE_CLI} + arguments);
     }
     process.waitForFinished(120000);
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+        process.readAllStandardError()};
 }
 
 inline Outcome runIn(const QTemporaryDir& folder, const QStringList& arguments)
@@ -32,7 +33,8 @@ inline Outcome runIn(const QTemporaryDir& folder, const QStringList& arguments)
     return run(arguments, "cd '" + folder.path() + "' && \"$0\" \"$@\"");
 }
 
-inline const QStringList kSmall{"--size", "48", "--set", "emitter.count=500", "--set", "noise.slices=4", "--set", "noise.resolution=16"};
+inline const QStringList kSmall{
+    "--size", "48", "--set", "emitter.count=500", "--set", "noise.slices=4", "--set", "noise.resolution=16"};
 
 /// Hash of everything in a folder.
 inline QByteArray contents(const QString& folder)

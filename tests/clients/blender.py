@@ -22,7 +22,7 @@ FRAMES = [40, 41, 42]
 SIZE = 256
 CELLS = 96
 PLACE, VIEW = (5.5, 3.2, 9.5), (-0.4, -0.05, -1.0)
-SETTINGS = [f"--set={each}" for each in ("motion.wind=1.2", "motion.wind_angle=0", "emitter.count=30000", "timeline.prewarm=false", "camera.mode=fixed", f"camera.position={list(PLACE)}",
+SETTINGS = [f"--set={each}" for each in ("wind.strength=1.2", "wind.angle=0", "emitter.count=30000", "timeline.prewarm=false", "camera.mode=fixed", f"camera.position={list(PLACE)}",
                                          f"camera.view={list(VIEW)}", "camera.focal_length=50", "light.direction=[-0.6,-0.64,-0.48]")]
 LAYERS = {"Combined", "Alpha", "albedo", "alpha", "density", "depth", "emission", "motion", "normal", "shadow", "sixway_a", "sixway_b", "temperature"}
 # Motion is that of what is seen, and of dense smoke only the surface is seen. Of smoke this thin all is, each particle as much as it holds.

@@ -39,7 +39,7 @@ def pixels(file):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "all.exr"
-        run(sys.argv[1], "--quiet", "render", "steam", "--set", "light.emission=1", "--frames", 30, "--size", SIZE, "--passes", "all", "--output", file)
+        run(sys.argv[1], "--quiet", "render", "steam", "--set", "glow.emission=1", "--frames", 30, "--size", SIZE, "--passes", "all", "--output", file)
         header = run("exrheader", file)
         seen = set(re.findall(r"^\s+([\w.]+), 16-bit floating-point", header, re.MULTILINE))
         assert seen == CHANNELS, seen ^ CHANNELS

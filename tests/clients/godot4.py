@@ -179,7 +179,7 @@ def check_blending(godot, cli, folder, preset):
 
 
 def check_light(godot, cli, folder, preset):
-    sheet = Sheet(cli, folder, preset, ["colour", "six-way"], "--set", "light.emission=0", "--set", "timeline.loop=false")
+    sheet = Sheet(cli, folder, preset, ["colour", "six-way"], "--set", "glow.emission=0", "--set", "timeline.loop=false")
     a, b = sheet.cells("six-way-a")[4], sheet.cells("six-way-b")[4]
     light, alpha = sheet.passes["six-way-a"]["scale"], sheet.cells("colour")[4][..., 3:]
     ways = {"right": ([1, 0, 0], a, 0), "left": ([-1, 0, 0], b, 0), "top": ([0, 1, 0], a, 1), "bottom": ([0, -1, 0], b, 1), "back": ([0, 0, -1], a, 2), "front": ([0, 0, 1], b, 2)}

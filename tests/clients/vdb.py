@@ -46,7 +46,7 @@ def check(cli, folder, preset, up):
     assert np.abs(velocity - expected).max() < 5e-3, (velocity, expected)
     if "temperature" in grids:
         heat = values(grids["temperature"])
-        cooling = json.loads(run(cli, "presets", "--show", preset))["light"]["emission_cooling"]
+        cooling = json.loads(run(cli, "presets", "--show", preset))["layers"][0]["glow"]["emission_cooling"]
         glow = smoke["heat"] * np.exp(-cooling * smoke["age"])  # the heat of the air, and what fire has lost since
         assert 0 <= heat.min() and heat.max() <= glow.max() * 1.001, (heat.min(), heat.max())
         expected = (glow * weight).sum() / weight.sum()
@@ -66,7 +66,7 @@ def check(cli, folder, preset, up):
 
 def check_sequence(cli, folder):
     """Frames of a burst, the last without smoke, have the same grids in the same places, also where they are written apart."""
-    burst = ["--set", "emitter.mode=burst", "--set", "emitter.count=500", "--set", "life.fade_rate=2", "--set", "light.emission=3", "--set", "timeline.length=60"]
+    burst = ["--set", "emitter.mode=burst", "--set", "emitter.count=500", "--set", "life.fade_rate=2", "--set", "glow.emission=3", "--set", "timeline.length=60"]
     run(cli, "volume", "thesis-2012", "--frames", "0-50:10", "--cells", 32, "--output", folder / "whole_##.vdb", *burst)
     run(cli, "volume", "thesis-2012", "--frame", 50, "--cells", 32, "--output", folder / "apart_50.vdb", *burst)
     assert (folder / "whole_50.vdb").read_bytes() == (folder / "apart_50.vdb").read_bytes()

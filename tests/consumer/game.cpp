@@ -1,5 +1,6 @@
 // A game with SDL: smoke that follows the pointer, in a wind that the arrow keys make.
-//   game [preset [frames picture.bmp]]    with frames no hand is needed: the emitter goes in a circle, and the last picture is kept
+//   game [preset [frames picture.bmp]]    with frames no hand is needed: the emitter goes in a circle, and the last
+//   picture is kept
 #include <fumage/live/live_simulation.h>
 #include <fumage/preset/library.h>
 #include <fumage/rendering/renderer.h>
@@ -16,7 +17,9 @@
 constexpr int kEdge = 480; // pixels of the window
 
 /// A screen's curve, nearly.
-static const auto byteOf = [](float linear) { return static_cast<Uint8>(255.0F * std::sqrt(std::clamp(linear, 0.0F, 1.0F))); };
+static const auto byteOf = [](float linear) {
+    return static_cast<Uint8>(255.0F * std::sqrt(std::clamp(linear, 0.0F, 1.0F)));
+};
 
 /// A soft disc, as the sprites are without their noise.
 static SDL_Texture* softDisc(SDL_Renderer* renderer)
@@ -38,7 +41,8 @@ static std::vector<SDL_Vertex> trianglesOf(const fumage::SpriteBatch& batch)
     std::vector<std::size_t> order(batch.sprites.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t i) { return batch.depth[i] == fumage::SpriteBatch::kHidden; });
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return batch.depth[a] > batch.depth[b]; });
+    std::sort(
+        order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return batch.depth[a] > batch.depth[b]; });
     std::vector<SDL_Vertex> out;
     for (const std::size_t i : order) {
         const fumage::Sprite& s = batch.sprites[i];
@@ -46,7 +50,8 @@ static std::vector<SDL_Vertex> trianglesOf(const fumage::SpriteBatch& batch)
         const SDL_Color colour{light(0), light(1), light(2), static_cast<Uint8>(255.0F * s.opacity)};
         for (const int corner : {0, 1, 2, 2, 1, 3}) {
             const SDL_FPoint at{static_cast<float>(corner % 2), static_cast<float>(corner / 2)};
-            out.push_back({{s.x + (2.0F * at.x - 1.0F) * s.halfWidth, s.y + (2.0F * at.y - 1.0F) * s.halfHeight}, colour, at});
+            out.push_back(
+                {{s.x + (2.0F * at.x - 1.0F) * s.halfWidth, s.y + (2.0F * at.y - 1.0F) * s.halfHeight}, colour, at});
         }
     }
     return out;
@@ -57,9 +62,11 @@ int main(int count, char** arguments)
     const auto preset = fumage::loadPreset(std::string(count > 1 ? arguments[1] : "chimney"));
     fumage::Effect effect = preset ? preset.value().preset.effect : fumage::Effect();
     effect.air.resolution = std::min(effect.air.resolution, 24); // coarse, as a game has time for
-    auto started = preset ? fumage::LiveSimulation::start(effect, {.stepsPerSecond = 60, .budgetMs = 8.0}) : preset.error();
+    auto started =
+        preset ? fumage::LiveSimulation::start(effect, {.stepsPerSecond = 60, .budgetMs = 8.0}) : preset.error();
     SDL_Window* window = nullptr;
-    if (!started || SDL_Init(SDL_INIT_VIDEO) != 0 || (window = SDL_CreateWindow("Smoke", 0, 0, kEdge, kEdge, 0)) == nullptr) {
+    if (!started || SDL_Init(SDL_INIT_VIDEO) != 0
+        || (window = SDL_CreateWindow("Smoke", 0, 0, kEdge, kEdge, 0)) == nullptr) {
         std::cerr << (started ? SDL_GetError() : started.error().text()) << '\n';
         return 1;
     }
@@ -78,15 +85,17 @@ int main(int count, char** arguments)
         for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
             goesOn = goesOn && event.type != SDL_QUIT;
             const SDL_Keycode key = event.type == SDL_KEYDOWN ? event.key.keysym.sym : SDLK_UNKNOWN;
-            effect.motion.wind += 0.5F * static_cast<float>((key == SDLK_RIGHT ? 1 : 0) - (key == SDLK_LEFT ? 1 : 0));
+            effect.wind.strength += 0.5F * static_cast<float>((key == SDLK_RIGHT ? 1 : 0) - (key == SDLK_LEFT ? 1 : 0));
         }
         if (frames == 0) {
             SDL_GetMouseState(&pointer.x, &pointer.y);
             SDL_Delay(16);
         }
-        const glm::vec3 aside = view.right * static_cast<float>(pointer.x - kEdge / 2) - view.up * static_cast<float>(pointer.y - kEdge / 2);
+        const glm::vec3 aside = view.right * static_cast<float>(pointer.x - kEdge / 2)
+            - view.up * static_cast<float>(pointer.y - kEdge / 2);
         (void)smoke.setEffect(effect);
-        (void)smoke.setEmitter({view.eye + foot.depth * (view.forward + aside / view.focal), effect.emitter.normal, glm::vec3(0.0F)});
+        (void)smoke.setEmitter(
+            {view.eye + foot.depth * (view.forward + aside / view.focal), effect.emitter.normal, glm::vec3(0.0F)});
         (void)smoke.step(1.0 / 60.0);
         (void)renderer.prepare(smoke.frame(), smoke.sampledEffect(), view);
         const std::vector<SDL_Vertex> triangles = trianglesOf(renderer.batch());

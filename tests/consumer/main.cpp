@@ -11,7 +11,8 @@
 
 int main()
 {
-    const fumage::SampledEffect effect = fumage::sampled(fumage::loadPreset(std::string("thesis-2012")).value().preset.effect);
+    const fumage::SampledEffect effect =
+        fumage::sampled(fumage::loadPreset(std::string("thesis-2012")).value().preset.effect);
     fumage::Simulator simulator(effect);
     fumage::Renderer renderer;
     fumage::Image image;

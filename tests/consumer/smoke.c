@@ -26,7 +26,7 @@ int main(int count, char** arguments)
         if (step % 30 == 0 && fumage_set_emitter(smoke, corners[step / 30 % 4], up, NULL) != 0) {
             return failed(smoke);
         }
-        if (step == 120 && fumage_set(smoke, "motion.wind", "2.5") != 0) {
+        if (step == 120 && fumage_set(smoke, "wind.strength", "2.5") != 0) {
             return failed(smoke);
         }
         if (fumage_step(smoke, 1.0 / 60.0) < 0) {

@@ -44,8 +44,8 @@ def smaller(words):
 def write_jobs(jobs, cli, folder):
     """The list of exports under the name that the README has for it, of a small preset and of few frames."""
     preset = json.loads(subprocess.run([cli, "presets", "--show", "thesis-2012"], check=True, capture_output=True, text=True).stdout)
-    preset["output"].update(width=16, height=16)
-    preset["emitter"]["count"] = 300
+    preset["scene"]["output"].update(width=16, height=16)
+    preset["layers"][0]["emitter"]["count"] = 300
     (folder / "small.json").write_text(json.dumps(preset), encoding="utf-8")
     for job in jobs["jobs"]:
         job["preset"] = "small.json"

@@ -8,6 +8,7 @@
 #include "core/effect/value.h"
 #include "core/effect/variation.h"
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -134,8 +135,10 @@ private slots:
     {
         Document document;
         const Gesture gesture = document.beginGesture();
-        document.edit({{&knownParameter("camera.yaw"), 10.0F}, {&knownParameter("camera.pitch"), 20.0F}}, u"Orbit"_q, gesture);
-        document.edit({{&knownParameter("camera.yaw"), 15.0F}, {&knownParameter("camera.distance"), 9.0F}}, u"Orbit"_q, gesture);
+        document.edit(
+            {{&knownParameter("camera.yaw"), 10.0F}, {&knownParameter("camera.pitch"), 20.0F}}, u"Orbit"_q, gesture);
+        document.edit(
+            {{&knownParameter("camera.yaw"), 15.0F}, {&knownParameter("camera.distance"), 9.0F}}, u"Orbit"_q, gesture);
         QCOMPARE(document.undoStack()->count(), 1);
         document.undoStack()->undo();
         QVERIFY(document.effect() == Effect());
@@ -147,18 +150,18 @@ private slots:
         QSignalSpy changes(&document, &Document::effectChanged);
         document.edit(knownParameter("look.opacity"), 5.0F);
         document.edit(knownParameter("noise.sharpness"), 5.0F);
-        document.edit(knownParameter("motion.wind"), 5.0F);
+        document.edit(knownParameter("wind.strength"), 5.0F);
         QCOMPARE(changes.size(), 3);
-        QCOMPARE(changeOf(changes[0]).stale, Stage::Shade);
-        QCOMPARE(changeOf(changes[1]).stale, Stage::Noise);
-        QCOMPARE(changeOf(changes[2]).stale, Stage::Simulate);
-        QCOMPARE(keysOf(changeOf(changes[2])), QStringList{u"motion.wind"_q});
+        QCOMPARE(changeOf(changes[0]).stale, DirtyStage::Shade);
+        QCOMPARE(changeOf(changes[1]).stale, DirtyStage::Noise);
+        QCOMPARE(changeOf(changes[2]).stale, DirtyStage::Air);
+        QCOMPARE(keysOf(changeOf(changes[2])), QStringList{u"wind.strength"_q});
     }
 
     void undoAndRedoSayTheSameAsTheEdit()
     {
         Document document;
-        document.edit({{findParameter("look.opacity"), 5.0F}, {findParameter("motion.wind"), 5.0F}}, u"Both"_q);
+        document.edit({{findParameter("look.opacity"), 5.0F}, {findParameter("wind.strength"), 5.0F}}, u"Both"_q);
         Effect other = document.effect();
         other.motion.gravity = 4.0F;
         document.replaceEffect(other, u"Replace"_q);
@@ -169,8 +172,8 @@ private slots:
         QCOMPARE(changes.size(), 3);
         QCOMPARE(keysOf(changeOf(changes[0])), QStringList{u"motion.gravity"_q});
         for (const int i : {1, 2}) {
-            QCOMPARE(keysOf(changeOf(changes[i])), QStringList({u"look.opacity"_q, u"motion.wind"_q}));
-            QCOMPARE(changeOf(changes[i]).stale, Stage::Simulate);
+            QCOMPARE(keysOf(changeOf(changes[i])), QStringList({u"look.opacity"_q, u"wind.strength"_q}));
+            QCOMPARE(changeOf(changes[i]).stale, DirtyStage::Air);
         }
     }
 

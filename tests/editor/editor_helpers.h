@@ -24,12 +24,14 @@ inline QString operator""_q(const char16_t* text, std::size_t length)
 inline void turnWheel(QWidget& widget, int notches)
 {
     const QPointF at = QRectF(widget.rect()).center();
-    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, notches * 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent event(
+        at, widget.mapToGlobal(at), {}, {0, notches * 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QApplication::sendEvent(&widget, &event);
 }
 
 /// Presses, moves in small steps and releases.
-inline void dragMouse(QWidget& widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers modifiers = {})
+inline void dragMouse(QWidget& widget, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+    Qt::KeyboardModifiers modifiers = {})
 {
     QTest::mousePress(&widget, button, modifiers, from);
     constexpr int kSteps = 6;
@@ -79,8 +81,8 @@ Widget* childOf(const QWidget& parent, const QString& name)
 
 } // namespace fumage::tests
 
-#define FUMAGE_TEST_MAIN(Test)                           \
-    int main(int argc, char** argv)                      \
-    {                                                    \
-        return fumage::tests::runTest<Test>(argc, argv); \
+#define FUMAGE_TEST_MAIN(Test)                                                                                         \
+    int main(int argc, char** argv)                                                                                    \
+    {                                                                                                                  \
+        return fumage::tests::runTest<Test>(argc, argv);                                                               \
     }

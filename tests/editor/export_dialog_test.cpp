@@ -8,10 +8,12 @@
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
-#include "core/export/job_file.h"
+#include "core/export/sheets/flipbook_files.h"
+#include "core/export/jobs/job_file.h"
 #include "core/export/engines/engine_remarks.h"
-#include "core/export/packing.h"
-#include "core/export/sheet_playback.h"
+#include "core/export/sheets/packing.h"
+#include "core/export/sheets/sheet_playback.h"
+#include "core/preset/preset_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +49,8 @@ private slots:
         m_locks = std::make_unique<Locks>();
         m_queue = std::make_unique<ExportQueue>(QDir(m_folder.filePath(u"queue"_q)));
         m_dialog = std::make_unique<ExportDialog>(
-            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [this](QWidget*, const ChoiceQuestion&) { return m_answer; }, nullptr);
+            *m_document, *m_player, *m_locks, *m_queue, askInDialog,
+            [this](QWidget*, const ChoiceQuestion&) { return m_answer; }, nullptr);
         m_dialog->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
     }
@@ -61,7 +64,8 @@ private slots:
     {
         const auto* scroll = child<QScrollArea>(u"export.scroll"_q);
         const int needed = scroll->widget()->minimumSizeHint().width();
-        QVERIFY2(scroll->viewport()->width() >= needed, qPrintable(QStringLiteral("%1 of %2 pixels").arg(scroll->viewport()->width()).arg(needed)));
+        QVERIFY2(scroll->viewport()->width() >= needed,
+            qPrintable(QStringLiteral("%1 of %2 pixels").arg(scroll->viewport()->width()).arg(needed)));
     }
 
     void aHiddenDialogDoesNotFollowTheDocument()
@@ -113,7 +117,8 @@ private slots:
         engine->setCurrentIndex(engine->findText(u"Godot 4"_q));
         QVERIFY(!files->text().contains(u"frames a second"_q));
         engine->setCurrentIndex(engine->findText(u"Effekseer"_q));
-        QVERIFY(!engineRemarks(m_document->effect(), flipbookOf(m_dialog->plan())).empty()); // 64 cells of 100 frames: 19.2 a second
+        QVERIFY(!engineRemarks(m_document->effect(), flipbookOf(m_dialog->plan()))
+                     .empty()); // 64 cells of 100 frames: 19.2 a second
         QVERIFY2(files->text().contains(u"Effekseer plays this sheet in 3.2 s"_q), qPrintable(files->text()));
     }
 
@@ -157,7 +162,8 @@ private slots:
         QVERIFY(manifest->isVisible());
         QCOMPARE(nameFor(ExportKind::Flipbook), std::string("untitled_8x8.manifest.json"));
         QVERIFY(manifest->isVisible());
-        for (const ExportKind kind : {ExportKind::Video, ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes, ExportKind::Air}) {
+        for (const ExportKind kind : {ExportKind::Video, ExportKind::NoiseTexture, ExportKind::Particles,
+                 ExportKind::Volumes, ExportKind::Air}) {
             QVERIFY(nameFor(kind).empty());
             QVERIFY(!manifest->isVisible());
         }
@@ -220,7 +226,8 @@ private slots:
         child<QComboBox>(u"export.pack1.size"_q)->setCurrentIndex(1);
         QVERIFY(m_dialog->plan().packs[0] == parsePack("own=shadow,0,motion.r@1/2").value());
         // A sheet of 2048 x 2048 is 4 MiB as BC7, and one of 1024 x 1024 another.
-        QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"5.0 MiB"_q), qPrintable(child<QLabel>(u"export.files"_q)->text()));
+        QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"5.0 MiB"_q),
+            qPrintable(child<QLabel>(u"export.files"_q)->text()));
         child<QLineEdit>(u"export.pack1.name"_q)->setText(u"motion"_q);
         QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"name of a pass"_q));
         QVERIFY(!child<QPushButton>(u"export.begin"_q)->isEnabled());
@@ -359,8 +366,12 @@ private slots:
         QVERIFY2(said.contains(u"dB"_q), qPrintable(said));
         const ExportPlan plan = m_dialog->plan();
         const Output cell = m_document->effect().output;
-        QVERIFY2(said.startsWith(u"%1 × %2 cells of %3 × %4 pixels"_q.arg(plan.columns).arg(plan.rows).arg(cell.width).arg(cell.height)), qPrintable(said));
-        QVERIFY(memoryOf(flipbookOf(plan), cell.width, cell.height).compressed <= 104'858 && cell.width < before.output.width);
+        QVERIFY2(
+            said.startsWith(
+                u"%1 × %2 cells of %3 × %4 pixels"_q.arg(plan.columns).arg(plan.rows).arg(cell.width).arg(cell.height)),
+            qPrintable(said));
+        QVERIFY(memoryOf(flipbookOf(plan), cell.width, cell.height).compressed <= 104'858
+            && cell.width < before.output.width);
         // A larger budget is not bound by what the smaller one has left of the cells.
         child<QDoubleSpinBox>(u"export.budget"_q)->setValue(100.0);
         find->click();
@@ -375,8 +386,10 @@ private slots:
     {
         auto* find = findableSheet();
         const auto* state = child<QLabel>(u"export.findSheet.state"_q);
-        for (const auto& change : {std::function<void()>([&] { find->click(); }), std::function<void()>([&] { m_document->edit(knownParameter("motion.gravity"), 1.0F); }),
-                 std::function<void()>([&] { child<QSpinBox>(u"export.last"_q)->setValue(60); }), std::function<void()>([&] { child<QToolButton>(u"export.more"_q)->click(); })}) {
+        for (const auto& change : {std::function<void()>([&] { find->click(); }),
+                 std::function<void()>([&] { m_document->edit(knownParameter("motion.gravity"), 1.0F); }),
+                 std::function<void()>([&] { child<QSpinBox>(u"export.last"_q)->setValue(60); }),
+                 std::function<void()>([&] { child<QToolButton>(u"export.more"_q)->click(); })}) {
             find->click();
             QCOMPARE(find->text(), u"Cancel"_q);
             const Output before = m_document->effect().output;
@@ -395,7 +408,9 @@ private slots:
         QVERIFY(path->text().endsWith(u".mp4"_q));
         const auto hasColourBehind = [&] {
             const auto rows = m_dialog->findChildren<ParameterRow*>();
-            return std::ranges::any_of(rows, [](const ParameterRow* row) { return row->parameter().key == "output.background_colour" && !row->isHidden(); });
+            return std::ranges::any_of(rows, [](const ParameterRow* row) {
+                return row->parameter().key == "output.background_colour" && !row->isHidden();
+            });
         };
         QVERIFY(hasColourBehind()); // an MP4 has no transparency, whatever the background is
         format->setCurrentIndex(1);
@@ -453,7 +468,8 @@ private slots:
     void theFormatOfPicturesIsKeptFromKindToKind()
     {
         child<QComboBox>(u"export.format"_q)->setCurrentIndex(3);
-        for (const ExportKind kind : {ExportKind::Flipbook, ExportKind::Video, ExportKind::Particles, ExportKind::NoiseTexture, ExportKind::Picture}) {
+        for (const ExportKind kind : {ExportKind::Flipbook, ExportKind::Video, ExportKind::Particles,
+                 ExportKind::NoiseTexture, ExportKind::Picture}) {
             m_dialog->setKind(kind);
         }
         QCOMPARE(m_dialog->plan().format, ImageFormat::ExrFloat);
@@ -555,7 +571,8 @@ private slots:
         child<QCheckBox>(u"export.sixWay"_q)->click();
         child<QSpinBox>(u"export.columns"_q)->setValue(4);
         child<QSpinBox>(u"export.rows"_q)->setValue(5);
-        for (const char* box : {"export.trim", "export.powerOfTwo", "export.retimes", "export.fit", "export.carries", "export.manifest"}) {
+        for (const char* box :
+            {"export.trim", "export.powerOfTwo", "export.retimes", "export.fit", "export.carries", "export.manifest"}) {
             child<QCheckBox>(QLatin1String(box))->click();
         }
         child<QPushButton>(u"export.addPack"_q)->click();
@@ -563,7 +580,8 @@ private slots:
         child<QComboBox>(u"export.pack1.channel3"_q)->setCurrentText(u"motion.r"_q);
         const QStringList before = remembered(*m_dialog);
         ExportDialog again(
-            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; }, nullptr);
+            *m_document, *m_player, *m_locks, *m_queue, askInDialog, [](QWidget*, const ChoiceQuestion&) { return 0; },
+            nullptr);
         QVERIFY(remembered(again) != before);
         std::vector<ExportPlan> plans;
         for (const QString& text : before) {
@@ -577,7 +595,8 @@ private slots:
 
     void aTextThatIsNoneOfItsChoicesIsLeftAlone()
     {
-        for (const char* text : {"", "[]", "nonsense", "{\"kind\": 3}", "{\"kind\": \"flipbook\", \"columns\": -5, \"later\": [1]}"}) {
+        for (const char* text :
+            {"", "[]", "nonsense", "{\"kind\": 3}", "{\"kind\": \"flipbook\", \"columns\": -5, \"later\": [1]}"}) {
             if (const std::optional<ExportPlan> plan = parsePlan(text)) {
                 m_dialog->take(std::array{*plan});
                 QCOMPARE(m_dialog->plan().columns, ExportPlan().columns);
@@ -607,12 +626,14 @@ private slots:
 
     void framesThatCloseTheLoopAreOffered()
     {
-        m_document->edit({{&knownParameter("timeline.loop"), true}, {&knownParameter("timeline.length"), 90}}, u"loop"_q);
+        m_document->edit(
+            {{&knownParameter("timeline.loop"), true}, {&knownParameter("timeline.length"), 90}}, u"loop"_q);
         m_dialog->setKind(ExportKind::Flipbook);
         child<QSpinBox>(u"export.last"_q)->setValue(63);
         auto* offer = child<QPushButton>(u"export.offer"_q);
         QVERIFY(offer->isVisible());
-        QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"played once"_q), qPrintable(child<QLabel>(u"export.files"_q)->text()));
+        QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"played once"_q),
+            qPrintable(child<QLabel>(u"export.files"_q)->text()));
         QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
         offer->click();
         QCOMPARE(child<QSpinBox>(u"export.last"_q)->value(), 89);

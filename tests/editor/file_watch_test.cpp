@@ -5,6 +5,7 @@
 
 #include "core/base/file.h"
 #include "core/effect/known_parameter.h"
+#include "core/preset/preset_file.h"
 
 using namespace fumage;
 using namespace fumage::tests;

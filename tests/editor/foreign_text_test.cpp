@@ -2,15 +2,17 @@
 #include "editor_helpers.h"
 
 #include "ui/export/export_queue.h"
-#include "ui/face/message_bar.h"
-#include "ui/face/message_box.h"
-#include "ui/face/plain_text.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/message_box.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/start_dialog.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/session.h"
 
 #include "core/base/file.h"
 #include "core/effect/known_parameter.h"
+#include "core/preset/preset_file.h"
 
 #include <QComboBox>
 #include <QInputDialog>
@@ -102,11 +104,11 @@ private:
     int m_hostile = 0;
 };
 
-#define VERIFY_NOTHING_TAKEN()                                                                \
-    do {                                                                                      \
-        const Taken taken;                                                                    \
-        QVERIFY(taken.hostile() > 0);                                                         \
-        QVERIFY2(taken.found().isEmpty(), qPrintable(taken.found().join(QLatin1Char('\n')))); \
+#define VERIFY_NOTHING_TAKEN()                                                                                         \
+    do {                                                                                                               \
+        const Taken taken;                                                                                             \
+        QVERIFY(taken.hostile() > 0);                                                                                  \
+        QVERIFY2(taken.found().isEmpty(), qPrintable(taken.found().join(QLatin1Char('\n'))));                          \
     } while (false)
 
 ExportJob hostileJob()
@@ -136,7 +138,8 @@ private slots:
         preset.name = std::string(100000, 'x');
         preset.description = preset.name;
         QVERIFY(writePresetFile((library + u"/long.json"_q).toStdString(), preset).ok());
-        QVERIFY(writeFileAtomically((library + u"/<img src=x>.json"_q).toStdString(), std::string_view("{ broken")).ok());
+        QVERIFY(
+            writeFileAtomically((library + u"/<img src=x>.json"_q).toStdString(), std::string_view("{ broken")).ok());
         QCOMPARE(mkfifo((library + u"/fifo.json"_q).toLocal8Bit().constData(), 0600), 0);
         QVERIFY(QFile::link(library + u"/circle.json"_q, library + u"/circle.json"_q));
         QVERIFY(QDir().mkpath(library + u"/folder.json"_q));
@@ -260,7 +263,7 @@ private slots:
         answer.start(10);
         QVERIFY(!window->files().save()); // asks about the file that has changed
         QVERIFY(!window->files().openFile(path + u"x"_q)); // cannot be opened
-        QVERIFY(!window->files().mayLeave());
+        QVERIFY(!window->files().confirmDiscard());
         QCOMPARE(boxes, 3);
         window->document().load(Preset(), {});
     }

@@ -18,7 +18,7 @@ using namespace fumage::tests;
 namespace {
 
 constexpr int kEdge = 320;
-constexpr double kLeastPsnr = 40.0; // dB; what a person cannot tell apart side by side
+constexpr double kMinPsnr = 40.0; // dB; what a person cannot tell apart side by side
 
 double psnr(const QImage& a, const QImage& b)
 {
@@ -74,8 +74,8 @@ private slots:
         QFETCH(bool, checker);
         QFETCH(bool, ownBackground);
         Effect effect = loadPreset(preset.toStdString()).value().preset.effect;
-        constexpr int kMost = 30000; // llvmpipe has to draw them all
-        effect.emitter.count = qMin(effect.emitter.count, kMost);
+        constexpr int kMax = 30000; // llvmpipe has to draw them all
+        effect.emitter.count = qMin(effect.emitter.count, kMax);
         if (checker) {
             effect.output.exposure = 0.7F;
             effect.output.viewTransform = ViewTransform::Filmic;
@@ -84,17 +84,17 @@ private slots:
             effect.output.background = Background::Colour;
             effect.output.backgroundColour = glm::vec3(1.0F);
         }
-        PictureRequest request;
+        RenderRequest request;
         request.effect = std::make_shared<const Effect>(effect);
         request.frame = qMin(45, effect.timeline.length - 1);
         request.width = kEdge;
         request.height = kEdge;
         request.backdrop.colour = {0.02F, 0.03F, 0.05F};
         request.backdrop.kind = checker ? Backdrop::Kind::Checker : Backdrop::Kind::Colour;
-        Studio studio;
-        const QImage reference = studio.make(request, {})->image;
+        PreviewRenderer previewRenderer;
+        const QImage reference = previewRenderer.make(request, {})->image;
         request.sprites = true;
-        const PicturePtr scene = studio.make(request, {});
+        const PicturePtr scene = previewRenderer.make(request, {});
         QVERIFY(scene->image.isNull() && scene->scene && !scene->scene->sprites.empty());
 
         QVERIFY(m_context.makeCurrent(&m_surface));
@@ -102,13 +102,14 @@ private slots:
         m_sprites->draw(*scene, {kEdge, kEdge}, target.handle());
         const QImage drawn = target.toImage().convertToFormat(QImage::Format_RGB32);
         const double decibels = psnr(reference, drawn);
-        if (decibels < kLeastPsnr) {
+        if (decibels < kMinPsnr) {
             const QString stem = QStringLiteral(FUMAGE_GOLDEN_SEEN "/sprites_") + preset;
             QVERIFY(QDir().mkpath(QStringLiteral(FUMAGE_GOLDEN_SEEN)));
             reference.save(stem + u".expected.png"_q);
             drawn.save(stem + u".png"_q);
         }
-        QVERIFY2(decibels >= kLeastPsnr, qPrintable(QStringLiteral("%1 dB; see %2").arg(decibels).arg(QStringLiteral(FUMAGE_GOLDEN_SEEN))));
+        QVERIFY2(decibels >= kMinPsnr,
+            qPrintable(QStringLiteral("%1 dB; see %2").arg(decibels).arg(QStringLiteral(FUMAGE_GOLDEN_SEEN))));
         qInfo("%s: %.1f dB", qPrintable(preset), decibels);
     }
 
@@ -129,14 +130,14 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&viewport));
         QTRY_VERIFY(viewport.isSettled());
         QVERIFY(viewport.picture()->scene != nullptr);
-        PictureRequest request;
+        RenderRequest request;
         request.effect = std::make_shared<const Effect>(document.effect());
         request.width = kEdge;
         request.height = kEdge;
         request.backdrop = viewport.backdrop();
-        const QImage reference = Studio().make(request, {})->image;
+        const QImage reference = PreviewRenderer().make(request, {})->image;
         auto* surface = qobject_cast<QOpenGLWidget*>(viewport.surface());
-        QVERIFY(psnr(reference, surface->grabFramebuffer().convertToFormat(QImage::Format_RGB32)) >= kLeastPsnr);
+        QVERIFY(psnr(reference, surface->grabFramebuffer().convertToFormat(QImage::Format_RGB32)) >= kMinPsnr);
     }
 
 private:

@@ -2,13 +2,14 @@
 #include "editor_helpers.h"
 
 #include "ui/document/text.h"
-#include "ui/face/language.h"
+#include "ui/theme/language.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/shell/action_table.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 #include <QCommandLineParser>
 #include <QComboBox>
@@ -60,9 +61,12 @@ private slots:
         QFETCH(QString, code);
         QTranslator translator;
         QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
-        const auto has = [&](std::string_view text) { return text.empty() || !translator.translate("Parameters", std::string(text).c_str()).isEmpty(); };
+        const auto has = [&](std::string_view text) {
+            return text.empty() || !translator.translate("Parameters", std::string(text).c_str()).isEmpty();
+        };
         for (const Parameter& parameter : parameterTable()) {
-            const bool whole = has(parameter.label) && has(parameter.tip) && has(parameter.source) && has(groupLabel(parameter.group()));
+            const bool whole = has(parameter.label) && has(parameter.tip) && has(parameter.source)
+                && has(groupLabel(parameter.group()));
             QVERIFY2(whole, std::string(parameter.key).c_str());
             for (const std::string_view choice : parameter.choices) {
                 QVERIFY2(has(choice), std::string(choice).c_str());
@@ -94,11 +98,12 @@ private slots:
         QTranslator translator;
         QVERIFY(translator.load(QLocale(code), u"fumage"_q, u"_"_q, u":/translations"_q));
         static const QString literal = u"\"(?:[^\"\\\\]|\\\\.)*\""_q;
-        static const QRegularExpression sentence(u"\\bsaid\\(\\s*(%1(?:\\s+%1)*)"_q.arg(literal));
+        static const QRegularExpression sentence(u"\\bmakeMessage\\(\\s*(%1(?:\\s+%1)*)"_q.arg(literal));
         static const QRegularExpression between(u"\"\\s+\""_q); // literals that stand beside one another are one
         int count = 0;
         for (const QString& room : {u"core"_q, u"ui"_q}) {
-            QDirIterator files(QStringLiteral(FUMAGE_SOURCE_DIR "/") + room, {u"*.h"_q, u"*.cpp"_q}, QDir::Files, QDirIterator::Subdirectories);
+            QDirIterator files(QStringLiteral(FUMAGE_SOURCE_DIR "/") + room, {u"*.h"_q, u"*.cpp"_q}, QDir::Files,
+                QDirIterator::Subdirectories);
             while (files.hasNext()) {
                 QFile file(files.next());
                 QVERIFY(file.open(QIODevice::ReadOnly));
@@ -117,9 +122,11 @@ private slots:
     {
         QVERIFY(applyLanguage(*qApp, u"sv"_q));
         const Result<PresetReading> reading = readPresetFile("/nowhere/rök.json");
-        QCOMPARE(told(reading.error()), u"/nowhere/rök.json: kan inte läsas: det finns ingen sådan fil eller mapp. Kontrollera stavningen av sökvägen"_q);
+        QCOMPARE(translated(reading.error()),
+            u"/nowhere/rök.json: kan inte läsas: det finns ingen sådan fil eller mapp. "
+            u"Kontrollera stavningen av sökvägen"_q);
         const Result<PresetReading> broken = parsePreset("{\n  \"format\": 5}");
-        QVERIFY(told(broken.error()).startsWith(u"rad 2, kolumn 13: "_q));
+        QVERIFY(translated(broken.error()).startsWith(u"rad 2, kolumn 13: "_q));
     }
 
     void thePanelSpeaksTheLanguage()
@@ -143,7 +150,8 @@ private slots:
         parser.addHelpOption();
         parser.addVersionOption();
         const QString help = parser.helpText();
-        for (const QString& word : {u"Användning: "_q, u"[flaggor]"_q, u"Flaggor:"_q, u"Visar hjälp om kommandoradens flaggor."_q, u"Visar versionen."_q}) {
+        for (const QString& word : {u"Användning: "_q, u"[flaggor]"_q, u"Flaggor:"_q,
+                 u"Visar hjälp om kommandoradens flaggor."_q, u"Visar versionen."_q}) {
             QVERIFY2(help.contains(word), qPrintable(help));
         }
     }

@@ -4,7 +4,7 @@
 
 #include "ui/export/export_worker.h"
 #include "ui/noise_preview/noise_picture.h"
-#include "ui/pictures/picture_feed.h"
+#include "ui/preview/preview_scheduler.h"
 #include "ui/shell/guarded_application.h"
 
 #include "core/flow/grid.h"
@@ -87,10 +87,10 @@ private slots:
 
     void aPictureThatIsTooLargeIsGivenUpAndTheNextOneComes()
     {
-        PictureFeed feed;
-        feed.setEffect(tinyEffect(), Stage::Simulate);
-        QSignalSpy exhausted(&feed, &PictureFeed::exhausted);
-        QSignalSpy ready(&feed, &PictureFeed::ready);
+        PreviewScheduler feed;
+        feed.setEffect(tinyEffect(), DirtyStage::Simulate);
+        QSignalSpy exhausted(&feed, &PreviewScheduler::exhausted);
+        QSignalSpy ready(&feed, &PreviewScheduler::ready);
         {
             const MemoryLimit limit(kLittle);
             feed.setSize({8000, 8000});
@@ -104,20 +104,20 @@ private slots:
 
     void airThatIsTooFineIsGivenUpAndTheNextOneComes()
     {
-        PictureFeed feed;
-        QSignalSpy exhausted(&feed, &PictureFeed::exhausted);
+        PreviewScheduler feed;
+        QSignalSpy exhausted(&feed, &PreviewScheduler::exhausted);
         feed.setSize({64, 48});
         Effect effect = tinyEffect();
         effect.air.enabled = true;
         effect.air.resolution = kMaxAirCells;
         {
             const MemoryLimit limit(rlim_t{64} << 20U);
-            feed.setEffect(effect, Stage::Simulate);
+            feed.setEffect(effect, DirtyStage::Simulate);
             feed.setSeen(true);
             QTRY_VERIFY_WITH_TIMEOUT(!exhausted.isEmpty(), 60000);
         }
         effect.air.resolution = kMinAirCells;
-        feed.setEffect(effect, Stage::Simulate);
+        feed.setEffect(effect, DirtyStage::Simulate);
         QTRY_VERIFY_WITH_TIMEOUT(feed.isSettled(), 60000);
         QCOMPARE(feed.picture()->image.size(), QSize(64, 48));
     }
@@ -143,7 +143,7 @@ private slots:
     {
         std::atomic<int> exhausted = 0;
         std::atomic<int> done = 0;
-        LatestJob<int> job(
+        LatestOnlyWorker<int> job(
             [&](int request, const std::stop_token&) {
                 if (request == 1) {
                     throw std::bad_alloc();

@@ -9,7 +9,8 @@
 
 namespace fumage::tests {
 
-/// The panel of the effect with all its groups open, on a document of its own for each test; without a window around it.
+/// The panel of the effect with all its groups open, on a document of its own for each test; without a window around
+/// it.
 class PanelFixture : public QObject {
     Q_OBJECT
 

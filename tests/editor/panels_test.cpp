@@ -9,6 +9,7 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -43,7 +44,8 @@ private slots:
         const auto fields = editor->findChildren<NumberField*>();
         const bool hasUnit = parameter.unit != Unit::None && !fields.isEmpty();
         QVERIFY(!hasUnit || fields.first()->text().contains(toQString(unitSymbol(parameter.unit))));
-        for (const QWidget* child : editor->findChildren<QWidget*>(QRegularExpression(u"^"_q + QRegularExpression::escape(key)))) {
+        for (const QWidget* child :
+            editor->findChildren<QWidget*>(QRegularExpression(u"^"_q + QRegularExpression::escape(key)))) {
             QVERIFY2(!child->accessibleName().isEmpty(), qPrintable(child->objectName()));
         }
     }
@@ -129,15 +131,15 @@ private slots:
     {
         auto* search = m_panel->findChild<QLineEdit*>(u"parameterSearch"_q);
         QTest::keyClicks(search, u"wind"_q);
-        QVERIFY(row("motion.wind")->isVisible());
-        QVERIFY(row("motion.wind_angle")->isVisible());
-        QVERIFY(row("motion.gust")->isVisible()); // its tip speaks of the wind
+        QVERIFY(row("wind.strength")->isVisible());
+        QVERIFY(row("wind.angle")->isVisible());
+        QVERIFY(row("wind.gust")->isVisible()); // its tip speaks of the wind
         QVERIFY(!row("noise.octaves")->isVisible());
         search->setText(u"noise octaves"_q);
         QVERIFY(row("noise.octaves")->isVisible());
         QVERIFY(!row("turbulence.octaves")->isVisible());
         search->clear();
-        QVERIFY(row("motion.wind")->isVisible());
+        QVERIFY(row("wind.strength")->isVisible());
     }
 
     void wordsOfArtistsFindParameters_data()
@@ -185,7 +187,7 @@ private slots:
         auto* only = m_panel->findChild<QToolButton*>(u"onlyChanged"_q);
         only->click();
         QVERIFY(row("motion.gravity")->isVisible());
-        QVERIFY(!row("motion.wind")->isVisible());
+        QVERIFY(!row("wind.strength")->isVisible());
         QVERIFY(!row("look.size")->isVisible());
         m_document->edit(*findParameter("look.size"), 0.7F);
         QVERIFY(row("look.size")->isVisible());
@@ -199,7 +201,7 @@ private slots:
     {
         auto* group = m_panel->findChild<ParameterGroup*>(u"group.motion"_q);
         m_document->edit(*findParameter("motion.gravity"), 3.0F);
-        m_document->edit(*findParameter("motion.wind"), 1.25F);
+        m_document->edit(*findParameter("wind.strength"), 1.25F);
         m_document->edit(*findParameter("look.size"), 0.7F);
         group->copy();
         const int steps = m_document->undoStack()->count();
@@ -210,7 +212,7 @@ private slots:
         group->paste();
         QCOMPARE(m_document->undoStack()->count(), steps + 2);
         QCOMPARE(m_document->effect().motion.gravity, 3.0F);
-        QCOMPARE(m_document->effect().motion.wind, 1.25F);
+        QCOMPARE(m_document->effect().wind.strength, 1.25F);
         QApplication::clipboard()->setText(u"look.size=2\nmotion.gravity=oops\nhello"_q);
         group->paste();
         QCOMPARE(m_document->undoStack()->count(), steps + 2);
@@ -237,7 +239,8 @@ private slots:
         for (const QString& channel : {u"r"_q, u"g"_q, u"b"_q}) {
             const auto* field = m_panel->findChild<NumberField*>(u"look.colour."_q + channel);
             constexpr int kPadding = 18; // of the style
-            QVERIFY2(field->fontMetrics().horizontalAdvance(field->text()) + kPadding <= field->width(), qPrintable(field->text()));
+            QVERIFY2(field->fontMetrics().horizontalAdvance(field->text()) + kPadding <= field->width(),
+                qPrintable(field->text()));
         }
     }
 
@@ -247,7 +250,8 @@ private slots:
         auto* group = m_panel->findChild<ParameterGroup*>(u"group.essentials"_q);
         QCOMPARE(group->y(), 0);
         QVERIFY(group->isVisible() && group->isOpen());
-        for (const char* key : {"look.opacity", "look.size", "look.colour", "life.fade_rate", "emitter.normal", "motion.wind_angle", "motion.gravity", "noise.octaves", "noise.sharpness", "timeline.loop"}) {
+        for (const char* key : {"look.opacity", "look.size", "look.colour", "life.fade_rate", "emitter.normal",
+                 "wind.angle", "motion.gravity", "noise.octaves", "noise.sharpness", "timeline.loop"}) {
             QVERIFY2(group->findChild<ParameterRow*>(u"essentials/%1.row"_q.arg(QLatin1String(key))) != nullptr, key);
         }
         m_document->edit(*findParameter("motion.gravity"), 3.0F);
@@ -307,7 +311,10 @@ private:
         mutable int count = 0;
     };
 
-    ParameterRow* row(const char* key) { return m_panel->findChild<ParameterRow*>(QString::fromLatin1(key) + u".row"_q); }
+    ParameterRow* row(const char* key)
+    {
+        return m_panel->findChild<ParameterRow*>(QString::fromLatin1(key) + u".row"_q);
+    }
 
     /// Changes a parameter through its widgets, whatever they are.
     static void nudge(ParameterEditor& editor)

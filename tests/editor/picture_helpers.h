@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 
 namespace fumage::tests {
 
@@ -27,9 +27,9 @@ inline Effect tinyEffect()
     return effect;
 }
 
-inline ui::PictureRequest requestFor(const Effect& effect, int frame = 20)
+inline ui::RenderRequest requestFor(const Effect& effect, int frame = 20)
 {
-    ui::PictureRequest request;
+    ui::RenderRequest request;
     request.effect = std::make_shared<const Effect>(effect);
     request.frame = frame;
     request.width = 160;

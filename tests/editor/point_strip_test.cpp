@@ -157,7 +157,7 @@ private:
     {
         QTest::addColumn<QString>("key");
         QTest::newRow("curve") << u"life.size"_q;
-        QTest::newRow("gradient") << u"light.emission_colours"_q;
+        QTest::newRow("gradient") << u"glow.emission_colours"_q;
     }
 
     /// Shows the parameter that is asked for, with points at these places.

@@ -1,7 +1,7 @@
 // The library as it is looked through.
 #include "editor_helpers.h"
 
-#include "ui/face/language.h"
+#include "ui/theme/language.h"
 #include "ui/presets/preset_list.h"
 
 using namespace fumage;

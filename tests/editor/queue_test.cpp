@@ -1,12 +1,12 @@
 // The queue of exports and its panel: order, names, what ends in the middle, and what is on the disk meanwhile.
 #include "editor_helpers.h"
 
-#include "ui/export/export_clash.h"
+#include "ui/export/file_conflict.h"
 #include "ui/export/queue_panel.h"
-#include "ui/face/theme.h"
+#include "ui/theme/theme.h"
 
 #include "core/base/file.h"
-#include "core/export/job_file.h"
+#include "core/export/jobs/job_file.h"
 
 #include <QAction>
 #include <QLabel>
@@ -66,7 +66,8 @@ private slots:
     {
         m_folder = std::make_unique<QTemporaryDir>();
         m_queue = std::make_unique<ExportQueue>(queueFolder());
-        m_panel = std::make_unique<QueuePanel>(*m_queue, [this](QWidget*, const FileQuestion&) { return m_chosenFile; });
+        m_panel =
+            std::make_unique<QueuePanel>(*m_queue, [this](QWidget*, const FileQuestion&) { return m_chosenFile; });
         m_panel->resize(320, 400);
         m_panel->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
@@ -83,7 +84,8 @@ private slots:
         QList<quint64> ended;
         connect(m_queue.get(), &ExportQueue::ended, this, [&](quint64 id) {
             ended += id;
-            QVERIFY(m_queue->active() == 0 || m_queue->at(static_cast<int>(ended.size())).state == ExportState::Running);
+            QVERIFY(
+                m_queue->active() == 0 || m_queue->at(static_cast<int>(ended.size())).state == ExportState::Running);
         });
         const QList<quint64> added{add("a"), add("b"), add("c")};
         QCOMPARE(stateOf(0), ExportState::Running);
@@ -111,7 +113,8 @@ private slots:
         m_queue->moveRow({}, 2, {}, 1);
         QTRY_COMPARE(namesOnDisk(), (QStringList{u"long"_q, u"c"_q, u"b"_q}));
         QStringList ended;
-        connect(m_queue.get(), &ExportQueue::ended, this, [&](quint64 id) { ended += toQString(m_queue->find(id)->job->name); });
+        connect(m_queue.get(), &ExportQueue::ended, this,
+            [&](quint64 id) { ended += toQString(m_queue->find(id)->job->name); });
         m_queue->cancel(0);
         QTRY_COMPARE_WITH_TIMEOUT(ended, (QStringList{u"long"_q, u"c"_q, u"b"_q}), kEndMs);
     }
@@ -168,7 +171,8 @@ private slots:
             const FileLimit limit(100'000);
             QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
         }
-        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1), stateOf(2), stateOf(3)}), (QList<ExportState>{ExportState::Done, ExportState::Failed, ExportState::Failed, ExportState::Done}));
+        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1), stateOf(2), stateOf(3)}),
+            (QList<ExportState>{ExportState::Done, ExportState::Failed, ExportState::Failed, ExportState::Done}));
         QVERIFY2(m_queue->at(1).told.contains(u"/proc/nowhere"_q), qPrintable(m_queue->at(1).told));
         QVERIFY2(m_queue->at(2).told.contains(u"large.exr"_q), qPrintable(m_queue->at(2).told));
         QCOMPARE(filesWritten(), (QStringList{u"a.png"_q, u"d.png"_q}));
@@ -188,17 +192,20 @@ private slots:
             asked += question.text;
             return answer;
         };
-        std::optional<OnClash> answered;
+        std::optional<ConflictPolicy> answered;
         const ExportPlan plan = jobFor("again", at("b.png")).plan;
         QVERIFY(!settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered)); // given up
         QVERIFY2(asked.size() == 1 && asked[0].contains(u"b.png"_q), qPrintable(asked.join(u' ')));
         answer = 0;
-        const std::optional<ExportPlan> other = settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered);
+        const std::optional<ExportPlan> other =
+            settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered);
         QVERIFY(other.has_value());
         QCOMPARE(other->output.filename().string(), std::string("b-2.png"));
         // Once that has been answered it is not asked again.
         QCOMPARE(m_queue->add({"c", tinyPreset(), *other}).ok(), true);
-        QCOMPARE(settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered)->output.filename().string(), std::string("b-3.png"));
+        QCOMPARE(
+            settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered)->output.filename().string(),
+            std::string("b-3.png"));
         QCOMPARE(asked.size(), 2);
         // Nor does one that was cancelled come back over the one that took its name.
         m_queue->cancel(1);
@@ -213,14 +220,16 @@ private slots:
     {
         for (const char* name : {"one", "two"}) { // each left by a program that is gone
             const ExportJob job = jobFor(name, at("one.png"));
-            QVERIFY(writeJobsFile((queueFolder().filePath(QLatin1String(name)) + u".json"_q).toStdString(), {&job, 1}).ok());
+            QVERIFY(writeJobsFile((queueFolder().filePath(QLatin1String(name)) + u".json"_q).toStdString(), {&job, 1})
+                        .ok());
         }
         QVERIFY(m_queue->takeLeftovers().isEmpty());
         QCOMPARE(m_queue->held(), 2);
         m_queue->startHeld();
         QCOMPARE(m_queue->active(), 2);
         QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
-        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1)}), (QList<ExportState>{ExportState::Done, ExportState::Failed}));
+        QCOMPARE(
+            (QList<ExportState>{stateOf(0), stateOf(1)}), (QList<ExportState>{ExportState::Done, ExportState::Failed}));
         QVERIFY(m_queue->at(1).told.contains(u"would write over"_q));
     }
 
@@ -264,12 +273,15 @@ private slots:
     {
         const std::vector<ExportJob> jobs{jobFor("one", at("one.png")), jobFor("two", at("two.png"))};
         QVERIFY(writeJobsFile(queueFolder().filePath(u"left.json"_q).toStdString(), jobs).ok());
-        QVERIFY(writeFileAtomically(queueFolder().filePath(u"torn.json"_q).toStdString(), std::string_view("{ half a li")).ok());
+        QVERIFY(
+            writeFileAtomically(queueFolder().filePath(u"torn.json"_q).toStdString(), std::string_view("{ half a li"))
+                .ok());
         const auto* notice = m_panel->findChild<QWidget*>(u"queue.notice"_q);
         QVERIFY(!notice->isVisible());
         const QStringList unreadable = m_queue->takeLeftovers();
         QCOMPARE(unreadable, QStringList{queueFolder().filePath(u"torn.json"_q)});
-        QCOMPARE((QList<ExportState>{stateOf(0), stateOf(1)}), (QList<ExportState>{ExportState::Held, ExportState::Held}));
+        QCOMPARE(
+            (QList<ExportState>{stateOf(0), stateOf(1)}), (QList<ExportState>{ExportState::Held, ExportState::Held}));
         QVERIFY(notice->isVisible());
         QVERIFY(m_panel->findChild<QLabel*>(u"queue.left"_q)->text().endsWith(u"2"_q));
         QVERIFY(!QFile::exists(queueFolder().filePath(u"left.json"_q))); // its jobs are in the list of this program
@@ -316,7 +328,8 @@ private slots:
         job.plan.output = (QDir::homePath() + u"/fire/b.png"_q).toStdString();
         job.plan.kind = ExportKind::Flipbook;
         static_cast<void>(m_queue->add(job));
-        QCOMPARE(m_queue->index(0).data(ExportQueue::PlaceRole).toString(), u"Image sequence · fire_##.png · /proc/nowhere"_q);
+        QCOMPARE(m_queue->index(0).data(ExportQueue::PlaceRole).toString(),
+            u"Image sequence · fire_##.png · /proc/nowhere"_q);
         QCOMPARE(m_queue->index(1).data(ExportQueue::PlaceRole).toString(), u"Flipbook · b.png · ~/fire"_q);
         QTRY_COMPARE_WITH_TIMEOUT(m_queue->active(), 0, kEndMs);
     }
@@ -325,7 +338,8 @@ private slots:
     {
         addRecorded("a", 6);
         QStringList heard;
-        connect(m_queue.get(), &QAbstractItemModel::dataChanged, this, [&](const QModelIndex& index) { heard += index.data(ExportQueue::ToldRole).toString(); });
+        connect(m_queue.get(), &QAbstractItemModel::dataChanged, this,
+            [&](const QModelIndex& index) { heard += index.data(ExportQueue::ToldRole).toString(); });
         verify(0);
         QCOMPARE(checkOf(0), CheckState::Running); // nothing is waited for
         QVERIFY(!action("queue.verify")->isEnabled());
@@ -356,7 +370,8 @@ private slots:
         }
         verify(0);
         QTRY_VERIFY_WITH_TIMEOUT(saidOf(0).startsWith(u"5 of 8"_q), kEndMs);
-        QVERIFY2(saidOf(0).endsWith(u"a_00.png is missing, a_01.png is missing, a_02.png is missing, 2 more"_q), qPrintable(saidOf(0)));
+        QVERIFY2(saidOf(0).endsWith(u"a_00.png is missing, a_01.png is missing, a_02.png is missing, 2 more"_q),
+            qPrintable(saidOf(0)));
     }
 
     void oneFileThatIsNotAsItWasWrittenIsNamed()
@@ -364,7 +379,8 @@ private slots:
         addRecorded("100%1 %2", 2);
         QVERIFY(QFile::remove(m_folder->filePath(u"out/100%1 %2_01.png"_q)));
         verify(0);
-        QTRY_COMPARE_WITH_TIMEOUT(saidOf(0), u"1 of 2 files is not as it was written: 100%1 %2_01.png is missing"_q, kEndMs);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            saidOf(0), u"1 of 2 files is not as it was written: 100%1 %2_01.png is missing"_q, kEndMs);
     }
 
     void verifyingIsGivenUp()
@@ -455,7 +471,7 @@ private slots:
     void aQueueThatIsFullSaysSo()
     {
         addLong();
-        for (std::size_t i = 1; i < kMostJobs; ++i) {
+        for (std::size_t i = 1; i < kMaxJobs; ++i) {
             add(("job" + std::to_string(i)).c_str());
         }
         const Result<quint64> more = m_queue->add(jobFor("more", at("more.png")));
@@ -466,8 +482,14 @@ private slots:
 
 private:
     [[nodiscard]] QDir queueFolder() const { return QDir(m_folder->filePath(u"queue"_q)); }
-    [[nodiscard]] std::string at(const std::string& name) const { return (m_folder->path() + u"/out/"_q).toStdString() + name; }
-    [[nodiscard]] QStringList filesWritten() const { return QDir(m_folder->filePath(u"out"_q)).entryList({u"*.png"_q}, QDir::Files, QDir::Name); }
+    [[nodiscard]] std::string at(const std::string& name) const
+    {
+        return (m_folder->path() + u"/out/"_q).toStdString() + name;
+    }
+    [[nodiscard]] QStringList filesWritten() const
+    {
+        return QDir(m_folder->filePath(u"out"_q)).entryList({u"*.png"_q}, QDir::Files, QDir::Name);
+    }
     [[nodiscard]] QFileInfoList listFiles() const { return queueFolder().entryInfoList({u"*.json"_q}, QDir::Files); }
     [[nodiscard]] ExportState stateOf(int row) const { return m_queue->at(row).state; }
     [[nodiscard]] QListView* list() const { return m_panel->findChild<QListView*>(u"queue.list"_q); }

@@ -4,6 +4,7 @@
 #include "ui/document/recovery.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/preset/preset_file.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -306,7 +307,7 @@ private:
             Recovery::Leftovers left = Recovery::find(folder);
             recovery.adopt(std::move(left.works.at(0)));
             if (shown) {
-                recovery.proveHarmless();
+                recovery.markRecovered();
             }
             _exit(0);
         }

@@ -70,7 +70,8 @@ private slots:
     {
         const Shown shown;
         bool wasVisible = true;
-        connect(&shown.dialog, &StartDialog::openRequested, &shown.dialog, [&] { wasVisible = shown.dialog.isVisible(); });
+        connect(
+            &shown.dialog, &StartDialog::openRequested, &shown.dialog, [&] { wasVisible = shown.dialog.isVisible(); });
         QTest::mouseClick(&shown.part<QPushButton>("startOpen"), Qt::LeftButton);
         QCOMPARE(shown.openings.size(), 1);
         QVERIFY(!wasVisible);
@@ -89,7 +90,8 @@ private slots:
     {
         const Shown shown;
         QVERIFY(shown.dialog.showAgain());
-        QTest::mouseClick(&shown.part<QCheckBox>("startAgain"), Qt::LeftButton, {}, {8, shown.part<QCheckBox>("startAgain").height() / 2});
+        QTest::mouseClick(&shown.part<QCheckBox>("startAgain"), Qt::LeftButton, {},
+            {8, shown.part<QCheckBox>("startAgain").height() / 2});
         QVERIFY(!shown.dialog.showAgain());
     }
 };

@@ -1,8 +1,9 @@
-// What is drawn can be told from what it is drawn on. Contrast as in WCAG 2.2: 4.5 for text, 3 for the edges of controls.
+// What is drawn can be told from what it is drawn on. Contrast as in WCAG 2.2: 4.5 for text, 3 for the edges of
+// controls.
 #include "editor_helpers.h"
 
-#include "ui/face/choice_question.h"
-#include "ui/face/theme.h"
+#include "ui/widgets/choice_question.h"
+#include "ui/theme/theme.h"
 
 #include <QCheckBox>
 #include <QPushButton>
@@ -67,7 +68,12 @@ private slots:
             }
             box->close();
         });
-        static_cast<void>(askInBox(nullptr, {.name = u"box"_q, .title = u"Exports"_q, .text = u"Some"_q, .answers = {u"Finish in the background and close the window"_q, u"Stop them and close"_q, u"Cancel"_q}}));
+        static_cast<void>(askInBox(nullptr,
+            {.name = u"box"_q,
+                .title = u"Exports"_q,
+                .text = u"Some"_q,
+                .answers = {
+                    u"Finish in the background and close the window"_q, u"Stop them and close"_q, u"Cancel"_q}}));
         QCOMPARE(missing, (QList<int>{0, 0, 0}));
     }
 

@@ -87,10 +87,13 @@ private slots:
             const QString file = shippedThumbnailFile(QString::fromStdString(entry.id), effect);
             if (!folder.isEmpty()) {
                 constexpr int kQuality = 85;
-                QVERIFY(isThumbnailShipped(effect) || renderThumbnail(effect, kShippedThumbnailEdge).save(QString::fromLocal8Bit(folder) + u'/' + file, "JPG", kQuality));
+                QVERIFY(isThumbnailShipped(effect)
+                    || renderThumbnail(effect, kShippedThumbnailEdge)
+                           .save(QString::fromLocal8Bit(folder) + u'/' + file, "JPG", kQuality));
                 continue;
             }
-            QVERIFY2(isThumbnailShipped(effect), qPrintable(file + u" is missing: the preset has changed, ./dev thumbnails makes its picture"_q));
+            QVERIFY2(isThumbnailShipped(effect),
+                qPrintable(file + u" is missing: the preset has changed, ./dev thumbnails makes its picture"_q));
             QVERIFY2(showsSomething(shippedThumbnail(effect, kShippedThumbnailEdge)), qPrintable(file));
         }
     }
@@ -104,7 +107,8 @@ private slots:
         qint64 bytes = 0;
         const QFileInfoList shipped = QDir(u":/thumbnails"_q).entryInfoList();
         for (const QFileInfo& file : shipped) {
-            QVERIFY2(wanted.contains(file.fileName()) || qEnvironmentVariableIsSet("FUMAGE_WRITE_THUMBNAILS"), qPrintable(file.fileName() + u" is of no preset: ./dev thumbnails"_q));
+            QVERIFY2(wanted.contains(file.fileName()) || qEnvironmentVariableIsSet("FUMAGE_WRITE_THUMBNAILS"),
+                qPrintable(file.fileName() + u" is of no preset: ./dev thumbnails"_q));
             bytes += file.size();
         }
         QVERIFY2(bytes < 22 * 16 * 1024, qPrintable(QString::number(bytes)));
@@ -124,7 +128,9 @@ private slots:
         const qsizetype all = static_cast<qsizetype>(builtinPresets().size()) + 2;
         QTRY_COMPARE_WITH_TIMEOUT(ready.size(), all, 60000);
         const auto place = [&](const QString& name) {
-            return std::find_if(ready.begin(), ready.end(), [&](const QList<QVariant>& each) { return each[0].toString() == name; }) - ready.begin();
+            return std::find_if(ready.begin(), ready.end(), [&](const QList<QVariant>& each) {
+                return each[0].toString() == name;
+            }) - ready.begin();
         };
         QVERIFY(place(u"slow"_q) <= 1 || place(u"slow"_q) == all - 1); // it had begun, or it comes last
     }

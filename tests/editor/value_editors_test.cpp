@@ -34,7 +34,9 @@ private slots:
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("unit");
         QTest::addColumn<double>("expected"); // NaN: refused
-        const auto add = [](const char* text, Unit unit, double expected) { QTest::newRow(text) << QString::fromUtf8(text) << static_cast<int>(unit) << expected; };
+        const auto add = [](const char* text, Unit unit, double expected) {
+            QTest::newRow(text) << QString::fromUtf8(text) << static_cast<int>(unit) << expected;
+        };
         add("1.5", Unit::Metres, 1.5);
         add("1,5", Unit::Metres, 1.5);
         add(" -2 m ", Unit::Metres, -2.0);
@@ -89,12 +91,14 @@ private slots:
         QTest::addColumn<bool>("whole");
         QTest::addColumn<double>("expected"); // not a number: refused
         const auto add = [](const char* language, const QString& text, bool whole, double expected) {
-            QTest::addRow("%s %s %s", language, qPrintable(text), whole ? "whole" : "real") << QString::fromLatin1(language) << text << whole << expected;
+            QTest::addRow("%s %s %s", language, qPrintable(text), whole ? "whole" : "real")
+                << QString::fromLatin1(language) << text << whole << expected;
         };
         for (const char* language : {"C", "en", "de", "sv", "fr", "de_CH", "zh_CN"}) {
             // Groups of three that can mean nothing else, whatever the number and the language.
             for (const bool whole : {true, false}) {
-                for (const QString& text : {u"1,000,000"_q, u"1.000.000"_q, u"1 000 000"_q, u"1'000'000"_q, u"1\u2019000\u2019000"_q, u"1\u00a0000\u00a0000"_q, u"1\u202f000\u202f000"_q}) {
+                for (const QString& text : {u"1,000,000"_q, u"1.000.000"_q, u"1 000 000"_q, u"1'000'000"_q,
+                         u"1\u2019000\u2019000"_q, u"1\u00a0000\u00a0000"_q, u"1\u202f000\u202f000"_q}) {
                     add(language, text, whole, 1e6);
                 }
                 add(language, u"20 000"_q, whole, 20000.0);
@@ -109,7 +113,8 @@ private slots:
                 add(language, u"1234,567"_q, whole, 1234.567);
                 add(language, u"-2 000"_q, whole, -2000.0);
                 add(language, u"1 000 + 1.5"_q, whole, 1001.5);
-                for (const QString& text : {u"1,00,000"_q, u"1.2.3"_q, u"1,2,3"_q, u"12 34"_q, u"1 2345"_q, u"1,234,5"_q, u"1.234.56,7"_q, u"1'00"_q, u"1,000.000,0"_q, u"0 000"_q, u","_q}) {
+                for (const QString& text : {u"1,00,000"_q, u"1.2.3"_q, u"1,2,3"_q, u"12 34"_q, u"1 2345"_q,
+                         u"1,234,5"_q, u"1.234.56,7"_q, u"1'00"_q, u"1,000.000,0"_q, u"0 000"_q, u","_q}) {
                     add(language, text, whole, qQNaN());
                 }
             }
@@ -182,7 +187,8 @@ private slots:
 
     void aNumberReadsBackAsItIsShown()
     {
-        for (const double value : {0.1, -3.25, 1234.5, 99999.4, 99999.6, 123456.7, 2222854.348, -2222854.348, 4294967294.7, 4294967296.0, 1e-7, 1e12}) {
+        for (const double value : {0.1, -3.25, 1234.5, 99999.4, 99999.6, 123456.7, 2222854.348, -2222854.348,
+                 4294967294.7, 4294967296.0, 1e-7, 1e12}) {
             const QString shown = formatNumber(value);
             QCOMPARE(formatNumber(parseNumber(shown, Unit::None).value()), shown);
         }
@@ -206,10 +212,10 @@ private slots:
 
     void aGradientIsReplacedByAPresetInOneStep()
     {
-        const Parameter& parameter = knownParameter("light.emission_colours");
-        m_document->edit(knownParameter("light.emission_colour"), 1); // where its row is seen
+        const Parameter& parameter = knownParameter("glow.emission_colours");
+        m_document->edit(knownParameter("glow.emission_colour"), 1); // where its row is seen
         const int steps = m_document->undoStack()->count();
-        auto* menu = childOf<QMenu>(*m_panel, u"light.emission_colours.menu"_q);
+        auto* menu = childOf<QMenu>(*m_panel, u"glow.emission_colours.menu"_q);
         emit menu->aboutToShow();
         QVERIFY(gradientPresets().size() >= 3);
         for (const GradientPreset& preset : gradientPresets()) {
@@ -291,9 +297,9 @@ private slots:
     {
         // The field shows five digits of a longer number; passing through it must not round the document.
         Preset preset;
-        preset.effect.motion.wind = 0.123456789F;
+        preset.effect.wind.strength = 0.123456789F;
         m_document->load(preset, {});
-        NumberField* field = this->field("motion.wind.field");
+        NumberField* field = this->field("wind.strength.field");
         field->setFocus();
         QTest::keyClick(field, Qt::Key_Tab);
         QVERIFY(m_document->effect() == preset.effect);
@@ -302,7 +308,7 @@ private slots:
 
     void nonsenseIsRefusedAndTheOldNumberStays()
     {
-        NumberField* field = this->field("motion.wind.field");
+        NumberField* field = this->field("wind.strength.field");
         const QString before = field->text();
         typeInto(*field, u"windy"_q);
         QCOMPARE(field->text(), before);
@@ -311,8 +317,8 @@ private slots:
 
     void aNumberThatIsTooLargeIsTheLargestAndSaysSo()
     {
-        NumberField* field = this->field("motion.wind.field");
-        const double largest = findParameter("motion.wind")->hard.high;
+        NumberField* field = this->field("wind.strength.field");
+        const double largest = findParameter("wind.strength")->hard.high;
         typeInto(*field, u"1e9"_q);
         QCOMPARE(field->value(), largest);
         QTRY_VERIFY(QToolTip::isVisible());
@@ -321,7 +327,7 @@ private slots:
 
     void escapePutsBackWhatWasThere()
     {
-        NumberField* field = this->field("motion.wind.field");
+        NumberField* field = this->field("wind.strength.field");
         const QString before = field->text();
         field->setFocus();
         field->selectAll();
@@ -413,15 +419,15 @@ private slots:
     {
         AngleDial* dial = windDial();
         dragMouse(*dial, placeOn(*dial, 20.0), placeOn(*dial, 90.0));
-        QCOMPARE(m_document->effect().motion.windAngle, 90.0F); // down is towards the viewer
-        QCOMPARE(field("motion.wind_angle.field")->text(), u"90\u00b0"_q);
+        QCOMPARE(m_document->effect().wind.angle, 90.0F); // down is towards the viewer
+        QCOMPARE(field("wind.angle.field")->text(), u"90\u00b0"_q);
         QCOMPARE(m_document->undoStack()->count(), 1);
         QTest::mouseClick(dial, Qt::LeftButton, {}, placeOn(*dial, 180.0));
-        QCOMPARE(m_document->effect().motion.windAngle, 180.0F);
+        QCOMPARE(m_document->effect().wind.angle, 180.0F);
         QCOMPARE(m_document->undoStack()->count(), 2);
         m_document->undoStack()->undo();
         m_document->undoStack()->undo();
-        QCOMPARE(m_document->effect().motion.windAngle, 0.0F);
+        QCOMPARE(m_document->effect().wind.angle, 0.0F);
     }
 
     void theControlKeySnapsADial()
@@ -429,7 +435,7 @@ private slots:
         AngleDial* dial = windDial();
         for (const double angle : {20.0, 50.0, -70.0}) {
             QTest::mouseClick(dial, Qt::LeftButton, Qt::ControlModifier, placeOn(*dial, angle));
-            QCOMPARE(m_document->effect().motion.windAngle, static_cast<float>(qRound(angle / 15.0) * 15));
+            QCOMPARE(m_document->effect().wind.angle, static_cast<float>(qRound(angle / 15.0) * 15));
         }
     }
 
@@ -440,10 +446,10 @@ private slots:
         for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Right, Qt::Key_Up, Qt::Key_Left}) {
             QTest::keyClick(dial, key);
         }
-        QCOMPARE(m_document->effect().motion.windAngle, 2.0F);
+        QCOMPARE(m_document->effect().wind.angle, 2.0F);
         QCOMPARE(m_document->undoStack()->count(), 1);
         m_document->undoStack()->undo();
-        QCOMPARE(m_document->effect().motion.windAngle, 0.0F);
+        QCOMPARE(m_document->effect().wind.angle, 0.0F);
     }
 
     void aDialLeavesTheWheelToThePanel()
@@ -488,16 +494,16 @@ private slots:
 
     void aStopOfAGradientIsAddedAndTakenAway()
     {
-        auto* bar = m_panel->findChild<GradientBar*>(u"light.emission_colours.bar"_q);
-        const Gradient before = m_document->effect().light.emissionGradient;
+        auto* bar = m_panel->findChild<GradientBar*>(u"glow.emission_colours.bar"_q);
+        const Gradient before = m_document->effect().glow.emissionGradient;
         QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(bar->width() / 2, 8));
-        QCOMPARE(m_document->effect().light.emissionGradient.count, before.count + 1);
+        QCOMPARE(m_document->effect().glow.emissionGradient.count, before.count + 1);
         QTest::keyClick(bar, Qt::Key_Delete);
-        QVERIFY(m_document->effect().light.emissionGradient == before);
+        QVERIFY(m_document->effect().glow.emissionGradient == before);
     }
 
 private:
-    AngleDial* windDial() { return m_panel->findChild<AngleDial*>(u"motion.wind_angle.dial"_q); }
+    AngleDial* windDial() { return m_panel->findChild<AngleDial*>(u"wind.angle.dial"_q); }
     /// A place on the rim of a dial.
     static QPoint placeOn(const AngleDial& dial, double degrees)
     {

@@ -1,7 +1,7 @@
 // Cameras and gizmos: what needs no window.
 #include "editor_helpers.h"
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 #include "ui/viewport/gizmo_painter.h"
 #include "ui/viewport/navigation.h"
 
@@ -135,7 +135,8 @@ private slots:
             const QRectF place = freePlace(wanted, taken);
             QCOMPARE(place.size(), wanted.size());
             QCOMPARE(place.left(), wanted.left());
-            QVERIFY(std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); }));
+            QVERIFY(
+                std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); }));
             taken.push_back(place);
         }
         const QRectF alone(200.0, 20.0, 60.0, 15.0);
@@ -160,15 +161,16 @@ private slots:
         Effect effect;
         effect.vortex.strength = 1.0F;
         effect.emitter.normal = glm::normalize(glm::vec3(0.3F, 0.8F, 0.4F));
-        effect.motion.windAngle = 40.0F;
+        effect.wind.angle = 40.0F;
         const View view = windowView(effect, 0, 800, 600);
         const auto gizmo = static_cast<GizmoId>(id);
-        const Effect after = applied(effect, dragGizmo(gizmo, effect, view, onScreen(view, gizmoOf(effect, view, gizmo).to), false));
+        const Effect after =
+            applied(effect, dragGizmo(gizmo, effect, view, onScreen(view, gizmoOf(effect, view, gizmo).to), false));
         QVERIFY(glm::length(after.emitter.normal - effect.emitter.normal) < 0.02F);
         QVERIFY(glm::length(after.emitter.position - effect.emitter.position) < 0.01F);
         QVERIFY(glm::length(after.vortex.axis - effect.vortex.axis) < 0.02F);
         QVERIFY(glm::length(glm::normalize(after.light.direction) - glm::normalize(effect.light.direction)) < 0.02F);
-        QVERIFY(qAbs(after.motion.windAngle - effect.motion.windAngle) < 1.5F);
+        QVERIFY(qAbs(after.wind.angle - effect.wind.angle) < 1.5F);
         QVERIFY(qAbs(after.rings.radius - effect.rings.radius) < 0.01F);
         QVERIFY(qAbs(after.rings.spacing - effect.rings.spacing) < 0.01F);
     }
@@ -183,7 +185,7 @@ private slots:
         effect.air.enabled = static_cast<GizmoId>(id) >= GizmoId::Obstacle;
         effect.air.fit = false;
         effect.air.obstacle = Obstacle::Box;
-        effect.air.obstaclePlace = {0.6F, 1.4F, 0.2F};
+        effect.air.obstaclePosition = {0.6F, 1.4F, 0.2F};
         const View view = windowView(effect, 0, 800, 600);
         const auto gizmo = static_cast<GizmoId>(id);
         const QPointF to = onScreen(view, gizmoOf(effect, view, gizmo).to) + QPointF(-24.0, 18.0);
@@ -193,7 +195,8 @@ private slots:
         // The wind keeps its length and whole degrees: its direction is what follows.
         if (gizmo == GizmoId::Wind) {
             const QPointF from = onScreen(view, effect.emitter.position);
-            QVERIFY(qAbs(QLineF(from, now).angleTo(QLineF(from, to))) < 3.0 || qAbs(QLineF(from, now).angleTo(QLineF(from, to))) > 357.0);
+            QVERIFY(qAbs(QLineF(from, now).angleTo(QLineF(from, to))) < 3.0
+                || qAbs(QLineF(from, now).angleTo(QLineF(from, to))) > 357.0);
         } else {
             QVERIFY(QLineF(now, to).length() < 2.0);
         }
@@ -206,13 +209,15 @@ private slots:
         for (const Gizmo& gizmo : gizmosOf(effect, windowView(effect, 0, 800, 600))) {
             QVERIFY(gizmo.id != GizmoId::Rings);
         }
-        // Seen along the axis the ring is a circle around the emitter: there is a handle still, and it can be dragged or not, but nothing breaks.
+        // Seen along the axis the ring is a circle around the emitter: there is a handle still, and it can be dragged
+        // or not, but nothing breaks.
         effect.rings.strength = 1.0F;
         effect.camera.pitch = 90.0F;
         const View above = windowView(effect, 0, 800, 600);
         const Gizmo handle = gizmoOf(effect, above, GizmoId::Rings);
         QVERIFY(std::isfinite(handle.to.x) && std::isfinite(handle.to.z));
-        for (const Assignment& assignment : dragGizmo(GizmoId::Rings, effect, above, onScreen(above, handle.to) + QPointF(20.0, 10.0), false)) {
+        for (const Assignment& assignment :
+            dragGizmo(GizmoId::Rings, effect, above, onScreen(above, handle.to) + QPointF(20.0, 10.0), false)) {
             QVERIFY(std::isfinite(std::get<float>(assignment.value)));
         }
     }
@@ -225,8 +230,10 @@ private slots:
         above.camera.pitch = 60.0F;
         const View fromAbove = windowView(above, 0, 800, 600);
         const Effect after = applied(above, dragGizmo(GizmoId::Wind, above, fromAbove, {300.0, 520.0}, true));
-        QVERIFY(qAbs(std::remainder(after.motion.windAngle, 15.0F)) < 0.01F);
-        const Effect turned = applied(effect, dragGizmo(GizmoId::EmitterNormal, effect, view, onScreen(view, gizmoOf(effect, view, GizmoId::EmitterNormal).to) + QPointF(31, 9), true));
+        QVERIFY(qAbs(std::remainder(after.wind.angle, 15.0F)) < 0.01F);
+        const Effect turned = applied(effect,
+            dragGizmo(GizmoId::EmitterNormal, effect, view,
+                onScreen(view, gizmoOf(effect, view, GizmoId::EmitterNormal).to) + QPointF(31, 9), true));
         const float pitch = std::asin(turned.emitter.normal.y) * 57.29578F;
         QVERIFY(qAbs(std::remainder(pitch, 15.0F)) < 0.01F);
     }

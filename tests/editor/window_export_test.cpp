@@ -5,6 +5,7 @@
 #include "ui/viewport/viewport.h"
 
 #include "core/effect/known_parameter.h"
+#include "core/preset/preset_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -39,7 +40,8 @@ private slots:
         m_window->document().edit(knownParameter("motion.gravity"), 2.0F); // does not touch what is being written
         QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Done, 60000);
         QCOMPARE(queue().at(0).job->preset.effect.motion.gravity, smallPreset().effect.motion.gravity);
-        QCOMPARE(QDir(m_folder.filePath(u"out"_q)).entryList({u"*.png"_q}), (QStringList{u"smoke_03.png"_q, u"smoke_04.png"_q, u"smoke_05.png"_q, u"smoke_06.png"_q}));
+        QCOMPARE(QDir(m_folder.filePath(u"out"_q)).entryList({u"*.png"_q}),
+            (QStringList{u"smoke_03.png"_q, u"smoke_04.png"_q, u"smoke_05.png"_q, u"smoke_06.png"_q}));
         const QImage image(m_folder.filePath(u"out/smoke_03.png"_q));
         QCOMPARE(image.size(), QSize(128, 128));
         QVERIFY(image.hasAlphaChannel());
@@ -87,7 +89,8 @@ private slots:
         exportAndWait(*begin);
         QCOMPARE(QImage(m_folder.filePath(u"book.png"_q)).size(), QSize(4 * 128, 2 * 128));
         QVERIFY(QFile::exists(m_folder.filePath(u"book.flipbook.json"_q)));
-        QVERIFY(childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
+        QVERIFY(
+            childOf<QLabel>(*dialog, u"export.state"_q)->text().contains(u"cut off"_q)); // the camera is in the smoke
         auto* fit = childOf<QPushButton>(*dialog, u"export.fitNow"_q);
         QVERIFY(fit->isVisible());
         m_chosenAnswer = kOverwrite;
@@ -220,7 +223,9 @@ private slots:
         exportAndWait(*begin);
         QTRY_VERIFY(dock->isVisible());
         QCOMPARE(m_window->viewport().size(), before);
-        QVERIFY(!childOf<QDockWidget>(*m_window, u"dock.presets"_q)->visibleRegion().isEmpty()); // which it does not displace
+        QVERIFY(!childOf<QDockWidget>(*m_window, u"dock.presets"_q)
+                     ->visibleRegion()
+                     .isEmpty()); // which it does not displace
         dock->hide();
         m_chosenAnswer = kOverwrite;
         exportAndWait(*begin);
@@ -291,7 +296,8 @@ private slots:
         QVERIFY(QFile::resize(m_folder.filePath(u"a_04.png"_q), 100));
         QVERIFY(QFile::remove(m_folder.filePath(u"a_06.png"_q)));
         QTest::mouseClick(verify, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(said(), u"2 of 4 files are not as they were written: a_04.png is broken, a_06.png is missing"_q, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            said(), u"2 of 4 files are not as they were written: a_04.png is broken, a_06.png is missing"_q, 60000);
         // Exported again, with the manifest that was asked for, it is right, and nobody has looked at it yet.
         m_chosenAnswer = kOverwrite;
         trigger("file.exportAgain");
@@ -373,11 +379,15 @@ private:
 
     [[nodiscard]] ExportQueue& queue() { return m_session->exports(); }
     /// As if it waited until it is there.
-    [[nodiscard]] ExportState stateOf(int row) { return row < queue().rowCount() ? queue().at(row).state : ExportState::Waiting; }
+    [[nodiscard]] ExportState stateOf(int row)
+    {
+        return row < queue().rowCount() ? queue().at(row).state : ExportState::Waiting;
+    }
 
     QDialog* openExport()
     {
-        m_window->document().edit({{&knownParameter("output.width"), 128}, {&knownParameter("output.height"), 128}}, u"Size"_q);
+        m_window->document().edit(
+            {{&knownParameter("output.width"), 128}, {&knownParameter("output.height"), 128}}, u"Size"_q);
         trigger("file.export");
         return m_window->findChild<QDialog*>(u"exportDialog"_q);
     }

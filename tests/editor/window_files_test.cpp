@@ -6,7 +6,7 @@
 #include "core/effect/known_parameter.h"
 #include "core/export/plan.h"
 #include "core/preset/library.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -344,9 +344,15 @@ private:
         QApplication::sendEvent(m_window, &event);
     }
 
-    static float gravityIn(const QString& path) { return readPresetFile(path.toStdString()).value().preset.effect.motion.gravity; }
+    static float gravityIn(const QString& path)
+    {
+        return readPresetFile(path.toStdString()).value().preset.effect.motion.gravity;
+    }
 
-    static QString libraryFile(const QString& name) { return QDir(toQString(userPresetFolder().string())).filePath(name + u".json"_q); }
+    static QString libraryFile(const QString& name)
+    {
+        return QDir(toQString(userPresetFolder().string())).filePath(name + u".json"_q);
+    }
 
     /// Types a name into the next question for one.
     static void nameNext(const QString& name)

@@ -21,7 +21,7 @@ Preset smallPreset()
     preset.effect.light.resolution = 24;
     preset.effect.noise.resolution = 32;
     preset.effect.noise.slices = 8;
-    preset.effect.motion.wind = 0.8F;
+    preset.effect.wind.strength = 0.8F;
     preset.effect.timeline.length = 60;
     return preset;
 }

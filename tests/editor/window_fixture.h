@@ -35,8 +35,8 @@ void answerNext(const char* name, const Answer& answer)
 
 void pressButton(QMessageBox& box, QMessageBox::StandardButton button);
 
-/// Whole windows, driven as a person would: on a screen, with mouse and keyboard. Each test gets a window of its own on the small preset,
-/// paused at frame 30, with its picture on the screen, and a folder and a library that are empty.
+/// Whole windows, driven as a person would: on a screen, with mouse and keyboard. Each test gets a window of its own on
+/// the small preset, paused at frame 30, with its picture on the screen, and a folder and a library that are empty.
 class WindowFixture : public QObject {
     Q_OBJECT
 

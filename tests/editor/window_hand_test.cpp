@@ -2,7 +2,7 @@
 // and how a drag ends.
 #include "window_fixture.h"
 
-#include "ui/face/hand.h"
+#include "ui/widgets/gesture.h"
 #include "ui/noise_preview/noise_canvas.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/parameter_row.h"
@@ -54,7 +54,8 @@ QVariant heldBy(const QWidget& widget)
 
 QString nameOf(const QWidget& widget)
 {
-    return QString::fromLatin1(widget.metaObject()->className()) + QLatin1Char(' ') + widget.objectName() + u" in "_q + widget.window()->objectName();
+    return QString::fromLatin1(widget.metaObject()->className()) + QLatin1Char(' ') + widget.objectName() + u" in "_q
+        + widget.window()->objectName();
 }
 
 /// Of all widgets that are on the screen.
@@ -81,11 +82,13 @@ private slots:
         QFETCH(QString, window);
         open(window);
         eachWidget([](QWidget& widget) {
-            for (const Qt::MouseButton button : {Qt::RightButton, Qt::MiddleButton, Qt::BackButton, Qt::ForwardButton}) {
+            for (const Qt::MouseButton button :
+                {Qt::RightButton, Qt::MiddleButton, Qt::BackButton, Qt::ForwardButton}) {
                 for (const int quarter : {1, 2, 3}) {
                     const QPoint at(widget.width() * quarter / 4, widget.height() * quarter / 4);
                     QTest::mousePress(&widget, button, {}, at);
-                    QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, button, Qt::NoModifier);
+                    QMouseEvent move(
+                        QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, button, Qt::NoModifier);
                     QApplication::sendEvent(&widget, &move);
                     QTest::mouseRelease(&widget, button, {}, at);
                 }
@@ -99,7 +102,8 @@ private slots:
         QFETCH(QString, window);
         open(window);
         eachWidget([this](QWidget& widget) {
-            const bool zooms = &widget == m_window->viewport().surface() || qobject_cast<NoiseCanvas*>(&widget) != nullptr;
+            const bool zooms =
+                &widget == m_window->viewport().surface() || qobject_cast<NoiseCanvas*>(&widget) != nullptr;
             for (const int notches : {2, -1}) {
                 if (!zooms) {
                     m_window->centralWidget()->setFocus();
@@ -125,7 +129,7 @@ private slots:
         });
     }
 
-    // --- the end of a drag --------------------------------------------------------------------------------------------
+    // --- the end of a drag ---
 
     void aDragWhoseReleaseNeverCameEndsWithoutAButton()
     {
@@ -147,7 +151,8 @@ private slots:
             const QString dragged = held();
             QEvent gone(QEvent::WindowDeactivate);
             QApplication::sendEvent(widget.window(), &gone);
-            QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at + QPoint(50, 5)), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at + QPoint(50, 5)), Qt::NoButton,
+                Qt::LeftButton, Qt::NoModifier);
             QApplication::sendEvent(&widget, &move);
             QVERIFY2(held() == dragged, qPrintable(nameOf(widget)));
             QTest::mouseRelease(&widget, Qt::LeftButton, {}, at);
@@ -162,7 +167,8 @@ private slots:
             const int steps = m_window->document().undoStack()->count();
             begin(widget, at);
             QVERIFY2(held() != first, qPrintable(nameOf(widget)));
-            QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window, Qt::Key_Escape);
+            QTest::keyClick(
+                QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window, Qt::Key_Escape);
             QVERIFY2(held() == first, qPrintable(nameOf(widget) + u": "_q + held() + u" is not "_q + first));
             QCOMPARE(m_window->document().undoStack()->count(), steps);
             QTest::mouseRelease(&widget, Qt::LeftButton, {}, at + QPoint(40, 5));
@@ -179,7 +185,8 @@ private slots:
         const QRect screen = m_window->screen()->virtualGeometry();
         const auto moveTo = [&](int x) {
             const QPoint global(x, 400);
-            QMouseEvent move(QEvent::MouseMove, field->mapFromGlobal(global), global, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QMouseEvent move(
+                QEvent::MouseMove, field->mapFromGlobal(global), global, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
             QApplication::sendEvent(field, &move);
         };
         m_window->centralWidget()->setFocus();
@@ -196,7 +203,7 @@ private slots:
         QCOMPARE(m_window->document().undoStack()->count(), 1);
     }
 
-    // --- the keyboard ---------------------------------------------------------------------------------------------------
+    // --- the keyboard ---
 
     void keysOfDigitsAndLettersActByTheirPlace_data()
     {
@@ -208,10 +215,12 @@ private slots:
         QTest::newRow("French 1") << int(Qt::Key_Ampersand) << u"&"_q << int(Qt::NoModifier) << 10U << u"view.front"_q;
         QTest::newRow("French 3") << int(Qt::Key_QuoteDbl) << u"\""_q << int(Qt::NoModifier) << 12U << u"view.right"_q;
         QTest::newRow("French 7") << int(Qt::Key_Egrave) << u"\u00e8"_q << int(Qt::NoModifier) << 16U << u"view.top"_q;
-        QTest::newRow("French Ctrl+1") << int(Qt::Key_Ampersand) << QString() << int(Qt::ControlModifier) << 10U << u"view.back"_q;
+        QTest::newRow("French Ctrl+1") << int(Qt::Key_Ampersand) << QString() << int(Qt::ControlModifier) << 10U
+                                       << u"view.back"_q;
         QTest::newRow("Russian F") << 0x0410 << u"\u0430"_q << int(Qt::NoModifier) << 41U << u"view.frameAll"_q;
         QTest::newRow("Greek X") << 0x03a7 << u"\u03c7"_q << int(Qt::NoModifier) << 53U << u"view.frame"_q;
-        QTest::newRow("a French comma is no M") << int(Qt::Key_Comma) << u","_q << int(Qt::NoModifier) << 58U << QString();
+        QTest::newRow("a French comma is no M")
+            << int(Qt::Key_Comma) << u","_q << int(Qt::NoModifier) << 58U << QString();
         QTest::newRow("a French A is no Q") << int(Qt::Key_A) << u"a"_q << int(Qt::ControlModifier) << 24U << QString();
     }
     void keysOfDigitsAndLettersActByTheirPlace()
@@ -267,7 +276,7 @@ private slots:
         QTRY_COMPARE(QApplication::focusWidget(), m_window->viewport().surface());
     }
 
-    // --- the places of windows ------------------------------------------------------------------------------------------
+    // --- the places of windows ---
 
     void aWindowOpensOnTheScreenWithItsFrame_data()
     {
@@ -275,7 +284,8 @@ private slots:
         QTest::addColumn<bool>("maximised");
         for (const char* window : {"main", "export", "commands", "reference", "shortcuts", "start", "colour"}) {
             for (const bool maximised : {false, true}) {
-                QTest::addRow("%s%s", window, maximised ? ", maximised" : "") << QString::fromLatin1(window) << maximised;
+                QTest::addRow("%s%s", window, maximised ? ", maximised" : "")
+                    << QString::fromLatin1(window) << maximised;
             }
         }
     }
@@ -296,7 +306,8 @@ private slots:
         const QWidget* opened = window == u"main"_q ? static_cast<QWidget*>(m_window) : dialog();
         QTRY_VERIFY(!opened->windowHandle()->frameMargins().isNull());
         const auto inside = [&] {
-            return room.adjusted(-1, -1, 1, 1).contains(opened->geometry().marginsAdded(opened->windowHandle()->frameMargins()));
+            return room.adjusted(-1, -1, 1, 1)
+                .contains(opened->geometry().marginsAdded(opened->windowHandle()->frameMargins()));
         };
         if (!QTest::qWaitFor(inside)) {
             QDebug(QtDebugMsg) << opened->geometry() << opened->windowHandle()->frameMargins() << room;
@@ -334,8 +345,8 @@ private:
             panel->showParameter(u"look.colour"_q);
             childOf<QAbstractButton>(*panel, u"look.colour.swatch"_q)->click();
         } else {
-            const QHash<QString, const char*> actions{{u"export"_q, "file.export"}, {u"commands"_q, "edit.commands"}, {u"reference"_q, "help.reference"},
-                {u"shortcuts"_q, "help.shortcuts"}};
+            const QHash<QString, const char*> actions{{u"export"_q, "file.export"}, {u"commands"_q, "edit.commands"},
+                {u"reference"_q, "help.reference"}, {u"shortcuts"_q, "help.shortcuts"}};
             trigger(actions.value(window));
         }
         QTRY_VERIFY(dialog() != nullptr && dialog()->isVisible());
@@ -355,7 +366,8 @@ private:
     QString held() const
     {
         const Player& player = m_window->player();
-        return toQString(formatPreset(m_window->document().preset())) + u" frame %1, %2 to %3"_q.arg(player.frame()).arg(player.first()).arg(player.last());
+        return toQString(formatPreset(m_window->document().preset()))
+            + u" frame %1, %2 to %3"_q.arg(player.frame()).arg(player.first()).arg(player.last());
     }
 
     /// Does something to each widget on the screen, after which all must hold what they held.
@@ -387,7 +399,8 @@ private:
         QTest::mousePress(&widget, Qt::LeftButton, {}, at);
         for (const int way : {4, 12, 25}) {
             const QPoint to = at + QPoint(way, way / 3);
-            QMouseEvent move(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QMouseEvent move(
+                QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
             QApplication::sendEvent(&widget, &move);
         }
     }
@@ -405,8 +418,9 @@ private:
         open(u"main"_q);
         auto* panel = m_window->findChild<EffectPanel*>();
         QList<std::pair<QWidget*, QPoint>> drags;
-        for (const char* name : {"emitter.speed.field", "emitter.speed.slider", "motion.wind_angle.dial", "emitter.normal.x", "emitter.normal.yaw.slider",
-                 "emitter.position.x", "look.colour.r", "emitter.count.slider", "life.alpha.area", "look.colour_over_life.bar"}) {
+        for (const char* name : {"emitter.speed.field", "emitter.speed.slider", "wind.angle.dial", "emitter.normal.x",
+                 "emitter.normal.yaw.slider", "emitter.position.x", "look.colour.r", "emitter.count.slider",
+                 "life.alpha.area", "look.colour_over_life.bar"}) {
             auto* widget = childOf<QWidget>(*panel, QString::fromLatin1(name));
             drags.append({widget, QPoint(widget->width() / 3, widget->height() / 4)});
         }

@@ -2,7 +2,7 @@
 // window.
 #include "window_fixture.h"
 
-#include "ui/face/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/presets/start_dialog.h"
 #include "ui/shell/command_search.h"
 #include "ui/shell/preferences.h"
@@ -11,6 +11,7 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 #include <QCheckBox>
 #include <QComboBox>

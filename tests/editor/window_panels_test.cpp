@@ -10,6 +10,7 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -34,7 +35,7 @@ private slots:
         QTest::addColumn<QString>("part"); // of the editor: its slider and field
         QTest::addColumn<QString>("typed");
         QTest::newRow("emitter normal") << u"emitter.normal"_q << u"emitter.normal.pitch"_q << u"40"_q;
-        QTest::newRow("wind angle") << u"motion.wind_angle"_q << u"motion.wind_angle"_q << u"120°"_q;
+        QTest::newRow("wind angle") << u"wind.angle"_q << u"wind.angle"_q << u"120°"_q;
         QTest::newRow("gravity") << u"motion.gravity"_q << u"motion.gravity"_q << u"1,5 m/s²"_q;
         QTest::newRow("fade rate") << u"life.fade_rate"_q << u"life.fade_rate"_q << u"0.06"_q;
         QTest::newRow("noise octaves") << u"noise.octaves"_q << u"noise.octaves"_q << u"2"_q;
@@ -66,7 +67,7 @@ private slots:
         QCOMPARE(document.undoStack()->count(), 1);
         const QImage second = settled();
         QVERIFY(second != first);
-        if (parameter.stage == Stage::Noise) {
+        if (parameter.dirties == DirtyStage::Noise) {
             QTRY_VERIFY(texture() != firstTexture);
         }
         QVERIFY(formatPreset(document.preset()) != firstJson);
@@ -103,7 +104,7 @@ private slots:
         QVERIFY(parameter.get(document.effect()) == before);
         QCOMPARE(settled(), first);
     }
-    // --- presets and variations ---------------------------------------------------------------------------------------
+    // --- presets and variations ---
 
     void aPresetOfTheBrowserIsOpened()
     {

@@ -2,10 +2,11 @@
 #include "window_fixture.h"
 
 #include "ui/document/recovery.h"
-#include "ui/face/message_bar.h"
+#include "ui/widgets/message_bar.h"
 
 #include "core/base/file.h"
 #include "core/effect/known_parameter.h"
+#include "core/preset/preset_file.h"
 
 #include <QDockWidget>
 #include <QProcess>
@@ -41,7 +42,8 @@ private slots:
         QVERIFY(recovered->isWindowModified());
         QVERIFY(recovered->messages().says(u"notice.recovered"_q));
         QVERIFY(Recovery::find(recoveryFolder()).works.empty()); // this program has it
-        QTRY_VERIFY_WITH_TIMEOUT(recoveryFolder().entryList({u"*.trial"_q}).isEmpty(), 20000); // what has been shown is harmless
+        QTRY_VERIFY_WITH_TIMEOUT(
+            recoveryFolder().entryList({u"*.trial"_q}).isEmpty(), 20000); // what has been shown is harmless
     }
 
     void exportsThatWereNotFinishedAreOfferedAfterAKill()
@@ -156,6 +158,7 @@ static int runVictim(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    return qEnvironmentVariableIsSet("FUMAGE_TEST_VICTIM") ? runVictim(argc, argv) : runTest<WindowRecoveryTest>(argc, argv);
+    return qEnvironmentVariableIsSet("FUMAGE_TEST_VICTIM") ? runVictim(argc, argv)
+                                                           : runTest<WindowRecoveryTest>(argc, argv);
 }
 #include "window_recovery_test.moc"

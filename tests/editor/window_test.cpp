@@ -43,11 +43,13 @@ private slots:
         const QSize least = m_window->minimumSizeHint();
         QString parts;
         for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
-            if (widget->minimumSizeHint().width() > 150 && widget->parentWidget() != nullptr && !widget->objectName().isEmpty() && !widget->objectName().contains(u"."_q)) {
+            if (widget->minimumSizeHint().width() > 150 && widget->parentWidget() != nullptr
+                && !widget->objectName().isEmpty() && !widget->objectName().contains(u"."_q)) {
                 parts += QStringLiteral(" %1:%2").arg(widget->objectName()).arg(widget->minimumSizeHint().width());
             }
         }
-        QVERIFY2(least.width() <= 960 && least.height() <= 520, qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height()) + parts));
+        QVERIFY2(least.width() <= 960 && least.height() <= 520,
+            qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height()) + parts));
     }
     void severalWindowsHaveDocumentsOfTheirOwn()
     {
@@ -156,23 +158,27 @@ private slots:
 
     void whatIsDrawnOverTheSmokeIsRemembered()
     {
-        const auto isShown = [](MainWindow& window, const char* action) { return window.actions().get(action).isChecked(); };
-        QVERIFY(isShown(*m_window, "view.grid") && !isShown(*m_window, "view.tracks") && !isShown(*m_window, "view.frame"));
+        const auto isShown = [](MainWindow& window, const char* action) {
+            return window.actions().get(action).isChecked();
+        };
+        QVERIFY(
+            isShown(*m_window, "view.grid") && !isShown(*m_window, "view.trails") && !isShown(*m_window, "view.frame"));
         trigger("view.grid");
-        trigger("view.tracks");
+        trigger("view.trails");
         trigger("view.frame");
         m_window->close();
         MainWindow* next = m_session->openWindow();
-        QVERIFY(!isShown(*next, "view.grid") && isShown(*next, "view.tracks") && isShown(*next, "view.readout"));
+        QVERIFY(!isShown(*next, "view.grid") && isShown(*next, "view.trails") && isShown(*next, "view.readout"));
         QVERIFY(!isShown(*next, "view.frame")); // belongs to the export dialog
-        QVERIFY(!next->viewport().overlays().testFlag(Overlay::Grid) && next->viewport().overlays().testFlag(Overlay::Tracks));
+        QVERIFY(!next->viewport().overlays().testFlag(Overlay::Grid)
+            && next->viewport().overlays().testFlag(Overlay::Trails));
         next->actions().get("view.grid").trigger();
-        next->actions().get("view.tracks").trigger();
+        next->actions().get("view.trails").trigger();
         next->close();
         m_window = m_session->openWindow();
-        QVERIFY(isShown(*m_window, "view.grid") && !isShown(*m_window, "view.tracks"));
+        QVERIFY(isShown(*m_window, "view.grid") && !isShown(*m_window, "view.trails"));
     }
-    // --- keyboard -----------------------------------------------------------------------------------------------------
+    // --- keyboard ---
 
     void theKeyboardAloneIsEnough()
     {
@@ -267,7 +273,8 @@ private slots:
     void theCommandSearchKnowsWhatMenusOffer_data()
     {
         QTest::addColumn<QString>("text");
-        for (const char* text : {"theme light", "mouse habits maya", "language svenska", "panels noise", "preset volcano"}) {
+        for (const char* text :
+            {"theme light", "mouse habits maya", "language svenska", "panels noise", "preset volcano"}) {
             QTest::newRow(text) << QString::fromLatin1(text);
         }
     }
@@ -327,11 +334,14 @@ private slots:
     {
         for (const QWidget* widget : m_window->findChildren<QWidget*>()) {
             // Tabs have their texts, and the field of a spin box speaks for the box.
-            const bool isPart = qobject_cast<const QTabBar*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget->parent()) != nullptr;
+            const bool isPart = qobject_cast<const QTabBar*>(widget) != nullptr
+                || qobject_cast<const QAbstractSpinBox*>(widget->parent()) != nullptr;
             if (widget->focusPolicy() & Qt::TabFocus && widget->isVisible() && !isPart) {
                 const auto* button = qobject_cast<const QAbstractButton*>(widget);
-                const bool named = !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty()) || !widget->toolTip().isEmpty();
-                QVERIFY2(named, qPrintable(widget->objectName() + u" "_q + QString::fromLatin1(widget->metaObject()->className())));
+                const bool named = !widget->accessibleName().isEmpty()
+                    || (button != nullptr && !button->text().isEmpty()) || !widget->toolTip().isEmpty();
+                QVERIFY2(named,
+                    qPrintable(widget->objectName() + u" "_q + QString::fromLatin1(widget->metaObject()->className())));
             }
         }
     }

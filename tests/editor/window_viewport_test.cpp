@@ -57,7 +57,8 @@ private slots:
         for (const QAction* action : menu()->actions()) {
             offered += action->objectName();
         }
-        for (const char* id : {"view.frameAll", "view.front", "view.grid", "view.gizmos", "view.resetCamera", "view.copyFrame"}) {
+        for (const char* id :
+            {"view.frameAll", "view.front", "view.grid", "view.gizmos", "view.resetCamera", "view.copyFrame"}) {
             QVERIFY2(offered.contains(QString::fromLatin1(id)), id);
         }
         delete menu();
@@ -86,11 +87,11 @@ private slots:
         const QPoint from = handleOnScreen(GizmoId::Wind);
         const int steps = m_window->document().undoStack()->count();
         dragMouse(*viewport.surface(), from, from + QPoint(-60, 50));
-        QVERIFY(m_window->document().effect().motion.windAngle != 0.0F);
+        QVERIFY(m_window->document().effect().wind.angle != 0.0F);
         QCOMPARE(m_window->document().undoStack()->count(), steps + 1);
         QVERIFY(settled() != before);
         trigger("edit.undo");
-        QCOMPARE(m_window->document().effect().motion.windAngle, 0.0F);
+        QCOMPARE(m_window->document().effect().wind.angle, 0.0F);
         QCOMPARE(settled(), before);
     }
 
@@ -101,7 +102,8 @@ private slots:
         const QPoint from = handleOnScreen(GizmoId::EmitterNormal);
         dragMouse(*m_window->viewport().surface(), from, from + QPoint(40, 20));
         QVERIFY(m_window->document().effect().emitter.normal.x > 0.2F);
-        QCOMPARE(x->value(), std::round(static_cast<double>(m_window->document().effect().emitter.normal.x) * 1e4) / 1e4);
+        QCOMPARE(
+            x->value(), std::round(static_cast<double>(m_window->document().effect().emitter.normal.x) * 1e4) / 1e4);
         QCOMPARE(m_window->document().undoStack()->count(), 1);
     }
 
@@ -136,7 +138,7 @@ private slots:
         Document& document = m_window->document();
         document.edit(knownParameter("motion.gravity"), 3.0F);
         Effect other = document.effect();
-        other.motion.wind = 2.0F;
+        other.wind.strength = 2.0F;
         document.replaceEffect(other, u"Randomise"_q);
         trigger("view.right");
         const Camera seen = document.effect().camera;
@@ -144,12 +146,12 @@ private slots:
             trigger("edit.undo");
             QVERIFY(document.effect().camera == seen);
         }
-        QCOMPARE(document.effect().motion.wind, smallPreset().effect.motion.wind);
+        QCOMPARE(document.effect().wind.strength, smallPreset().effect.wind.strength);
         while (document.undoStack()->canRedo()) {
             trigger("edit.redo");
             QVERIFY(document.effect().camera == seen);
         }
-        QCOMPARE(document.effect().motion.wind, 2.0F);
+        QCOMPARE(document.effect().wind.strength, 2.0F);
     }
 
     void aBackdropThatIsNotTakenLeavesTheCheckers()
@@ -206,7 +208,8 @@ private slots:
         player.setFrame(0);
         QVERIFY(!settled().isNull());
         QSet<int> shown;
-        connect(&m_window->viewport(), &Viewport::pictureShown, this, [&](const PicturePtr& picture) { shown += picture->frame; });
+        connect(&m_window->viewport(), &Viewport::pictureShown, this,
+            [&](const PicturePtr& picture) { shown += picture->frame; });
         QTest::keyClick(m_window, Qt::Key_Space);
         QVERIFY(player.isPlaying());
         QTRY_COMPARE(shown.size(), 10);

@@ -2,7 +2,7 @@
 #include "editor_helpers.h"
 
 #include "ui/shell/guarded_application.h"
-#include "ui/work/answer_job.h"
+#include "ui/concurrency/async_request.h"
 
 #include "core/base/parallel.h"
 
@@ -87,7 +87,7 @@ private slots:
         std::atomic<int> told = 0;
         std::atomic<int> done = 0;
         const auto work = throwers().value(QString::fromLatin1(QTest::currentDataTag()));
-        LatestJob<int> job(
+        LatestOnlyWorker<int> job(
             [&](int request, const std::stop_token&) { request == 1 ? work() : static_cast<void>(++done); },
             [&](int request, const Error& why) { told += request == 1 && isForPeople(why) ? 1 : 100; });
         job.post(1);
@@ -101,7 +101,7 @@ private slots:
     {
         std::atomic<int> told = 0;
         std::atomic<int> done = 0;
-        LatestJob<int> job(
+        LatestOnlyWorker<int> job(
             [&](int request, const std::stop_token&) {
                 request == 1 ? throw std::bad_alloc() : static_cast<void>(++done);
             },
@@ -118,17 +118,17 @@ private slots:
     void whoAskedHearsOfItOnItsOwnThreadAndOnce_data() { addThrowers(); }
     void whoAskedHearsOfItOnItsOwnThreadAndOnce()
     {
-        AnswerJob job;
+        AsyncRequest job;
         int told = 0;
         int done = 0;
         const auto fail = [&](const Error& why) {
             told += isForPeople(why) && QThread::currentThread() == qApp->thread() ? 1 : 100;
         };
         job.ask([work = throwers().value(QString::fromLatin1(QTest::currentDataTag()))](
-                    const AnswerJob::Tell&, const std::stop_token&) { work(); },
+                    const AsyncRequest::Report&, const std::stop_token&) { work(); },
             fail);
         QTRY_COMPARE(told, 1);
-        job.ask([&](const AnswerJob::Tell& tell, const std::stop_token&) { tell([&] { ++done; }); }, fail);
+        job.ask([&](const AsyncRequest::Report& report, const std::stop_token&) { report([&] { ++done; }); }, fail);
         QTRY_COMPARE(done, 1);
         QCOMPARE(told, 1);
     }

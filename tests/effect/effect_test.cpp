@@ -2,6 +2,7 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
+#include "core/effect/assignment.h"
 #include "core/effect/value.h"
 
 #include <set>
@@ -22,7 +23,9 @@ private slots:
             if (p.kind == Kind::Choice) {
                 QVERIFY(p.choices.size() >= 2);
             } else if (p.kind != Kind::Bool) {
-                QVERIFY2(p.hard.low < p.hard.high && p.hard.low <= p.soft.low && p.soft.high <= p.hard.high && p.step > 0.0, p.key.data());
+                QVERIFY2(
+                    p.hard.low < p.hard.high && p.hard.low <= p.soft.low && p.soft.high <= p.hard.high && p.step > 0.0,
+                    p.key.data());
             }
             QVERIFY2(p.scale == Scale::Linear || p.soft.low > 0.0, p.key.data());
             QVERIFY(p.visible.key.empty() || findParameter(p.visible.key) != nullptr);
@@ -82,7 +85,8 @@ private slots:
     void seedsOutOfRangeAreClampedAndSaid()
     {
         Effect effect;
-        for (const auto& [text, seed] : {std::pair{"-5", 0U}, std::pair{"1e11", 4294967295U}, std::pair{"100000000000", 4294967295U}, std::pair{"99999999999999999999999", 4294967295U}}) {
+        for (const auto& [text, seed] : {std::pair{"-5", 0U}, std::pair{"1e11", 4294967295U},
+                 std::pair{"100000000000", 4294967295U}, std::pair{"99999999999999999999999", 4294967295U}}) {
             const Result<bool> clamped = applyAssignment(effect, std::string("emitter.seed=") + text);
             QVERIFY2(clamped.ok() && clamped.value(), text);
             QCOMPARE(effect.emitter.seed, seed);
@@ -137,8 +141,8 @@ private slots:
     void assignmentsSayWhatIsWrong()
     {
         Effect effect;
-        QVERIFY(applyAssignment(effect, "motion.wind=1.5").ok());
-        QCOMPARE(effect.motion.wind, 1.5F);
+        QVERIFY(applyAssignment(effect, "wind.strength=1.5").ok());
+        QCOMPARE(effect.wind.strength, 1.5F);
         QVERIFY(applyAssignment(effect, "emitter.shape=rectangle").ok());
         QCOMPARE(effect.emitter.shape, EmitterShape::Rectangle);
         QVERIFY(applyAssignment(effect, "look.colour=[1, 0.5, 0]").ok());
@@ -146,8 +150,8 @@ private slots:
         QVERIFY(applyAssignment(effect, "life.size=[[0, 0.1], [1, 1]]").ok());
         QCOMPARE(effect.life.sizeCurve.count, 2);
         QCOMPARE(applyAssignment(effect, "motion.wnd=1").error().code, ErrorCode::UnknownKey);
-        QVERIFY(applyAssignment(effect, "motion.wnd=1").error().text().find("motion.wind") != std::string::npos);
-        QCOMPARE(applyAssignment(effect, "motion.wind").error().code, ErrorCode::Syntax);
+        QVERIFY(applyAssignment(effect, "motion.wnd=1").error().text().find("wind.strength") != std::string::npos);
+        QCOMPARE(applyAssignment(effect, "wind.strength").error().code, ErrorCode::Syntax);
         QCOMPARE(applyAssignment(effect, "emitter.shape=cube").error().code, ErrorCode::UnknownName);
         QVERIFY(applyAssignment(effect, "motion.randomness=7").value());
         QCOMPARE(effect.motion.randomness, 1.0F);
@@ -156,11 +160,11 @@ private slots:
     void differencesListWhatWasChanged()
     {
         Effect effect;
-        effect.motion.wind = 9.0F;
+        effect.wind.strength = 9.0F;
         effect.look.mask = MaskShape::Square;
         const std::vector<const Parameter*> rows = differences(effect, Effect{});
         QCOMPARE(rows.size(), std::size_t(2));
-        QCOMPARE(rows[0]->key, std::string_view("motion.wind"));
+        QCOMPARE(rows[0]->key, std::string_view("wind.strength"));
         QCOMPARE(rows[1]->key, std::string_view("look.mask"));
     }
 

@@ -48,7 +48,7 @@ private slots:
     {
         static_assert(CanBeSampled<Effect> && !CanBeSampled<SampledEffect>);
         static_assert(!std::is_constructible_v<SampledEffect, Effect>);
-        static_assert(!std::is_constructible_v<Model, Effect> && !std::is_constructible_v<Simulator, Effect>);
+        static_assert(!std::is_constructible_v<SimulationModel, Effect> && !std::is_constructible_v<Simulator, Effect>);
         for (const Quality quality : {Quality::Draft, Quality::Final}) {
             Effect effect;
             effect.output.quality = quality;
@@ -59,7 +59,10 @@ private slots:
     void densityStays()
     {
         Effect effect;
-        const auto density = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size * e.look.size * e.look.opacity); };
+        const auto density = [](const Effect& e) {
+            return static_cast<double>(e.emitter.count)
+                * static_cast<double>(e.look.size * e.look.size * e.look.opacity);
+        };
         for (const Quality quality : {Quality::Draft, Quality::Final}) {
             effect.output.quality = quality;
             const SampledEffect other = sampled(effect);
@@ -95,14 +98,17 @@ private slots:
         const double good = coverage(effect);
         for (const Quality quality : {Quality::Draft, Quality::Final}) {
             effect.output.quality = quality;
-            QVERIFY2(std::abs(coverage(effect) / good - 1.0) < 0.08, qPrintable(QString::number(coverage(effect) / good)));
+            QVERIFY2(
+                std::abs(coverage(effect) / good - 1.0) < 0.08, qPrintable(QString::number(coverage(effect) / good)));
         }
     }
 
     void thinnedSmokeCoversAsMuch()
     {
         const Effect effect;
-        const auto cover = [](const Effect& e) { return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size * e.look.size); };
+        const auto cover = [](const Effect& e) {
+            return static_cast<double>(e.emitter.count) * static_cast<double>(e.look.size * e.look.size);
+        };
         QVERIFY(std::abs(cover(thinned(sampled(effect), 1000)) / cover(effect) - 1.0) < 1e-4);
         QVERIFY(thinned(sampled(effect), effect.emitter.count) == effect);
     }

@@ -36,7 +36,9 @@ private slots:
 
     void whatIsLockedStays()
     {
-        const auto mayVary = [](const Parameter& parameter) { return isCharacter(parameter) && parameter.group() != "light"; };
+        const auto mayVary = [](const Parameter& parameter) {
+            return isCharacter(parameter) && parameter.group() != "light";
+        };
         QVERIFY(vary(Effect(), 0.3F, 7, mayVary).light == Effect().light);
     }
 
@@ -45,7 +47,7 @@ private slots:
         const Effect other = vary(Effect(), 0.3F, 7);
         QCOMPARE(other.vortex.strength, 0.0F);
         QCOMPARE(other.motion.gravity, 0.0F);
-        QCOMPARE(other.light.emission, 0.0F);
+        QCOMPARE(other.glow.emission, 0.0F);
     }
 
     void everyValueIsInRange()
@@ -67,7 +69,8 @@ private slots:
         double sum = 0.0;
         double squares = 0.0;
         for (std::uint32_t seed = 0; seed < kTrials; ++seed) {
-            const double way = static_cast<double>(vary(Effect(), 0.02F, seed, mayVary).motion.drag - Effect().motion.drag);
+            const double way =
+                static_cast<double>(vary(Effect(), 0.02F, seed, mayVary).motion.drag - Effect().motion.drag);
             sum += way;
             squares += way * way;
         }

@@ -2,8 +2,8 @@
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
-#include "core/export/air_file.h"
-#include "core/simulation/air_shelf.h"
+#include "core/export/data/air_file.h"
+#include "core/simulation/air_cache.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -24,17 +24,17 @@ Effect plume()
     effect.air.resolution = 24;
     effect.air.fit = false;
     effect.air.size = {2.0F, 4.0F, 3.0F};
-    effect.motion.wind = 1.0F;
-    effect.motion.windAngle = 30.0F;
-    effect.motion.buoyancy = 2.0F;
+    effect.wind.strength = 1.0F;
+    effect.wind.angle = 30.0F;
+    effect.motion.buoyancy = effect.air.buoyancy = 2.0F;
     return effect;
 }
 
 AirFieldPtr fieldOf(const Effect& effect)
 {
     const SampledEffect smoke = sampled(effect);
-    AirShelf shelf;
-    const Model model(smoke, shelf.airOf(smoke));
+    AirCache shelf;
+    const SimulationModel model(smoke, shelf.airOf(smoke));
     return model.air()->field(model.schedule().stepOfFrame(kFrame)).value();
 }
 
@@ -78,7 +78,8 @@ private slots:
         }
         QCOMPARE(numbers.size(), 9 + 3 * grid.cells.x * grid.cells.y * grid.cells.z);
         QCOMPARE(numbers.first(3), (QList<double>{double(grid.cells.x), double(grid.cells.z), double(grid.cells.y)}));
-        const std::array<float, 6> box{grid.corner.x, grid.corner.z, grid.corner.y, grid.end().x, grid.end().z, grid.end().y};
+        const std::array<float, 6> box{
+            grid.corner.x, grid.corner.z, grid.corner.y, grid.end().x, grid.end().z, grid.end().y};
         for (int i = 0; i < 6; ++i) {
             QVERIFY(same(numbers[3 + i], 100.0F * box[static_cast<std::size_t>(i)]));
         }
@@ -100,7 +101,8 @@ private slots:
         const AirGrid& grid = air->grid;
         const std::string bytes = encodeAir(*air, AirFormat::Vf);
         QCOMPARE(bytes.substr(0, 4), std::string("VF_V"));
-        QCOMPARE(bytes.size(), std::size_t(10) + std::size_t(12) * std::size_t(grid.cells.x * grid.cells.y * grid.cells.z));
+        QCOMPARE(
+            bytes.size(), std::size_t(10) + std::size_t(12) * std::size_t(grid.cells.x * grid.cells.y * grid.cells.z));
         const auto byte = [&](std::size_t at) { return static_cast<int>(static_cast<unsigned char>(bytes[at])); };
         for (int axis = 0; axis < 3; ++axis) {
             const auto at = static_cast<std::size_t>(4 + 2 * axis);
@@ -109,7 +111,8 @@ private slots:
         atSomeCells(grid.cells, [&](const glm::ivec3& cell) {
             const glm::vec4 ours = air->at(grid.centre(cell));
             const int turned = grid.cells.z - 1 - cell.z;
-            const auto at = static_cast<std::size_t>(10 + 12 * ((turned * grid.cells.y + cell.y) * grid.cells.x + cell.x));
+            const auto at =
+                static_cast<std::size_t>(10 + 12 * ((turned * grid.cells.y + cell.y) * grid.cells.x + cell.x));
             std::array<float, 3> theirs{};
             std::memcpy(theirs.data(), bytes.data() + at, sizeof(theirs)); // these tests run on little-endian machines
             QCOMPARE(theirs[0], ours.x);
@@ -130,7 +133,8 @@ private slots:
         const AirFieldPtr air = fieldOf(plume());
         QVERIFY(grid.value() == air->grid);
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"air_10.vf", "air_12.vf"}));
-        QVERIFY(readFile(folder.filePath("air_12.vf").toStdString(), std::size_t{1} << 26U).value() == encodeAir(*air, AirFormat::Vf));
+        QVERIFY(readFile(folder.filePath("air_12.vf").toStdString(), std::size_t{1} << 26U).value()
+            == encodeAir(*air, AirFormat::Vf));
     }
 
     void whereNothingCanBeWrittenNothingIsBaked()
@@ -141,7 +145,7 @@ private slots:
         AirSequenceOptions options;
         options.frames = {10, kFrame, 2};
         int told = 0;
-        const auto count = [&](Work, int, int) { ++told; };
+        const auto count = [&](ProgressPhase, int, int) { ++told; };
 
         options.output = folder.filePath("air_##.fga").toStdString();
         options.source = source;

@@ -1,13 +1,13 @@
 // Which frames the cells of a flipbook show: empty ones left out, and retimed by a curve.
 
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
 #include "core/export/plan.h"
-#include "core/export/sheet.h"
-#include "core/export/sheet_preview.h"
-#include "core/export/trim.h"
+#include "core/export/sheets/sheet.h"
+#include "core/export/sheets/sheet_preview.h"
+#include "core/export/sheets/trim.h"
 #include "core/rendering/view_transform.h"
 
 #include <QDir>
@@ -66,7 +66,8 @@ FlipbookOptions retimed(std::initializer_list<CurvePoint> points, FrameRange fra
 double meanMotion(const Effect& effect, const std::vector<int>& frames, int cell)
 {
     PassSheet sheet;
-    const Status status = renderSheet(effect, {frames}, static_cast<int>(frames.size()), {Pass::Colour, Pass::Motion}, sheet, {}, {});
+    const Status status =
+        renderSheet(effect, {frames}, static_cast<int>(frames.size()), {Pass::Colour, Pass::Motion}, sheet, {}, {});
     if (!status) {
         qFatal("%s", status.error().text().c_str());
     }
@@ -77,8 +78,9 @@ double meanMotion(const Effect& effect, const std::vector<int>& frames, int cell
     double weight = 0.0;
     for (int y = 0; y < at.height; ++y) {
         for (int x = 0; x < at.width; ++x) {
-            const double alpha = sheet.layers.of(PassLayer::Colour).at(at.left + x, at.top + y).a;
-            sum += alpha * motion.values[static_cast<std::size_t>(((at.top + y) * motion.width + at.left + x) * 3)] * pictures.scales().motion;
+            const double alpha = sheet.targets.of(PassTarget::Colour).at(at.left + x, at.top + y).a;
+            sum += alpha * motion.values[static_cast<std::size_t>(((at.top + y) * motion.width + at.left + x) * 3)]
+                * pictures.scales().motion;
             weight += alpha;
         }
     }
@@ -130,9 +132,9 @@ private slots:
         Effect effect = passingBy();
         effect.look.opacity = 0.001F;
         QVERIFY(!trimmed(effect, {26, 28, 1}, {}).ok());
-        effect.light.emission = 1000.0F;
-        effect.light.flameOpacity = 0.0F;
-        QVERIFY(coverOf(effect.light) == Cover::Light);
+        effect.glow.emission = 1000.0F;
+        effect.glow.flameOpacity = 0.0F;
+        QVERIFY(coverOf(effect.glow) == Cover::Light);
         QVERIFY(trimmed(effect, {26, 28, 1}, {}).ok());
     }
 
@@ -150,7 +152,9 @@ private slots:
         const FrameRange left = trimmed(effect, plan.frames, {}).value();
         const auto done = runExport(effect, plan, {});
         QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
-        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(readFile(done.value()->description, 10000).value())).object();
+        const QJsonObject json =
+            QJsonDocument::fromJson(QByteArray::fromStdString(readFile(done.value()->description, 10000).value()))
+                .object();
         QCOMPARE(json["trimmed"].toObject()["first_frame"].toInt(), left.first);
         QCOMPARE(json["trimmed"].toObject()["last_frame"].toInt(), left.last);
         QCOMPARE(json["trimmed"].toObject()["to"].toInt(), 60);
@@ -178,15 +182,20 @@ private slots:
 
     void aCurveChoosesTheFrames()
     {
-        QVERIFY((framesOfCells(retimed({{0.0F, 0.5F}, {1.0F, 0.5F}}, {0, 99, 1}, 4)) == std::vector<int>{50, 50, 50, 50}));
-        QVERIFY((framesOfCells(retimed({{0.0F, 1.0F}, {1.0F, 0.0F}}, {10, 109, 1}, 4)) == std::vector<int>{109, 85, 60, 35}));
-        QVERIFY((framesOfCells(retimed({{0.0F, 0.0F}, {0.5F, 1.0F}, {1.0F, 0.0F}}, {0, 99, 1}, 2)) == std::vector<int>{0, 99}));
-        QVERIFY((framesOfCells(retimed({{0.0F, 0.0F}, {1.0F, 0.5F}}, {0, 198, 2}, 5)) == std::vector<int>{0, 20, 40, 60, 80}));
+        QVERIFY(
+            (framesOfCells(retimed({{0.0F, 0.5F}, {1.0F, 0.5F}}, {0, 99, 1}, 4)) == std::vector<int>{50, 50, 50, 50}));
+        QVERIFY((framesOfCells(retimed({{0.0F, 1.0F}, {1.0F, 0.0F}}, {10, 109, 1}, 4))
+            == std::vector<int>{109, 85, 60, 35}));
+        QVERIFY((framesOfCells(retimed({{0.0F, 0.0F}, {0.5F, 1.0F}, {1.0F, 0.0F}}, {0, 99, 1}, 2))
+            == std::vector<int>{0, 99}));
+        QVERIFY((framesOfCells(retimed({{0.0F, 0.0F}, {1.0F, 0.5F}}, {0, 198, 2}, 5))
+            == std::vector<int>{0, 20, 40, 60, 80}));
     }
 
     void curvesAreReadAsThoseOfParameters()
     {
-        QVERIFY(parseRetime("[[0, 0], [0.3, 0.6], [1, 1]]").value() == (Curve{{0.0F, 0.0F}, {0.3F, 0.6F}, {1.0F, 1.0F}}));
+        QVERIFY(
+            parseRetime("[[0, 0], [0.3, 0.6], [1, 1]]").value() == (Curve{{0.0F, 0.0F}, {0.3F, 0.6F}, {1.0F, 1.0F}}));
         QCOMPARE(parseRetime("0.5").error().code, ErrorCode::WrongType);
         QCOMPARE(parseRetime("[[0, 0], [1]]").error().code, ErrorCode::WrongType);
         QCOMPARE(parseRetime("[[0, nan]]").error().code, ErrorCode::NotFinite);
@@ -197,17 +206,19 @@ private slots:
     void aSheetThatGoesBackHoldsItsFrames()
     {
         const Effect effect = everythingOn();
-        const std::vector<int> frames = framesOfCells(retimed({{0.0F, 1.0F}, {0.5F, 0.0F}, {1.0F, 1.0F}}, {5, 40, 1}, 6));
+        const std::vector<int> frames =
+            framesOfCells(retimed({{0.0F, 1.0F}, {0.5F, 0.0F}, {1.0F, 1.0F}}, {5, 40, 1}, 6));
         QVERIFY(!std::is_sorted(frames.begin(), frames.end()));
         PassSheet sheet;
         QVERIFY(renderSheet(effect, {frames}, 6, {Pass::Colour, Pass::Motion}, sheet, {}, {}).ok());
         for (std::size_t cell = 0; cell < frames.size(); ++cell) {
             PassSheet alone;
             QVERIFY(renderSheet(effect, {{frames[cell]}}, 1, {Pass::Colour}, alone, {}, {}).ok());
-            const Image& expected = alone.layers.of(PassLayer::Colour);
+            const Image& expected = alone.targets.of(PassTarget::Colour);
             const SheetCell at = sheet.grid.cell(static_cast<int>(cell));
             for (int y = 0; y < at.height; ++y) {
-                const float* row = sheet.layers.of(PassLayer::Colour).row(y) + static_cast<std::ptrdiff_t>(at.left) * 4;
+                const float* row =
+                    sheet.targets.of(PassTarget::Colour).row(y) + static_cast<std::ptrdiff_t>(at.left) * 4;
                 QVERIFY(std::equal(row, row + static_cast<std::ptrdiff_t>(at.width) * 4, expected.row(y)));
             }
         }

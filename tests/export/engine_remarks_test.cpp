@@ -1,8 +1,9 @@
-// What artists are told of engines that play a sheet otherwise than it was made, and that what they are told is a way out.
+// What artists are told of engines that play a sheet otherwise than it was made, and that what they are told is a way
+// out.
 
 #include "tests/effects.h"
 
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 #include "core/export/engines/engine_remarks.h"
 
 #include <cmath>
@@ -69,7 +70,8 @@ private slots:
             QTest::addRow("Effekseer keeps %d", fps) << static_cast<int>(Engine::Effekseer) << fps << 64 << false;
         }
         for (const int fps : {24, 25, 48, 50}) {
-            QTest::addRow("Effekseer does not keep %d", fps) << static_cast<int>(Engine::Effekseer) << fps << 64 << true;
+            QTest::addRow("Effekseer does not keep %d", fps)
+                << static_cast<int>(Engine::Effekseer) << fps << 64 << true;
             QTest::addRow("Godot keeps %d", fps) << static_cast<int>(Engine::Godot) << fps << 64 << false;
         }
         QTest::newRow("Effekseer has no 120 a second") << static_cast<int>(Engine::Effekseer) << 120 << 64 << true;
@@ -89,7 +91,9 @@ private slots:
         QCOMPARE(remarks.size(), told ? std::size_t{1} : std::size_t{0});
         if (told) {
             const QString text = QString::fromStdString(remarks.front().text());
-            QVERIFY2(text.startsWith(QString::fromUtf8(titleOf(options.engine).data(), static_cast<qsizetype>(titleOf(options.engine).size()))), qPrintable(text));
+            QVERIFY2(text.startsWith(QString::fromUtf8(
+                         titleOf(options.engine).data(), static_cast<qsizetype>(titleOf(options.engine).size()))),
+                qPrintable(text));
             QVERIFY2(text.contains("frames a second"), qPrintable(text));
         }
     }
@@ -104,14 +108,17 @@ private slots:
                     const FlipbookOptions options = optionsFor(engine, 4, 4, count);
                     for (const Message& remark : engineRemarks(atRate(fps), options)) {
                         const QString text = QString::fromStdString(remark.text());
-                        const QRegularExpressionMatch frames = QRegularExpression(": (\\d+) frames in its cells").match(text);
+                        const QRegularExpressionMatch frames =
+                            QRegularExpression(": (\\d+) frames in its cells").match(text);
                         if (frames.hasMatch()) {
                             ++frameCounts;
                             FlipbookOptions other = optionsFor(engine, 4, 4, frames.captured(1).toInt());
                             QVERIFY2(engineRemarks(atRate(fps), other).empty(), qPrintable(text));
                         }
-                        const double rate = QRegularExpression("([\\d.]+) frames a second").match(text).captured(1).toDouble();
-                        QVERIFY2(error(engine, cellsPerSecond(atRate(fps), options) * rate / fps) < 0.02, qPrintable(text));
+                        const double rate =
+                            QRegularExpression("([\\d.]+) frames a second").match(text).captured(1).toDouble();
+                        QVERIFY2(
+                            error(engine, cellsPerSecond(atRate(fps), options) * rate / fps) < 0.02, qPrintable(text));
                     }
                 }
             }

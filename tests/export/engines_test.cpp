@@ -1,10 +1,12 @@
-// What is written for engines: all of it, readable by their languages, and true of the sheet. tests/clients plays it in the engines that run here.
+// What is written for engines: all of it, readable by their languages, and true of the sheet. tests/clients plays it in
+// the engines that run here.
 
 #include "tests/helpers.h"
 
 #include "core/base/file.h"
+#include "core/export/sheets/flipbook_files.h"
 #include "core/export/engines/engine_files.h"
-#include "core/export/flipbook.h"
+#include "core/export/sheets/flipbook.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -49,7 +51,10 @@ struct Sheet {
             qFatal("%s", done.error().text().c_str());
         }
     }
-    [[nodiscard]] std::string text(const std::string& file) const { return readFile(folder.path().toStdString() + "/" + file, 100'000'000).value(); }
+    [[nodiscard]] std::string text(const std::string& file) const
+    {
+        return readFile(folder.path().toStdString() + "/" + file, 100'000'000).value();
+    }
 };
 
 bool contains(const std::string& text, const std::string& part)
@@ -90,7 +95,9 @@ private slots:
             for (const QString& file : there) {
                 if (!file.endsWith(QStringLiteral(".png")) && name == "smoke_4x2") {
                     const std::string text = readFile(file.toStdString(), 100'000'000).value();
-                    QVERIFY2(!contains(text, "{{") && !contains(text, "}}") && !contains(text, "nan") && !contains(text, "inf,"), qPrintable(file));
+                    QVERIFY2(!contains(text, "{{") && !contains(text, "}}") && !contains(text, "nan")
+                            && !contains(text, "inf,"),
+                        qPrintable(file));
                 }
             }
         }
@@ -102,7 +109,8 @@ private slots:
             const Sheet sheet(Engine::Pixi, name);
             sheet.write();
             QJsonParseError error;
-            const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text(name + ".atlas.json")), &error).object();
+            const QJsonObject json =
+                QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text(name + ".atlas.json")), &error).object();
             QVERIFY2(error.error == QJsonParseError::NoError, qPrintable(error.errorString()));
             QCOMPARE(json["meta"].toObject()["image"].toString().toStdString(), name + ".png");
             const QJsonArray order = json["animations"].toObject()[QString::fromStdString(name)].toArray();
@@ -128,7 +136,8 @@ private slots:
                     if (key == QStringLiteral("FrameLength")) {
                         xml.readNextStartElement();
                         values[key] = xml.readElementText();
-                    } else if (key == QStringLiteral("ColorTexture") || key == QStringLiteral("FrameCountX") || key == QStringLiteral("LoopType")) {
+                    } else if (key == QStringLiteral("ColorTexture") || key == QStringLiteral("FrameCountX")
+                        || key == QStringLiteral("LoopType")) {
                         values[key] = xml.readElementText();
                     }
                 }
@@ -136,18 +145,21 @@ private slots:
             QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
             QCOMPARE(values[QStringLiteral("ColorTexture")].toStdString(), name + ".png");
             QCOMPARE(values[QStringLiteral("FrameCountX")], QStringLiteral("4"));
-            QCOMPARE(values[QStringLiteral("FrameLength")], QStringLiteral("4")); // 8 cells of 16 frames of 1/30 s: 4/60 s each
+            QCOMPARE(values[QStringLiteral("FrameLength")],
+                QStringLiteral("4")); // 8 cells of 16 frames of 1/30 s: 4/60 s each
             QCOMPARE(values[QStringLiteral("LoopType")], QStringLiteral("0"));
         }
     }
 
-    /// What Effekseer's loader reads without asking whether it is there (Core.LoadFromXml of 1.7 and 1.8), and what it takes for granted.
+    /// What Effekseer's loader reads without asking whether it is there (Core.LoadFromXml of 1.7 and 1.8), and what it
+    /// takes for granted.
     void effekseersProjectHasAllThatItsLoaderReads()
     {
         const Sheet sheet(Engine::Effekseer);
         sheet.write();
         const std::string text = sheet.text("smoke_4x2.efkproj");
-        QVERIFY(text.starts_with("<?xml ")); // the document has two children, this and the project; with another it is not loaded
+        QVERIFY(text.starts_with(
+            "<?xml ")); // the document has two children, this and the project; with another it is not loaded
         QXmlStreamReader xml(QByteArray::fromStdString(text));
         QMap<QString, QString> top;
         QVERIFY(xml.readNextStartElement() && xml.name() == QStringLiteral("EffekseerProject"));
@@ -163,7 +175,8 @@ private slots:
         QCOMPARE(top[QStringLiteral("StartFrame")], QStringLiteral("0")); // the editor's timeline, in sixtieths
         QCOMPARE(top[QStringLiteral("EndFrame")], QStringLiteral("32")); // 8 cells of 4
         QCOMPARE(top[QStringLiteral("IsLoop")], QStringLiteral("True")); // as bool.Parse() reads it
-        QCOMPARE(top[QStringLiteral("Version")], QStringLiteral("3")); // below it the texture is taken from where it stood before version 3
+        QCOMPARE(top[QStringLiteral("Version")],
+            QStringLiteral("3")); // below it the texture is taken from where it stood before version 3
         while (!xml.atEnd()) {
             QVERIFY(xml.readNext() != QXmlStreamReader::Comment);
         }
@@ -174,7 +187,9 @@ private slots:
         const Sheet sheet(Engine::Unity);
         sheet.write();
         const std::string script = sheet.text("Editor/smoke_4x2.cs");
-        for (const char* word : {"\"_FLIPBOOKBLENDING_ON\"", "\"_REQUIRE_UV2\"", "\"HDRP/Unlit\"", "\"Universal Render Pipeline/Particles/Unlit\"", "\"Particles/Standard Unlit\"", "Lightmap Remap Ranges"}) {
+        for (const char* word : {"\"_FLIPBOOKBLENDING_ON\"", "\"_REQUIRE_UV2\"", "\"HDRP/Unlit\"",
+                 "\"Universal Render Pipeline/Particles/Unlit\"", "\"Particles/Standard Unlit\"",
+                 "Lightmap Remap Ranges"}) {
             QVERIFY2(contains(script, word), word);
         }
     }
@@ -184,7 +199,8 @@ private slots:
         Sheet sheet(Engine::Unreal);
         sheet.write();
         const std::string script = sheet.text("smoke_4x2_unreal.py");
-        QVERIFY(contains(script, "\"address_x\", unreal.TextureAddress.TA_CLAMP") && contains(script, "\"address_y\", unreal.TextureAddress.TA_CLAMP"));
+        QVERIFY(contains(script, "\"address_x\", unreal.TextureAddress.TA_CLAMP")
+            && contains(script, "\"address_y\", unreal.TextureAddress.TA_CLAMP"));
         QVERIFY(contains(script, "log_warning") && contains(script, "4 x 2"));
         sheet.options.rows = 4;
         sheet.write();
@@ -197,11 +213,13 @@ private slots:
             Sheet sheet(engine);
             sheet.options.passes = {Pass::Colour, Pass::Normal};
             sheet.write();
-            const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2.flipbook.json"))).object();
+            const QJsonObject json =
+                QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2.flipbook.json"))).object();
             const QJsonObject normal = json["pictures"].toArray()[1].toObject();
             const bool isDown = engine == Engine::Unreal;
             QCOMPARE(normal["green"].toString(), isDown ? QStringLiteral("directx") : QStringLiteral("opengl"));
-            QCOMPARE(normal["channels"].toArray()[1].toString(), isDown ? QStringLiteral("down") : QStringLiteral("up"));
+            QCOMPARE(
+                normal["channels"].toArray()[1].toString(), isDown ? QStringLiteral("down") : QStringLiteral("up"));
         }
     }
 
@@ -211,9 +229,12 @@ private slots:
             for (const Engine engine : {Engine::Unity, Engine::Godot}) {
                 Sheet sheet(engine);
                 sheet.options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB};
-                sheet.effect.light.emission = emission;
+                sheet.effect.glow.emission = emission;
                 sheet.write();
-                const QJsonArray pictures = QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2.flipbook.json"))).object()["pictures"].toArray();
+                const QJsonArray pictures =
+                    QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2.flipbook.json")))
+                        .object()["pictures"]
+                        .toArray();
                 const QJsonObject glow = pictures[2].toObject()["emissive"].toObject();
                 QCOMPARE(glow["gradient"].toArray().size(), kGlowKeys);
                 QCOMPARE(glow["scale"].toDouble() > 0.0, emission > 0.0F);
@@ -235,12 +256,14 @@ private slots:
             Sheet sheet(engine);
             if (engine == Engine::Godot) {
                 sheet.options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB};
-                sheet.effect.light.emission = 4.0F;
+                sheet.effect.glow.emission = 4.0F;
             }
             sheet.write();
             const QString scene = QString::fromStdString(sheet.text("smoke_4x2.tscn"));
-            const auto resources = scene.count(QStringLiteral("[ext_resource ")) + scene.count(QStringLiteral("[sub_resource "));
-            QVERIFY2(scene.startsWith(QStringLiteral("[gd_scene load_steps=%1 ").arg(resources + 1)), qPrintable(scene.left(80))); // and the scene itself
+            const auto resources =
+                scene.count(QStringLiteral("[ext_resource ")) + scene.count(QStringLiteral("[sub_resource "));
+            QVERIFY2(scene.startsWith(QStringLiteral("[gd_scene load_steps=%1 ").arg(resources + 1)),
+                qPrintable(scene.left(80))); // and the scene itself
         }
     }
 
@@ -250,7 +273,10 @@ private slots:
             const Sheet sheet(Engine::Unreal, name);
             sheet.write();
             QProcess python;
-            python.start(QStringLiteral("python3"), {QStringLiteral("-c"), QStringLiteral("import runpy, sys; print(len(runpy.run_path(sys.argv[1])['TEXTURES']))"), sheet.folder.filePath(QString::fromStdString(name + "_unreal.py"))});
+            python.start(QStringLiteral("python3"),
+                {QStringLiteral("-c"),
+                    QStringLiteral("import runpy, sys; print(len(runpy.run_path(sys.argv[1])['TEXTURES']))"),
+                    sheet.folder.filePath(QString::fromStdString(name + "_unreal.py"))});
             QVERIFY(python.waitForFinished());
             QCOMPARE(python.readAllStandardOutput().trimmed(), QByteArray("4"));
             QCOMPARE(python.readAllStandardError(), QByteArray());
@@ -261,7 +287,8 @@ private slots:
     {
         Sheet sheet(Engine::Godot);
         // A camera 10 m away with a focal length of half the sensor sees 2 x 10 m in the shorter side.
-        sheet.effect.camera = Camera{.target = {1.0F, 4.0F, 0.0F}, .distance = 10.0F, .pitch = 0.0F, .focalLength = 18.0F};
+        sheet.effect.camera =
+            Camera{.target = {1.0F, 4.0F, 0.0F}, .distance = 10.0F, .pitch = 0.0F, .focalLength = 18.0F};
         sheet.effect.emitter.position = {0.0F, 1.0F, 0.0F};
         sheet.effect.timeline.loop = false;
         sheet.write();
@@ -304,7 +331,8 @@ private slots:
         QTest::addColumn<int>("engine");
         QTest::addColumn<bool>("takes");
         for (const Engine engine : kAllEngines) {
-            const bool imports = engine == Engine::Generic || engine == Engine::Unity || engine == Engine::Unreal || engine == Engine::Godot || engine == Engine::Godot3;
+            const bool imports = engine == Engine::Generic || engine == Engine::Unity || engine == Engine::Unreal
+                || engine == Engine::Godot || engine == Engine::Godot3;
             QTest::newRow(std::string(nameOf(engine)).c_str()) << static_cast<int>(engine) << imports;
         }
     }
@@ -325,7 +353,8 @@ private slots:
         sheet.options.format = ImageFormat::ExrHalf;
         const Result<Flipbook> exr = renderFlipbook(sheet.effect, sheet.options, {});
         QVERIFY(!exr.ok());
-        QVERIFY2(contains(exr.error().text(), "Godot 4") && contains(exr.error().text(), "PNG"), exr.error().text().c_str());
+        QVERIFY2(
+            contains(exr.error().text(), "Godot 4") && contains(exr.error().text(), "PNG"), exr.error().text().c_str());
         sheet.options.format = ImageFormat::Png8;
         sheet.options.passes = {Pass::Motion};
         QVERIFY(!renderFlipbook(sheet.effect, sheet.options, {}).ok());

@@ -1,11 +1,11 @@
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
 #include "core/base/file.h"
-#include "core/export/bleed.h"
-#include "core/export/flipbook.h"
-#include "core/export/particle_dump.h"
+#include "core/export/sheets/bleed.h"
+#include "core/export/sheets/flipbook.h"
+#include "core/export/data/particle_dump.h"
 #include "core/export/sequence.h"
 #include "core/rendering/view_transform.h"
 
@@ -112,12 +112,14 @@ private slots:
     void exrIsWhatExrheaderSays()
     {
         const QTemporaryDir folder;
-        for (const auto& [format, type] : {std::pair{ImageFormat::ExrHalf, "16-bit floating-point"}, std::pair{ImageFormat::ExrFloat, "32-bit floating-point"}}) {
+        for (const auto& [format, type] : {std::pair{ImageFormat::ExrHalf, "16-bit floating-point"},
+                 std::pair{ImageFormat::ExrFloat, "32-bit floating-point"}}) {
             const std::string path = folder.path().toStdString() + "/a.exr";
             QVERIFY(writeFileAtomically(path, encodeImage(ramp(), Effect{}, format).value()).ok());
             QProcess header;
             header.start("exrheader", {QString::fromStdString(path)});
-            QVERIFY2(header.waitForFinished() && header.exitCode() == 0, "exrheader (package openexr) must be installed");
+            QVERIFY2(
+                header.waitForFinished() && header.exitCode() == 0, "exrheader (package openexr) must be installed");
             const QString text = header.readAllStandardOutput();
             QVERIFY2(text.contains("A, " + QString(type)) && text.contains("R, " + QString(type)), qPrintable(text));
             QVERIFY(text.contains("dataWindow (type box2i): (0 0) - (39 29)"));
@@ -126,7 +128,8 @@ private slots:
 
     void sameInputGivesTheSameBytes()
     {
-        for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat, ImageFormat::Tga}) {
+        for (const ImageFormat format :
+            {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat, ImageFormat::Tga}) {
             QVERIFY(encodeImage(ramp(), Effect{}, format).value() == encodeImage(ramp(), Effect{}, format).value());
         }
     }
@@ -167,11 +170,18 @@ private slots:
         std::vector<int> progress;
         QVERIFY(renderSequence(effect, sequence, [&](int done, int) { progress.push_back(done); }).ok());
         QVERIFY((progress == std::vector<int>{1, 2, 3}));
-        QCOMPARE(QDir(folder.path() + "/made/here").entryList(QDir::Files), QStringList({"f_002.png", "f_005.png", "f_008.png"}));
+        QCOMPARE(QDir(folder.path() + "/made/here").entryList(QDir::Files),
+            QStringList({"f_002.png", "f_005.png", "f_008.png"}));
         std::stop_source stop;
         const SequenceOptions other = options(folder.path().toStdString() + "/other/g_###.png", {0, 50, 1});
         const Status status = renderSequence(
-            effect, other, [&](int done, int) { if (done == 2) { stop.request_stop(); } }, stop.get_token());
+            effect, other,
+            [&](int done, int) {
+                if (done == 2) {
+                    stop.request_stop();
+                }
+            },
+            stop.get_token());
         QCOMPARE(status.error().code, ErrorCode::Cancelled);
         for (const QString& name : QDir(folder.path() + "/other").entryList(QDir::Files)) {
             QVERIFY(name.endsWith(".png"));
@@ -191,7 +201,8 @@ private slots:
         flipbook.rows = 2;
         flipbook.frames = {10, 33, 2}; // twelve, of which the cells show 10, 14, 18, ...
         std::vector<int> progress;
-        const Result<Flipbook> done = renderFlipbook(effect, flipbook, [&](int count, int) { progress.push_back(count); });
+        const Result<Flipbook> done =
+            renderFlipbook(effect, flipbook, [&](int count, int) { progress.push_back(count); });
         QVERIFY(done.ok());
         QVERIFY((progress == std::vector<int>{1, 2, 3, 4, 5, 6}));
         QCOMPARE(done.value().picture.string(), path + "/new/book.png");
@@ -216,7 +227,9 @@ private slots:
             QVERIFY(seen > 50);
         }
 
-        const QJsonObject description = QJsonDocument::fromJson(QByteArray::fromStdString(readFile(done.value().description, 10000).value())).object();
+        const QJsonObject description =
+            QJsonDocument::fromJson(QByteArray::fromStdString(readFile(done.value().description, 10000).value()))
+                .object();
         QCOMPARE(description["picture"].toString(), "book.png");
         QCOMPARE(description["columns"].toInt(), 3);
         QCOMPARE(description["cell_height"].toInt(), 24);
@@ -261,8 +274,12 @@ private slots:
     {
         // Three cells of 5 x 3: one red pixel; a faint green and a strong blue one; nothing.
         EncodedImage<std::uint16_t> image{15, 3, RawArray<std::uint16_t>(15 * 3 * 4, 0)};
-        const auto pixel = [&](int x, int y) { return image.pixels.data() + static_cast<std::size_t>((y * 15 + x) * 4); };
-        const auto set = [&](int x, int y, const std::array<std::uint16_t, 4>& to) { std::copy(to.begin(), to.end(), pixel(x, y)); };
+        const auto pixel = [&](int x, int y) {
+            return image.pixels.data() + static_cast<std::size_t>((y * 15 + x) * 4);
+        };
+        const auto set = [&](int x, int y, const std::array<std::uint16_t, 4>& to) {
+            std::copy(to.begin(), to.end(), pixel(x, y));
+        };
         set(4, 1, {60000, 0, 0, 65535});
         set(5, 0, {0, 50000, 0, 1});
         set(9, 2, {0, 0, 40000, 65535});
@@ -341,9 +358,12 @@ private slots:
         const QList<QByteArray> lines = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect))).split('\n');
         for (std::size_t i = 0; i < 5; ++i) {
             std::array<float, kNumbers> theirs{};
-            std::memcpy(theirs.data(), cache.data() + body + i * sizeof(theirs), sizeof(theirs)); // these tests run on little-endian machines
+            std::memcpy(theirs.data(), cache.data() + body + i * sizeof(theirs),
+                sizeof(theirs)); // these tests run on little-endian machines
             const QList<QByteArray> ours = lines[static_cast<qsizetype>(i) + 1].split(',');
-            const auto column = [&](int at) { return ours[at].toFloat(); }; // id,x,y,z,vx,vy,vz,age,life,alpha,radius,heat,red,green,blue
+            const auto column = [&](int at) {
+                return ours[at].toFloat();
+            }; // id,x,y,z,vx,vy,vz,age,life,alpha,radius,heat,red,green,blue
             QCOMPARE(theirs[0], column(1));
             QCOMPARE(theirs[1], column(2));
             QCOMPARE(theirs[2], -column(3));
@@ -389,7 +409,9 @@ private slots:
     {
         const Effect effect = everythingOn();
         const auto frame = frameOf(effect, 4);
-        const auto firstOf = [&](UpAxis up) { return QByteArray::fromStdString(dumpCsv(*frame, sampled(effect), up)).split('\n')[1].split(','); };
+        const auto firstOf = [&](UpAxis up) {
+            return QByteArray::fromStdString(dumpCsv(*frame, sampled(effect), up)).split('\n')[1].split(',');
+        };
         const QList<QByteArray> y = firstOf(UpAxis::Y);
         const QList<QByteArray> z = firstOf(UpAxis::Z);
         for (const int vector : {1, 4}) {
@@ -406,15 +428,19 @@ private slots:
         for (const char* attribute : {"chromaticities", "framesPerSecond", "software", "Fumage"}) {
             QVERIFY2(exr.find(attribute) != std::string::npos, attribute);
         }
-        QVERIFY(textOf(encodeImage(ramp(), Effect{}, ImageFormat::ExrHalf).value()).find("framesPerSecond") == std::string::npos);
-        QVERIFY(textOf(encodeImage(ramp(), Effect{}, ImageFormat::Png8).value()).find(std::string("tEXtSoftware\0Fumage", 19)) != std::string::npos);
+        QVERIFY(textOf(encodeImage(ramp(), Effect{}, ImageFormat::ExrHalf).value()).find("framesPerSecond")
+            == std::string::npos);
+        QVERIFY(textOf(encodeImage(ramp(), Effect{}, ImageFormat::Png8).value())
+                    .find(std::string("tEXtSoftware\0Fumage", 19))
+            != std::string::npos);
     }
 
     void encodingCanBeCancelled()
     {
         std::stop_source stop;
         stop.request_stop();
-        for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat}) {
+        for (const ImageFormat format :
+            {ImageFormat::Png8, ImageFormat::Png16, ImageFormat::ExrHalf, ImageFormat::ExrFloat}) {
             const auto bytes = encodeImage(ramp(), Effect{}, format, {}, stop.get_token());
             QVERIFY(!bytes.ok());
             QCOMPARE(bytes.error().code, ErrorCode::Cancelled);

@@ -104,7 +104,7 @@ private slots:
         cost.frame = 1.0;
         QCOMPARE(framesPerTask(cost, {0, 119, 1}), 1);
         QCOMPARE(framesPerTask(cost, {7, 7, 1}), 1);
-        QVERIFY(taskCount({0, 99'999, 1}, framesPerTask(cost, {0, 99'999, 1})) <= kMostTasks);
+        QVERIFY(taskCount({0, 99'999, 1}, framesPerTask(cost, {0, 99'999, 1})) <= kMaxTasks);
     }
 
     void tasksThatFarmsTakeLongToStartAreLonger()
@@ -141,7 +141,8 @@ private slots:
         effect.air.resolution = 64;
         const double fine = farmCost(effect).airStep;
         QVERIFY(coarse > 0.0);
-        QVERIFY2(fine > 6.0 * coarse && fine < 10.0 * coarse, std::to_string(fine / coarse).c_str()); // eight times as many cells, but for rounding
+        QVERIFY2(fine > 6.0 * coarse && fine < 10.0 * coarse,
+            std::to_string(fine / coarse).c_str()); // eight times as many cells, but for rounding
         effect.air.enabled = false;
         QCOMPARE(farmCost(effect).airStep, 0.0);
     }
@@ -150,7 +151,8 @@ private slots:
     {
         const FarmFiles files = makeFarmFiles(Farm::OpenJd, someJob()).value();
         QJsonParseError error;
-        const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(files.files.at(0).contents), &error).object();
+        const QJsonObject root =
+            QJsonDocument::fromJson(QByteArray::fromStdString(files.files.at(0).contents), &error).object();
         QVERIFY2(error.error == QJsonParseError::NoError, qPrintable(error.errorString()));
         QCOMPARE(root["specificationVersion"].toString(), QString("jobtemplate-2023-09"));
         const QJsonArray steps = root["steps"].toArray();
@@ -158,7 +160,8 @@ private slots:
         const QJsonObject action = steps[0]["script"]["actions"]["onRun"].toObject();
         QCOMPARE(action["command"].toString(), QString("{{Param.Program}}"));
         QVERIFY(action["args"].toArray().contains(QString::fromUtf8("{{Param.Folder}}/-rök 烟_####.exr")));
-        QCOMPARE(steps[0]["parameterSpace"]["taskParameterDefinitions"][0]["chunks"]["rangeConstraint"].toString(), QString("NONCONTIGUOUS"));
+        QCOMPARE(steps[0]["parameterSpace"]["taskParameterDefinitions"][0]["chunks"]["rangeConstraint"].toString(),
+            QString("NONCONTIGUOUS"));
         QCOMPARE(steps[1]["dependencies"][0]["dependsOn"].toString(), QString("Render"));
     }
 
@@ -179,7 +182,11 @@ private slots:
             const QString out = QString::fromUtf8(shell.readAllStandardOutput());
             QCOMPARE(out.section('\n', 0, 0), QString::fromUtf8("/mnt/a b/it's \"é\" $HOME"));
             const bool isJoin = file.path.string().ends_with("join.slurm.sh");
-            QVERIFY2(out.contains(QString::fromUtf8(isJoin ? "--output ./-rök 烟.mp4" : "render ./-rök 烟.fumage.json --frames 26-30:2 --output ./-rök 烟_####.exr --skip-existing --manifest --format exr")), qPrintable(out));
+            QVERIFY2(
+                out.contains(QString::fromUtf8(isJoin ? "--output ./-rök 烟.mp4"
+                                                      : "render ./-rök 烟.fumage.json --frames 26-30:2 --output ./-rök "
+                                                        "烟_####.exr --skip-existing --manifest --format exr")),
+                qPrintable(out));
         }
     }
 
@@ -192,7 +199,8 @@ private slots:
         QTest::addColumn<bool>("isTriedAgain");
         for (const char* file : {"烟.slurm.sh", "join.slurm.sh"}) {
             const auto row = [&](const char* name, const char* dies, int restarts, int code, bool isTriedAgain) {
-                QTest::newRow(qPrintable(QString("%1 %2").arg(QString::fromUtf8(file), name))) << QString::fromUtf8(file) << dies << restarts << code << isTriedAgain;
+                QTest::newRow(qPrintable(QString("%1 %2").arg(QString::fromUtf8(file), name)))
+                    << QString::fromUtf8(file) << dies << restarts << code << isTriedAgain;
             };
             row("killed", "kill -9 $$", 0, 137, true);
             row("killed, the third time", "kill -9 $$", 2, 137, true);
@@ -294,7 +302,8 @@ private slots:
         FarmJob job = someJob();
         job.joinWords.insert(job.joinWords.end(), {"--frames", textOf(job.frames)});
         const FarmFiles files = makeFarmFiles(Farm::OpenJd, job).value();
-        const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(files.files.at(0).contents)).object();
+        const QJsonObject root =
+            QJsonDocument::fromJson(QByteArray::fromStdString(files.files.at(0).contents)).object();
         const QJsonArray words = root["steps"][1]["script"]["actions"]["onRun"]["args"].toArray();
         QVERIFY(words.contains("{{Param.Frames}}"));
         QVERIFY(!words.contains(QString::fromStdString(textOf(job.frames))));
@@ -311,7 +320,8 @@ private slots:
                 job.perTask = mostPerTask(farm) + 1;
                 const Result<FarmFiles> made = makeFarmFiles(farm, job);
                 QVERIFY(!made.ok());
-                QVERIFY2(made.error().text().find(std::to_string(mostPerTask(farm))) != std::string::npos, made.error().text().c_str());
+                QVERIFY2(made.error().text().find(std::to_string(mostPerTask(farm))) != std::string::npos,
+                    made.error().text().c_str());
             }
         }
         QVERIFY(mostPerTask(Farm::OpenJd) <= 150);
@@ -322,7 +332,9 @@ private slots:
         FarmJob job = someJob();
         job.name = "a\n#SBATCH --evil=1";
         const std::string script = fileThatEnds(makeFarmFiles(Farm::Slurm, job).value(), "1.slurm.sh").contents;
-        QVERIFY2(script.find("\n#SBATCH --evil") == script.rfind("\n#SBATCH --evil") && script.find("\"a__SBATCH --evil=1\"") != std::string::npos, script.c_str());
+        QVERIFY2(script.find("\n#SBATCH --evil") == script.rfind("\n#SBATCH --evil")
+                && script.find("\"a__SBATCH --evil=1\"") != std::string::npos,
+            script.c_str());
     }
 
     void namesThatAFarmCannotWriteAreRefused()
@@ -347,7 +359,10 @@ private slots:
         const std::string info = fileThatEnds(files, "烟.deadline.job").contents;
         QVERIFY2(info.find("Frames=10-31x2\nChunkSize=4\n") != std::string::npos, info.c_str());
         const std::string plugin = fileThatEnds(files, "烟.deadline.plugin").contents;
-        QVERIFY2(plugin.find("Arguments=render <QUOTE>/mnt/a b/-rök 烟.fumage.json<QUOTE> --frames <STARTFRAME>-<ENDFRAME>:2 ") != std::string::npos, plugin.c_str());
+        QVERIFY2(plugin.find(
+                     "Arguments=render <QUOTE>/mnt/a b/-rök 烟.fumage.json<QUOTE> --frames <STARTFRAME>-<ENDFRAME>:2 ")
+                != std::string::npos,
+            plugin.c_str());
     }
 };
 

@@ -65,7 +65,8 @@ Fill fillOf(const Effect& effect)
             }
         }
     }
-    fill.share = std::max(static_cast<float>(right - left) / static_cast<float>(width), static_cast<float>(bottom - top) / static_cast<float>(height));
+    fill.share = std::max(static_cast<float>(right - left) / static_cast<float>(width),
+        static_cast<float>(bottom - top) / static_cast<float>(height));
     return fill;
 }
 
@@ -172,7 +173,8 @@ private slots:
         std::stop_source stop;
         int told = 0;
         const Result<Camera> camera = fitCamera(
-            effect, {0, kFrames - 1, 1}, [&](int done, int total) {
+            effect, {0, kFrames - 1, 1},
+            [&](int done, int total) {
                 QVERIFY(done <= total);
                 QCOMPARE(done, told + 1);
                 told = done;

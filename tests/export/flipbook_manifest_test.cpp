@@ -1,5 +1,6 @@
 // The manifest of a flipbook says all that it is made of, so that any machine can make it again.
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/flipbook_files.h"
+#include "core/export/sheets/cell_frames.h"
 #include "tests/export/small_smoke.h"
 #include "tests/helpers.h"
 
@@ -74,8 +75,10 @@ private slots:
     {
         const QTemporaryDir folder;
         const ManifestSet set = written(fullPlan(pathOf(folder)));
-        for (const auto& [key, value] : std::map<std::string, std::string>{{"frames", "4-19:2"}, {"packs", "masks=shadow,0@1/2;light=six-way-a.r,0,1,alpha"}, {"retime", ""}, {"vectors", "unreal"}, {"normals", "directx"},
-                 {"alpha", "straight"}, {"layout", "embergen"}, {"name", "other.png"}, {"columns", "1"}}) {
+        for (const auto& [key, value] : std::map<std::string, std::string>{{"frames", "4-19:2"},
+                 {"packs", "masks=shadow,0@1/2;light=six-way-a.r,0,1,alpha"}, {"retime", ""}, {"vectors", "unreal"},
+                 {"normals", "directx"}, {"alpha", "straight"}, {"layout", "embergen"}, {"name", "other.png"},
+                 {"columns", "1"}}) {
             ManifestSet other = set;
             std::string& setting = other.manifests[0].manifest.job.settings.at(key);
             setting = key == "alpha" && setting == value ? "premultiplied" : value;
@@ -99,7 +102,8 @@ private slots:
     {
         const QTemporaryDir folder;
         const ManifestSet set = written(fullPlan(pathOf(folder)));
-        for (const auto& [key, value] : std::map<std::string, std::string>{{"frames", ""}, {"columns", "65"}, {"rows", "0"}, {"packs", "masks=shadw"}, {"retime", "[[0, 2]]"}, {"for", "quake"},
+        for (const auto& [key, value] : std::map<std::string, std::string>{{"frames", ""}, {"columns", "65"},
+                 {"rows", "0"}, {"packs", "masks=shadw"}, {"retime", "[[0, 2]]"}, {"for", "quake"},
                  {"untrimmed", "9-2"}, {"name", ""}}) {
             ManifestSet other = set;
             other.manifests[0].manifest.job.settings[key] = value;

@@ -1,9 +1,10 @@
-// The map of what glows: nothing where nothing does, and with its gradient and its scale the colours of the emission pass.
+// The map of what glows: nothing where nothing does, and with its gradient and its scale the colours of the emission
+// pass.
 
 #include "tests/helpers.h"
 
 #include "core/export/glow_ramp.h"
-#include "core/export/sheet.h"
+#include "core/export/sheets/sheet.h"
 #include "core/preset/library.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ using namespace fumage::tests;
 
 namespace {
 
-constexpr double kLeastDecibels = 30.0; // of the brightest; eight bits in squares, one hue at each brightness
+constexpr double kMinDecibels = 30.0; // of the brightest; eight bits in squares, one hue at each brightness
 
 /// The passes of what glows, of few particles in coarse air: a colour and a map do not depend on their number.
 struct Glowing {
@@ -27,7 +28,10 @@ struct Glowing {
         , pictures(sheet, kPasses, {})
     {
     }
-    [[nodiscard]] float alpha(std::size_t pixel) const { return sheet.layers.of(PassLayer::Colour).pixels[pixel * 4 + 3]; }
+    [[nodiscard]] float alpha(std::size_t pixel) const
+    {
+        return sheet.targets.of(PassTarget::Colour).pixels[pixel * 4 + 3];
+    }
 };
 
 Effect small(Effect effect)
@@ -48,7 +52,8 @@ PassSheet sheetOf(const Effect& effect)
 {
     const int length = effect.timeline.length;
     PassSheet sheet;
-    if (const Status status = renderSheet(effect, {{length / 8, length / 2}}, 2, Glowing::kPasses, sheet, {}, {}); !status) {
+    if (const Status status = renderSheet(effect, {{length / 8, length / 2}}, 2, Glowing::kPasses, sheet, {}, {});
+        !status) {
         qFatal("%s", status.error().text().c_str());
     }
     return sheet;
@@ -65,7 +70,8 @@ void addPresets()
 float largest(const DataImage& image, int channel)
 {
     float most = 0.0F;
-    for (std::size_t i = static_cast<std::size_t>(channel); i < image.values.size(); i += static_cast<std::size_t>(image.channels)) {
+    for (std::size_t i = static_cast<std::size_t>(channel); i < image.values.size();
+         i += static_cast<std::size_t>(image.channels)) {
         most = std::max(most, image.values[i]);
     }
     return most;
@@ -88,7 +94,7 @@ private slots:
     {
         QFETCH(QString, preset);
         Effect effect = small(loadPreset(preset.toStdString()).value().preset.effect);
-        effect.light.emission = 0.0F;
+        effect.glow.emission = 0.0F;
         const Glowing cold(sheetOf(effect));
         QVERIFY(largest(cold.pictures.picture(Pass::SixWayB), 0) > 0.0F); // there is smoke, in light
         QCOMPARE(largest(cold.pictures.picture(Pass::SixWayB), 3), 0.0F);
@@ -100,9 +106,9 @@ private slots:
     void blackSootDoesNotGlow()
     {
         Effect effect = small(loadPreset("campfire").value().preset.effect);
-        effect.light.emission = 5.0F;
-        effect.light.emissionColour = EmissionColour::Gradient;
-        effect.light.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
+        effect.glow.emission = 5.0F;
+        effect.glow.emissionColour = EmissionColour::Gradient;
+        effect.glow.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
         const Glowing soot(sheetOf(effect));
         QCOMPARE(largest(soot.pictures.picture(Pass::SixWayB), 3), 0.0F);
         QCOMPARE(largest(soot.pictures.picture(Pass::Temperature), 0), 0.0F);
@@ -113,8 +119,8 @@ private slots:
     {
         QFETCH(QString, preset);
         Effect effect = small(loadPreset(preset.toStdString()).value().preset.effect);
-        const bool burns = effect.light.emission > 0.0F;
-        effect.light.emission = std::max(effect.light.emission, 2.0F);
+        const bool burns = effect.glow.emission > 0.0F;
+        effect.glow.emission = std::max(effect.glow.emission, 2.0F);
         const Glowing fire(sheetOf(effect));
         const DataImage map = fire.pictures.picture(Pass::SixWayB);
         const DataImage emission = fire.pictures.picture(Pass::Emission);
@@ -128,15 +134,17 @@ private slots:
             const glm::vec3 seen = glowColour(scales.ramp, stored(map.values[i * 4 + 3])) * scales.glow;
             const double alpha = fire.alpha(i);
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                const double difference = seen[static_cast<int>(channel)] - emission.values[i * 4 + channel] * scales.emission;
+                const double difference =
+                    seen[static_cast<int>(channel)] - emission.values[i * 4 + channel] * scales.emission;
                 error += alpha * difference * difference / 3.0;
             }
             weight += alpha;
         }
         const double decibels = -10.0 * std::log10(error / weight / (static_cast<double>(scales.glow) * scales.glow));
         qInfo("%s: %.1f dB", qPrintable(preset), decibels);
-        // Cold smoke that is set alight has no colours that were made for it: places of several heats in one pixel are of another hue than its brightness says.
-        QVERIFY2(!burns || decibels > kLeastDecibels, std::to_string(decibels).c_str());
+        // Cold smoke that is set alight has no colours that were made for it: places of several heats in one pixel are
+        // of another hue than its brightness says.
+        QVERIFY2(!burns || decibels > kMinDecibels, std::to_string(decibels).c_str());
     }
 
     void fireIsHotWhereItGlows()
@@ -181,7 +189,8 @@ private slots:
         for (int i = 0; i <= 100; ++i) {
             const float brightness = static_cast<float>(i) / 100.0F;
             const glm::vec3 colour = glowColour(ramp, glowPosition(brightness));
-            QVERIFY(near(colour.r, brightness, 1e-5) && near(colour.g, 0.5 * brightness, 1e-5) && near(colour.b, 0.125 * brightness, 1e-5));
+            QVERIFY(near(colour.r, brightness, 1e-5) && near(colour.g, 0.5 * brightness, 1e-5)
+                && near(colour.b, 0.125 * brightness, 1e-5));
         }
     }
 };

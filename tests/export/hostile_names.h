@@ -7,16 +7,19 @@
 
 namespace fumage::tests {
 
-/// What names of files hold to break a language that they are written into: hundreds of them, without '/' and NUL, which no name has.
+/// What names of files hold to break a language that they are written into: hundreds of them, without '/' and NUL,
+/// which no name has.
 inline std::vector<std::string> hostileNames()
 {
-    std::vector<std::string> pieces{
-        "\"", "'", "\\", "\\\"", "\"\"\"", "'''", "`", "${x}", "$(touch x)", "`touch x`", "!x", "%s", "%d", "{0}", "{x}", "{{columns}}",
-        "{{{columns}}}", "{{#loop}}", "{{=<% %>=}}", "<%", "<&>", "-->", "]]>", "&lt;", "&#x22;", "&quot;", "<script>", "<QUOTE>", "<STARTFRAME>", ";", "#", "\n#if X\n",
-        "\\u0022", "\\x22", "\\N{QUOTATION MARK}", "\\", "%22", "@", "--x", "-x", " ", "  ", "~", "*", "?", "|", "=", ":", ",", "()", "[]", "\r\n", "\nEOF\n",
-        "\u00e9", "e\u0301", "\u70df", "\u0440", "\U0001F525", "\U0010FFFF", "\u00a0", "\u00ad", "\u200b", "\u200d", "\u2028", "\u2029", "\u202e", "\u2066", "\u2060",
-        "\ufeff", "\ufffd", "\ufffe", "\uffff", "\ufdd0", "\xff", "\xc3", "\xed\xa0\x80", "\xf5", "\x80",
-        "\u2028#if !Q\u2028#define Q\u2028#undef UNITY_EDITOR\u2028class E{static void Main(){}}\u2028#endif\u2028#pragma x "};
+    std::vector<std::string> pieces{"\"", "'", "\\", "\\\"", "\"\"\"", "'''", "`", "${x}", "$(touch x)", "`touch x`",
+        "!x", "%s", "%d", "{0}", "{x}", "{{columns}}", "{{{columns}}}", "{{#loop}}", "{{=<% %>=}}", "<%", "<&>", "-->",
+        "]]>", "&lt;", "&#x22;", "&quot;", "<script>", "<QUOTE>", "<STARTFRAME>", ";", "#", "\n#if X\n", "\\u0022",
+        "\\x22", "\\N{QUOTATION MARK}", "\\", "%22", "@", "--x", "-x", " ", "  ", "~", "*", "?", "|", "=", ":", ",",
+        "()", "[]", "\r\n", "\nEOF\n", "\u00e9", "e\u0301", "\u70df", "\u0440", "\U0001F525", "\U0010FFFF", "\u00a0",
+        "\u00ad", "\u200b", "\u200d", "\u2028", "\u2029", "\u202e", "\u2066", "\u2060", "\ufeff", "\ufffd", "\ufffe",
+        "\uffff", "\ufdd0", "\xff", "\xc3", "\xed\xa0\x80", "\xf5", "\x80",
+        "\u2028#if !Q\u2028#define Q\u2028#undef UNITY_EDITOR\u2028class E{static void "
+        "Main(){}}\u2028#endif\u2028#pragma x "};
     for (char c = 1; c < 0x20; ++c) {
         pieces.emplace_back(1, c);
     }

@@ -1,10 +1,11 @@
 // Exports that wait: lists of them on the disk, and that no two write the same file.
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 #include "tests/helpers.h"
 
 #include "core/base/environment.h"
 #include "core/base/file.h"
-#include "core/export/job_file.h"
+#include "core/export/jobs/job_file.h"
+#include "core/preset/preset_file.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -31,7 +32,8 @@ Preset smallPreset()
 /// A list of jobs as a person would write it, with a preset of which little is said.
 std::string listOf(const std::string& members)
 {
-    return R"({"format": "fumage-jobs", "version": 1, "jobs": [{)" + members + R"(, "preset": {"format": "fumage-preset", "version": 1, "name": "p"}}]})";
+    return R"({"format": "fumage-jobs", "version": 1, "jobs": [{)" + members
+        + R"(, "preset": {"format": "fumage-preset", "version": 1, "name": "p"}}]})";
 }
 
 } // namespace
@@ -98,19 +100,24 @@ private slots:
             QCOMPARE(formatPreset(read[i].preset), formatPreset(jobs[i].preset));
         }
         const ExportPlan& again = read[1].plan;
-        QVERIFY(again.columns == 3 && again.rows == 5 && again.engine == Engine::Unreal && again.passes == book.passes && again.packs == book.packs && again.retime == book.retime && again.trim && again.powerOfTwo);
-        QVERIFY(again.style.layout == SixWayLayout::RltBbf && again.style.vectors == VectorSigns::Unreal && again.style.premultiplied && again.style.normals == NormalGreen::DirectX);
+        QVERIFY(again.columns == 3 && again.rows == 5 && again.engine == Engine::Unreal && again.passes == book.passes
+            && again.packs == book.packs && again.retime == book.retime && again.trim && again.powerOfTwo);
+        QVERIFY(again.style.layout == SixWayLayout::RltBbf && again.style.vectors == VectorSigns::Unreal
+            && again.style.premultiplied && again.style.normals == NormalGreen::DirectX);
         QVERIFY(again.frames.first == 2 && again.frames.last == 9 && again.frames.step == 3);
-        QVERIFY(read[0].plan.format == ImageFormat::ExrFloat && read[0].plan.passes.has(Pass::Depth) && !read[0].plan.project);
+        QVERIFY(read[0].plan.format == ImageFormat::ExrFloat && read[0].plan.passes.has(Pass::Depth)
+            && !read[0].plan.project);
         QCOMPARE(read[0].plan.recording.manifest, jobs[0].plan.recording.manifest);
         QVERIFY(read[0].plan.recording.skipExisting && !again.recording.skipExisting);
         QCOMPARE(again.recording.manifest, book.recording.manifest);
         QVERIFY(read[2].plan.recording.manifest.empty());
         QVERIFY(read[2].plan.video == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
-        QVERIFY(read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
+        QVERIFY(
+            read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
         QVERIFY(read[5].plan.particles == ParticleFormat::Ply && read[5].plan.up == UpAxis::Z);
         QVERIFY(read[2].plan.repeat == Repeat::Once && read[2].plan.rate == jobs[2].plan.rate && !read[0].plan.rate);
-        QVERIFY(read[6].plan.cells == 200 && read[6].plan.voxel == 0.02F && read[6].plan.up == UpAxis::Y && !read[6].plan.project);
+        QVERIFY(read[6].plan.cells == 200 && read[6].plan.voxel == 0.02F && read[6].plan.up == UpAxis::Y
+            && !read[6].plan.project);
         QVERIFY(read[7].plan.air == AirFormat::Vf && !read[7].plan.up);
     }
 
@@ -148,19 +155,24 @@ private slots:
         QVERIFY(job.plan.project.has_value());
         QCOMPARE(job.plan.frames.last, Effect().timeline.length - 1);
         QVERIFY(job.plan.passes == PassSet{Pass::Colour});
-        const Result<JobsReading> unreal = parseJobs(listOf(R"("output": "a.png", "kind": "flipbook", "engine": "unreal")"));
+        const Result<JobsReading> unreal =
+            parseJobs(listOf(R"("output": "a.png", "kind": "flipbook", "engine": "unreal")"));
         QVERIFY(unreal.ok());
         QVERIFY(unreal.value().jobs.front().plan.passes == passesFor(Engine::Unreal));
         QCOMPARE(unreal.value().jobs.front().plan.style.vectors, VectorSigns::Unreal);
-        QCOMPARE(parseJobs(listOf(R"("output": "a.webm", "kind": "video")")).value().jobs.front().plan.video, VideoFormat::WebM);
-        QCOMPARE(parseJobs(listOf(R"("output": "a.ply", "kind": "particles")")).value().jobs.front().plan.particles, ParticleFormat::Ply);
+        QCOMPARE(parseJobs(listOf(R"("output": "a.webm", "kind": "video")")).value().jobs.front().plan.video,
+            VideoFormat::WebM);
+        QCOMPARE(parseJobs(listOf(R"("output": "a.ply", "kind": "particles")")).value().jobs.front().plan.particles,
+            ParticleFormat::Ply);
     }
 
     void aPresetMayBeNamed()
     {
         const std::string preset = at("mine.json");
         QVERIFY(writePresetFile(preset, smallPreset()).ok());
-        const Result<JobsReading> reading = parseJobs(R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a.png", "preset": ")" + preset + R"("}, {"output": "b.png", "preset": "campfire"}]})");
+        const Result<JobsReading> reading =
+            parseJobs(R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a.png", "preset": ")" + preset
+                + R"("}, {"output": "b.png", "preset": "campfire"}]})");
         QVERIFY(reading.ok());
         QCOMPARE(reading.value().jobs[0].preset.name, smallPreset().name);
         QCOMPARE(reading.value().jobs[0].plan.source.string(), preset); // so that nothing is written over it
@@ -173,7 +185,8 @@ private slots:
         QVERIFY(writePresetFile(at("good.json"), smallPreset()).ok());
         const std::string list =
             R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a.png", "kind": "picture", "preset": "none.json"}, {"output": "b.png", "kind": "picture", "preset": "good.json"},
-            {"output": "c.png", "kind": "picture", "preset": "broken.json"}, {"output": "d.png", "kind": "picture", "preset": "campfir"}]})";
+            {"output": "c.png", "kind": "picture", "preset": "broken.json"},
+            {"output": "d.png", "kind": "picture", "preset": "campfir"}]})";
         const JobsReading reading = parseJobs(list, "list.json", at("")).value();
         const auto codeOf = [&](std::size_t i) {
             return reading.jobs.at(i).refusal ? std::optional(reading.jobs[i].refusal->code) : std::nullopt;
@@ -222,42 +235,62 @@ private slots:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("code");
         QTest::addColumn<QByteArray>("says");
-        const auto row = [](const char* name, const std::string& text, ErrorCode code, const char* says) { QTest::newRow(name) << QByteArray::fromStdString(text) << static_cast<int>(code) << QByteArray(says); };
+        const auto row = [](const char* name, const std::string& text, ErrorCode code, const char* says) {
+            QTest::newRow(name) << QByteArray::fromStdString(text) << static_cast<int>(code) << QByteArray(says);
+        };
         row("empty", "", ErrorCode::Syntax, "list.json, line 1, column 1");
         row("a preset", R"({"format": "fumage-preset"})", ErrorCode::WrongType, "fumage-jobs");
-        row("version of tomorrow", R"({"format": "fumage-jobs", "version": 2, "jobs": []})", ErrorCode::WrongVersion, "newer");
-        row("no list", R"({"format": "fumage-jobs", "version": 1, "jobs": {}})", ErrorCode::WrongType, "jobs: expected a list");
-        row("a job that is none", R"({"format": "fumage-jobs", "version": 1, "jobs": [3]})", ErrorCode::WrongType, "line 1, column 50");
-        row("a slip", listOf("\"output\": \"a.png\",\n \"colums\": 4"), ErrorCode::UnknownKey, "list.json, line 2, column 12: a job has no \"colums\". Did you mean \"columns\"?");
+        row("version of tomorrow", R"({"format": "fumage-jobs", "version": 2, "jobs": []})", ErrorCode::WrongVersion,
+            "newer");
+        row("no list", R"({"format": "fumage-jobs", "version": 1, "jobs": {}})", ErrorCode::WrongType,
+            "jobs: expected a list");
+        row("a job that is none", R"({"format": "fumage-jobs", "version": 1, "jobs": [3]})", ErrorCode::WrongType,
+            "line 1, column 50");
+        row("a slip", listOf("\"output\": \"a.png\",\n \"colums\": 4"), ErrorCode::UnknownKey,
+            "list.json, line 2, column 12: a job has no \"colums\". Did you mean \"columns\"?");
         row("no output", listOf(R"("name": "x")"), ErrorCode::WrongType, "\"x\" names no file");
         for (const char* name : {".", "..", "a/..", "...", " . "}) {
             row(name, listOf("\"output\": \"" + std::string(name) + "\""), ErrorCode::WrongType, "names no file");
         }
         row("a folder", listOf(R"("output": "a/")"), ErrorCode::WrongType, "names no file");
-        row("a zero byte", listOf(R"("output": "/home/me/.profile\u0000.png")"), ErrorCode::Syntax, "output: there is a zero byte");
-        row("a path without end", listOf(R"("output": ")" + std::string(5000, 'a') + R"(")"), ErrorCode::TooLarge, "4096");
-        row("kind", listOf(R"("output": "a.png", "kind": "flipbok")"), ErrorCode::UnknownName, "kind: \"flipbok\" is not known here. Choose among sequence, flipbook");
-        row("format of another kind", listOf(R"("output": "a", "kind": "video", "format": "png")"), ErrorCode::UnknownName, "webm");
-        row("format of volumes", listOf(R"("output": "a", "kind": "volumes", "format": "png")"), ErrorCode::UnknownName, "Choose among vdb");
-        row("cells of volumes", listOf(R"("output": "a", "kind": "volumes", "cells": 4)"), ErrorCode::OutOfRange, "cells: expected a whole number from 8 to 256");
-        row("no axis", listOf(R"("output": "a", "kind": "volumes", "up": "x")"), ErrorCode::UnknownName, "Choose among y, z");
+        row("a zero byte", listOf(R"("output": "/home/me/.profile\u0000.png")"), ErrorCode::Syntax,
+            "output: there is a zero byte");
+        row("a path without end", listOf(R"("output": ")" + std::string(5000, 'a') + R"(")"), ErrorCode::TooLarge,
+            "4096");
+        row("kind", listOf(R"("output": "a.png", "kind": "flipbok")"), ErrorCode::UnknownName,
+            "kind: \"flipbok\" is not known here. Choose from sequence, flipbook");
+        row("format of another kind", listOf(R"("output": "a", "kind": "video", "format": "png")"),
+            ErrorCode::UnknownName, "webm");
+        row("format of volumes", listOf(R"("output": "a", "kind": "volumes", "format": "png")"), ErrorCode::UnknownName,
+            "Choose from vdb");
+        row("cells of volumes", listOf(R"("output": "a", "kind": "volumes", "cells": 4)"), ErrorCode::OutOfRange,
+            "cells: expected a whole number from 8 to 256");
+        row("no axis", listOf(R"("output": "a", "kind": "volumes", "up": "x")"), ErrorCode::UnknownName,
+            "Choose from y, z");
         row("frames", listOf(R"("output": "a", "frames": "0-2000000")"), ErrorCode::OutOfRange, "frames: ");
-        row("columns", listOf(R"("output": "a", "columns": 65)"), ErrorCode::OutOfRange, "columns: expected a whole number from 1 to 64");
+        row("columns", listOf(R"("output": "a", "columns": 65)"), ErrorCode::OutOfRange,
+            "columns: expected a whole number from 1 to 64");
         row("half a row", listOf(R"("output": "a", "rows": 1.5)"), ErrorCode::OutOfRange, "rows: ");
         row("a huge number", listOf(R"("output": "a", "noise_size": 1e300)"), ErrorCode::OutOfRange, "noise_size: ");
         row("not a flag", listOf(R"("output": "a", "trim": 1)"), ErrorCode::WrongType, "true or false");
         row("pack", listOf(R"("output": "a", "packs": ["a=b"])"), ErrorCode::UnknownName, "packs: there is no channel");
-        row("six packs", listOf(R"("output": "a", "packs": ["a=0", "b=0", "c=0", "d=0", "e=0", "f=0"])"), ErrorCode::WrongType, "up to 5");
+        row("six packs", listOf(R"("output": "a", "packs": ["a=0", "b=0", "c=0", "d=0", "e=0", "f=0"])"),
+            ErrorCode::WrongType, "up to 5");
         row("retime", listOf(R"("output": "a", "retime": [[0, 3]])"), ErrorCode::OutOfRange, "retime: ");
-        row("no preset", R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a"}]})", ErrorCode::WrongType, "has no preset");
-        row("bad preset", "{\"format\": \"fumage-jobs\", \"version\": 1, \"jobs\": [{\"output\": \"a\",\n\"preset\": {\"format\": \"fumage-preset\",\n \"version\": 1, \"motion\": 3}}]}", ErrorCode::WrongType, "list.json, line 3, column 26");
+        row("no preset", R"({"format": "fumage-jobs", "version": 1, "jobs": [{"output": "a"}]})", ErrorCode::WrongType,
+            "has no preset");
+        row("bad preset",
+            "{\"format\": \"fumage-jobs\", \"version\": 1, \"jobs\": [{\"output\": \"a\",\n\"preset\": {\"format\": "
+            "\"fumage-preset\",\n \"version\": 1, \"motion\": 3}}]}",
+            ErrorCode::WrongType, "list.json, line 3, column 26");
         row("too deep", std::string(100, '['), ErrorCode::TooDeep, "nested");
         row("too large", std::string(kMaxJobsBytes + 1, ' '), ErrorCode::TooLarge, "at most 4194304");
         std::string many;
-        for (std::size_t i = 0; i <= kMostJobs; ++i) {
+        for (std::size_t i = 0; i <= kMaxJobs; ++i) {
             many += i == 0 ? "1" : ",1";
         }
-        row("too many", R"({"format": "fumage-jobs", "version": 1, "jobs": [)" + many + "]}", ErrorCode::TooLarge, "at most 256");
+        row("too many", R"({"format": "fumage-jobs", "version": 1, "jobs": [)" + many + "]}", ErrorCode::TooLarge,
+            "at most 256");
     }
     void badListsAreRefusedWithTheirPlace()
     {
@@ -298,7 +331,9 @@ private slots:
         QTest::addColumn<int>("kind");
         QTest::addColumn<QString>("output");
         QTest::addColumn<bool>("collides");
-        const auto row = [](const char* name, ExportKind kind, const char* output, bool collides) { QTest::newRow(name) << static_cast<int>(kind) << QString::fromLatin1(output) << collides; };
+        const auto row = [](const char* name, ExportKind kind, const char* output, bool collides) {
+            QTest::newRow(name) << static_cast<int>(kind) << QString::fromLatin1(output) << collides;
+        };
         row("the same sequence", ExportKind::Sequence, "a_##.png", true);
         row("one frame of it", ExportKind::Picture, "a_05", true);
         row("a frame that it leaves out", ExportKind::Picture, "a_04", false);
@@ -316,26 +351,30 @@ private slots:
         QFETCH(bool, collides);
         QVERIFY(QDir(m_folder->path()).mkdir("sub"));
         QVERIFY(QFile::link(m_folder->path(), m_folder->filePath("link")));
-        std::vector<ExportJob> jobs{jobFor(ExportKind::Sequence, at("a_##.png")), jobFor(static_cast<ExportKind>(kind), at(output.toStdString()))};
+        std::vector<ExportJob> jobs{jobFor(ExportKind::Sequence, at("a_##.png")),
+            jobFor(static_cast<ExportKind>(kind), at(output.toStdString()))};
         jobs[0].name = "first";
         jobs[1].name = "second";
         const Status status = checkJobs(jobs);
         QCOMPARE(!status.ok(), collides);
         if (collides) {
             QCOMPARE(status.error().code, ErrorCode::WouldOverwrite);
-            QVERIFY2(status.error().text().find("\"second\" would write over a file of \"first\"") != std::string::npos, status.error().text().c_str());
+            QVERIFY2(status.error().text().find("\"second\" would write over a file of \"first\"") != std::string::npos,
+                status.error().text().c_str());
         }
     }
 
     void noTwoJobsWriteTheSameManifest()
     {
-        std::vector<ExportJob> jobs{jobFor(ExportKind::Sequence, at("a_##.png")), jobFor(ExportKind::Sequence, at("a_##.exr"))};
+        std::vector<ExportJob> jobs{
+            jobFor(ExportKind::Sequence, at("a_##.png")), jobFor(ExportKind::Sequence, at("a_##.exr"))};
         jobs[1].plan.format = ImageFormat::ExrHalf;
         QVERIFY(checkJobs(jobs).ok());
         jobs[0].plan.recording.manifest = jobs[1].plan.recording.manifest = at("a.manifest.json");
         const Status status = checkJobs(jobs);
         QVERIFY(!status.ok());
-        QVERIFY2(status.error().text().find("a.2-9x3.manifest.json") != std::string::npos, status.error().text().c_str());
+        QVERIFY2(
+            status.error().text().find("a.2-9x3.manifest.json") != std::string::npos, status.error().text().c_str());
         jobs[1].plan.frames.last = 20; // another part of it
         QVERIFY(checkJobs(jobs).ok());
     }
@@ -373,7 +412,7 @@ private slots:
         const std::string file = at("list.json");
         QVERIFY(writeJobsFile(file, std::span(&job, 1), FileAccess::Private).ok());
         QCOMPARE(readJobsFile(file).value().jobs.size(), std::size_t{1});
-        const std::vector<ExportJob> many(kMostJobs + 1, job);
+        const std::vector<ExportJob> many(kMaxJobs + 1, job);
         const Status status = writeJobsFile(file, many);
         QVERIFY(!status.ok());
         QCOMPARE(status.error().code, ErrorCode::TooLarge);

@@ -4,7 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/export/plan.h"
-#include "core/picture_files/picture_pixels.h"
+#include "core/image_io/picture_pixels.h"
 
 #include <QTemporaryDir>
 
@@ -35,7 +35,10 @@ class JoinTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QVERIFY(renderSequence(seenSmoke(), {frames(), {20, 31, 1}, ImageFormat::ExrFloat}, {}).ok()); }
+    void initTestCase()
+    {
+        QVERIFY(renderSequence(seenSmoke(), {frames(), {20, 31, 1}, ImageFormat::ExrFloat}, {}).ok());
+    }
 
     void aJoinedSheetIsTheRenderedOne()
     {
@@ -44,7 +47,8 @@ private slots:
         const Result<Flipbook> rendered = renderFlipbook(effect, options, {});
         QVERIFY(rendered.ok());
         options.output = folder() / "joined.png";
-        const Result<Flipbook> joined = joinFlipbook(effect, options, framesOfFiles(frames(), options.frames, 24, 20), {});
+        const Result<Flipbook> joined =
+            joinFlipbook(effect, options, framesOfFiles(frames(), options.frames, 24, 20), {});
         QVERIFY2(joined.ok(), joined ? "" : joined.error().text().c_str());
         QVERIFY(pixelsOf(folder() / "joined.png").values == pixelsOf(folder() / "rendered.png").values);
         QCOMPARE(joined.value().cellsPerSecond, rendered.value().cellsPerSecond);
@@ -55,7 +59,8 @@ private slots:
     {
         FlipbookOptions options{folder() / "passes.png", 3, 2, {20, 31, 1}};
         options.passes.add(Pass::Motion);
-        const Result<Flipbook> joined = joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
+        const Result<Flipbook> joined =
+            joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
         QVERIFY(!joined.ok());
         QCOMPARE(joined.error().code, ErrorCode::OutOfRange);
         QVERIFY(!std::filesystem::exists(folder() / "passes.png"));
@@ -64,7 +69,8 @@ private slots:
     void framesThatAreNotThereAreNamed()
     {
         const FlipbookOptions options{folder() / "more.png", 3, 2, {26, 33, 1}};
-        const Result<Flipbook> joined = joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
+        const Result<Flipbook> joined =
+            joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
         QVERIFY(!joined.ok());
         QCOMPARE(joined.error().code, ErrorCode::FileNotFound);
         QVERIFY2(joined.error().text().find("f_32.exr") != std::string::npos, joined.error().text().c_str());

@@ -1,12 +1,13 @@
-// Loops: which frames are whole turns, what is said where they are not, and the seam where the last cell is followed by the first.
+// Loops: which frames are whole turns, what is said where they are not, and the seam where the last cell is followed by
+// the first.
 
 #include "core/export/loop.h"
 #include "tests/helpers.h"
 
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 #include "core/export/plan.h"
-#include "core/export/sheet.h"
-#include "core/export/sheet_playback.h"
+#include "core/export/sheets/sheet.h"
+#include "core/export/sheets/sheet_playback.h"
 #include "core/preset/library.h"
 
 #include <QRegularExpression>
@@ -44,11 +45,12 @@ Effect small(Effect effect, int length)
     return effect;
 }
 
-/// How far the smoke of each cell goes in a frame, as a share of the cell: mean of the vectors over the mean of the frames before and after it.
+/// How far the smoke of each cell goes in a frame, as a share of the cell: mean of the vectors over the mean of the
+/// frames before and after it.
 std::vector<double> speeds(const PassSheet& sheet, const std::vector<int>& spans)
 {
     std::vector<double> out;
-    const Image& motion = sheet.layers.of(PassLayer::Motion);
+    const Image& motion = sheet.targets.of(PassTarget::Motion);
     for (int cell = 0; cell < sheet.grid.cells; ++cell) {
         const SheetCell at = sheet.grid.cell(cell);
         double sum = 0.0;
@@ -98,7 +100,8 @@ QString wordsOf(const Effect& effect, const FlipbookOptions& options)
     const Result<std::vector<FlipbookFile>> files = encodeFlipbook(effect, options, {});
     for (const FlipbookFile& file : files.value()) {
         if (file.path.extension() != ".png") {
-            words += QString::fromUtf8(reinterpret_cast<const char*>(file.bytes.data()), static_cast<qsizetype>(file.bytes.size()));
+            words += QString::fromUtf8(
+                reinterpret_cast<const char*>(file.bytes.data()), static_cast<qsizetype>(file.bytes.size()));
         }
     }
     words.remove(QRegularExpression(QStringLiteral("base64,[A-Za-z0-9+/=]+")));
@@ -166,7 +169,9 @@ private slots:
 
     void theNearestRangeIsOffered()
     {
-        const auto offered = [](const FrameRange& frames, int fewest) { return textOf(closedInstead(loopOf(90), frames, fewest).value()); };
+        const auto offered = [](const FrameRange& frames, int fewest) {
+            return textOf(closedInstead(loopOf(90), frames, fewest).value());
+        };
         QCOMPARE(offered({0, 63, 1}, 9), std::string("0-89"));
         QCOMPARE(offered({0, 90, 1}, 64), std::string("0-89"));
         QCOMPARE(offered({0, 89, 7}, 9), std::string("0-84:6"));
@@ -204,7 +209,8 @@ private slots:
     {
         QFETCH(int, preset);
         QFETCH(int, length);
-        const Effect effect = small(loadPreset(builtinPresets()[static_cast<std::size_t>(preset)]).value().preset.effect, length);
+        const Effect effect =
+            small(loadPreset(builtinPresets()[static_cast<std::size_t>(preset)]).value().preset.effect, length);
         FlipbookOptions options;
         options.columns = options.rows = 8;
         options.frames = {0, length - 1, 1};
@@ -212,15 +218,17 @@ private slots:
         QCOMPARE(frames.turn, std::optional(length));
         const std::vector<int> spans = spansOf(frames);
         PassSheet sheet;
-        const auto shelf = std::make_shared<AirShelf>();
-        QVERIFY(renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, {}, shelf).ok());
+        const auto shelf = std::make_shared<AirCache>();
+        QVERIFY(
+            renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, {}, shelf).ok());
         const std::vector<double> all = speeds(sheet, spans);
         constexpr std::ptrdiff_t kNear = 5;
         std::vector<double> near(all.begin() + 1, all.begin() + 1 + kNear);
         near.insert(near.end(), all.end() - 1 - kNear, all.end() - 1);
         const auto [least, most] = std::minmax_element(near.begin(), near.end());
         for (const double seam : {all.front(), all.back()}) {
-            QVERIFY2(seam >= 0.9 * *least && seam <= 1.1 * *most, qPrintable(QStringLiteral("%1 is not from %2 to %3").arg(seam).arg(*least).arg(*most)));
+            QVERIFY2(seam >= 0.9 * *least && seam <= 1.1 * *most,
+                qPrintable(QStringLiteral("%1 is not from %2 to %3").arg(seam).arg(*least).arg(*most)));
         }
         compareGhosts(effect, frames, spans, sheet, shelf);
     }
@@ -239,7 +247,9 @@ private slots:
         const auto first = vectors(0);
         const auto again = vectors(24);
         QVERIFY(first.ok() && again.ok());
-        const auto pixelsOf = [](const std::vector<std::byte>& bytes) { return std::vector<std::byte>(bytes.end() - 4096, bytes.end()); };
+        const auto pixelsOf = [](const std::vector<std::byte>& bytes) {
+            return std::vector<std::byte>(bytes.end() - 4096, bytes.end());
+        };
         QVERIFY(pixelsOf(first.value()) == pixelsOf(again.value()));
     }
 
@@ -277,7 +287,8 @@ private slots:
 
 private:
     /// Between the last cell and the first, the picture is no worse than between others that lie as far apart.
-    void compareGhosts(const Effect& effect, const CellFrames& frames, const std::vector<int>& spans, const PassSheet& sheet, const std::shared_ptr<AirShelf>& shelf)
+    void compareGhosts(const Effect& effect, const CellFrames& frames, const std::vector<int>& spans,
+        const PassSheet& sheet, const std::shared_ptr<AirCache>& shelf)
     {
         const PassPictures pictures(sheet, {Pass::Motion}, {});
         const SheetPlayback playback(sheet, pictures.picture(Pass::Motion), pictures.scales().motion);
@@ -293,11 +304,13 @@ private:
             const int half = spans[cell] / 2;
             const auto frame = simulator.frame(frames.numbers[cell] + half);
             QVERIFY(frame.ok() && renderer.render(*frame.value(), sampled(effect), kEdge, kEdge, truth).ok());
-            const double seen = ghost(playback, sheet.grid, static_cast<int>(cell), static_cast<float>(half) / static_cast<float>(spans[cell]), truth);
+            const double seen = ghost(playback, sheet.grid, static_cast<int>(cell),
+                static_cast<float>(half) / static_cast<float>(spans[cell]), truth);
             double& to = cell + 1 == spans.size() ? seam : worst;
             to = std::max(to, seen);
         }
-        QVERIFY2(seam > 0.0 && seam <= 1.05 * worst, qPrintable(QStringLiteral("%1 at the seam, %2 elsewhere").arg(seam).arg(worst)));
+        QVERIFY2(seam > 0.0 && seam <= 1.05 * worst,
+            qPrintable(QStringLiteral("%1 at the seam, %2 elsewhere").arg(seam).arg(worst)));
     }
 };
 

@@ -21,7 +21,10 @@ namespace {
 /// A folder for pictures, and what is done in it.
 class Folder {
 public:
-    [[nodiscard]] std::filesystem::path path(const std::string& name = {}) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
+    [[nodiscard]] std::filesystem::path path(const std::string& name = {}) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
 
     void render(const FrameRange& frames, const Effect& effect = smallSmoke(), bool skipExisting = false)
     {
@@ -31,13 +34,16 @@ public:
         plan.project = Preset{};
         plan.recording = {path("s.manifest.json"), skipExisting};
         m_rendered = 0;
-        const auto done = runExport(effect, plan, [this](Work work, int, int total) { m_rendered = work == Work::Frames ? total : m_rendered; });
+        const auto done = runExport(effect, plan, [this](ProgressPhase work, int, int total) {
+            m_rendered = work == ProgressPhase::Frames ? total : m_rendered;
+        });
         QVERIFY2(done.ok(), done ? "" : done.error().text().c_str());
     }
     /// Frames that the last render() has rendered.
     [[nodiscard]] int rendered() const { return m_rendered; }
 
-    [[nodiscard]] std::map<FileState, std::vector<std::string>> check(const std::optional<FrameRange>& frames = {}) const
+    [[nodiscard]] std::map<FileState, std::vector<std::string>> check(
+        const std::optional<FrameRange>& frames = {}) const
     {
         std::map<FileState, std::vector<std::string>> found;
         const std::vector<CheckedFile> checked = checkFiles(openManifests(path()).value(), frames, {}).value();
@@ -76,7 +82,9 @@ class ManifestTest : public QObject {
 private slots:
     void aManifestComesBack()
     {
-        Manifest manifest{{"frames", {{"format", "png"}, {"step", "2"}}, smallSmoke()}, {}, {{"a b\"ö_0001.png", 1, {true, sha256Of(std::string_view("1"))}}, {"sub/x.json", {}, {false, sha256Of(std::string_view("2"))}}}};
+        Manifest manifest{{"frames", {{"format", "png"}, {"step", "2"}}, smallSmoke()}, {},
+            {{"a b\"ö_0001.png", 1, {true, sha256Of(std::string_view("1"))}},
+                {"sub/x.json", {}, {false, sha256Of(std::string_view("2"))}}}};
         manifest.jobHash = manifest.job.hash();
         const std::string text = formatManifest(manifest);
         const Result<Manifest> back = parseManifest(text, "m.json");
@@ -89,7 +97,9 @@ private slots:
 
     void whateverChangesPicturesIsAnotherJob()
     {
-        const auto hashOf = [](const Effect& effect, const SequenceOptions& options) { return jobOf(effect, options).hash(); };
+        const auto hashOf = [](const Effect& effect, const SequenceOptions& options) {
+            return jobOf(effect, options).hash();
+        };
         const SequenceOptions usual{"a_##.png", {0, 9, 1}};
         const std::string hash = hashOf(smallSmoke(), usual);
         Effect other = smallSmoke();
@@ -115,7 +125,9 @@ private slots:
         QTest::addColumn<std::string>("what");
         QTest::addColumn<std::string>("instead");
         QTest::addColumn<std::string>("says");
-        const auto row = [](const char* name, const char* what, const char* instead, const char* says) { QTest::newRow(name) << std::string(what) << std::string(instead) << std::string(says); };
+        const auto row = [](const char* name, const char* what, const char* instead, const char* says) {
+            QTest::newRow(name) << std::string(what) << std::string(instead) << std::string(says);
+        };
         row("out of the folder", "\"s_01.png\"", "\"../s_01.png\"", "outside");
         row("from the root", "\"s_01.png\"", "\"/etc/passwd\"", "outside");
         row("up in the middle", "\"s_01.png\"", "\"a/../../s_01.png\"", "outside");
@@ -126,7 +138,7 @@ private slots:
         row("frame", "\"frame\": 1", "\"frame\": -1", "frame");
         row("huge frame", "\"frame\": 1", "\"frame\": 1e99", "frame");
         row("version", "\"version\": 1", "\"version\": 2", "version");
-        row("format", "fumage-manifest", "fumage-preset", "no manifest");
+        row("format", "fumage-manifest", "fumage-preset", "not a manifest");
         row("no files", "\"files\"", "\"flies\"", "\"files\"");
         row("preset", "\"format\": \"fumage-preset\"", "\"format\": \"x\"", "preset");
         row("broken", "\"settings\": {", "\"settings\": {{", "m.json");
@@ -136,26 +148,31 @@ private slots:
         QFETCH(std::string, what);
         QFETCH(std::string, instead);
         QFETCH(std::string, says);
-        std::string text = formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
+        std::string text = formatManifest(
+            {jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
         QVERIFY(parseManifest(text, "m.json").ok());
         const std::size_t at = text.find(what);
         QVERIFY(at != std::string::npos);
         text.replace(at, what.size(), instead);
         const Result<Manifest> read = parseManifest(text, "m.json");
         QVERIFY(!read.ok());
-        QVERIFY2(read.error().text().find(says) != std::string::npos && read.error().text().find("m.json") != std::string::npos, read.error().text().c_str());
+        QVERIFY2(read.error().text().find(says) != std::string::npos
+                && read.error().text().find("m.json") != std::string::npos,
+            read.error().text().c_str());
     }
 
     void hashesThatAreNoneAreRefused()
     {
-        const std::string text = formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, "12"}}}});
+        const std::string text =
+            formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, "12"}}}});
         QVERIFY(!parseManifest(text, "m.json").ok());
     }
 
     void deepAndTruncatedManifestsAreRefused()
     {
         QVERIFY(!parseManifest(std::string(1'000'000, '['), "m.json").ok());
-        const std::string text = formatManifest({jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
+        const std::string text = formatManifest(
+            {jobOf(smallSmoke(), SequenceOptions()), "x", {{"s_01.png", 1, {true, sha256Of(std::string_view("1"))}}}});
         for (std::size_t size = 0; size + 1 < text.size(); size += 97) {
             QVERIFY(!parseManifest(std::string_view(text).substr(0, size), "m.json").ok());
         }
@@ -165,8 +182,10 @@ private slots:
     {
         QCOMPARE(manifestBeside("out/fire_####.png").generic_string(), std::string("out/fire.manifest.json"));
         QCOMPARE(manifestBeside("####.exr").generic_string(), std::string("frames.manifest.json"));
-        QCOMPARE(partOf("out/fire.manifest.json", FrameRange{0, 7, 1}).generic_string(), std::string("out/fire.0-7.manifest.json"));
-        QCOMPARE(partOf("out/fire.json", FrameRange{0, 14, 2}).generic_string(), std::string("out/fire.0-14x2.manifest.json"));
+        QCOMPARE(partOf("out/fire.manifest.json", FrameRange{0, 7, 1}).generic_string(),
+            std::string("out/fire.0-7.manifest.json"));
+        QCOMPARE(partOf("out/fire.json", FrameRange{0, 14, 2}).generic_string(),
+            std::string("out/fire.0-14x2.manifest.json"));
         QCOMPARE(partOf("out/fire", {}).generic_string(), std::string("out/fire.manifest.json"));
     }
 

@@ -1,4 +1,5 @@
-// Names of files, folders and presets in what is written for engines and farms: the languages' own readers find the very names, and nothing else.
+// Names of files, folders and presets in what is written for engines and farms: the languages' own readers find the
+// very names, and nothing else.
 
 #include "tests/effects.h"
 #include "tests/export/hostile_names.h"
@@ -26,9 +27,10 @@ struct Reader {
     Language language;
     const char* name;
 };
-constexpr std::array kReaders{Reader{Language::CSharp, "csharp"}, Reader{Language::Python, "python"}, Reader{Language::Json, "json"},
-    Reader{Language::JavaScript, "javascript"}, Reader{Language::Godot, "godot"}, Reader{Language::Protobuf, "protobuf"}, Reader{Language::Xml, "xml"},
-    Reader{Language::Html, "html"}, Reader{Language::Shell, "shell"}};
+constexpr std::array kReaders{Reader{Language::CSharp, "csharp"}, Reader{Language::Python, "python"},
+    Reader{Language::Json, "json"}, Reader{Language::JavaScript, "javascript"}, Reader{Language::Godot, "godot"},
+    Reader{Language::Protobuf, "protobuf"}, Reader{Language::Xml, "xml"}, Reader{Language::Html, "html"},
+    Reader{Language::Shell, "shell"}};
 
 /// What a language makes of a name that it cannot hold as it is.
 QString held(Language language, const std::string& name)
@@ -49,7 +51,8 @@ std::vector<std::string> textsFor(Engine engine, const std::string& name)
     static const Effect effect = thesisEffect(10);
     EngineSheet sheet{effect, 4, 2, 15.0, false, styleFor(engine, ImageFormat::Png8), {}, {}};
     for (const Pass pass : {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}) {
-        const std::string ending = pass == Pass::Colour ? ".png" : std::string("_").append(fileNameOf(pass)).append(".png");
+        const std::string ending =
+            pass == Pass::Colour ? ".png" : std::string("_").append(fileNameOf(pass)).append(".png");
         sheet.pictures.push_back({pass, pathFrom(name + ending), {}, pass == Pass::Colour, pass == Pass::Motion});
     }
     return makeEngineFiles(engine, sheet);
@@ -74,7 +77,8 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
     }
 }
 
-/// A name that stands as it is where it is written, and differs where it is shown and where it names things in programs.
+/// A name that stands as it is where it is written, and differs where it is shown and where it names things in
+/// programs.
 const std::string kPlain = "S~NTINEL";
 
 /// What a text with the plain name in it is with another, if each place goes through the language.
@@ -145,10 +149,15 @@ private slots:
             QCOMPARE(static_cast<std::size_t>(read.size()), names.size() + 1);
             for (std::size_t i = 0; i < names.size(); ++i) {
                 const bool keepsBytes = reader.language == Language::Shell;
-                const QByteArray wanted = keepsBytes ? QByteArray::fromStdString(names[i]) : held(reader.language, names[i]).toUtf8();
+                const QByteArray wanted =
+                    keepsBytes ? QByteArray::fromStdString(names[i]) : held(reader.language, names[i]).toUtf8();
                 const QByteArray found = QByteArray::fromHex(read[static_cast<qsizetype>(i)]);
-                const bool isGodots = reader.language == Language::Godot && found.contains("\xEF\xBF\xBD"); // it has no escape for what is not seen
-                QVERIFY2(isGodots || found == wanted, (std::string(reader.name) + ": " + written(reader.language, names[i]) + " is read as " + found.toHex(' ').toStdString()).c_str());
+                const bool isGodots = reader.language == Language::Godot
+                    && found.contains("\xEF\xBF\xBD"); // it has no escape for what is not seen
+                QVERIFY2(isGodots || found == wanted,
+                    (std::string(reader.name) + ": " + written(reader.language, names[i]) + " is read as "
+                        + found.toHex(' ').toStdString())
+                        .c_str());
             }
         }
     }
@@ -189,7 +198,8 @@ private slots:
             }
         }
         const QString check = "import ast, sys\n"
-                              "shapes = {tuple(type(each).__name__ for each in ast.parse(open(file, encoding='utf-8').read()).body) for file in sys.argv[1:]}\n"
+                              "shapes = {tuple(type(each).__name__ for each in ast.parse(open(file, "
+                              "encoding='utf-8').read()).body) for file in sys.argv[1:]}\n"
                               "assert len(shapes) == 1, shapes\n";
         QVERIFY(run("python3", QStringList{"-c", check} + scripts[1]));
         if (QStandardPaths::findExecutable("mcs").isEmpty()) {
@@ -228,20 +238,28 @@ private slots:
                 const std::string& text = files.value().files[i].contents;
                 const std::string& before = plain.files[i].contents;
                 if (before.starts_with("#!")) {
-                    QCOMPARE(std::count(text.begin(), text.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
+                    QCOMPARE(
+                        std::count(text.begin(), text.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
                     scripts << folder.filePath(QString::number(scripts.size()) + ".sh");
                     QVERIFY(writeFileAtomically(scripts.back().toStdString(), text).ok());
                 } else if (which != Farm::Deadline) {
-                    QCOMPARE(text, withName(before, which == Farm::OpenJd ? Language::Json : Language::JavaScript, name));
+                    QCOMPARE(
+                        text, withName(before, which == Farm::OpenJd ? Language::Json : Language::JavaScript, name));
                 } else {
-                    QCOMPARE(std::count(text.begin(), text.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
-                    QVERIFY2(text.find("StartupDirectory=/mnt/" + name + "\n") != std::string::npos || text.find("OutputDirectory0=/mnt/" + name + "\n") != std::string::npos, text.c_str());
+                    QCOMPARE(
+                        std::count(text.begin(), text.end(), '\n'), std::count(before.begin(), before.end(), '\n'));
+                    QVERIFY2(text.find("StartupDirectory=/mnt/" + name + "\n") != std::string::npos
+                            || text.find("OutputDirectory0=/mnt/" + name + "\n") != std::string::npos,
+                        text.c_str());
                 }
             }
         }
         QVERIFY2(made > 40, std::to_string(made).c_str());
         if (!scripts.isEmpty()) {
-            QVERIFY(run("bash", QStringList{"-c", "for script; do source /dev/stdin <<< \"unread() { $(< \"$script\")\n}\" || exit 1; done", "bash"} + scripts));
+            QVERIFY(run("bash",
+                QStringList{"-c",
+                    "for script; do source /dev/stdin <<< \"unread() { $(< \"$script\")\n}\" || exit 1; done", "bash"}
+                    + scripts));
         }
     }
 
@@ -253,7 +271,9 @@ private slots:
         for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
             const std::string id = identifierOf(name);
             QVERIFY2(seen.insert(id).second, id.c_str());
-            QVERIFY(std::all_of(id.begin(), id.end(), [](unsigned char c) { return c < 128 && (std::isalnum(c) != 0 || c == '_'); }) && std::isalpha(static_cast<unsigned char>(id[0])) != 0);
+            QVERIFY(std::all_of(id.begin(), id.end(), [](unsigned char c) {
+                return c < 128 && (std::isalnum(c) != 0 || c == '_');
+            }) && std::isalpha(static_cast<unsigned char>(id[0])) != 0);
         }
         QCOMPARE(identifierOf("smoke_4x2"), std::string("smoke_4x2"));
     }

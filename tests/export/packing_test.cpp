@@ -1,12 +1,14 @@
-// Packed pictures: each channel is the one that was asked for, smaller ones are averages of it, and the side-car says so.
+// Packed pictures: each channel is the one that was asked for, smaller ones are averages of it, and the side-car says
+// so.
 
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/flipbook_files.h"
+#include "core/export/sheets/cell_frames.h"
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
 #include "core/base/file.h"
-#include "core/export/flipbook.h"
-#include "core/export/sheet.h"
+#include "core/export/sheets/flipbook.h"
+#include "core/export/sheets/sheet.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -47,10 +49,16 @@ struct Book {
         }
     }
     [[nodiscard]] Result<Flipbook> write() const { return renderFlipbook(effect, options, {}); }
-    [[nodiscard]] PngFile picture(const char* name) const { return PngFile(folder.filePath(QString::fromLatin1(name)).toStdString()); }
+    [[nodiscard]] PngFile picture(const char* name) const
+    {
+        return PngFile(folder.filePath(QString::fromLatin1(name)).toStdString());
+    }
     [[nodiscard]] QJsonArray pictures() const
     {
-        return QJsonDocument::fromJson(QByteArray::fromStdString(readFile(folder.path().toStdString() + "/boom.flipbook.json", 100'000).value())).object()[QStringLiteral("pictures")].toArray();
+        return QJsonDocument::fromJson(
+            QByteArray::fromStdString(readFile(folder.path().toStdString() + "/boom.flipbook.json", 100'000).value()))
+            .object()[QStringLiteral("pictures")]
+            .toArray();
     }
 };
 
@@ -128,7 +136,9 @@ private slots:
             const Result<Flipbook> done = book.write();
             return done ? std::string() : done.error().text();
         };
-        const auto says = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+        const auto says = [](const std::string& text, const char* part) {
+            return text.find(part) != std::string::npos;
+        };
         QVERIFY(says(errorOf({"a=alpha", "b=alpha", "c=alpha", "d=alpha", "e=alpha", "f=alpha"}), "6 packed"));
         QVERIFY(says(errorOf({"mask=alpha", "MASK=depth"}), "two packed pictures"));
         QVERIFY(says(errorOf({"mask=alpha@1/16"}), "24 x 16")); // 24 is no multiple of 16
@@ -140,7 +150,8 @@ private slots:
 
     void everyChannelIsTheOneThatWasAskedFor()
     {
-        Book book({"one=alpha", "two=shadow,depth", "three=colour.b,normal.g,motion.r", "four=six-way-a.a,0,1,six-way-b.g"});
+        Book book(
+            {"one=alpha", "two=shadow,depth", "three=colour.b,normal.g,motion.r", "four=six-way-a.a,0,1,six-way-b.g"});
         for (const Pass pass : kAllPasses) {
             book.options.passes.add(pass);
         }
@@ -151,14 +162,18 @@ private slots:
             const char* pass; ///< null: the constant
             int from;
         };
-        const std::array<Expected, 10> all{{{"boom_one.png", 0, "boom_alpha.png", 0}, {"boom_two.png", 0, "boom_shadow.png", 0}, {"boom_two.png", 1, "boom_depth.png", 0}, {"boom_two.png", 2, nullptr, 0},
-            {"boom_three.png", 0, "boom.png", 2}, {"boom_three.png", 1, "boom_normal.png", 1}, {"boom_three.png", 2, "boom_motion.png", 0},
-            {"boom_four.png", 0, "boom_sixway_a.png", 3}, {"boom_four.png", 2, nullptr, 255}, {"boom_four.png", 3, "boom_sixway_b.png", 1}}};
+        const std::array<Expected, 10> all{
+            {{"boom_one.png", 0, "boom_alpha.png", 0}, {"boom_two.png", 0, "boom_shadow.png", 0},
+                {"boom_two.png", 1, "boom_depth.png", 0}, {"boom_two.png", 2, nullptr, 0},
+                {"boom_three.png", 0, "boom.png", 2}, {"boom_three.png", 1, "boom_normal.png", 1},
+                {"boom_three.png", 2, "boom_motion.png", 0}, {"boom_four.png", 0, "boom_sixway_a.png", 3},
+                {"boom_four.png", 2, nullptr, 255}, {"boom_four.png", 3, "boom_sixway_b.png", 1}}};
         for (const Expected& each : all) {
             const PngFile seen = book.picture(each.file);
             for (int y = 0; y < seen.height; ++y) {
                 for (int x = 0; x < seen.width; ++x) {
-                    QCOMPARE(seen.at(x, y, each.channel), each.pass != nullptr ? book.picture(each.pass).at(x, y, each.from) : each.from);
+                    QCOMPARE(seen.at(x, y, each.channel),
+                        each.pass != nullptr ? book.picture(each.pass).at(x, y, each.from) : each.from);
                 }
             }
         }
@@ -190,7 +205,8 @@ private slots:
                 double light = 0.0;
                 for (int j = 0; j < 4; ++j) {
                     for (int i = 0; i < 4; ++i) {
-                        const float* p = large.values.data() + static_cast<std::ptrdiff_t>((4 * y + j) * large.width + 4 * x + i) * 3;
+                        const float* p = large.values.data()
+                            + static_cast<std::ptrdiff_t>((4 * y + j) * large.width + 4 * x + i) * 3;
                         alpha += static_cast<double>(p[0]) / 16.0;
                         light += static_cast<double>(p[0]) * static_cast<double>(p[1]) / 16.0;
                     }
@@ -207,10 +223,12 @@ private slots:
         Book book({"small=colour.r,colour.g,colour.b,colour.a@1/2"});
         book.effect.output.background = Background::Transparent;
         PassSheet sheet;
-        QVERIFY(renderSheet(book.effect, cellFramesOf(book.effect, book.options), 2, {Pass::Colour}, sheet, {}, {}).ok());
+        QVERIFY(
+            renderSheet(book.effect, cellFramesOf(book.effect, book.options), 2, {Pass::Colour}, sheet, {}, {}).ok());
         const PassPictures pictures(sheet, {Pass::Colour}, {});
-        const DataImage small = Packer(sheet, pictures, {}, book.effect, ImageFormat::ExrFloat).pack(book.options.packs[0]);
-        const Image expected = downsample(sheet.layers.of(PassLayer::Colour), 2);
+        const DataImage small =
+            Packer(sheet, pictures, {}, book.effect, ImageFormat::ExrFloat).pack(book.options.packs[0]);
+        const Image expected = downsample(sheet.targets.of(PassTarget::Colour), 2);
         QVERIFY(std::equal(expected.pixels.begin(), expected.pixels.end(), small.values.begin(), small.values.end()));
     }
 

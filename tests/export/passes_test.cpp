@@ -6,9 +6,9 @@
 #include "core/base/file.h"
 #include "core/base/parallel.h"
 #include "core/export/sequence.h"
-#include "core/export/sheet.h"
-#include "core/export/sheet_score.h"
-#include "core/preset/preset.h"
+#include "core/export/sheets/sheet.h"
+#include "core/export/sheets/sheet_metrics.h"
+#include "core/preset/preset_file.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -62,7 +62,7 @@ struct Made {
         }
     }
     [[nodiscard]] DataImage picture(Pass pass) const { return PassPictures(sheet, {pass}, style).picture(pass); }
-    [[nodiscard]] float alphaAt(int x, int y) const { return sheet.layers.of(PassLayer::Colour).at(x, y).a; }
+    [[nodiscard]] float alphaAt(int x, int y) const { return sheet.targets.of(PassTarget::Colour).at(x, y).a; }
 };
 
 /// Mean of a channel where there is smoke.
@@ -94,7 +94,9 @@ std::vector<float> colourOf(const std::vector<std::byte>& bytes)
     std::vector<float> values(width * (static_cast<std::size_t>(window.max.y) + 1) * 4);
     Imf::FrameBuffer buffer;
     for (std::size_t i = 0; i < 4; ++i) {
-        buffer.insert(std::string(1, "RGBA"[i]), Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + i), 4 * sizeof(float), 4 * sizeof(float) * width));
+        buffer.insert(std::string(1, "RGBA"[i]),
+            Imf::Slice(
+                Imf::FLOAT, reinterpret_cast<char*>(values.data() + i), 4 * sizeof(float), 4 * sizeof(float) * width));
     }
     file.setFrameBuffer(buffer);
     file.readPixels(0, window.max.y);
@@ -179,7 +181,8 @@ private slots:
             for (int y = 0; y < map.height; ++y) {
                 for (int x = 0; x < map.width; ++x) {
                     const double place = (down ? y : x) - 31.5;
-                    sum += place * made.alphaAt(x, y) * map.values[static_cast<std::size_t>((y * map.width + x) * 4 + channel)];
+                    sum += place * made.alphaAt(x, y)
+                        * map.values[static_cast<std::size_t>((y * map.width + x) * 4 + channel)];
                 }
             }
             return sum;
@@ -239,7 +242,7 @@ private slots:
     {
         PassSheet sheet;
         sheet.grid = {1, 1, 3, 1};
-        Image& colour = sheet.layers.of(PassLayer::Colour);
+        Image& colour = sheet.targets.of(PassTarget::Colour);
         colour.resize(3, 1);
         colour.pixels[3] = 0.0F;
         colour.pixels[7] = 0.5F;
@@ -258,9 +261,9 @@ private slots:
         Effect effect = drifting({1.5F, 0.7F, 0.0F});
         effect.light.shadow = 0.0F;
         effect.light.anisotropy = 0.0F;
-        effect.light.emission = 4.0F;
-        effect.light.flameOpacity = 0.05F;
-        effect.light.emissionCooling = 0.5F;
+        effect.glow.emission = 4.0F;
+        effect.glow.flameOpacity = 0.05F;
+        effect.glow.emissionCooling = 0.5F;
         FlipbookOptions options;
         options.columns = 2;
         options.rows = 1;
@@ -305,7 +308,8 @@ private slots:
         options.frames = {10, 33, 8};
         const Result<SheetScore> score = scoreSheet(drifting({1.5F, 0.7F, 0.0F}), options, 1, {});
         QVERIFY(score.ok());
-        QVERIFY2(score.value().motion.rebuilt > score.value().motion.crossFaded + 6.0, qPrintable(QStringLiteral("%1 %2").arg(score.value().motion.rebuilt).arg(score.value().motion.crossFaded)));
+        QVERIFY2(score.value().motion.rebuilt > score.value().motion.crossFaded + 6.0,
+            qPrintable(QStringLiteral("%1 %2").arg(score.value().motion.rebuilt).arg(score.value().motion.crossFaded)));
     }
 
     void sameBitsWhateverTheThreadsAndInstructionSet()
@@ -323,14 +327,16 @@ private slots:
             const PassPictures pictures(made.sheet, all, {});
             std::vector<RawArray<float>> values;
             for (const Pass pass : kAllPasses) {
-                values.push_back(pass == Pass::Colour ? made.sheet.layers.of(PassLayer::Colour).pixels : pictures.picture(pass).values);
+                values.push_back(pass == Pass::Colour ? made.sheet.targets.of(PassTarget::Colour).pixels
+                                                      : pictures.picture(pass).values);
             }
             return values;
         };
         const auto expected = make();
         const auto same = [&](const std::vector<RawArray<float>>& seen) {
             for (std::size_t i = 0; i < seen.size(); ++i) {
-                if (seen[i].size() != expected[i].size() || std::memcmp(seen[i].data(), expected[i].data(), seen[i].size() * sizeof(float)) != 0) {
+                if (seen[i].size() != expected[i].size()
+                    || std::memcmp(seen[i].data(), expected[i].data(), seen[i].size() * sizeof(float)) != 0) {
                     qWarning("%s differs", std::string(passName(kAllPasses[i])).c_str());
                     return false;
                 }
@@ -360,11 +366,13 @@ private slots:
         options.output = folder.path().toStdString() + "/both";
         options.passes = {Pass::Colour, Pass::SixWayA, Pass::Motion, Pass::Albedo, Pass::Shadow};
         QVERIFY(renderFlipbook(effect, options, {}).ok());
-        const auto bytes = [&](const char* name) { return readFile(folder.path().toStdString() + name, 10'000'000).value(); };
+        const auto bytes = [&](const char* name) {
+            return readFile(folder.path().toStdString() + name, 10'000'000).value();
+        };
         QVERIFY(bytes("/alone.png") == bytes("/both.png"));
     }
 
-    void layersOfAnExrAreThePassesInTheirUnits()
+    void targetsOfAnExrAreThePassesInTheirUnits()
     {
         const QTemporaryDir folder;
         const Effect effect = drifting({1.0F, 1.0F, 0.0F});
@@ -374,20 +382,27 @@ private slots:
         options.format = ImageFormat::ExrFloat;
         options.passes = {Pass::Motion, Pass::Depth, Pass::SixWayA};
         QVERIFY(renderSequence(effect, options, {}).ok());
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_20.exr", "smoke_21.exr", "smoke_22.exr"}));
+        QCOMPARE(
+            QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_20.exr", "smoke_21.exr", "smoke_22.exr"}));
         Imf::InputFile file(folder.filePath("smoke_21.exr").toStdString().c_str());
         QStringList names;
         for (auto channel = file.header().channels().begin(); channel != file.header().channels().end(); ++channel) {
             names << channel.name();
         }
-        QCOMPARE(names, QStringList({"A", "B", "G", "R", "depth.Z", "motion.X", "motion.Y", "motion.Z", "sixway_a.A", "sixway_a.B", "sixway_a.G", "sixway_a.R"}));
+        QCOMPARE(names,
+            QStringList({"A", "B", "G", "R", "depth.Z", "motion.X", "motion.Y", "motion.Z", "sixway_a.A", "sixway_a.B",
+                "sixway_a.G", "sixway_a.R"}));
         constexpr int kSize = 64;
         std::vector<float> values(std::size_t{4} * kSize * kSize);
         std::vector<float> inwards(std::size_t{1} * kSize * kSize, 1.0F);
         Imf::FrameBuffer buffer;
-        buffer.insert("motion.Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(inwards.data()), sizeof(float), sizeof(float) * kSize));
-        for (const auto& [name, at] : {std::pair{"A", 0}, std::pair{"motion.X", 1}, std::pair{"motion.Y", 2}, std::pair{"depth.Z", 3}}) {
-            buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + at), 4 * sizeof(float), 4 * sizeof(float) * kSize));
+        buffer.insert("motion.Z",
+            Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(inwards.data()), sizeof(float), sizeof(float) * kSize));
+        for (const auto& [name, at] :
+            {std::pair{"A", 0}, std::pair{"motion.X", 1}, std::pair{"motion.Y", 2}, std::pair{"depth.Z", 3}}) {
+            buffer.insert(name,
+                Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data() + at), 4 * sizeof(float),
+                    4 * sizeof(float) * kSize));
         }
         file.setFrameBuffer(buffer);
         file.readPixels(0, kSize - 1);
@@ -402,21 +417,23 @@ private slots:
         // 1 m/s at 30 frames/s, 9 m away, through the focal length in pixels; the cloud is about its middle.
         const View view = makeView(effect.camera, 0.0F, kSize, kSize);
         const double expected = double(view.focal) / 9.0 / 30.0;
-        QVERIFY2(std::abs(sum[1] / sum[0] / expected - 1.0) < 0.05, qPrintable(QString::number(sum[1] / sum[0] / expected)));
-        QVERIFY2(std::abs(sum[2] / sum[0] / expected - 1.0) < 0.05, qPrintable(QString::number(sum[2] / sum[0] / expected)));
+        QVERIFY2(
+            std::abs(sum[1] / sum[0] / expected - 1.0) < 0.05, qPrintable(QString::number(sum[1] / sum[0] / expected)));
+        QVERIFY2(
+            std::abs(sum[2] / sum[0] / expected - 1.0) < 0.05, qPrintable(QString::number(sum[2] / sum[0] / expected)));
         QVERIFY2(std::abs(sum[3] / sum[0] - 9.0) < 0.5, qPrintable(QString::number(sum[3] / sum[0])));
     }
 
-    void theColourOfLayersIsTheFrameAlone()
+    void theColourOfTargetsIsTheFrameAlone()
     {
         const Effect effect = everythingOn();
         SequenceOptions options;
         options.format = ImageFormat::ExrFloat;
         const auto alone = encodeFrame(effect, 20, options);
         options.passes = {Pass::Colour, Pass::Depth};
-        const auto layered = encodeFrame(effect, 20, options);
-        QVERIFY(alone.ok() && layered.ok());
-        QVERIFY(colourOf(layered.value()) == colourOf(alone.value()));
+        const auto targeted = encodeFrame(effect, 20, options);
+        QVERIFY(alone.ok() && targeted.ok());
+        QVERIFY(colourOf(targeted.value()) == colourOf(alone.value()));
         options.format = ImageFormat::Png8;
         const auto png = encodeFrame(effect, 20, options);
         QVERIFY(!png.ok() && png.error().text().find("EXR") != std::string::npos);
@@ -434,13 +451,18 @@ private slots:
         options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Depth};
         const Result<Flipbook> flipbook = renderFlipbook(everythingOn(), options, {});
         QVERIFY(flipbook.ok());
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name), QStringList({"smoke.flipbook.json", "smoke.png", "smoke_depth.png", "smoke_motion.png", "smoke_sixway_a.png", "smoke_sixway_b.png"}));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name),
+            QStringList({"smoke.flipbook.json", "smoke.png", "smoke_depth.png", "smoke_motion.png",
+                "smoke_sixway_a.png", "smoke_sixway_b.png"}));
         QVERIFY(PngFile(base + "/smoke.png").hasSrgb);
-        for (const auto& [name, type] : {std::pair{"/smoke_sixway_a.png", PNG_COLOR_TYPE_RGB_ALPHA}, std::pair{"/smoke_motion.png", PNG_COLOR_TYPE_RGB}, std::pair{"/smoke_depth.png", PNG_COLOR_TYPE_GRAY}}) {
+        for (const auto& [name, type] : {std::pair{"/smoke_sixway_a.png", PNG_COLOR_TYPE_RGB_ALPHA},
+                 std::pair{"/smoke_motion.png", PNG_COLOR_TYPE_RGB},
+                 std::pair{"/smoke_depth.png", PNG_COLOR_TYPE_GRAY}}) {
             const PngFile picture(base + name);
             QVERIFY2(!picture.hasSrgb && !picture.hasGamma && picture.colourType == type, name);
         }
-        // Engines read PNG with libpng's simplified interface, which turns what has a gamma into sRGB: vectors must come out as they were stored.
+        // Engines read PNG with libpng's simplified interface, which turns what has a gamma into sRGB: vectors must
+        // come out as they were stored.
         png_image image{};
         image.version = PNG_IMAGE_VERSION;
         QVERIFY(png_image_begin_read_from_file(&image, (base + "/smoke_motion.png").c_str()) != 0);
@@ -449,7 +471,9 @@ private slots:
         QVERIFY(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr) != 0);
         QCOMPARE(int(bytes[0]), 128);
         QCOMPARE(int(bytes[2]), 128);
-        const QJsonObject description = QJsonDocument::fromJson(QByteArray::fromStdString(readFile(flipbook.value().description, 100000).value())).object();
+        const QJsonObject description =
+            QJsonDocument::fromJson(QByteArray::fromStdString(readFile(flipbook.value().description, 100000).value()))
+                .object();
         const QJsonArray pictures = description["pictures"].toArray();
         QCOMPARE(pictures.size(), 5);
         QCOMPARE(pictures[0].toObject()["colour"].toString(), "sRGB");

@@ -48,8 +48,12 @@ private slots:
     void filesOfEveryKindAreAsTheyWereWritten()
     {
         const ExportPlan frames = recorded({.output = at("röd/a_##.png"), .frames = {1, 5, 2}});
-        const ExportPlan one = recorded({.kind = ExportKind::Picture, .output = at("one.exr"), .frames = {4, 9, 1}, .format = ImageFormat::ExrHalf});
-        const ExportPlan book = recorded({.kind = ExportKind::Flipbook, .output = at("book.png"), .frames = {0, 3, 1}, .columns = 2, .rows = 2});
+        const ExportPlan one = recorded({.kind = ExportKind::Picture,
+            .output = at("one.exr"),
+            .frames = {4, 9, 1},
+            .format = ImageFormat::ExrHalf});
+        const ExportPlan book = recorded(
+            {.kind = ExportKind::Flipbook, .output = at("book.png"), .frames = {0, 3, 1}, .columns = 2, .rows = 2});
         QCOMPARE(manifestOf(frames).filename().string(), std::string("a.1-5x2.manifest.json"));
         QCOMPARE(manifestOf(one).filename().string(), std::string("one.4-4.manifest.json"));
         QCOMPARE(manifestOf(book).filename().string(), std::string("book.manifest.json"));
@@ -64,13 +68,16 @@ private slots:
         std::filesystem::copy_file(at("a_00.png"), at("a_10.png"), std::filesystem::copy_options::overwrite_existing);
         std::filesystem::remove(at("a_20.png"));
         std::filesystem::resize_file(at("a_30.png"), std::filesystem::file_size(at("a_30.png")) / 2);
-        QVERIFY((checked(plan) == Found{{FileState::Same, {"a_00.png", "a_40.png"}}, {FileState::Different, {"a_10.png"}}, {FileState::Missing, {"a_20.png"}}, {FileState::Broken, {"a_30.png"}}}));
+        QVERIFY((checked(plan)
+            == Found{{FileState::Same, {"a_00.png", "a_40.png"}}, {FileState::Different, {"a_10.png"}},
+                {FileState::Missing, {"a_20.png"}}, {FileState::Broken, {"a_30.png"}}}));
     }
 
     void theManifestOfAnotherExportSaysNothingOfThis()
     {
         const ExportPlan first = recorded({.output = at("a_##.png"), .frames = {0, 1, 1}});
-        const ExportPlan second = recorded({.output = at("a_##.exr"), .frames = {0, 1, 1}, .format = ImageFormat::ExrHalf});
+        const ExportPlan second =
+            recorded({.output = at("a_##.exr"), .frames = {0, 1, 1}, .format = ImageFormat::ExrHalf});
         QCOMPARE(manifestOf(first), manifestOf(second));
         QVERIFY((checked(first)[FileState::Extra] == std::vector<std::string>{"a_00.png", "a_01.png"}));
         QVERIFY(!checked(second).contains(FileState::Extra));
@@ -96,7 +103,10 @@ private slots:
     }
 
 private:
-    [[nodiscard]] std::filesystem::path at(const std::string& name) const { return std::filesystem::path(m_folder->path().toStdString()) / name; }
+    [[nodiscard]] std::filesystem::path at(const std::string& name) const
+    {
+        return std::filesystem::path(m_folder->path().toStdString()) / name;
+    }
 
     std::unique_ptr<QTemporaryDir> m_folder;
 };

@@ -30,7 +30,9 @@ struct Grey {
 Grey readGreyPng(const std::string& path)
 {
     const PngFile png(path);
-    return {png.width, png.height, png.bits, png.colourType == PNG_COLOR_TYPE_GRAY ? std::vector<float>(png.samples.begin(), png.samples.end()) : std::vector<float>()};
+    return {png.width, png.height, png.bits,
+        png.colourType == PNG_COLOR_TYPE_GRAY ? std::vector<float>(png.samples.begin(), png.samples.end())
+                                              : std::vector<float>()};
 }
 
 Grey readGreyExr(const std::string& path)
@@ -40,7 +42,9 @@ Grey readGreyExr(const std::string& path)
     Grey grey{box.max.x + 1, box.max.y + 1, 32, {}};
     grey.values.resize(static_cast<std::size_t>(grey.width * grey.height));
     Imf::FrameBuffer buffer;
-    buffer.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(grey.values.data()), sizeof(float), sizeof(float) * static_cast<std::size_t>(grey.width)));
+    buffer.insert("Y",
+        Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(grey.values.data()), sizeof(float),
+            sizeof(float) * static_cast<std::size_t>(grey.width)));
     file.setFrameBuffer(buffer);
     file.readPixels(box.min.y, box.max.y);
     return grey;
@@ -68,9 +72,12 @@ private slots:
         QTest::addColumn<int>("kind");
         QTest::addColumn<QString>("output");
         QTest::addColumn<QStringList>("files"); // first and last, and what lies beside
-        const auto add = [](const char* name, ExportKind kind, const char* output, const QStringList& files) { QTest::newRow(name) << static_cast<int>(kind) << QString::fromLatin1(output) << files; };
+        const auto add = [](const char* name, ExportKind kind, const char* output, const QStringList& files) {
+            QTest::newRow(name) << static_cast<int>(kind) << QString::fromLatin1(output) << files;
+        };
         add("sequence", ExportKind::Sequence, "a_##.png", {"a_03.png", "a_07.png", "a_05.png"});
-        add("sequence without numbers and ending", ExportKind::Sequence, "a", {"a_0003.png", "a_0007.png", "a_0005.png"});
+        add("sequence without numbers and ending", ExportKind::Sequence, "a",
+            {"a_0003.png", "a_0007.png", "a_0005.png"});
         add("flipbook", ExportKind::Flipbook, "book", {"book.png", "book.png", "book.flipbook.json"});
         add("picture", ExportKind::Picture, "a", {"a.png", "a.png"});
         add("picture with number signs", ExportKind::Picture, "a_###", {"a_###.png", "a_###.png"});
@@ -146,7 +153,9 @@ private slots:
             for (int x = 0; x < 48; ++x) {
                 // The tile's first row is its lowest, the picture's its highest.
                 const float seen = grey.values[static_cast<std::size_t>(y * 48 + x)];
-                const auto expected = [&](int row) { return png ? std::floor(tile.at(x, row) * full + 0.5F) : tile.at(x, row); };
+                const auto expected = [&](int row) {
+                    return png ? std::floor(tile.at(x, row) * full + 0.5F) : tile.at(x, row);
+                };
                 QVERIFY(seen == expected(47 - y));
                 upsideDown += seen == expected(y) ? 1 : 0;
             }
@@ -169,7 +178,8 @@ private slots:
         QTest::addColumn<int>("edge");
         QTest::addColumn<int>("nearest");
         // The limit between two powers is their geometric mean: 181.02 between 128 and 256.
-        for (const auto& [edge, nearest] : std::map<int, int>{{1, 1}, {2, 2}, {3, 4}, {5, 4}, {6, 8}, {128, 128}, {181, 128}, {182, 256}, {256, 256}, {8192, 8192}}) {
+        for (const auto& [edge, nearest] : std::map<int, int>{{1, 1}, {2, 2}, {3, 4}, {5, 4}, {6, 8}, {128, 128},
+                 {181, 128}, {182, 256}, {256, 256}, {8192, 8192}}) {
             QTest::newRow(std::to_string(edge).c_str()) << edge << nearest;
         }
     }
@@ -219,15 +229,15 @@ private slots:
         ExportPlan plan = planFor(ExportKind::Particles, u"p.csv"_qs);
         plan.frames = {6, 6, 1};
         QVERIFY(runExport(effect, plan, {}).ok());
-        constexpr std::size_t kMost = 1U << 20U;
-        QVERIFY(readFile(plan.output, kMost).value() == dumpCsv(*frame, sampled(effect)));
+        constexpr std::size_t kMax = 1U << 20U;
+        QVERIFY(readFile(plan.output, kMax).value() == dumpCsv(*frame, sampled(effect)));
         plan.particles = ParticleFormat::Ply;
         plan.output = pathOf(u"p.ply"_qs);
         QVERIFY(runExport(effect, plan, {}).ok());
-        QVERIFY(readFile(plan.output, kMost).value() == dumpPly(*frame, sampled(effect)));
+        QVERIFY(readFile(plan.output, kMax).value() == dumpPly(*frame, sampled(effect)));
         plan.up = UpAxis::Z;
         QVERIFY(runExport(effect, plan, {}).ok());
-        QVERIFY(readFile(plan.output, kMost).value() == dumpPly(*frame, sampled(effect), UpAxis::Z));
+        QVERIFY(readFile(plan.output, kMax).value() == dumpPly(*frame, sampled(effect), UpAxis::Z));
     }
 
     void exportedVolumesAreThoseOfTheFrame()
@@ -236,13 +246,15 @@ private slots:
         ExportPlan plan = planFor(ExportKind::Volumes, u"v.vdb"_qs);
         plan.frames = {6, 6, 1};
         plan.voxel = 0.125F;
-        const auto bytes = [&](UpAxis up) { return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 0.125F).value(), up); };
-        constexpr std::size_t kMost = 1U << 24U;
+        const auto bytes = [&](UpAxis up) {
+            return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 0.125F).value(), up);
+        };
+        constexpr std::size_t kMax = 1U << 24U;
         QVERIFY(runExport(effect, plan, {}).ok());
-        QVERIFY(readFile(plan.output, kMost).value() == bytes(UpAxis::Z));
+        QVERIFY(readFile(plan.output, kMax).value() == bytes(UpAxis::Z));
         plan.up = UpAxis::Y;
         QVERIFY(runExport(effect, plan, {}).ok());
-        QVERIFY(readFile(plan.output, kMost).value() == bytes(UpAxis::Y));
+        QVERIFY(readFile(plan.output, kMax).value() == bytes(UpAxis::Y));
         plan.cells = kMaxVolumeCells + 1;
         QCOMPARE(runExport(effect, plan, {}).error().code, ErrorCode::OutOfRange);
     }
@@ -257,7 +269,8 @@ private slots:
 
     void thePresetIsNeverOverwritten()
     {
-        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture,
+                 ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
             ExportPlan plan = planFor(kind, u"a.png"_qs);
             plan.frames = {3, 5, 1};
             plan.columns = 3;
@@ -281,8 +294,8 @@ private slots:
             plan.frames = {3, 3, 1};
             QVERIFY(runExport(smallEffect(), plan, [](int, int) {}).ok());
             const std::vector<std::byte> bytes = exportBytes(smallEffect(), plan).value();
-            constexpr std::size_t kMost = 1U << 24U;
-            const std::string file = readFile(firstFile(plan), kMost).value();
+            constexpr std::size_t kMax = 1U << 24U;
+            const std::string file = readFile(firstFile(plan), kMax).value();
             QVERIFY(bytes.size() == file.size() && std::memcmp(bytes.data(), file.data(), file.size()) == 0);
         }
         ExportPlan several = planFor(ExportKind::Sequence, u"a.png"_qs);
@@ -301,8 +314,8 @@ private slots:
         QCOMPARE(pathOfName(""), std::string("smoke.png"));
         QCOMPARE(pathOfName("none/"), std::string("none/smoke.png"));
         QCOMPARE(pathOfName(m_folder->path().toStdString()), pathOf(u"smoke.png"_qs));
-        for (const std::string same :
-            {"a/x_%04d.png", "x%d", "50%d#.png", "x.%04d", "x", "x.PNG", "x.####", "100%", "%", "%x.exr", "a%d/b", ".hidden"}) {
+        for (const std::string same : {"a/x_%04d.png", "x%d", "50%d#.png", "x.%04d", "x", "x.PNG", "x.####", "100%",
+                 "%", "%x.exr", "a%d/b", ".hidden"}) {
             QCOMPARE(pathOfName(same), same);
         }
         for (const std::string wrong : {"x.jpg", "x.png.gz", "x.p", "v1.2"}) {
@@ -388,7 +401,8 @@ private slots:
     {
         std::stop_source stop;
         stop.request_stop();
-        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture, ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
+        for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Flipbook, ExportKind::Picture,
+                 ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
             ExportPlan plan = planFor(kind, u"a"_qs);
             plan.frames = {5, 100, 1};
             const auto done = runExport(

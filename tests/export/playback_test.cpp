@@ -1,7 +1,7 @@
 // A flipbook as engines play it.
 #include "tests/helpers.h"
 
-#include "core/export/sheet_preview.h"
+#include "core/export/sheets/sheet_preview.h"
 #include "core/rendering/view_transform.h"
 
 using namespace fumage;
@@ -16,7 +16,7 @@ PassSheet greys()
 {
     PassSheet sheet;
     sheet.grid = {4, 4, kEdge, kEdge};
-    Image& colour = sheet.layers.layers[static_cast<std::size_t>(PassLayer::Colour)];
+    Image& colour = sheet.targets.targets[static_cast<std::size_t>(PassTarget::Colour)];
     colour.resize(4 * kEdge, kEdge);
     for (std::size_t i = 0; i < colour.pixels.size(); ++i) {
         colour.pixels[i] = 0.25F * static_cast<float>(i / 4 % (4 * kEdge) / kEdge);
@@ -29,7 +29,7 @@ PassSheet columnThatMoves()
 {
     PassSheet sheet;
     sheet.grid = {2, 2, kEdge, kEdge};
-    Image& colour = sheet.layers.layers[static_cast<std::size_t>(PassLayer::Colour)];
+    Image& colour = sheet.targets.targets[static_cast<std::size_t>(PassTarget::Colour)];
     colour.resize(2 * kEdge, kEdge);
     std::fill(colour.pixels.begin(), colour.pixels.end(), 0.0F);
     for (int y = 0; y < kEdge; ++y) {
@@ -161,7 +161,7 @@ private slots:
         for (int cell = 0; cell < 4; ++cell) {
             preview.value()->playback->picture(cell, false, CellBlending::None, picture);
             encode(picture, preview.value()->output, shown);
-            encode(render(effect, 10 + 2 * cell), effect.output, written, coverOf(effect.light));
+            encode(render(effect, 10 + 2 * cell), effect.output, written, coverOf(effect.glow));
             for (std::size_t i = 0; i < written.pixels.size(); i += 4) {
                 QCOMPARE(shown.pixels[i + 3], written.pixels[i + 3]);
                 for (std::size_t channel = 0; channel < 3 && written.pixels[i + 3] > 0; ++channel) {

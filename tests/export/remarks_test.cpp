@@ -47,7 +47,8 @@ private slots:
                 plan.video = video;
                 plan.columns = plan.rows = 3;
                 plan.frames = frames;
-                const bool isPlayed = plan.kind == ExportKind::Flipbook || (plan.kind == ExportKind::Video && saysHowOften(video));
+                const bool isPlayed =
+                    plan.kind == ExportKind::Flipbook || (plan.kind == ExportKind::Video && saysHowOften(video));
                 QCOMPARE(saidOf(effect, plan).find(whole.toStdString()) != std::string::npos, isPlayed);
                 plan.frames = {0, 89, 1};
                 QCOMPARE(saidOf(effect, plan), std::string());
@@ -85,7 +86,8 @@ private slots:
             effect.timeline.frameRate = rate;
             for (const VideoFormat video : kAllVideoFormats) {
                 plan.video = video;
-                QCOMPARE(saidOf(effect, plan).find("is in the GIF") != std::string::npos, video == VideoFormat::Gif && rate > 50);
+                QCOMPARE(saidOf(effect, plan).find("is in the GIF") != std::string::npos,
+                    video == VideoFormat::Gif && rate > 50);
             }
         }
     }

@@ -2,8 +2,8 @@
 
 #include "tests/helpers.h"
 
-#include "core/export/sheet_choice.h"
-#include "core/export/sheet_playback.h"
+#include "core/export/sheets/sheet_optimizer.h"
+#include "core/export/sheets/sheet_playback.h"
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -73,7 +73,8 @@ private slots:
 
     void wholeBlocksOfSmallPicturesCount()
     {
-        // At 16 x 16 pixels the packed picture has 4 x 2: a block of 16 bytes, where its share of the largest sheet would be 8.
+        // At 16 x 16 pixels the packed picture has 4 x 2: a block of 16 bytes, where its share of the largest sheet
+        // would be 8.
         ExportPlan plan = planOf(8);
         plan.packs.push_back(parsePack("m=alpha@1/16").value());
         QVERIFY(sheetsWithin(4 * 2 * 16 * 16 + 8, outputOf(64, 64), plan).empty());
@@ -145,7 +146,8 @@ private slots:
 
     void ofEqualsTheSmallerIsTaken()
     {
-        const std::vector<SheetCandidate> candidates{{4, 4, 64, 64, 200, 40.0}, {8, 4, 64, 64, 100, 40.0}, {8, 8, 64, 64, 50, 39.0}};
+        const std::vector<SheetCandidate> candidates{
+            {4, 4, 64, 64, 200, 40.0}, {8, 4, 64, 64, 100, 40.0}, {8, 8, 64, 64, 50, 39.0}};
         QCOMPARE(bestOf(candidates).bytes, std::int64_t{100});
     }
 

@@ -20,7 +20,8 @@ struct VdbGrid {
     std::map<std::array<int, 3>, std::vector<float>> voxels;
 };
 
-/// Reads files of format 224 with trees of 32, 16 and 8 children along an edge, half floats, not compressed, after OpenVDB's description of its format.
+/// Reads files of format 224 with trees of 32, 16 and 8 children along an edge, half floats, not compressed, after
+/// OpenVDB's description of its format.
 class VdbReader {
 public:
     explicit VdbReader(const std::string& bytes)
@@ -123,7 +124,8 @@ private:
         const int low = (1 << bits) - 1;
         for (int i = 0; i < count; ++i) {
             if ((static_cast<unsigned char>(m_bytes[begin + static_cast<std::size_t>(i / 8)]) >> i % 8 & 1) != 0) {
-                out.push_back({first[0] + (i >> 2 * bits) * edge, first[1] + (i >> bits & low) * edge, first[2] + (i & low) * edge});
+                out.push_back({first[0] + (i >> 2 * bits) * edge, first[1] + (i >> bits & low) * edge,
+                    first[2] + (i & low) * edge});
             }
         }
         return out;

@@ -41,7 +41,7 @@ std::string contentsOf(const QString& path)
 }
 
 /// A program that is installed, done to its end.
-std::optional<QByteArray> said(const QString& program, const QStringList& arguments)
+std::optional<QByteArray> makeMessage(const QString& program, const QStringList& arguments)
 {
     QProcess process;
     process.start(program, arguments);
@@ -51,7 +51,7 @@ std::optional<QByteArray> said(const QString& program, const QStringList& argume
 
 bool isThere(const QString& program)
 {
-    return said(program, {QStringLiteral("-version")}).has_value();
+    return makeMessage(program, {QStringLiteral("-version")}).has_value();
 }
 
 /// How long the pictures of a GIF are shown, hundredths of a second.
@@ -187,7 +187,8 @@ private slots:
         std::stop_source stop;
         const VideoOptions options{output(".mp4"), {0, 500, 1}, VideoFormat::Mp4};
         const Status status = renderVideo(
-            smallSmoke(), options, [&](int done, int) {
+            smallSmoke(), options,
+            [&](int done, int) {
                 if (done == 3) {
                     // Frames fit into its pipe before it has begun.
                     QVERIFY(QTest::qWaitFor([&] { return QFileInfo(m_folder->filePath("ffmpeg.id")).size() > 0; }));
@@ -243,7 +244,8 @@ private slots:
 
     void whatIsNoRateIsRefused()
     {
-        for (const char* text : {"", "0", "-24", "nan", "inf", "241", "1/2", "24/0", "24000/1001/2", "24 fps", "99999999999999999999/1"}) {
+        for (const char* text :
+            {"", "0", "-24", "nan", "inf", "241", "1/2", "24/0", "24000/1001/2", "24 fps", "99999999999999999999/1"}) {
             QVERIFY2(!parseFrameRate(text).ok(), text);
         }
     }
@@ -258,13 +260,16 @@ private slots:
             for (const VideoFormat format : kAllVideoFormats) {
                 for (const Repeat repeat : {Repeat::Auto, Repeat::Once, Repeat::Forever}) {
                     for (const int last : {2, 3}) { // of which one is no whole turn
-                        const VideoOptions options{output(fileEnding(format)), {0, last, 1}, format, repeat, FrameRate{24000, 1001}};
+                        const VideoOptions options{
+                            output(fileEnding(format)), {0, last, 1}, format, repeat, FrameRate{24000, 1001}};
                         QVERIFY(renderVideo(effect, options, {}).ok());
                         const std::string arguments = contentsOf(m_folder->filePath("ffmpeg.arguments"));
                         QVERIFY(arguments.find("-framerate 24000/1001 ") != std::string::npos);
                         const bool endless = repeat == Repeat::Forever || (repeat == Repeat::Auto && loop && last == 3);
-                        QCOMPARE(arguments.find(endless ? "-loop 0 " : "-loop -1 ") != std::string::npos, format == VideoFormat::Gif);
-                        QCOMPARE(arguments.find(endless ? "-plays 0 " : "-plays 1 ") != std::string::npos, format == VideoFormat::Apng);
+                        QCOMPARE(arguments.find(endless ? "-loop 0 " : "-loop -1 ") != std::string::npos,
+                            format == VideoFormat::Gif);
+                        QCOMPARE(arguments.find(endless ? "-plays 0 " : "-plays 1 ") != std::string::npos,
+                            format == VideoFormat::Apng);
                     }
                 }
             }
@@ -310,10 +315,13 @@ private slots:
         for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime}) {
             const VideoOptions options{output(fileEnding(format)), {0, 1, 1}, format};
             QVERIFY(renderVideo(smallSmoke(), options, {}).ok());
-            const auto facts = said(QStringLiteral("ffprobe"),
-                {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-show_entries"), QStringLiteral("frame=color_space,color_primaries"), QString::fromStdString(options.output.string())});
+            const auto facts = makeMessage(QStringLiteral("ffprobe"),
+                {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-show_entries"),
+                    QStringLiteral("frame=color_space,color_primaries"),
+                    QString::fromStdString(options.output.string())});
             QVERIFY(facts);
-            QVERIFY2(facts->count("color_space=bt709") == 2 && facts->count("color_primaries=bt709") == 2, facts->constData());
+            QVERIFY2(facts->count("color_space=bt709") == 2 && facts->count("color_primaries=bt709") == 2,
+                facts->constData());
         }
     }
 
@@ -339,21 +347,31 @@ private slots:
         effect.output.background = Background::Colour;
         for (const glm::vec3 colour : {glm::vec3(1.0F), glm::vec3(0.05F, 0.1F, 0.18F)}) {
             effect.output.backgroundColour = colour;
-            for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Apng}) {
+            for (const VideoFormat format :
+                {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Apng}) {
                 const VideoOptions options{output(fileEnding(format)), {0, 0, 1}, format};
                 const Status status = renderVideo(effect, options, {});
                 QVERIFY2(status.ok(), status.ok() ? "" : status.error().text().c_str());
-                const auto raw = said(QStringLiteral("ffmpeg"),
-                    {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-i"), QString::fromStdString(options.output.string()), QStringLiteral("-f"), QStringLiteral("rawvideo"), QStringLiteral("-pix_fmt"),
-                        QStringLiteral("rgb24"), QStringLiteral("-")});
+                const auto raw = makeMessage(QStringLiteral("ffmpeg"),
+                    {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-i"),
+                        QString::fromStdString(options.output.string()), QStringLiteral("-f"),
+                        QStringLiteral("rawvideo"), QStringLiteral("-pix_fmt"), QStringLiteral("rgb24"),
+                        QStringLiteral("-")});
                 const auto [wide, high] = sizeOf(effect.output, format);
                 QVERIFY(raw && raw->size() == qsizetype{3} * wide * high);
-                const auto at = [&](int x, int y, int channel) { return static_cast<int>(static_cast<unsigned char>((*raw)[(qsizetype{y} * wide + x) * 3 + channel])); };
+                const auto at = [&](int x, int y, int channel) {
+                    return static_cast<int>(
+                        static_cast<unsigned char>((*raw)[(qsizetype{y} * wide + x) * 3 + channel]));
+                };
                 // What holds transparency has the size that was asked for: nothing is added to it.
                 QVERIFY(!hasAlpha(format) || (wide == width && high == height));
                 for (int channel = 0; !hasAlpha(format) && channel < 3; ++channel) {
                     // The corners are background; the one that may have been added is as the one that was there.
-                    QVERIFY2(std::abs(at(wide - 1, high - 1, channel) - at(0, 0, channel)) <= 6, qPrintable(QStringLiteral("%1: %2 beside %3").arg(static_cast<int>(format)).arg(at(wide - 1, high - 1, channel)).arg(at(0, 0, channel))));
+                    QVERIFY2(std::abs(at(wide - 1, high - 1, channel) - at(0, 0, channel)) <= 6,
+                        qPrintable(QStringLiteral("%1: %2 beside %3")
+                                       .arg(static_cast<int>(format))
+                                       .arg(at(wide - 1, high - 1, channel))
+                                       .arg(at(0, 0, channel))));
                 }
             }
         }
@@ -371,9 +389,15 @@ private:
         qputenv("FUMAGE_FFMPEG", file.fileName().toUtf8());
     }
 
-    [[nodiscard]] std::filesystem::path output(std::string_view ending) const { return m_folder->filePath("smoke").toStdString() + std::string(ending); }
+    [[nodiscard]] std::filesystem::path output(std::string_view ending) const
+    {
+        return m_folder->filePath("smoke").toStdString() + std::string(ending);
+    }
 
-    [[nodiscard]] QStringList filesThere() const { return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden, QDir::Name); }
+    [[nodiscard]] QStringList filesThere() const
+    {
+        return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+    }
 
     std::unique_ptr<QTemporaryDir> m_folder;
 };

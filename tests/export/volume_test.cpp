@@ -4,7 +4,7 @@
 #include "tests/lighting/clouds.h"
 
 #include "core/base/file.h"
-#include "core/export/vdb_file.h"
+#include "core/export/data/vdb_file.h"
 #include "core/preset/library.h"
 
 #include <QDir>
@@ -44,7 +44,7 @@ Effect plume()
     Effect effect = thesisEffect(3000);
     effect.air.enabled = true;
     effect.air.resolution = 16;
-    effect.motion.buoyancy = 2.0F;
+    effect.motion.buoyancy = effect.air.buoyancy = 2.0F;
     return effect;
 }
 
@@ -62,7 +62,7 @@ Effect burst()
     effect.emitter.burstDuration = 0.1F;
     effect.life.initialAlpha = 0.5F;
     effect.life.fadeRate = 2.0F;
-    effect.light.emission = 3.0F;
+    effect.glow.emission = 3.0F;
     effect.timeline.length = 24;
     effect.timeline.loop = false;
     return effect;
@@ -98,7 +98,9 @@ public:
     }
     [[nodiscard]] std::string bytes(int frame) const
     {
-        return readFile(m_folder.filePath(QStringLiteral("a_%1.vdb").arg(frame, 2, 10, QLatin1Char('0'))).toStdString(), std::size_t{1} << 28U).value();
+        return readFile(m_folder.filePath(QStringLiteral("a_%1.vdb").arg(frame, 2, 10, QLatin1Char('0'))).toStdString(),
+            std::size_t{1} << 28U)
+            .value();
     }
     [[nodiscard]] std::vector<VdbGrid> grids(int frame) const
     {
@@ -124,7 +126,8 @@ private slots:
         const Effect effect = plainDiscs();
         std::vector<glm::vec3> places;
         for (std::uint32_t i = 0; i < 500; ++i) {
-            places.push_back(3.0F * glm::vec3(unitFloat(streamBits(i, 1)), unitFloat(streamBits(i, 2)), unitFloat(streamBits(i, 3))));
+            places.push_back(3.0F
+                * glm::vec3(unitFloat(streamBits(i, 1)), unitFloat(streamBits(i, 2)), unitFloat(streamBits(i, 3))));
         }
         const Frame frame = cloud(effect, places);
         for (const float voxel : {0.6F, 0.08F, 0.02F}) { // cells far larger and far smaller than particles
@@ -143,7 +146,8 @@ private slots:
             for (int y = 0; y < volume.cells.y; ++y) {
                 double depth = 0.0;
                 for (int z = 0; z < volume.cells.z; ++z) {
-                    depth += static_cast<double>(volume.density[static_cast<std::size_t>((z * volume.cells.y + y) * volume.cells.x + x)]);
+                    depth += static_cast<double>(
+                        volume.density[static_cast<std::size_t>((z * volume.cells.y + y) * volume.cells.x + x)]);
                 }
                 most = std::max(most, depth * static_cast<double>(volume.cell));
             }
@@ -159,8 +163,11 @@ private slots:
         for (int z = 0; z < volume.cells.z; ++z) {
             for (int y = 0; y < volume.cells.y; ++y) {
                 for (int x = 0; x < volume.cells.x; ++x) {
-                    const bool border = x == 0 || y == 0 || z == 0 || x + 1 == volume.cells.x || y + 1 == volume.cells.y || z + 1 == volume.cells.z;
-                    QVERIFY(!border || volume.density[static_cast<std::size_t>((z * volume.cells.y + y) * volume.cells.x + x)] == 0.0F);
+                    const bool border = x == 0 || y == 0 || z == 0 || x + 1 == volume.cells.x || y + 1 == volume.cells.y
+                        || z + 1 == volume.cells.z;
+                    QVERIFY(!border
+                        || volume.density[static_cast<std::size_t>((z * volume.cells.y + y) * volume.cells.x + x)]
+                            == 0.0F);
                 }
             }
         }
@@ -175,7 +182,7 @@ private slots:
         QVERIFY(*std::max_element(inAir.temperature.begin(), inAir.temperature.end()) > 0.1F);
         effect.air.enabled = false;
         QVERIFY(volumeIn(*frameOf(effect, 20), effect, 0.15F).temperature.empty());
-        effect.light.emission = 2.0F;
+        effect.glow.emission = 2.0F;
         const Volume fire = volumeIn(*frameOf(effect, 20), effect, 0.15F);
         QCOMPARE(fire.flames.size(), fire.count());
         for (std::size_t i = 0; i < fire.count(); ++i) {
@@ -219,7 +226,9 @@ private slots:
         const Result<float> voxel = writeVolumes(plume(), options, {});
         QVERIFY(voxel.ok());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_08.vdb", "smoke_12.vdb"}));
-        const auto contents = [&](const char* name) { return readFile(folder.filePath(name).toStdString(), std::size_t{1} << 28U).value(); };
+        const auto contents = [&](const char* name) {
+            return readFile(folder.filePath(name).toStdString(), std::size_t{1} << 28U).value();
+        };
         const std::string alone = encodeVdb(volumeIn(*frameOf(plume(), 12), plume(), voxel.value()), options.up);
         QVERIFY(contents("smoke_12.vdb") == alone);
         QVERIFY(contents("smoke_08.vdb") != alone);
@@ -308,7 +317,8 @@ private slots:
     void smokeLiesWhereItsParticlesAre()
     {
         const Effect effect = evenLook();
-        for (const glm::vec3 place : {glm::vec3(0.31F, 1.07F, -2.03F), glm::vec3(-7.7F, -0.02F, 0.01F), glm::vec3(409.6F, -409.6F, 3.0F)}) {
+        for (const glm::vec3 place :
+            {glm::vec3(0.31F, 1.07F, -2.03F), glm::vec3(-7.7F, -0.02F, 0.01F), glm::vec3(409.6F, -409.6F, 3.0F)}) {
             const Volume volume = volumeIn(cloud(effect, {place}), effect, 0.1F);
             for (const UpAxis up : kAllUpAxes) {
                 const std::string bytes = encodeVdb(volume, up);
@@ -318,12 +328,14 @@ private slots:
                 for (const auto& [voxel, value] : density.voxels) {
                     sum += static_cast<double>(value[0]);
                     for (int axis = 0; axis < 3; ++axis) {
-                        middle[axis] += static_cast<double>(value[0]) * (voxel[static_cast<std::size_t>(axis)] * density.scale[0] + density.translation[0]);
+                        middle[axis] += static_cast<double>(value[0])
+                            * (voxel[static_cast<std::size_t>(axis)] * density.scale[0] + density.translation[0]);
                     }
                 }
                 const glm::dvec3 expected(turned(place, up));
                 QVERIFY(sum > 0.0);
-                QVERIFY2(glm::distance(middle / sum, expected) < 0.05, qPrintable(QStringLiteral("%1").arg(glm::distance(middle / sum, expected))));
+                QVERIFY2(glm::distance(middle / sum, expected) < 0.05,
+                    qPrintable(QStringLiteral("%1").arg(glm::distance(middle / sum, expected))));
             }
         }
     }
@@ -348,7 +360,8 @@ private slots:
                 for (int y = 0; y < 11; ++y) {
                     for (int x = 0; x < 9; ++x, ++i) {
                         const glm::ivec3 at = volume.first + glm::ivec3(x, y, z);
-                        const std::array<int, 3> place = up == UpAxis::Y ? std::array{at.x, at.y, at.z} : std::array{at.x, -at.z - 1, at.y};
+                        const std::array<int, 3> place =
+                            up == UpAxis::Y ? std::array{at.x, at.y, at.z} : std::array{at.x, -at.z - 1, at.y};
                         const auto found = density.voxels.find(place);
                         QCOMPARE(found != density.voxels.end(), volume.density[i] > 0.0F);
                         if (found != density.voxels.end()) {

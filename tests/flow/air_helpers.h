@@ -11,7 +11,7 @@ inline AirPlan smallPlan(std::int64_t loopSteps = 0, const glm::ivec3& cells = {
 {
     AirPlan plan;
     plan.grid = boxOf(cells, 2.0F);
-    plan.borders = onGround();
+    plan.boundaries = onGround();
     plan.firstStep = loopSteps;
     plan.loopSteps = loopSteps;
     plan.stepTo = [grid = plan.grid, loopSteps](std::int64_t number) {
@@ -19,7 +19,7 @@ inline AirPlan smallPlan(std::int64_t loopSteps = 0, const glm::ivec3& cells = {
         const std::int64_t seen = loopSteps == 0 ? number : number % loopSteps;
         makeRagged(step, 0.3F, static_cast<float>(seen) * step.dt);
         step.confinement = 0.1F;
-        step.swirl = {0.5F, 0.3F, 0.1F, {0.1F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 0.05F};
+        step.vortex = {0.5F, 0.3F, 0.1F, {0.1F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 0.05F};
         return step;
     };
     return plan;

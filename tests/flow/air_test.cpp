@@ -61,7 +61,10 @@ private slots:
             const auto before = air.field(step).value();
             const auto after = air.field(step + 1).value();
             for (int i = 0; i < 400; ++i) {
-                const glm::vec3 place = before->grid.corner + 2.0F * glm::vec3(static_cast<float>(i % 10) / 15.0F, static_cast<float>(i / 10 % 10) / 10.0F, static_cast<float>(i / 100) / 6.0F);
+                const glm::vec3 place = before->grid.corner
+                    + 2.0F
+                        * glm::vec3(static_cast<float>(i % 10) / 15.0F, static_cast<float>(i / 10 % 10) / 10.0F,
+                            static_cast<float>(i / 100) / 6.0F);
                 const glm::vec4 off = after->at(place) - before->at(place);
                 sum += static_cast<double>(off.x * off.x + off.y * off.y + off.z * off.z);
             }
@@ -92,10 +95,12 @@ private slots:
         for (std::int64_t step = start; step <= start + kLength - kFade; ++step) {
             QVERIFY(bitsAt(loop, step) == bitsAt(raw, step));
         }
-        // A quarter of the way through its end it is three quarters of what it is, and a quarter of what came a turn before.
+        // A quarter of the way through its end it is three quarters of what it is, and a quarter of what came a turn
+        // before.
         const std::int64_t middle = start + kLength - kFade + kFade / 4;
         const glm::vec3 place{0.1F, 0.6F, 0.05F};
-        const glm::vec4 expected = 0.75F * raw.field(middle).value()->at(place) + 0.25F * raw.field(middle - kLength).value()->at(place);
+        const glm::vec4 expected =
+            0.75F * raw.field(middle).value()->at(place) + 0.25F * raw.field(middle - kLength).value()->at(place);
         const glm::vec4 seen = loop.field(middle).value()->at(place);
         QVERIFY(glm::length(seen - expected) < 2e-3F * glm::length(expected)); // half floats
     }
@@ -125,10 +130,11 @@ private slots:
         QVERIFY(!stopped.ok() && stopped.error().code == ErrorCode::Cancelled);
         QVERIFY(!air.isBaked(40));
         double last = 0.0;
-        QVERIFY(air.bake(100, {}, [&](double share) {
-                       QVERIFY(share >= last);
-                       last = share;
-                   })
+        QVERIFY(air.bake(100, {},
+                       [&](double share) {
+                           QVERIFY(share >= last);
+                           last = share;
+                       })
                     .ok());
         QCOMPARE(last, 1.0);
         BakedAir whole(smallPlan());

@@ -66,7 +66,8 @@ private slots:
         QTest::addColumn<int>("stepsASecond");
         for (const float confinement : {0.0F, 0.15F, 0.7F, 1.5F, 4.0F, 10.0F}) {
             for (const int rate : {30, 120}) {
-                QTest::newRow(qPrintable(QStringLiteral("%1 at %2").arg(static_cast<double>(confinement)).arg(rate))) << confinement << rate;
+                QTest::newRow(qPrintable(QStringLiteral("%1 at %2").arg(static_cast<double>(confinement)).arg(rate)))
+                    << confinement << rate;
             }
         }
     }
@@ -83,7 +84,8 @@ private slots:
         for (int i = 0; i < 8 * stepsASecond; ++i) {
             air.step(step);
             const double now = motionOf(air);
-            QVERIFY2(now <= before * (1.0 + 1e-4), qPrintable(QStringLiteral("step %1: %2 to %3").arg(i).arg(before).arg(now)));
+            QVERIFY2(now <= before * (1.0 + 1e-4),
+                qPrintable(QStringLiteral("step %1: %2 to %3").arg(i).arg(before).arg(now)));
             before = now;
         }
         qInfo("%.3f of its energy is left", before / first);

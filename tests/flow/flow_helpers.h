@@ -15,19 +15,19 @@ inline AirGrid boxOf(const glm::ivec3& cells, float height)
     return {cells, cell, {-0.5F * size.x, 0.0F, -0.5F * size.z}};
 }
 
-inline AirBorders closedBox()
+inline AirBoundaries closedBox()
 {
-    AirBorders borders;
-    borders.low = {Border::Solid, Border::Solid, Border::Solid};
-    borders.high = borders.low;
-    return borders;
+    AirBoundaries boundaries;
+    boundaries.low = {Boundary::Solid, Boundary::Solid, Boundary::Solid};
+    boundaries.high = boundaries.low;
+    return boundaries;
 }
 
-inline AirBorders onGround()
+inline AirBoundaries onGround()
 {
-    AirBorders borders;
-    borders.low[1] = Border::Solid;
-    return borders;
+    AirBoundaries boundaries;
+    boundaries.low[1] = Boundary::Solid;
+    return boundaries;
 }
 
 /// A step of warm air without a source.
@@ -50,7 +50,7 @@ inline AirStep plumeStep(const AirGrid& grid, float radius)
     source.depth = 0.5F * radius;
     source.softness = 2.0F * grid.cell;
     source.speed = 0.5F;
-    source.grip = 0.5F;
+    source.relaxation = 0.5F;
     source.first = {0, 0, 0};
     source.last = {(grid.cells.x + 15) / 16 * 16, grid.cells.y / 4, grid.cells.z};
     return step;
@@ -68,7 +68,8 @@ inline void makeRagged(AirStep& step, float raggedness, float time)
         const float turn = 1.5707963F * (3.0F * time - slice);
         octave.frequency = frequency;
         octave.shift = {0.3F, 0.1F, 0.7F};
-        octave.slices.key = {keyOf(seed, static_cast<std::uint64_t>(slice)), keyOf(seed, static_cast<std::uint64_t>(slice) + 1)};
+        octave.slices.key = {
+            keyOf(seed, static_cast<std::uint64_t>(slice)), keyOf(seed, static_cast<std::uint64_t>(slice) + 1)};
         octave.slices.weight = {weight * std::cos(turn), weight * std::sin(turn)};
         weight *= 0.5F;
         frequency *= 2.0F;
@@ -83,7 +84,9 @@ inline double shareOfDivergence(const AirSolver& air, int from)
     const glm::ivec3 n = air.grid().cells;
     double divergence = 0.0;
     double gradient = 0.0;
-    const auto inside = [&](const glm::ivec3& c) { return c.x > 0 && c.y > 0 && c.z > 0 && c.x + 1 < n.x && c.y + 1 < n.y && c.z + 1 < n.z; };
+    const auto inside = [&](const glm::ivec3& c) {
+        return c.x > 0 && c.y > 0 && c.z > 0 && c.x + 1 < n.x && c.y + 1 < n.y && c.z + 1 < n.z;
+    };
     forCells(n, [&](const glm::ivec3& c) {
         if (c.y < from || air.isSolid(c)) {
             return;

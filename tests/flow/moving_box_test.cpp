@@ -30,10 +30,11 @@ bool isWithin(const glm::ivec3& c, const glm::ivec3& n)
     return glm::all(glm::greaterThanEqual(c, glm::ivec3(0))) && glm::all(glm::lessThan(c, n));
 }
 
-/// Moves the box on by cells, borders and obstacles as they are said.
-bool moveBy(AirSolver& air, const glm::ivec3& by, const AirBorders& borders = {}, std::span<const Solid> solids = {})
+/// Moves the box on by cells, boundaries and obstacles as they are said.
+bool moveBy(
+    AirSolver& air, const glm::ivec3& by, const AirBoundaries& boundaries = {}, std::span<const Solid> solids = {})
 {
-    return air.move(by, air.grid().corner + air.grid().cell * glm::vec3(by), borders, solids, kWind);
+    return air.move(by, air.grid().corner + air.grid().cell * glm::vec3(by), boundaries, solids, kWind);
 }
 
 glm::vec4 ballOfHeat(const glm::vec3& place, const glm::vec3& wind)
@@ -73,7 +74,8 @@ class MovingBoxTest : public QObject {
 private slots:
     void airStaysWhereItIsInTheWorldAndTheWindComesIn()
     {
-        for (const glm::ivec3& by : {glm::ivec3(1, 0, 0), glm::ivec3(-2, 3, -1), glm::ivec3(0, -5, 17), glm::ivec3(40, 0, 0)}) {
+        for (const glm::ivec3& by :
+            {glm::ivec3(1, 0, 0), glm::ivec3(-2, 3, -1), glm::ivec3(0, -5, 17), glm::ivec3(40, 0, 0)}) {
             AirSolver air(boxOf(kCells, kHeight), {}, {}, kWind);
             letRise(air);
             const std::vector<glm::vec4> before = cellsOf(air);
@@ -89,8 +91,9 @@ private slots:
 
     void aBoxThatGoesWithTheWindIsOneThatStandsInStillAir()
     {
-        // Seen from a car in a wind as fast as it, the air is at rest. In both a ball of heat rises as fast. The wind is frozen while a step carries the air, so
-        // that a swirl is read where it was half a step before: that is a drift of a hundredth of the way here.
+        // Seen from a car in a wind as fast as it, the air is at rest. In both a ball of heat rises as fast. The wind
+        // is frozen while a step carries the air, so that a swirl is read where it was half a step before: that is a
+        // drift of a hundredth of the way here.
         const AirGrid grid = boxOf({32, 28, 32}, kHeight);
         AirStep step = plainStep();
         step.buoyancy = 3.0F;
@@ -141,7 +144,7 @@ private slots:
                 squares += static_cast<double>(glm::dot(stays.at(c), stays.at(c)));
             }
         });
-        const double share = std::sqrt(differences / squares); // from borders that are elsewhere
+        const double share = std::sqrt(differences / squares); // from boundaries that are elsewhere
         QVERIFY2(share < 0.05, qPrintable(QString::number(share)));
     }
 
@@ -164,7 +167,10 @@ private slots:
                 air.step(step);
             }
             double divergence = 0.0;
-            forCells(kCells, [&](const glm::ivec3& c) { divergence = std::max(divergence, air.isSolid(c) ? 0.0 : std::abs(static_cast<double>(air.divergenceAt(c)))); });
+            forCells(kCells, [&](const glm::ivec3& c) {
+                divergence =
+                    std::max(divergence, air.isSolid(c) ? 0.0 : std::abs(static_cast<double>(air.divergenceAt(c))));
+            });
             QVERIFY2(divergence < 0.05, qPrintable(QString::number(divergence))); // 1/s
         }
         QVERIFY(seen > 200);

@@ -45,7 +45,8 @@ double taylorGreenError(int cells, int steps)
     return std::sqrt(sum / (static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z));
 }
 
-/// The velocity of a ring of thin vortices, circulation 1, by Biot and Savart's law with the core of Rosenhead and Moore.
+/// The velocity of a ring of thin vortices, circulation 1, by Biot and Savart's law with the core of Rosenhead and
+/// Moore.
 glm::vec3 ringVelocity(const glm::vec3& place, float radius, float core)
 {
     constexpr int kSegments = 64;
@@ -83,11 +84,13 @@ double ringHeight(const AirSolver& air)
 double allHeat(const AirSolver& air)
 {
     double sum = 0.0;
-    forCells(air.grid().cells, [&](const glm::ivec3& c) { sum += air.isSolid(c) ? 0.0 : static_cast<double>(air.at(c).w); });
+    forCells(
+        air.grid().cells, [&](const glm::ivec3& c) { sum += air.isSolid(c) ? 0.0 : static_cast<double>(air.at(c).w); });
     return sum;
 }
 
-/// The width Q / sqrt(pi M) of mean upward velocities at one height: that of a plume of the same flow and momentum with straight edges.
+/// The width Q / sqrt(pi M) of mean upward velocities at one height: that of a plume of the same flow and momentum with
+/// straight edges.
 double plumeWidth(const std::vector<double>& upward, const AirGrid& grid, int j)
 {
     const auto cell = static_cast<double>(grid.cell);
@@ -129,7 +132,7 @@ glm::dvec2 plumeShape(int cells, int stepsASecond)
     AirStep step = plumeStep(grid, 0.25F);
     step.dt = 1.0F / static_cast<float>(stepsASecond);
     step.source.softness = 0.2F;
-    step.source.grip = 1.0F - std::exp(-30.0F * step.dt);
+    step.source.relaxation = 1.0F - std::exp(-30.0F * step.dt);
     for (int i = 0; i < stepsASecond; ++i) {
         air.step(step);
     }
@@ -143,7 +146,9 @@ glm::dvec2 plumeShape(int cells, int stepsASecond)
 
 bool sameBits(const AirState& a, const AirState& b)
 {
-    const auto same = [](const AirColumn& one, const AirColumn& other) { return one.size() == other.size() && std::memcmp(one.data(), other.data(), one.size() * sizeof(float)) == 0; };
+    const auto same = [](const AirColumn& one, const AirColumn& other) {
+        return one.size() == other.size() && std::memcmp(one.data(), other.data(), one.size() * sizeof(float)) == 0;
+    };
     return same(a.air, b.air) && same(a.carrier, b.carrier);
 }
 
@@ -151,7 +156,8 @@ bool sameBits(const AirState& a, const AirState& b)
 AirState someAir(AirField& field)
 {
     const AirGrid grid = boxOf({37, 51, 29}, 3.0F);
-    const std::array solids{Solid{SolidShape::Sphere, {0.1F, 1.4F, 0.0F}, glm::vec3(0.7F)}, Solid{SolidShape::Box, {-0.6F, 0.2F, 0.3F}, {0.4F, 0.5F, 0.3F}}};
+    const std::array solids{Solid{SolidShape::Sphere, {0.1F, 1.4F, 0.0F}, glm::vec3(0.7F)},
+        Solid{SolidShape::Box, {-0.6F, 0.2F, 0.3F}, {0.4F, 0.5F, 0.3F}}};
     AirSolver air(grid, onGround(), solids, {0.3F, 0.0F, 0.1F});
     AirStep step = plumeStep(grid, 0.3F);
     step.wind = {0.3F, 0.0F, 0.1F};
@@ -160,10 +166,11 @@ AirState someAir(AirField& field)
     step.friction = 0.05F;
     step.heatKept = 0.99F;
     step.source.expansion = 2.0F;
-    step.swirl = {0.8F, 0.4F, 0.2F, {0.2F, 0.1F, -0.1F}, glm::normalize(glm::vec3(0.2F, 1.0F, -0.3F)), 0.1F};
+    step.vortex = {0.8F, 0.4F, 0.2F, {0.2F, 0.1F, -0.1F}, glm::normalize(glm::vec3(0.2F, 1.0F, -0.3F)), 0.1F};
     for (int i = 0; i < 12; ++i) {
         makeRagged(step, 0.4F, static_cast<float>(i) * step.dt);
-        step.stirring = {3.0F, step.source.rim.size(), {step.source.rim[0], step.source.rim[1]}, {0.1F, 0.0F, 0.0F}, 0.2F};
+        step.forcing = {
+            3.0F, step.source.rim.size(), {step.source.rim[0], step.source.rim[1]}, {0.1F, 0.0F, 0.0F}, 0.2F};
         air.step(step);
     }
     field = AirField(grid);
@@ -203,7 +210,8 @@ private slots:
             air.step(step);
         }
         float off = 0.0F;
-        forCells(grid.cells, [&](const glm::ivec3& c) { off = std::max(off, glm::length(glm::vec3(air.at(c)) - wind)); });
+        forCells(
+            grid.cells, [&](const glm::ivec3& c) { off = std::max(off, glm::length(glm::vec3(air.at(c)) - wind)); });
         QVERIFY2(off < 1e-5F, qPrintable(QString::number(static_cast<double>(off))));
     }
 
@@ -211,8 +219,8 @@ private slots:
     {
         // What comes in was at rest outside: du/dt = -u^2 / (2 L), so that u = u0 / (1 + u0 t / (2 L)).
         const AirGrid grid = boxOf({32, 16, 16}, 2.0F);
-        AirBorders duct = onGround();
-        duct.low = {Border::Open, Border::Solid, Border::Solid};
+        AirBoundaries duct = onGround();
+        duct.low = {Boundary::Open, Boundary::Solid, Boundary::Solid};
         duct.high = duct.low;
         AirSolver air(grid, duct);
         air.set([](const glm::vec3&) { return glm::vec4(-1.0F, 0.0F, 0.0F, 0.0F); });
@@ -227,17 +235,20 @@ private slots:
         double sum = 0.0;
         forCells(grid.cells, [&](const glm::ivec3& c) { sum -= static_cast<double>(air.at(c).x); });
         const double mean = sum / static_cast<double>(grid.cells.x * grid.cells.y * grid.cells.z);
-        QVERIFY2(std::abs(mean - static_cast<double>(expected)) < 0.03, qPrintable(QString("%1 for %2").arg(mean).arg(expected)));
+        QVERIFY2(std::abs(mean - static_cast<double>(expected)) < 0.03,
+            qPrintable(QString("%1 for %2").arg(mean).arg(expected)));
     }
 
     void vorticesThatStandStillConvergeAtTheOrderOfTheScheme()
     {
-        // Second in space, first in time, since the pressure acts once a step: steps that are a quarter as long keep up with cells half as large.
+        // Second in space, first in time, since the pressure acts once a step: steps that are a quarter as long keep up
+        // with cells half as large.
         const double coarse = taylorGreenError(16, 16);
         const double middle = taylorGreenError(32, 64);
         const double fine = taylorGreenError(64, 256);
         const double longSteps = taylorGreenError(32, 32);
-        qInfo("errors %.5f %.5f %.5f, orders %.2f %.2f; of time %.2f", coarse, middle, fine, std::log2(coarse / middle), std::log2(middle / fine), std::log2(longSteps / middle));
+        qInfo("errors %.5f %.5f %.5f, orders %.2f %.2f; of time %.2f", coarse, middle, fine, std::log2(coarse / middle),
+            std::log2(middle / fine), std::log2(longSteps / middle));
         QVERIFY(std::log2(coarse / middle) > 1.8);
         QVERIFY(std::log2(middle / fine) > 1.8);
         QVERIFY(std::log2(longSteps / middle) > 0.9);
@@ -248,8 +259,10 @@ private slots:
         constexpr float kRadius = 0.35F;
         constexpr float kCore = 0.08F;
         const AirGrid grid = boxOf({64, 64, 64}, 2.0F);
-        AirSolver air(grid, AirBorders());
-        air.set([](const glm::vec3& place) { return glm::vec4(ringVelocity(place - glm::vec3(0.0F, 0.7F, 0.0F), kRadius, kCore), 0.0F); });
+        AirSolver air(grid, AirBoundaries());
+        air.set([](const glm::vec3& place) {
+            return glm::vec4(ringVelocity(place - glm::vec3(0.0F, 0.7F, 0.0F), kRadius, kCore), 0.0F);
+        });
         const double start = ringHeight(air);
         AirStep step;
         step.dt = 0.02F;
@@ -259,7 +272,8 @@ private slots:
         }
         const double speed = (ringHeight(air) - start) / static_cast<double>(kSteps * step.dt);
         // Circulation 1. Saffman, "Vortex Dynamics", 1992: Gamma / (4 pi R) (ln(8 R / mu) - 1) for this core.
-        const double thin = (std::log(8.0 * static_cast<double>(kRadius / kCore)) - 1.0) / (4.0 * static_cast<double>(kPi * kRadius));
+        const double thin =
+            (std::log(8.0 * static_cast<double>(kRadius / kCore)) - 1.0) / (4.0 * static_cast<double>(kPi * kRadius));
         qInfo("speed %.3f of %.3f m/s", speed, thin);
         QVERIFY(std::abs(speed / thin - 1.0) < 0.15);
     }
@@ -277,7 +291,7 @@ private slots:
         const AirGrid grid = boxOf({48, 48, 48}, 4.0F);
         AirSolver air(grid, onGround());
         AirStep step = plainStep();
-        step.swirl = {1.5F, 0.7F, widening, {0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 0.1F};
+        step.vortex = {1.5F, 0.7F, widening, {0.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, 0.1F};
         for (int i = 0; i < 120; ++i) {
             air.step(step);
         }
@@ -292,17 +306,21 @@ private slots:
                 for (int i = 0; i < kSectors; ++i) {
                     const float angle = kTau * (static_cast<float>(i) + 0.5F) / kSectors;
                     const glm::vec3 away{std::cos(angle), 0.0F, std::sin(angle)};
-                    const glm::ivec3 cell((s * fastest * away + glm::vec3(0.0F, height, 0.0F) - grid.corner) / grid.cell);
+                    const glm::ivec3 cell(
+                        (s * fastest * away + glm::vec3(0.0F, height, 0.0F) - grid.corner) / grid.cell);
                     const glm::vec3 v(air.at(cell));
                     const glm::vec3 exact = grid.centre(cell) - glm::vec3(0.0F, height, 0.0F);
                     const float there = glm::length(exact) / fastest; // of the cell, which is not quite on the circle
-                    const float wanted = step.swirl.speed * 2.0F * there / (1.0F + there * there);
-                    along += static_cast<double>(glm::dot(v, glm::cross(step.swirl.axis, glm::normalize(exact))) / wanted) / kSectors;
-                    outward += static_cast<double>(glm::dot(v, away) / step.swirl.speed) / kSectors;
-                    upward += static_cast<double>(v.y / step.swirl.speed) / kSectors;
+                    const float wanted = step.vortex.speed * 2.0F * there / (1.0F + there * there);
+                    along +=
+                        static_cast<double>(glm::dot(v, glm::cross(step.vortex.axis, glm::normalize(exact))) / wanted)
+                        / kSectors;
+                    outward += static_cast<double>(glm::dot(v, away) / step.vortex.speed) / kSectors;
+                    upward += static_cast<double>(v.y / step.vortex.speed) / kSectors;
                 }
                 QVERIFY(near(along, 1.0, 0.05));
-                // Held on its circle it is drawn neither in nor along. Without that, pressure draws air down the axis, as fast as it turns.
+                // Held on its circle it is drawn neither in nor along. Without that, pressure draws air down the axis,
+                // as fast as it turns.
                 QVERIFY(near(outward, 0.0, 0.1));
                 QVERIFY(near(upward, 0.0, 0.2));
             }
@@ -314,7 +332,8 @@ private slots:
         QTest::addColumn<int>("x");
         QTest::addColumn<int>("y");
         QTest::addColumn<int>("z");
-        for (const glm::ivec3 n : {glm::ivec3(32, 64, 32), glm::ivec3(17, 33, 19), glm::ivec3(50, 37, 23), glm::ivec3(16, 127, 16), glm::ivec3(48, 16, 45)}) {
+        for (const glm::ivec3 n : {glm::ivec3(32, 64, 32), glm::ivec3(17, 33, 19), glm::ivec3(50, 37, 23),
+                 glm::ivec3(16, 127, 16), glm::ivec3(48, 16, 45)}) {
             QTest::addRow("%dx%dx%d", n.x, n.y, n.z) << n.x << n.y << n.z;
         }
     }
@@ -387,7 +406,10 @@ private slots:
             solids.push_back({SolidShape::Sphere, {0.0F, 0.7F * height, 0.0F}, glm::vec3(0.3F * height)});
         }
         AirSolver air(grid, closedBox(), solids);
-        air.set([height](const glm::vec3& place) { return glm::vec4(0.0F, 0.0F, 0.0F, glm::distance(place, height * glm::vec3(0.05F, 0.3F, -0.02F)) < 0.2F * height ? 1.0F : 0.0F); });
+        air.set([height](const glm::vec3& place) {
+            return glm::vec4(0.0F, 0.0F, 0.0F,
+                glm::distance(place, height * glm::vec3(0.05F, 0.3F, -0.02F)) < 0.2F * height ? 1.0F : 0.0F);
+        });
         const double before = allHeat(air);
         AirStep step = plainStep();
         step.buoyancy = 1.0F;
@@ -449,7 +471,8 @@ private slots:
             widths.push_back(plumeWidth(upward, grid, j));
         }
         const double slope = slopeOf(heights, widths);
-        qInfo("db/dz %.3f, b %.3f at %.2f m, %.3f at %.2f m", slope, widths.front(), heights.front(), widths.back(), heights.back());
+        qInfo("db/dz %.3f, b %.3f at %.2f m, %.3f at %.2f m", slope, widths.front(), heights.front(), widths.back(),
+            heights.back());
         QVERIFY(slope > 0.08 && slope < 0.20);
     }
 
@@ -458,7 +481,8 @@ private slots:
         const glm::dvec2 coarse = plumeShape(24, 30);
         const glm::dvec2 middle = plumeShape(48, 60);
         const glm::dvec2 fine = plumeShape(96, 120);
-        qInfo("height %.3f %.3f %.3f m, width %.3f %.3f %.3f m", coarse.x, middle.x, fine.x, coarse.y, middle.y, fine.y);
+        qInfo(
+            "height %.3f %.3f %.3f m, width %.3f %.3f %.3f m", coarse.x, middle.x, fine.x, coarse.y, middle.y, fine.y);
         QVERIFY(std::abs(fine.x - middle.x) < std::abs(middle.x - coarse.x));
         QVERIFY(std::abs(fine.y - middle.y) < std::abs(middle.y - coarse.y));
     }
@@ -479,7 +503,8 @@ private slots:
             });
         }
         const auto [least, most] = std::minmax_element(flux.begin() + 16, flux.begin() + 80);
-        qInfo("through a quarter %.1f, half %.1f, three quarters %.1f; least %.1f, most %.1f", flux[24], flux[48], flux[72], *least, *most);
+        qInfo("through a quarter %.1f, half %.1f, three quarters %.1f; least %.1f, most %.1f", flux[24], flux[48],
+            flux[72], *least, *most);
         QVERIFY(*most < 1.25 * *least);
     }
 
@@ -495,7 +520,9 @@ private slots:
         std::vector<glm::vec3> places;
         for (std::uint32_t i = 0; i < kParticles; ++i) {
             const std::uint32_t key = keyOf(3, i);
-            places.push_back(grid.corner + glm::vec3(unitFloat(streamBits(key, 0)), unitFloat(streamBits(key, 1)), unitFloat(streamBits(key, 2))));
+            places.push_back(grid.corner
+                + glm::vec3(
+                    unitFloat(streamBits(key, 0)), unitFloat(streamBits(key, 1)), unitFloat(streamBits(key, 2))));
         }
         AirField field(grid);
         const auto inside = [&](const glm::vec3& p) { return glm::clamp(p, grid.corner, grid.corner + 1.0F); };
@@ -514,7 +541,8 @@ private slots:
         constexpr int kBins = 8;
         std::vector<double> counts(kBins * kBins * kBins, 0.0);
         for (const glm::vec3& place : places) {
-            const glm::ivec3 bin = glm::min(glm::ivec3(glm::floor((place - grid.corner) * static_cast<float>(kBins))), glm::ivec3(kBins - 1));
+            const glm::ivec3 bin = glm::min(
+                glm::ivec3(glm::floor((place - grid.corner) * static_cast<float>(kBins))), glm::ivec3(kBins - 1));
             counts[static_cast<std::size_t>(bin.x + kBins * (bin.y + kBins * bin.z))] += 1.0;
         }
         const double mean = static_cast<double>(kParticles) / static_cast<double>(counts.size());

@@ -1,8 +1,10 @@
-// What follows --set is either refused with a message, or leaves every parameter in its range. A value that was taken reads back as itself.
+// What follows --set is either refused with a message, or leaves every parameter in its range. A value that was taken
+// reads back as itself.
 
 #include "tests/fuzz/expect.h"
 
 #include "core/effect/parameter_table.h"
+#include "core/effect/assignment.h"
 #include "core/effect/value.h"
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// The text of a range of frames is either refused with a message, or names frames in order from 0 to the largest; and each has a file of its own.
+// The text of a range of frames is either refused with a message, or names frames in order from 0 to the largest; and
+// each has a file of its own.
 
 #include "tests/fuzz/expect.h"
 

@@ -2,7 +2,7 @@
 
 #include "expect.h"
 
-#include "core/export/job_file.h"
+#include "core/export/jobs/job_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Whatever the name of a file: what is written for engines and farms has as many lines as for any other name, and holds of the name only what its
-// language reads as that very name.
+// Whatever the name of a file: what is written for engines and farms has as many lines as for any other name, and holds
+// of the name only what its language reads as that very name.
 
 #include "tests/fuzz/expect.h"
 
@@ -21,7 +21,8 @@ std::vector<std::string> textsFor(Engine engine, const std::string& name)
     static const Effect effect;
     EngineSheet sheet{effect, 4, 2, 15.0, false, styleFor(engine, ImageFormat::Png8), {}, {}};
     for (const Pass pass : {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}) {
-        sheet.pictures.push_back({pass, pathFrom(name + fileNameOf(pass) + ".png"), {}, pass == Pass::Colour, pass == Pass::Motion});
+        sheet.pictures.push_back(
+            {pass, pathFrom(name + fileNameOf(pass) + ".png"), {}, pass == Pass::Colour, pass == Pass::Motion});
     }
     return makeEngineFiles(engine, sheet);
 }
@@ -33,9 +34,11 @@ std::ptrdiff_t linesOf(const std::string& text)
 
 void checkLanguages(const std::string& name)
 {
-    for (const Language language : {Language::CSharp, Language::Python, Language::Json, Language::JavaScript, Language::Protobuf, Language::Xml, Language::Html}) {
+    for (const Language language : {Language::CSharp, Language::Python, Language::Json, Language::JavaScript,
+             Language::Protobuf, Language::Xml, Language::Html}) {
         const std::string text = written(language, name);
-        FUMAGE_EXPECT(std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\'' && c != '<' && c != '>'; }));
+        FUMAGE_EXPECT(std::all_of(text.begin(), text.end(),
+            [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\'' && c != '<' && c != '>'; }));
     }
     const std::string godot = written(Language::Godot, name);
     bool isEscaped = false;
@@ -56,7 +59,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::replace(name.begin(), name.end(), '/', '|');
     name += "x";
     checkLanguages(name);
-    for (const Engine engine : {Engine::Unity, Engine::Unreal, Engine::Godot, Engine::Godot3, Engine::Effekseer, Engine::Defold, Engine::Web}) {
+    for (const Engine engine : {Engine::Unity, Engine::Unreal, Engine::Godot, Engine::Godot3, Engine::Effekseer,
+             Engine::Defold, Engine::Web}) {
         const std::vector<std::string> plain = textsFor(engine, "plain");
         const std::vector<std::string> texts = textsFor(engine, name);
         for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -1,4 +1,5 @@
-// What is typed into a number field is either refused or a finite number, and what the field then shows reads back as it is shown.
+// What is typed into a number field is either refused or a finite number, and what the field then shows reads back as
+// it is shown.
 
 #include "tests/fuzz/expect.h"
 

@@ -2,8 +2,8 @@
 
 #include "tests/fuzz/expect.h"
 
-#include "core/picture_files/picture_notes.h"
-#include "core/preset/preset.h"
+#include "core/image_io/metadata_reader.h"
+#include "core/preset/preset_file.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +13,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     using namespace fumage;
     const std::string_view head(reinterpret_cast<const char*>(data), size);
-    const Result<PictureNotes> notes = readPictureNotes(head);
+    const Result<ImageMetadata> notes = readImageMetadata(head);
     if (!notes) {
         FUMAGE_EXPECT(!notes.error().message.empty());
         return 0;
     }
-    FUMAGE_EXPECT(isPicture(head) && notes.value().preset.size() <= kMostNoteBytes);
+    FUMAGE_EXPECT(isPicture(head) && notes.value().preset.size() <= kMaxNoteBytes);
     (void)parsePreset(notes.value().preset);
     return 0;
 }

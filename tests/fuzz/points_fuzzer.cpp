@@ -1,4 +1,5 @@
-// The text of a curve or a gradient is either refused, or makes one whose values lie between those of its points, wherever it is asked.
+// The text of a curve or a gradient is either refused, or makes one whose values lie between those of its points,
+// wherever it is asked.
 
 #include "tests/fuzz/expect.h"
 
@@ -21,13 +22,15 @@ constexpr float kRounding = 1e-5F;
 
 void check(const Curve& curve)
 {
-    const auto [low, high] = std::minmax_element(curve.points().begin(), curve.points().end(), [](const CurvePoint& a, const CurvePoint& b) { return a.y < b.y; });
+    const auto [low, high] = std::minmax_element(curve.points().begin(), curve.points().end(),
+        [](const CurvePoint& a, const CurvePoint& b) { return a.y < b.y; });
     const auto holds = [&, least = low->y, most = high->y](float at) {
         const float value = curve.at(at);
         return value >= least - kRounding && value <= most + kRounding;
     };
     FUMAGE_EXPECT(std::all_of(kPlaces.begin(), kPlaces.end(), holds));
-    FUMAGE_EXPECT(std::all_of(curve.points().begin(), curve.points().end(), [&](const CurvePoint& point) { return holds(point.x); }));
+    FUMAGE_EXPECT(std::all_of(
+        curve.points().begin(), curve.points().end(), [&](const CurvePoint& point) { return holds(point.x); }));
 }
 
 void check(const Gradient& gradient)
@@ -44,7 +47,8 @@ void check(const Gradient& gradient)
             return value >= low - kRounding * high && value <= high * (1.0F + kRounding);
         };
         FUMAGE_EXPECT(std::all_of(kPlaces.begin(), kPlaces.end(), holds));
-        FUMAGE_EXPECT(std::all_of(gradient.stops().begin(), gradient.stops().end(), [&](const GradientStop& stop) { return holds(stop.at); }));
+        FUMAGE_EXPECT(std::all_of(gradient.stops().begin(), gradient.stops().end(),
+            [&](const GradientStop& stop) { return holds(stop.at); }));
     }
 }
 
@@ -54,7 +58,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     for (const Parameter& parameter : parameterTable()) {
-        const Result<Clamped> parsed = parameter.kind == Kind::Curve || parameter.kind == Kind::Gradient ? parseValue(parameter, text) : Error{};
+        const Result<Clamped> parsed =
+            parameter.kind == Kind::Curve || parameter.kind == Kind::Gradient ? parseValue(parameter, text) : Error{};
         if (!parsed) {
             continue;
         }

@@ -1,6 +1,6 @@
 // Any bytes are either refused with a message, or read, written and read again to the same preset.
 
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const std::string json = formatPreset(first.value().preset);
     const Result<PresetReading> second = parsePreset(json);
-    if (!second || !(second.value().preset.effect == first.value().preset.effect) || formatPreset(second.value().preset) != json) {
+    if (!second || !(second.value().preset.effect == first.value().preset.effect)
+        || formatPreset(second.value().preset) != json) {
         std::abort();
     }
     return 0;

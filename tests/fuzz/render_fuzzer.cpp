@@ -1,11 +1,12 @@
-// Smoke with every parameter anywhere in its range, mostly at the ends, in pictures of a few pixels: no fault, and every number finite.
+// Smoke with every parameter anywhere in its range, mostly at the ends, in pictures of a few pixels: no fault, and
+// every number finite.
 
 #include "tests/fuzz/expect.h"
 
 #include "core/effect/parameter_table.h"
 #include "core/effect/sampling.h"
 #include "core/effect/value.h"
-#include "core/export/particle_dump.h"
+#include "core/export/data/particle_dump.h"
 #include "core/rendering/renderer.h"
 #include "core/simulation/schedule.h"
 #include "core/simulation/simulator.h"
@@ -27,7 +28,9 @@ float numberFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
 {
     const std::array<double, 4> ends{parameter.hard.low, parameter.hard.high, parameter.soft.low, parameter.soft.high};
     const auto choice = bytes.ConsumeIntegralInRange<std::size_t>(0, ends.size());
-    return static_cast<float>(choice < ends.size() ? ends[choice] : parameter.hard.low + bytes.ConsumeProbability<double>() * (parameter.hard.high - parameter.hard.low));
+    return static_cast<float>(choice < ends.size()
+            ? ends[choice]
+            : parameter.hard.low + bytes.ConsumeProbability<double>() * (parameter.hard.high - parameter.hard.low));
 }
 
 Value valueFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
@@ -43,10 +46,15 @@ Value valueFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
         return glm::vec3(component(), component(), component());
     }
     case Kind::Vector:
-    case Kind::Colour: return glm::vec3(numberFrom(bytes, parameter), numberFrom(bytes, parameter), numberFrom(bytes, parameter));
-    case Kind::Curve: return Curve{{0.0F, numberFrom(bytes, parameter)}, {bytes.ConsumeProbability<float>(), numberFrom(bytes, parameter)}, {1.0F, numberFrom(bytes, parameter)}};
+    case Kind::Colour:
+        return glm::vec3(numberFrom(bytes, parameter), numberFrom(bytes, parameter), numberFrom(bytes, parameter));
+    case Kind::Curve:
+        return Curve{{0.0F, numberFrom(bytes, parameter)},
+            {bytes.ConsumeProbability<float>(), numberFrom(bytes, parameter)}, {1.0F, numberFrom(bytes, parameter)}};
     case Kind::Gradient: {
-        const auto colour = [&] { return glm::vec3(numberFrom(bytes, parameter), numberFrom(bytes, parameter), numberFrom(bytes, parameter)); };
+        const auto colour = [&] {
+            return glm::vec3(numberFrom(bytes, parameter), numberFrom(bytes, parameter), numberFrom(bytes, parameter));
+        };
         return Gradient{{0.0F, colour()}, {bytes.ConsumeProbability<float>(), colour()}};
     }
     }
@@ -57,7 +65,7 @@ Value valueFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
 void makeCheap(Effect& effect)
 {
     constexpr int kFew = 8;
-    constexpr std::int64_t kMostSteps = 200;
+    constexpr std::int64_t kMaxSteps = 200;
     effect.emitter.count = std::min(effect.emitter.count, 4 * kFew);
     effect.noise.resolution = std::min(effect.noise.resolution, kFew);
     effect.noise.slices = std::min(effect.noise.slices, 2);
@@ -65,7 +73,7 @@ void makeCheap(Effect& effect)
     effect.output.supersample = std::min(effect.output.supersample, 2);
     effect.output.quality = std::min(effect.output.quality, Quality::Good);
     effect.timeline.length = std::min(effect.timeline.length, kFew);
-    if (makeSchedule(sampled(effect)).firstStep > kMostSteps) {
+    if (makeSchedule(sampled(effect)).firstStep > kMaxSteps) {
         effect.timeline.prewarm = false;
         effect.timeline.loop = false;
     }
@@ -86,7 +94,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const int number = bytes.ConsumeIntegralInRange<int>(0, 6);
     Effect effect;
     while (bytes.remaining_bytes() > 0) {
-        const Parameter& parameter = parameterTable()[bytes.ConsumeIntegralInRange<std::size_t>(0, parameterTable().size() - 1)];
+        const Parameter& parameter =
+            parameterTable()[bytes.ConsumeIntegralInRange<std::size_t>(0, parameterTable().size() - 1)];
         setClamped(effect, parameter, valueFrom(bytes, parameter));
     }
     makeCheap(effect);

@@ -10,10 +10,15 @@ namespace fumage::tests {
 
 Effect goldenEffect(const std::string& id)
 {
+    return goldenEffect(loadPreset(LibraryEntry{id, {}}).value().preset.effect);
+}
+
+Effect goldenEffect(const Effect& preset)
+{
     constexpr int kEdge = 96;
-    constexpr int kMostParticles = 20000;
-    Effect effect = loadPreset(LibraryEntry{id, {}}).value().preset.effect;
-    effect.emitter.count = std::min(effect.emitter.count, kMostParticles);
+    constexpr int kGoldenParticles = 20000;
+    Effect effect = preset;
+    effect.emitter.count = std::min(effect.emitter.count, kGoldenParticles);
     effect.output.width = kEdge;
     effect.output.height = kEdge;
     return effect;

@@ -13,6 +13,8 @@ inline constexpr int kGoldenFrame = 45;
 
 /// A built-in preset as a small picture of few particles.
 [[nodiscard]] Effect goldenEffect(const std::string& id);
+/// Another effect, likewise.
+[[nodiscard]] Effect goldenEffect(const Effect& preset);
 
 /// "id checksum", of the picture's floats.
 [[nodiscard]] std::string goldenLine(const std::string& id, const Image& image);

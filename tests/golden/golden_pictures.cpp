@@ -1,7 +1,7 @@
 #include "tests/golden/golden_pictures.h"
 
 #include "core/base/file.h"
-#include "core/picture_files/png_file.h"
+#include "core/image_io/png_file.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -65,7 +65,8 @@ PictureDifference difference(const Picture& seen, const Picture& expected, Pictu
             const int delta = std::abs(shown(seen, pixel, channel) - shown(expected, pixel, channel));
             result.largest = std::max(result.largest, delta);
             sum += delta;
-            out.pixels[pixel * 4 + channel] = static_cast<std::uint8_t>(channel == 3 ? 255 : std::min(255, delta * kStronger));
+            out.pixels[pixel * 4 + channel] =
+                static_cast<std::uint8_t>(channel == 3 ? 255 : std::min(255, delta * kStronger));
         }
     }
     result.mean = sum / static_cast<double>(seen.pixels.size());
@@ -81,7 +82,8 @@ Picture encoded(const Image& image, const Output& output)
 
 } // namespace
 
-QString showDifference(const Image& seen, const Output& output, const QString& reference, const QString& folder, const QString& name)
+QString showDifference(
+    const Image& seen, const Output& output, const QString& reference, const QString& folder, const QString& name)
 {
     const Picture picture = encoded(seen, output);
     const QString stem = QDir(folder).absoluteFilePath(name);
@@ -97,14 +99,19 @@ QString showDifference(const Image& seen, const Output& output, const QString& r
     if (!writePicture(*expected, stem + ".expected.png") || !writePicture(apart, stem + ".difference.png")) {
         return "what was seen is in " + stem + ".png; the difference cannot be written";
     }
-    return QString("largest difference %1 of 255, mean %2; see %3.png, .expected.png and .difference.png (8 times as strong)").arg(delta.largest).arg(delta.mean, 0, 'g', 3).arg(stem);
+    return QString(
+        "largest difference %1 of 255, mean %2; see %3.png, .expected.png and .difference.png (8 times as strong)")
+        .arg(delta.largest)
+        .arg(delta.mean, 0, 'g', 3)
+        .arg(stem);
 }
 
 bool writeReference(const Image& image, const Output& output, const QString& path)
 {
     const Picture picture = encoded(image, output);
     const std::optional<Picture> present = readPicture(path);
-    return (present && present->width == picture.width && present->pixels == picture.pixels) || writePicture(picture, path);
+    return (present && present->width == picture.width && present->pixels == picture.pixels)
+        || writePicture(picture, path);
 }
 
 } // namespace fumage::tests

@@ -22,7 +22,7 @@ std::vector<Effect> effects()
     burst.output.viewTransform = ViewTransform::Filmic;
     out.push_back(burst);
     Effect thesis = thesisEffect(3000);
-    thesis.motion.wind = 0.5F;
+    thesis.wind.strength = 0.5F;
     thesis.motion.randomness = 1.0F;
     thesis.emitter.velocityRandomness = 1.0F;
     thesis.look.mask = MaskShape::Square;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Greps the includes: rooms of the core may look only the allowed way, and nothing of it at Qt or OpenGL.
 set -u
+here=$(cd "$(dirname "$0")" && pwd)
 cd "$1" || exit 1
 failed=0
 forbid() { # <folder> <pattern of includes> <why>
@@ -15,18 +16,19 @@ forbid core 'Q[A-Z]|Qt|GL/|epoxy' 'core knows no Qt and no OpenGL'
 forbid core 'ui/|app/' 'core does not know the editor or the programs'
 forbid app/cli 'Q[A-Z]|Qt|ui/' 'the command line knows no Qt'
 forbid ui 'app/' 'the editor library does not know the programs'
-forbid ui/document 'ui/(panels|pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'the document does not know what shows it'
-forbid ui/face 'ui/(document|panels|pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'the face knows none of what it is the face of'
-forbid ui/work 'ui/(document|panels|pictures|viewport|noise_preview|timeline|presets|export|shell|face)/' 'work does not know what it is done for'
-forbid ui/panels 'ui/(pictures|viewport|noise_preview|timeline|presets|export|shell)/' 'panels know the document alone'
-forbid ui/timeline 'ui/(pictures|viewport|noise_preview|presets|export|shell)/' 'the timeline knows the document alone'
-forbid ui/pictures 'ui/(?!pictures/|work/)' 'pictures know values and the core alone'
-forbid ui/pictures 'Q(?!(Object|Timer|ElapsedTimer|List|Image|Size|RectF|MetaType)>)' 'pictures know no widgets'
+forbid ui/document 'ui/(panels|preview|viewport|noise_preview|timeline|presets|export|shell)/' 'the document does not know what shows it'
+forbid ui/widgets 'ui/(document|panels|preview|viewport|noise_preview|timeline|presets|export|shell|theme)/' 'widgets do not know who uses them'
+forbid ui/theme 'ui/(document|panels|preview|viewport|noise_preview|timeline|presets|export|shell)/' 'the theme does not know who wears it'
+forbid ui/concurrency 'ui/(document|panels|preview|viewport|noise_preview|timeline|presets|export|shell|widgets|theme)/' 'threads do not know what they are for'
+forbid ui/panels 'ui/(preview|viewport|noise_preview|timeline|presets|export|shell)/' 'panels know the document alone'
+forbid ui/timeline 'ui/(preview|viewport|noise_preview|presets|export|shell)/' 'the timeline knows the document alone'
+forbid ui/preview 'ui/(?!preview/|concurrency/)' 'pictures know values and the core alone'
+forbid ui/preview 'Q(?!(Object|Timer|ElapsedTimer|List|Image|Size|RectF|MetaType)>)' 'pictures know no widgets'
 forbid ui/viewport 'ui/(panels|noise_preview|presets|export|shell)/' 'the viewport knows document, pictures and timeline'
-forbid ui/noise_preview 'ui/(panels|pictures|viewport|timeline|presets|export|shell)/' 'the noise pane knows the document alone'
+forbid ui/noise_preview 'ui/(panels|preview|viewport|timeline|presets|export|shell)/' 'the noise pane knows the document alone'
 forbid ui/presets 'ui/(viewport|noise_preview|timeline|export|shell)/' 'presets know document and pictures'
-forbid ui/export 'ui/(pictures|viewport|noise_preview|presets|shell)/' 'export knows document, panels and timeline'
-boxes=$(grep -rn '#include <QMessageBox>' ui --include='*.h' --include='*.cpp' | grep -v '^ui/face/message_box' || true)
+forbid ui/export 'ui/(preview|viewport|noise_preview|presets|shell)/' 'export knows document, panels and timeline'
+boxes=$(grep -rn '#include <QMessageBox>' ui --include='*.h' --include='*.cpp' | grep -v '^ui/widgets/message_box' || true)
 if [ -n "$boxes" ]; then
     printf '%s\n%s\n' 'texts of files are shown by MessageBox, which takes nothing for HTML:' "$boxes"
     failed=1
@@ -38,23 +40,24 @@ if [ -n "$fillers$raw" ]; then
     printf '%s\n%s%s\n' 'names from outside become code only by core/export/templates:' "$fillers" "$raw"
     failed=1
 fi
+statements=$(python3 "$here/statements.py" ui)
 search() { # <pattern> <files that may> <why>
     local found
-    found=$(grep -rnP "$1" ui --include='*.h' --include='*.cpp' | grep -vP "^($2)" || true)
+    found=$(grep -P "$1" <<< "$statements" | grep -vP "^($2)" || true)
     if [ -n "$found" ]; then
         printf '%s\n%s\n' "$3:" "$found"
         failed=1
     fi
 }
-search '#include <(thread|future)>|\bQThread\b|QtConcurrent' 'ui/work/' 'threads of the editor are of ui/work, where nothing that is thrown ends the program'
+search '#include <(thread|future)>|\bQThread\b|QtConcurrent' 'ui/concurrency/' 'threads of the editor are of ui/concurrency, where nothing that is thrown ends the program'
 # A literal, a choice of two, or what makes plain text of anything.
 literal='tr\("([^"\\]|\\.)*"\)'
 plain="($literal|[^()]* \? $literal : $literal|(plainToolTip|titledToolTip|toolTipOf)\(.*\))"
-search "(setToolTip|setWhatsThis|setStatusTip)\((?!$plain\);)|QToolTip::showText\((?!.*plainToolTip|.*,\$)|(ToolTip|WhatsThis|StatusTip)Role(?!: return plainToolTip\()" 'ui/face/plain_text' 'tool tips are literals, or go through plain_text.h'
-search 'Qt::RichText|Qt::AutoText|Qt::MarkdownText|setHtml|insertHtml|setMarkdown' 'ui/face/plain_text|ui/shell/help' 'only the help is HTML'
-forbid core/base 'core/(picture_files|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'base stands below everything'
-forbid core/picture_files 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
-forbid core/effect 'core/(picture_files|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'
+search "(setToolTip|setWhatsThis|setStatusTip)\((?!$plain\);)|QToolTip::showText\((?!.*plainToolTip|.*,\$)|(ToolTip|WhatsThis|StatusTip)Role(?!: return plainToolTip\()" 'ui/widgets/plain_text' 'tool tips are literals, or go through plain_text.h'
+search 'Qt::RichText|Qt::AutoText|Qt::MarkdownText|setHtml|insertHtml|setMarkdown' 'ui/widgets/plain_text|ui/shell/help' 'only the help is HTML'
+forbid core/base 'core/(image_io|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'base stands below everything'
+forbid core/image_io 'core/(effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
+forbid core/effect 'core/(image_io|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'
 forbid core/preset 'core/(noise|flow|simulation|lighting|rendering|export|live|c)/' 'preset knows effect, files of pictures and base'
 forbid core/noise 'core/(preset|flow|simulation|lighting|rendering|export|live|c)/' 'noise does not know what uses it'
 forbid core/flow 'core/(preset|simulation|lighting|rendering|export|live|c)/' 'the air knows no particles'

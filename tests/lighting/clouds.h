@@ -8,7 +8,7 @@ namespace fumage::tests {
 inline Frame cloud(const Effect& effect, const std::vector<glm::vec3>& places)
 {
     Frame frame;
-    frame.model = std::make_shared<const Model>(sampled(effect));
+    frame.model = std::make_shared<const SimulationModel>(sampled(effect));
     frame.step = 0;
     frame.particles.reset(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -1,7 +1,7 @@
 // What particles cover in pictures is what shadows and volumes find of them, whatever their mask and texture.
 #include "tests/lighting/clouds.h"
 
-#include "core/export/volume.h"
+#include "core/export/data/volume.h"
 #include "core/rendering/renderer.h"
 
 #include <algorithm>
@@ -111,7 +111,8 @@ private slots:
         Image image;
         QVERIFY(renderer.render(frame, sampled(effect), kEdge, kEdge, image).ok());
         const double shown = coveredIn(image, renderer.batch().view);
-        const double shaded = crossSection(renderer.light().density, renderer.light().shape.cells(), renderer.light().shape.cell);
+        const double shaded =
+            crossSection(renderer.light().density, renderer.light().shape.cells(), renderer.light().shape.cell);
         const Volume volume = volumeOf(frame, sampled(effect), 0.05F, renderer.texture()->greys(0)).value();
         const double kept = crossSection(volume.density, volume.count(), volume.cell);
         QVERIFY(shown > 0.0);

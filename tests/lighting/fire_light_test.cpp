@@ -3,6 +3,7 @@
 #include "tests/helpers.h"
 #include "tests/lighting/clouds.h"
 
+#include "core/lighting/appearance.h"
 #include "core/lighting/fire_light.h"
 
 using namespace fumage;
@@ -22,10 +23,10 @@ Effect lookOfFire()
     effect.life.initialAlpha = 0.1F;
     effect.light.shadow = 0.0F;
     effect.light.occlusion = 0.7F;
-    effect.light.emission = 3.0F;
-    effect.light.emissionCooling = 100.0F;
-    effect.light.emissionColour = EmissionColour::Gradient;
-    effect.light.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F, 0.5F, 0.25F)}};
+    effect.glow.emission = 3.0F;
+    effect.glow.emissionCooling = 100.0F;
+    effect.glow.emissionColour = EmissionColour::Gradient;
+    effect.glow.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(1.0F, 0.5F, 0.25F)}};
     return effect;
 }
 
@@ -54,7 +55,9 @@ struct LitByFire {
     [[nodiscard]] std::pair<double, double> at(const glm::vec3& place) const
     {
         const Axes& axes = grid.shape.axes;
-        const auto along = [&](const glm::vec3& p) { return glm::vec3(glm::dot(p, axes.u), glm::dot(p, axes.v), glm::dot(p, axes.w)); };
+        const auto along = [&](const glm::vec3& p) {
+            return glm::vec3(glm::dot(p, axes.u), glm::dot(p, axes.v), glm::dot(p, axes.w));
+        };
         const glm::ivec3 cell(glm::round((along(place) - grid.shape.origin) / grid.shape.cell));
         const glm::vec3 centre = grid.shape.origin + glm::vec3(cell) * grid.shape.cell;
         const auto i = static_cast<std::size_t>((cell.z * grid.shape.nv + cell.y) * grid.shape.nu + cell.x);
@@ -76,11 +79,13 @@ private slots:
         constexpr double kPower = 3.0 * (0.2126 + 0.5 * 0.7152 + 0.25 * 0.0722) * 0.5 * 3.14159265 * 0.1 * 0.1 / 3.0;
         double product = 1.0;
         int count = 0;
-        for (const glm::vec3 way : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1), glm::vec3(1, 1, 0), glm::vec3(1, -1, 1), glm::vec3(0.3, 0.8, -0.5)}) {
+        for (const glm::vec3 way : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1),
+                 glm::vec3(1, 1, 0), glm::vec3(1, -1, 1), glm::vec3(0.3, 0.8, -0.5)}) {
             for (const float distance : {0.8F, 1.1F, 1.5F, 1.8F}) {
                 const auto [light, metres] = lit.at(glm::vec3(0.5F * kEdge) + glm::normalize(way) * distance);
                 const double expected = kPower / (4.0 * 3.14159265 * metres * metres);
-                QVERIFY2(light > 0.7 * expected && light < 1.3 * expected, qPrintable(QStringLiteral("%1 of %2 at %3 m").arg(light).arg(expected).arg(metres)));
+                QVERIFY2(light > 0.7 * expected && light < 1.3 * expected,
+                    qPrintable(QStringLiteral("%1 of %2 at %3 m").arg(light).arg(expected).arg(metres)));
                 product *= light / expected;
                 ++count;
             }
@@ -96,11 +101,13 @@ private slots:
         const LitByFire clear(effect);
         effect.light.shadow = 1.0F;
         const LitByFire dense(effect);
-        // Extinction of discs of half that alpha, one to each cube between them; beyond the last of them there is none, which coarse levels see.
+        // Extinction of discs of half that alpha, one to each cube between them; beyond the last of them there is none,
+        // which coarse levels see.
         constexpr double kExtinction = 0.25 * 3.14159265 * 0.01 / 3.0 / (kBetween * kBetween * kBetween);
         for (const float distance : {0.5F, 0.8F}) {
             const auto [light, metres] = dense.at(glm::vec3(0.5F * kEdge + distance, 0.5F * kEdge, 0.5F * kEdge));
-            const double through = light / clear.at(glm::vec3(0.5F * kEdge + distance, 0.5F * kEdge, 0.5F * kEdge)).first;
+            const double through =
+                light / clear.at(glm::vec3(0.5F * kEdge + distance, 0.5F * kEdge, 0.5F * kEdge)).first;
             QVERIFY(near(std::log(through) / (-kExtinction * metres), 1.0, 0.4));
         }
     }
@@ -109,7 +116,7 @@ private slots:
     {
         Effect effect = lookOfFire();
         const LitByFire opaque(effect);
-        effect.light.flameOpacity = 0.1F;
+        effect.glow.flameOpacity = 0.1F;
         const LitByFire clear(effect);
         const glm::vec3 place(0.5F * kEdge + 1.0F, 0.5F * kEdge, 0.5F * kEdge);
         QVERIFY(near(clear.at(place).first / opaque.at(place).first, 1.0, 0.01));
@@ -118,13 +125,13 @@ private slots:
     void nothingIsLitWhereNothingGlowsOrNoneIsAskedFor()
     {
         Effect effect = lookOfFire();
-        effect.light.fireLight = 0.0F;
+        effect.glow.fireLight = 0.0F;
         QVERIFY(LitByFire(effect).grid.fire.empty());
-        effect.light.fireLight = 1.0F;
-        effect.light.emission = 0.0F;
+        effect.glow.fireLight = 1.0F;
+        effect.glow.emission = 0.0F;
         QVERIFY(LitByFire(effect).grid.fire.empty());
-        effect.light.emission = 1.0F;
-        effect.light.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
+        effect.glow.emission = 1.0F;
+        effect.glow.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
         QVERIFY(LitByFire(effect).grid.fire.empty());
     }
 
@@ -142,9 +149,9 @@ private slots:
     void pictureIsBrighterAndTemperatureIsNot()
     {
         Effect effect = everythingOn();
-        effect.light.fireLight = 0.0F;
+        effect.glow.fireLight = 0.0F;
         const Image without = render(effect, 30);
-        effect.light.fireLight = 1.0F;
+        effect.glow.fireLight = 1.0F;
         const Image with = render(effect, 30);
         double more = 0.0;
         for (std::size_t i = 0; i < with.pixels.size(); ++i) {

@@ -21,7 +21,8 @@ Place placeOf(const GridShape& shape, const glm::vec3& point)
 {
     const OneLane d;
     const auto cell = kernels::gridCellAt(d, shape, kernels::broadcast(d, point));
-    return {hn::GetLane(cell.corner), {hn::GetLane(cell.fraction.x), hn::GetLane(cell.fraction.y), hn::GetLane(cell.fraction.z)}};
+    return {hn::GetLane(cell.corner),
+        {hn::GetLane(cell.fraction.x), hn::GetLane(cell.fraction.y), hn::GetLane(cell.fraction.z)}};
 }
 
 /// Cells of half a metre, the axes swapped.

@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "core/effect/sampling.h"
+#include "core/lighting/appearance.h"
 #include "core/lighting/black_body.h"
 #include "core/lighting/light_grid.h"
 #include "core/lighting/overlap.h"
@@ -90,10 +91,13 @@ struct Grown {
         , after(lit.appearance)
     {
         OverlapWorkspace room;
-        growLoneParticles(frame, sampled(effect), lit.grid, room, after);
+        inflateSparseParticles(frame, sampled(effect), lit.grid, room, after);
     }
 
-    [[nodiscard]] double growthOf(std::size_t i) const { return static_cast<double>(after.radius[i]) / static_cast<double>(lit.appearance.radius[i]); }
+    [[nodiscard]] double growthOf(std::size_t i) const
+    {
+        return static_cast<double>(after.radius[i]) / static_cast<double>(lit.appearance.radius[i]);
+    }
 };
 
 } // namespace
@@ -111,8 +115,11 @@ private slots:
             places.emplace_back(x, 0.4F, 0.2F);
             const Grown grown(cloud(effect, places), effect, 8.0F);
             const std::size_t lone = places.size() - 1;
-            QVERIFY2(near(grown.growthOf(lone), 2.0, 0.02), qPrintable(QString::number(grown.growthOf(lone)))); // the cube root of 8
-            const auto covered = [&](const Appearance& of) { return static_cast<double>(of.alpha[lone] * of.radius[lone] * of.radius[lone]); };
+            QVERIFY2(near(grown.growthOf(lone), 2.0, 0.02),
+                qPrintable(QString::number(grown.growthOf(lone)))); // the cube root of 8
+            const auto covered = [&](const Appearance& of) {
+                return static_cast<double>(of.alpha[lone] * of.radius[lone] * of.radius[lone]);
+            };
             QVERIFY(near(covered(grown.after), covered(grown.lit.appearance), 1e-5));
         }
     }
@@ -144,7 +151,9 @@ private slots:
             qInfo("opacity %g: %.1f others", static_cast<double>(opacity), others);
             QVERIFY(std::abs(others / 37.7 - 1.0) < 0.1);
             const Grown crowded(frame, effect, 4.0F);
-            const auto still = std::count_if(places.begin(), places.end(), [&](const glm::vec3& place) { return crowded.growthOf(static_cast<std::size_t>(&place - places.data())) == 1.0; });
+            const auto still = std::count_if(places.begin(), places.end(), [&](const glm::vec3& place) {
+                return crowded.growthOf(static_cast<std::size_t>(&place - places.data())) == 1.0;
+            });
             QVERIFY(static_cast<double>(still) > 0.98 * static_cast<double>(kCount));
         }
     }
@@ -164,7 +173,7 @@ private slots:
         effect.life.sizeCurve = Curve{{0.0F, 1.0F}};
         effect.look.dilution = 0.0F;
         effect.look.opacity = 1.0F;
-        effect.light.flameOpacity = 1.0F;
+        effect.glow.flameOpacity = 1.0F;
         const auto frame = frameOf(effect, 13);
         Appearance appearance;
         findAppearance(*frame, sampled(effect), Axes{}, appearance);
@@ -190,7 +199,8 @@ private slots:
         findAppearance(*frame, sampled(effect), Axes{}, appearance);
         for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
             const Lifecycle cycle = lifecycle(*frame, i);
-            const float smoke = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] / (2.0F * cycle.alpha);
+            const float smoke =
+                appearance.alpha[i] * appearance.radius[i] * appearance.radius[i] / (2.0F * cycle.alpha);
             QVERIFY(std::abs(smoke / (0.25F * 0.25F * 0.25F * effect.look.size * effect.look.size) - 1.0F) < 0.02F);
         }
     }
@@ -208,7 +218,8 @@ private slots:
             effect.look.groundFade = fade;
             Appearance appearance;
             findAppearance(frame, sampled(effect), Axes{}, appearance);
-            return std::vector<float>(appearance.alpha.begin(), appearance.alpha.begin() + static_cast<std::ptrdiff_t>(places.size()));
+            return std::vector<float>(
+                appearance.alpha.begin(), appearance.alpha.begin() + static_cast<std::ptrdiff_t>(places.size()));
         };
         const std::vector<float> all = alphas(0.0F);
         const std::vector<float> faded = alphas(2.0F);
@@ -343,11 +354,15 @@ private slots:
         const std::size_t middle = static_cast<std::size_t>(shape.nv / 2) * nu + nu / 2;
         const double sigma = 24.0 * 24.0 * 24.0 * 0.5 * M_PI * 0.01 / 3.0;
         for (int w = 4; w < shape.nw - 3; ++w) {
-            const double depth = static_cast<double>(shape.origin.z + static_cast<float>(w) * shape.cell - lit.appearance.low.z);
-            const double tau = static_cast<double>(lit.grid.light[(static_cast<std::size_t>(w) * plane + middle) * 4 + 3]);
-            const double light = static_cast<double>(lit.grid.light[(static_cast<std::size_t>(w) * plane + middle) * 4]);
+            const double depth =
+                static_cast<double>(shape.origin.z + static_cast<float>(w) * shape.cell - lit.appearance.low.z);
+            const double tau =
+                static_cast<double>(lit.grid.light[(static_cast<std::size_t>(w) * plane + middle) * 4 + 3]);
+            const double light =
+                static_cast<double>(lit.grid.light[(static_cast<std::size_t>(w) * plane + middle) * 4]);
             QVERIFY(std::abs(light - std::exp(-tau)) < 1e-5);
-            QVERIFY2(std::abs(tau - sigma * depth) < 0.08 * sigma, qPrintable(QString("tau %1 expected %2").arg(tau).arg(sigma * depth)));
+            QVERIFY2(std::abs(tau - sigma * depth) < 0.08 * sigma,
+                qPrintable(QString("tau %1 expected %2").arg(tau).arg(sigma * depth)));
         }
     }
 
@@ -358,7 +373,8 @@ private slots:
         const Lit lit(cloud(effect, {{0.0F, 0.0F, 0.0F}, {5.0F, 5.0F, 5.0F}}), effect);
         for (std::size_t i = 0; i < lit.grid.shape.cells(); ++i) {
             QVERIFY(lit.grid.light[i * 4] > 0.99F && lit.grid.light[i * 4] < 1.001F);
-            QVERIFY(std::abs(lit.grid.light[i * 4 + 1] + lit.grid.light[i * 4 + 2] - 2.0F) < 0.02F); // sky and ground, each 1 where nothing is in the way
+            QVERIFY(std::abs(lit.grid.light[i * 4 + 1] + lit.grid.light[i * 4 + 2] - 2.0F)
+                < 0.02F); // sky and ground, each 1 where nothing is in the way
         }
     }
 
@@ -391,7 +407,8 @@ private slots:
         QVERIFY(deepest(0.8F) > 20.0F * deepest(0.0F));
         effect.light.scattering = 0.8F;
         effect.look.opacity = 0.001F;
-        QVERIFY(std::abs(Lit(cloud(effect, {{0.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 1.0F}}), effect).grid.light[0] - 1.0F) < 1e-3F);
+        QVERIFY(std::abs(Lit(cloud(effect, {{0.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 1.0F}}), effect).grid.light[0] - 1.0F)
+            < 1e-3F);
     }
 
     void emptyFrameIsLitWithoutTrouble()
@@ -410,7 +427,8 @@ private slots:
         const double x = 0.4124564 * c.r + 0.3575761 * c.g + 0.1804375 * c.b;
         const double y = 0.2126729 * c.r + 0.7151522 * c.g + 0.0721750 * c.b;
         const double z = 0.0193339 * c.r + 0.1191920 * c.g + 0.9503041 * c.b;
-        QVERIFY2(std::abs(x / (x + y + z) - 0.4476) < 0.005 && std::abs(y / (x + y + z) - 0.4074) < 0.005, qPrintable(QString("%1 %2").arg(x / (x + y + z)).arg(y / (x + y + z))));
+        QVERIFY2(std::abs(x / (x + y + z) - 0.4476) < 0.005 && std::abs(y / (x + y + z) - 0.4074) < 0.005,
+            qPrintable(QString("%1 %2").arg(x / (x + y + z)).arg(y / (x + y + z))));
     }
 
     void blackBodyDimsAndReddensAsItCools()

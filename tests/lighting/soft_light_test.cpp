@@ -46,7 +46,8 @@ AlignedArray<float> softened(const GridShape& shape, std::size_t channels, const
 /// Any numbers that are not alike.
 float someNumber(const glm::ivec3& cell, std::size_t channel)
 {
-    return unitFloat(streamBits(static_cast<std::uint32_t>(cell.x + 100 * cell.y + 10000 * cell.z), static_cast<std::uint32_t>(channel)));
+    return unitFloat(streamBits(
+        static_cast<std::uint32_t>(cell.x + 100 * cell.y + 10000 * cell.z), static_cast<std::uint32_t>(channel)));
 }
 
 } // namespace
@@ -73,7 +74,8 @@ private slots:
         QFETCH(int, nu);
         QFETCH(int, nv);
         QFETCH(int, nw);
-        const AlignedArray<float> out = softened(shapeOf(nu, nv, nw), 4, [](const glm::ivec3& /*cell*/, std::size_t channel) { return 0.1F + 0.3F * static_cast<float>(channel); });
+        const AlignedArray<float> out = softened(shapeOf(nu, nv, nw), 4,
+            [](const glm::ivec3& /*cell*/, std::size_t channel) { return 0.1F + 0.3F * static_cast<float>(channel); });
         for (std::size_t i = 0; i < out.size(); ++i) {
             QCOMPARE(out[i], 0.1F + 0.3F * static_cast<float>(i % 4));
         }
@@ -83,9 +85,10 @@ private slots:
     {
         const GridShape shape = shapeOf(7, 6, 5);
         const glm::ivec3 middle(3, 2, 2);
-        const AlignedArray<float> out = softened(shape, 2, [&](const glm::ivec3& cell, std::size_t channel) { return cell == middle ? 64.0F * static_cast<float>(channel) : 0.0F; });
-        const auto weight = [](int way) { return way == 0 ? 2.0F : way == 1 || way == -1 ? 1.0F
-                                                                                         : 0.0F; };
+        const AlignedArray<float> out = softened(shape, 2, [&](const glm::ivec3& cell, std::size_t channel) {
+            return cell == middle ? 64.0F * static_cast<float>(channel) : 0.0F;
+        });
+        const auto weight = [](int way) { return way == 0 ? 2.0F : way == 1 || way == -1 ? 1.0F : 0.0F; };
         float sum = 0.0F;
         std::size_t i = 0;
         for (int w = 0; w < shape.nw; ++w) {
@@ -109,11 +112,13 @@ private slots:
             shape.finest = 0.1F;
             shape.cell = cell;
             const glm::ivec3 middle(2);
-            const AlignedArray<float> out = softened(shape, 1, [&](const glm::ivec3& at, std::size_t /*channel*/) { return at == middle ? 1.0F : 0.0F; });
+            const AlignedArray<float> out = softened(
+                shape, 1, [&](const glm::ivec3& at, std::size_t /*channel*/) { return at == middle ? 1.0F : 0.0F; });
             double spread = 0.0;
             for (int i = 0; i < 125; ++i) {
                 const int away = i % 5 - 2;
-                spread += static_cast<double>(out[static_cast<std::size_t>(i)]) * away * away * static_cast<double>(cell * cell);
+                spread += static_cast<double>(out[static_cast<std::size_t>(i)]) * away * away
+                    * static_cast<double>(cell * cell);
             }
             QVERIFY(near(spread, 0.5 * 0.1 * 0.1, 1e-7));
         }
@@ -122,7 +127,9 @@ private slots:
     void lightThatFallsEvenlyStaysSo()
     {
         const GridShape shape = shapeOf(8, 9, 6);
-        const auto slope = [](const glm::ivec3& cell, std::size_t /*channel*/) { return static_cast<float>(2 * cell.x - 3 * cell.y + cell.z); };
+        const auto slope = [](const glm::ivec3& cell, std::size_t /*channel*/) {
+            return static_cast<float>(2 * cell.x - 3 * cell.y + cell.z);
+        };
         const AlignedArray<float> out = softened(shape, 1, slope);
         for (int w = 1; w + 1 < shape.nw; ++w) {
             for (int v = 1; v + 1 < shape.nv; ++v) {

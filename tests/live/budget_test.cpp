@@ -74,7 +74,8 @@ private slots:
         double living = 10000;
         for (int step = 0; step < 300; ++step) {
             const float share = budget.observe({0.0, kEach * living}, static_cast<std::size_t>(living), 10000);
-            QVERIFY(near(share, 0.08, 1e-4)); // 0.8 ms at 1 us each; steps are even, but for that to be known takes more of them
+            QVERIFY(near(
+                share, 0.08, 1e-4)); // 0.8 ms at 1 us each; steps are even, but for that to be known takes more of them
             living += 0.02 * (10000.0 * static_cast<double>(share) - living);
         }
         float share = 0.0F;
@@ -86,11 +87,12 @@ private slots:
             const double interrupted = step % 10 == 0 ? 50.0 : 1.0;
             share = budget.observe({0.0, interrupted * kEach * 1000.0}, 1000, 10000);
         }
-        QVERIFY2(share > 0.065F && share <= 0.092F, qPrintable(QString::number(share))); // of what it does itself, no step is longer than another
+        QVERIFY2(share > 0.065F && share <= 0.092F,
+            qPrintable(QString::number(share))); // of what it does itself, no step is longer than another
         for (int step = 0; step < 100; ++step) {
             share = budget.observe({5e-3, kEach * 1000.0}, 1000, 10000);
         }
-        QCOMPARE(share, BirthBudget::kLeastShare); // air alone takes longer
+        QCOMPARE(share, BirthBudget::kMinShare); // air alone takes longer
     }
 
     void oneStepInAHundredMayTakeLonger()
@@ -142,7 +144,7 @@ private slots:
     {
         BirthBudget budget(kBudget);
         float share = budget.observe({0.0, 20.0 * kBudget}, 1000, 1000);
-        QCOMPARE(share, BirthBudget::kLeastShare);
+        QCOMPARE(share, BirthBudget::kMinShare);
         for (int step = 0; step < 200; ++step) {
             share = budget.observe({0.0, kEach}, 1, 1000);
         }
@@ -184,7 +186,8 @@ private slots:
             before.copySlots(smoke.live().particles(), 0, before.x.size());
             taken.push_back(smoke.longestOf(1));
             QVERIFY(isFinite(smoke.live().particles()));
-            QVERIFY(longestJump(before, smoke.live().particles(), 6.0F * smoke.live().effect().turbulence.strength) < 1e-5F);
+            QVERIFY(longestJump(before, smoke.live().particles(), 6.0F * smoke.live().effect().turbulence.strength)
+                < 1e-5F);
         }
         std::sort(taken.begin(), taken.end());
         const double p99 = taken[taken.size() * 99 / 100];

@@ -46,11 +46,11 @@ private slots:
     void parametersActAndAreToldWhereTheyWereClamped()
     {
         const Smoke smoke = named("thesis-2012");
-        QCOMPARE(fumage_set(smoke.get(), "motion.wind", "0.5"), 0);
-        QCOMPARE(fumage_set(smoke.get(), "motion.wind", "1e30"), 1);
+        QCOMPARE(fumage_set(smoke.get(), "wind.strength", "0.5"), 0);
+        QCOMPARE(fumage_set(smoke.get(), "wind.strength", "1e30"), 1);
         QCOMPARE(fumage_set(smoke.get(), "motion.wnd", "1"), -1);
-        QVERIFY2(std::strstr(fumage_error(smoke.get()), "motion.wind") != nullptr, fumage_error(smoke.get()));
-        QCOMPARE(fumage_set(smoke.get(), "motion.wind", "strong"), -1);
+        QVERIFY2(std::strstr(fumage_error(smoke.get()), "wind.strength") != nullptr, fumage_error(smoke.get()));
+        QCOMPARE(fumage_set(smoke.get(), "wind.strength", "strong"), -1);
         QCOMPARE(fumage_set(smoke.get(), nullptr, nullptr), -1);
         QCOMPARE(fumage_set(smoke.get(), "timeline.frame_rate", "7"), -1);
         QVERIFY(fumage_error(smoke.get()) != nullptr);
@@ -90,7 +90,9 @@ private slots:
         const Smoke none(fumage_create_from_name_with("thesis-2012", wrong, nullptr), &fumage_destroy);
         QVERIFY2(QByteArray(fumage_error(none.get())).contains("air.resolution"), fumage_error(none.get()));
         QCOMPARE(fumage_step(none.get(), 0.1), -1);
-        const Smoke plain(fumage_create_from_json_with("{\"format\":\"fumage-preset\",\"version\":1}", settings, nullptr), &fumage_destroy);
+        const Smoke plain(
+            fumage_create_from_json_with("{\"format\":\"fumage-preset\",\"version\":1}", settings, nullptr),
+            &fumage_destroy);
         QVERIFY2(fumage_error(plain.get()) == nullptr, fumage_error(plain.get()));
     }
 
@@ -108,7 +110,8 @@ private slots:
             living += lives ? 1 : 0;
             QVERIFY(fumage_age(smoke.get())[i] >= 0.0F && fumage_age(smoke.get())[i] < 31.5F / 60.0F);
             QVERIFY(fumage_life(smoke.get())[i] >= 0.0F && fumage_life(smoke.get())[i] <= 1.0F);
-            QVERIFY(std::isfinite(fumage_velocity_x(smoke.get())[i] + fumage_velocity_y(smoke.get())[i] + fumage_velocity_z(smoke.get())[i]));
+            QVERIFY(std::isfinite(fumage_velocity_x(smoke.get())[i] + fumage_velocity_y(smoke.get())[i]
+                + fumage_velocity_z(smoke.get())[i]));
             QVERIFY(lives || fumage_radius(smoke.get())[i] == 0.0F);
         }
         QCOMPARE(living, fumage_living(smoke.get()));
@@ -142,15 +145,17 @@ private slots:
     void whatDoesNotStartSaysWhyAndDoesNothing()
     {
         const fumage_options wrong{1000, 0, 0, 0.0};
-        for (const Smoke& smoke : {named("thesis-2O12"), named("thesis-2012", &wrong), Smoke(fumage_create_from_json("{ \"format\": ", nullptr), &fumage_destroy),
+        for (const Smoke& smoke : {named("thesis-2O12"), named("thesis-2012", &wrong),
+                 Smoke(fumage_create_from_json("{ \"format\": ", nullptr), &fumage_destroy),
                  Smoke(fumage_create_from_json(nullptr, nullptr), &fumage_destroy)}) {
             QVERIFY(smoke != nullptr);
             const QByteArray why = fumage_error(smoke.get());
             QVERIFY(!why.isEmpty());
             QCOMPARE(fumage_step(smoke.get(), 1.0), -1);
-            QCOMPARE(fumage_set(smoke.get(), "motion.wind", "1"), -1);
+            QCOMPARE(fumage_set(smoke.get(), "wind.strength", "1"), -1);
             QCOMPARE(fumage_slots(smoke.get()), std::size_t(0));
-            QVERIFY(fumage_x(smoke.get()) == nullptr && fumage_colour(smoke.get()) == nullptr && fumage_id(smoke.get()) == nullptr && fumage_age(smoke.get()) == nullptr);
+            QVERIFY(fumage_x(smoke.get()) == nullptr && fumage_colour(smoke.get()) == nullptr
+                && fumage_id(smoke.get()) == nullptr && fumage_age(smoke.get()) == nullptr);
             QVERIFY(fumage_share(smoke.get()) == 0.0F && fumage_is_over_budget(smoke.get()) == 0);
             fumage_burst(smoke.get());
             QCOMPARE(QByteArray(fumage_error(smoke.get())), why);

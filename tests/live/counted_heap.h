@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <new>
 
-// Every new of the program goes through here, so that a test can tell whether something allocates. Included by one source of a program.
+// Every new of the program goes through here, so that a test can tell whether something allocates. Included by one
+// source of a program.
 
 namespace fumage::tests {
 

@@ -25,9 +25,9 @@ double meanOf(const Particles& p, const Value& value)
 }
 
 /// A model of an effect with its emitter somewhere.
-Model modelAt(const Effect& effect, const AirGrid& grid, const glm::vec3& place)
+SimulationModel modelAt(const Effect& effect, const AirGrid& grid, const glm::vec3& place)
 {
-    Model model(sampled(effect), grid);
+    SimulationModel model(sampled(effect), grid);
     model.placeEmitter(place, kUp);
     return model;
 }
@@ -42,7 +42,7 @@ private slots:
     void anEmitterThatStaysWithinItsCellHasABoxThatStands()
     {
         const Effect effect = inAir(100);
-        LiveAir air{Model(sampled(effect))};
+        LiveAir air{SimulationModel(sampled(effect))};
         const AirGrid grid = air.grid();
         QCOMPARE(grid, airGrid(sampled(effect)));
         for (int step = 1; step < 30; ++step) {
@@ -80,7 +80,7 @@ private slots:
         const auto run = [&](const glm::vec3& away) {
             Effect effect = inAir(2000);
             effect.air.obstacle = Obstacle::Sphere;
-            effect.air.obstaclePlace = glm::vec3(1.0F, 2.0F, 0.0F) + away;
+            effect.air.obstaclePosition = glm::vec3(1.0F, 2.0F, 0.0F) + away;
             effect.air.obstacleSize = glm::vec3(1.0F);
             effect.emitter.position = away;
             LiveSimulation live = started(effect);
@@ -121,7 +121,7 @@ private slots:
         Effect effect = inAir(100);
         effect.air.ground = true;
         effect.air.groundHeight = -0.25F;
-        LiveAir air{Model(sampled(effect))};
+        LiveAir air{SimulationModel(sampled(effect))};
         const float floor = air.grid().corner.y;
         QCOMPARE(floor, -0.25F);
         const auto cornerAt = [&](int step, float height) {
@@ -142,7 +142,7 @@ private slots:
         Effect effect = inAir(100);
         effect.air.ground = true;
         effect.air.groundHeight = -10.1F;
-        LiveAir air{Model(sampled(effect))};
+        LiveAir air{SimulationModel(sampled(effect))};
         QCOMPARE(air.grid().corner.y, 0.0F);
         air.step(modelAt(effect, air.grid(), {0.0F, -10.0F, 0.0F}), 1, true);
         QCOMPARE(air.grid().corner.y, -10.0F); // and not through it by a part of a cell
@@ -153,15 +153,15 @@ private slots:
     void aWindThatIsSetMovesAllOfTheAir()
     {
         Effect effect = inAir(100);
-        LiveAir air{Model(sampled(effect))};
+        LiveAir air{SimulationModel(sampled(effect))};
         const glm::vec3 corner = air.grid().end() - 2.0F * air.grid().cell;
         air.step(modelAt(effect, air.grid(), glm::vec3(0.0F)), 1, true);
         QVERIFY(glm::length(glm::vec3(air.field().at(corner))) < 0.05F);
-        effect.motion.wind = 3.0F; // over a drag of 1
+        effect.wind.strength = 3.0F; // over a drag of 1
         air.step(modelAt(effect, air.grid(), glm::vec3(0.0F)), 2, true);
         QCOMPARE(air.field().wind.x, 3.0F);
         QVERIFY(near(air.field().at(corner).x, 3.0, 0.1));
-        effect.motion.wind = 0.0F;
+        effect.wind.strength = 0.0F;
         air.step(modelAt(effect, air.grid(), glm::vec3(0.0F)), 3, true);
         QVERIFY(glm::length(glm::vec3(air.field().at(corner))) < 0.1F);
     }

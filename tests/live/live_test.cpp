@@ -34,7 +34,7 @@ private slots:
             Effect effect = everythingOn();
             effect.emitter.mode = mode;
             effect.timeline.prewarm = false;
-            const Model model(sampled(effect));
+            const SimulationModel model(sampled(effect));
             LiveSimulation live = started(effect);
             int made = 0;
             for (const int step : {0, 1, 40, 200, 333}) {
@@ -112,7 +112,8 @@ private slots:
         std::array<int, 6> bins{};
         for (std::size_t i = 0; i < p.capacity; ++i) {
             if (p.birthStep[i] != Particles::kUnborn && p.birthStep[i] > 0) {
-                const float age = static_cast<float>(3 - p.birthStep[i]) + static_cast<float>(p.key[i] >> 8U) * 0x1p-24F;
+                const float age =
+                    static_cast<float>(3 - p.birthStep[i]) + static_cast<float>(p.key[i] >> 8U) * 0x1p-24F;
                 QVERIFY(near(p.x[i], 3.0F - age, 1e-5)); // a metre a step
                 ++bins[static_cast<std::size_t>(std::min(5.0F, 2.0F * p.x[i]))];
             }
@@ -134,9 +135,11 @@ private slots:
         bool isBetween = false;
         for (std::size_t i = 0; i < p.capacity; ++i) {
             if (p.birthStep[i] == 1) {
-                // From up to the right, in a straight line whose length is made 1; and the emitter's own velocity beside.
+                // From up to the right, in a straight line whose length is made 1; and the emitter's own velocity
+                // beside.
                 const float share = static_cast<float>(p.key[i] >> 8U) * 0x1p-24F;
-                const glm::vec3 expected = 2.0F * glm::normalize(glm::vec3(1.0F - share, share, 0.0F)) + glm::vec3(0.0F, 0.0F, 7.0F);
+                const glm::vec3 expected =
+                    2.0F * glm::normalize(glm::vec3(1.0F - share, share, 0.0F)) + glm::vec3(0.0F, 0.0F, 7.0F);
                 QVERIFY(glm::distance(expected, glm::vec3(p.vx[i], p.vy[i], p.vz[i])) < 1e-4F);
                 isBetween = isBetween || (share > 0.3F && share < 0.7F);
             }
@@ -173,7 +176,8 @@ private slots:
         go(moved, 30);
         double farthest = 0.0;
         for (std::size_t i = 0; i < still.particles().capacity; ++i) {
-            farthest = std::max(farthest, std::abs(static_cast<double>(still.particles().x[i] - moved.particles().x[i])));
+            farthest =
+                std::max(farthest, std::abs(static_cast<double>(still.particles().x[i] - moved.particles().x[i])));
         }
         QVERIFY(near(farthest, 0.0, 1e-3)); // rounding of places on the lattice, and what the swirls make of it
     }
@@ -189,7 +193,8 @@ private slots:
             schedule.birthsPerPeriod = 1 + static_cast<std::int64_t>(random() % 2000);
             schedule.windowSteps = schedule.periodSteps = 1 + static_cast<std::int64_t>(random() % 300);
             const float share = static_cast<float>(random() % 5) / 4.0F;
-            expected += static_cast<double>(schedule.birthsPerPeriod) / static_cast<double>(schedule.windowSteps) * static_cast<double>(share);
+            expected += static_cast<double>(schedule.birthsPerPeriod) / static_cast<double>(schedule.windowSteps)
+                * static_cast<double>(share);
             births += clock.next(schedule, share);
             QVERIFY(near(static_cast<double>(births), expected + 0.5, 0.51 + 1e-4 * step));
         }
@@ -207,7 +212,8 @@ private slots:
         QFETCH(int, places);
         const Effect effect = standing(2000);
         LiveSimulation live = started(effect, {.mostParticles = places});
-        const std::int64_t life = live.sampledEffect()->emitter.count > 0 ? makeSchedule(live.sampledEffect()).lifetimeSteps : 0;
+        const std::int64_t life =
+            live.sampledEffect()->emitter.count > 0 ? makeSchedule(live.sampledEffect()).lifetimeSteps : 0;
         const double rate = static_cast<double>(places) / static_cast<double>(life);
         double born = 0.0;
         for (std::int64_t step = 0; step < 3 * life; ++step) {
@@ -216,9 +222,11 @@ private slots:
             for (const std::uint64_t id : ids) {
                 born = id == LiveSimulation::kNobody ? born : std::max(born, static_cast<double>(id) + 1.0);
             }
-            // As many as a steady stream has given until now: no step is without where a rate has one for it, and none has many.
+            // As many as a steady stream has given until now: no step is without where a rate has one for it, and none
+            // has many.
             const double steady = rate * static_cast<double>(step + 1);
-            QVERIFY2(std::abs(born - steady) <= 2.0 + 0.01 * steady + 3.0 * steady / places, qPrintable(QString("%1 instead of %2").arg(born).arg(steady)));
+            QVERIFY2(std::abs(born - steady) <= 2.0 + 0.01 * steady + 3.0 * steady / places,
+                qPrintable(QString("%1 instead of %2").arg(born).arg(steady)));
             QVERIFY(live.living() <= static_cast<std::size_t>(places));
         }
         QVERIFY(static_cast<double>(live.living()) >= 0.95 * places - 2.0);
@@ -316,10 +324,12 @@ private slots:
         go(live, 41);
         Renderer renderer;
         Image image;
-        QVERIFY(renderer.render(live.frame(), live.sampledEffect(), effect.output.width, effect.output.height, image).ok());
+        QVERIFY(
+            renderer.render(live.frame(), live.sampledEffect(), effect.output.width, effect.output.height, image).ok());
         const Image expected = render(effect, 40);
         QCOMPARE(image.pixels.size(), expected.pixels.size());
-        QVERIFY(std::memcmp(image.pixels.data(), expected.pixels.data(), image.pixels.size() * sizeof(image.pixels[0])) == 0);
+        QVERIFY(std::memcmp(image.pixels.data(), expected.pixels.data(), image.pixels.size() * sizeof(image.pixels[0]))
+            == 0);
         QCOMPARE(live.appearance().radius[0], renderer.appearance().radius[0]);
         QCOMPARE(live.colours()[0].a, renderer.appearance().alpha[0]);
     }

@@ -21,10 +21,10 @@ inline Effect windy(int count)
     effect.emitter.subframe = true;
     effect.emitter.velocityRandomness = 0.4F;
     effect.emitter.shape = EmitterShape::Disc;
-    effect.motion.wind = 2.0F;
-    effect.motion.gust = 0.8F;
-    effect.motion.drag = 1.0F;
-    effect.motion.buoyancy = 1.0F;
+    effect.wind.strength = 2.0F;
+    effect.wind.gust = 0.8F;
+    effect.motion.drag = effect.air.drag = 1.0F;
+    effect.motion.buoyancy = effect.air.buoyancy = 1.0F;
     effect.turbulence.strength = 0.7F;
     effect.life.initialAlpha = 0.1F;
     effect.life.fadeRate = 0.05F;
@@ -37,18 +37,18 @@ inline Effect inAir(int count)
 {
     Effect effect = windy(count);
     effect.motion = {};
-    effect.motion.wind = 0.0F;
-    effect.motion.gust = 0.0F;
-    effect.motion.drag = 1.0F;
-    effect.motion.buoyancy = 4.0F;
+    effect.wind.strength = 0.0F;
+    effect.wind.gust = 0.0F;
     effect.turbulence.strength = 0.0F;
     effect.air = {};
+    effect.motion.drag = effect.air.drag = 1.0F;
+    effect.motion.buoyancy = effect.air.buoyancy = 4.0F;
     effect.air.enabled = true;
     effect.air.fit = false;
     effect.air.size = {4.0F, 8.0F, 4.0F};
     effect.air.resolution = 32;
     effect.air.ground = false;
-    effect.air.detail = 0.0F;
+    effect.turbulence.detail = 0.0F;
     return effect;
 }
 
@@ -77,9 +77,9 @@ public:
         if (step % 7 != 0) {
             return Done{};
         }
-        constexpr int kFewest = 200;
-        m_effect.emitter.count = kFewest + static_cast<int>(m_random() % static_cast<unsigned>(m_most - kFewest));
-        m_effect.motion.wind = 4.0F * draw().x;
+        constexpr int kMin = 200;
+        m_effect.emitter.count = kMin + static_cast<int>(m_random() % static_cast<unsigned>(m_most - kMin));
+        m_effect.wind.strength = 4.0F * draw().x;
         m_effect.life.fadeRate = 0.04F + 0.02F * draw().x;
         return live.setEffect(m_effect);
     }
@@ -87,7 +87,9 @@ public:
 private:
     glm::vec3 draw()
     {
-        const auto one = [&] { return static_cast<float>(m_random()) / static_cast<float>(std::mt19937::max()) * 2.0F - 1.0F; };
+        const auto one = [&] {
+            return static_cast<float>(m_random()) / static_cast<float>(std::mt19937::max()) * 2.0F - 1.0F;
+        };
         const float x = one();
         const float y = one();
         return {x, y, one()};
@@ -104,7 +106,9 @@ inline bool isFinite(const Particles& particles)
     bool finite = true;
     forEachColumn([&](const auto& column) {
         const auto& values = column.of(particles);
-        finite = finite && std::all_of(values.begin(), values.end(), [](auto value) { return std::isfinite(static_cast<double>(value)); });
+        finite = finite && std::all_of(values.begin(), values.end(), [](auto value) {
+            return std::isfinite(static_cast<double>(value));
+        });
     });
     return finite;
 }
@@ -114,7 +118,8 @@ inline float longestJump(const Particles& before, const Particles& after, float 
 {
     float jump = 0.0F;
     for (std::size_t i = 0; i < after.capacity; ++i) {
-        if (before.key[i] != after.key[i] || before.birthStep[i] != after.birthStep[i] || after.birthStep[i] == Particles::kUnborn) {
+        if (before.key[i] != after.key[i] || before.birthStep[i] != after.birthStep[i]
+            || after.birthStep[i] == Particles::kUnborn) {
             continue; // not the same particle
         }
         const glm::vec3 way{after.x[i] - before.x[i], after.y[i] - before.y[i], after.z[i] - before.z[i]};
@@ -122,7 +127,8 @@ inline float longestJump(const Particles& before, const Particles& after, float 
         float speed = glm::length(velocity);
         if (after.inAir()) {
             // Drag slows it down on its way through the air: the mean lies between the velocities at either end.
-            const glm::vec3 slowed(before.relativeX[i] - after.relativeX[i], before.relativeY[i] - after.relativeY[i], before.relativeZ[i] - after.relativeZ[i]);
+            const glm::vec3 slowed(before.relativeX[i] - after.relativeX[i], before.relativeY[i] - after.relativeY[i],
+                before.relativeZ[i] - after.relativeZ[i]);
             speed = std::max(speed, glm::length(velocity + slowed));
         }
         jump = std::max(jump, glm::length(way) - (speed + swirls) * static_cast<float>(kDt));

@@ -5,7 +5,8 @@
 
 namespace fumage::tests {
 
-/// A minute of changes at random: no number that is none, no jump beyond the smoke's own motion, and nothing allocated once it has settled.
+/// A minute of changes at random: no number that is none, no jump beyond the smoke's own motion, and nothing allocated
+/// once it has settled.
 /// @param swirls largest speed of noise that carries smoke, m/s; see longestJump()
 /// @param jump   the longest that is not motion, m
 /// @param most   becomes the most particles that lived
@@ -26,7 +27,9 @@ inline void endureAMinute(LiveSimulation& live, const Effect& effect, float swir
         }
 #endif
         QVERIFY2(isFinite(live.particles()), qPrintable(QString::number(step)));
-        QVERIFY2(longestJump(before, live.particles(), swirls) < jump, qPrintable(QStringLiteral("%1: %2").arg(step).arg(static_cast<double>(longestJump(before, live.particles(), swirls)))));
+        QVERIFY2(longestJump(before, live.particles(), swirls) < jump,
+            qPrintable(QStringLiteral("%1: %2").arg(step).arg(
+                static_cast<double>(longestJump(before, live.particles(), swirls)))));
         most = std::max(most, live.living());
     }
 }

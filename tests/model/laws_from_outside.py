@@ -21,7 +21,7 @@ ONE_IN_TEN_THOUSAND = 2.2255
 
 # One burst of particles that stay, and nothing that moves them.
 STILL = {"emitter.mode": "burst", "emitter.burst_duration": 0, "emitter.speed": 0, "emitter.velocity_randomness": 0, "emitter.normal": "0,1,0", "motion.gravity": 0,
-         "motion.wind": 0, "motion.randomness": 0, "motion.rotation_jitter": 0, "life.fade_rate": 0.005, "timeline.prewarm": "false"}
+         "wind.strength": 0, "motion.randomness": 0, "motion.rotation_jitter": 0, "life.fade_rate": 0.005, "timeline.prewarm": "false"}
 
 
 def cli(*arguments):
@@ -108,7 +108,7 @@ class Laws(unittest.TestCase):
             opacity = 0.6  # a particle that is opaque by itself cannot stand for sixteen
             brightness = {}
             for share in (1 / 16, 1 / 4, 1, 8):
-                changes = {"emitter.count": round(shipped["emitter"]["count"] * share), "look.opacity": opacity / share, "output.view_transform": "standard", "output.exposure": -2}
+                changes = {"emitter.count": round(shipped["layers"][0]["emitter"]["count"] * share), "look.opacity": opacity / share, "output.view_transform": "standard", "output.exposure": -2}
                 cli("render", "plume", "--frames", "60", "--size", "96", "--format", "png16", "--output", str(picture), *settings(changes))
                 pairs = list(premultiplied(picture))
                 brightness[share] = sum(light for light, _ in pairs) / sum(alpha for _, alpha in pairs)

@@ -1,4 +1,5 @@
-// The noise of the 2012 model: interpolation kinds, smooth function, octaves and sharpness, against values found by hand.
+// The noise of the 2012 model: interpolation kinds, smooth function, octaves and sharpness, against values found by
+// hand.
 
 #include "tests/helpers.h"
 
@@ -107,8 +108,10 @@ private slots:
     void valueNoiseMeetsTheLattice()
     {
         const LatticePeriod period{8, 8, 2};
-        for (const Interpolation kind : {Interpolation::Linear, Interpolation::Cosine, Interpolation::Cubic, Interpolation::Quintic}) {
-            QVERIFY(near(valueNoise(latticeNoise(kind), 3, period, 2.0F, 5.0F, 1.0F), latticeValue(3, period, 2, 5, 1), 1e-6F));
+        for (const Interpolation kind :
+            {Interpolation::Linear, Interpolation::Cosine, Interpolation::Cubic, Interpolation::Quintic}) {
+            QVERIFY(near(
+                valueNoise(latticeNoise(kind), 3, period, 2.0F, 5.0F, 1.0F), latticeValue(3, period, 2, 5, 1), 1e-6F));
         }
     }
 
@@ -118,7 +121,8 @@ private slots:
         const auto v = [&](int x, int y) { return latticeValue(3, period, x, y, 0); };
         const float bottom = v(2, 5) + 0.25F * (v(3, 5) - v(2, 5));
         const float top = v(2, 6) + 0.25F * (v(3, 6) - v(2, 6));
-        QVERIFY(near(valueNoise(latticeNoise(Interpolation::Linear), 3, period, 2.25F, 5.5F, 0.0F), 0.5F * (bottom + top), 1e-6F));
+        QVERIFY(near(valueNoise(latticeNoise(Interpolation::Linear), 3, period, 2.25F, 5.5F, 0.0F),
+            0.5F * (bottom + top), 1e-6F));
     }
 
     void smoothKernelHasItsWeights()
@@ -139,7 +143,8 @@ private slots:
         const auto v = [&](int x, int y) { return latticeValue(9, period, x, y, 0); };
         const float corners = v(15, 15) + v(1, 15) + v(15, 1) + v(1, 1);
         const float edges = v(0, 15) + v(15, 0) + v(1, 0) + v(0, 1);
-        QVERIFY(near(smoothedLatticeValue(9, period, 0, 0, 0, 1.0F), corners / 16.0F + edges / 8.0F + v(0, 0) / 4.0F, 1e-6F));
+        QVERIFY(near(
+            smoothedLatticeValue(9, period, 0, 0, 0, 1.0F), corners / 16.0F + edges / 8.0F + v(0, 0) / 4.0F, 1e-6F));
     }
 
     void octavesHaveTheirFrequenciesAndAmplitudes()
@@ -188,7 +193,8 @@ private slots:
         const double expected = deviation(noise, 1024);
         for (const int size : {64, 100, 128, 256, 512}) {
             const double seen = deviation(noise, size);
-            QVERIFY2(std::abs(seen / expected - 1.0) < 0.03, qPrintable(QString("%1 at %2 pixels, %3 at 1024").arg(seen).arg(size).arg(expected)));
+            QVERIFY2(std::abs(seen / expected - 1.0) < 0.03,
+                qPrintable(QString("%1 at %2 pixels, %3 at 1024").arg(seen).arg(size).arg(expected)));
         }
     }
 
@@ -253,7 +259,8 @@ private slots:
 
     void betweenWholeFrequenciesContrastIsTheSameEverywhere()
     {
-        // Were the two lattices of a blend alike near the origin, the first quarter would have more contrast than the last.
+        // Were the two lattices of a blend alike near the origin, the first quarter would have more contrast than the
+        // last.
         Noise noise = latticeNoise(Interpolation::Quintic);
         noise.basis = NoiseBasis::Gradient;
         noise.depth = 2.5F;
@@ -286,7 +293,9 @@ private slots:
             float sum = 0.0F;
             for (const Octave& octave : octaves) {
                 const float scale = static_cast<float>(octave.period.x) / kSize;
-                const float value = valueNoise(noise, octave.seed, octave.period, (static_cast<float>(x) + 0.5F) * scale, (static_cast<float>(y) + 0.5F) * scale, 0.2F * static_cast<float>(octave.period.z));
+                const float value =
+                    valueNoise(noise, octave.seed, octave.period, (static_cast<float>(x) + 0.5F) * scale,
+                        (static_cast<float>(y) + 0.5F) * scale, 0.2F * static_cast<float>(octave.period.z));
                 sum += octave.amplitude * (2.0F * value - 1.0F);
             }
             QVERIFY(near(tile.at(x, y), sum, 2e-5F));
@@ -298,10 +307,13 @@ private slots:
         QTest::addColumn<int>("kind");
         QTest::addColumn<float>("smooth");
         QTest::addColumn<float>("depth");
-        for (const auto& [name, kind] : {std::pair{"linear", Interpolation::Linear}, {"cosine", Interpolation::Cosine}, {"cubic", Interpolation::Cubic}, {"quintic", Interpolation::Quintic}}) {
+        for (const auto& [name, kind] : {std::pair{"linear", Interpolation::Linear}, {"cosine", Interpolation::Cosine},
+                 {"cubic", Interpolation::Cubic}, {"quintic", Interpolation::Quintic}}) {
             for (const float smooth : {0.0F, 0.7F}) {
-                QTest::addRow("%s, smooth %g, on a layer", name, static_cast<double>(smooth)) << int(kind) << smooth << 0.5F;
-                QTest::addRow("%s, smooth %g, between layers", name, static_cast<double>(smooth)) << int(kind) << smooth << 0.3F;
+                QTest::addRow("%s, smooth %g, on a plane", name, static_cast<double>(smooth))
+                    << int(kind) << smooth << 0.5F;
+                QTest::addRow("%s, smooth %g, between planes", name, static_cast<double>(smooth))
+                    << int(kind) << smooth << 0.3F;
             }
         }
     }
@@ -321,7 +333,9 @@ private slots:
             const float scale = static_cast<float>(cells) / static_cast<float>(size);
             for (int y = 0; y < size; ++y) {
                 for (int x = 0; x < size; ++x) {
-                    const float value = valueNoise(noise, octave.seed, octave.period, (static_cast<float>(x) + 0.5F) * scale, (static_cast<float>(y) + 0.5F) * scale, depth * static_cast<float>(octave.period.z));
+                    const float value =
+                        valueNoise(noise, octave.seed, octave.period, (static_cast<float>(x) + 0.5F) * scale,
+                            (static_cast<float>(y) + 0.5F) * scale, depth * static_cast<float>(octave.period.z));
                     QVERIFY(near(tile.at(x, y), 2.0F * value - 1.0F, 2e-5F));
                 }
             }

@@ -1,5 +1,5 @@
-// The equations of the 2012 model, each with a test of its name. Where a draw is random, its exact moments are held against
-// the sample within five standard errors; where nothing is, the closed form.
+// The equations of the 2012 model, each with a test of its name. Where a draw is random, its exact moments are held
+// against the sample within five standard errors; where nothing is, the closed form.
 
 #include "tests/helpers.h"
 
@@ -43,7 +43,7 @@ struct Newborns {
 /// What one step of an effect does to particles that stand still at some places.
 std::vector<glm::dvec3> carriedBy(const Effect& effect, std::int64_t step, const std::vector<glm::vec3>& places)
 {
-    const Model model(sampled(effect));
+    const SimulationModel model(sampled(effect));
     Particles p;
     p.reset(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -55,7 +55,8 @@ std::vector<glm::dvec3> carriedBy(const Effect& effect, std::int64_t step, const
     stepChunk(model.constants(step), p, 0);
     std::vector<glm::dvec3> velocities;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        velocities.push_back(glm::dvec3(p.x[i] - places[i].x, p.y[i] - places[i].y, p.z[i] - places[i].z) / static_cast<double>(model.schedule().dt));
+        velocities.push_back(glm::dvec3(p.x[i] - places[i].x, p.y[i] - places[i].y, p.z[i] - places[i].z)
+            / static_cast<double>(model.schedule().dt));
     }
     return velocities;
 }
@@ -82,7 +83,8 @@ bool isUniform(const std::vector<float>& values, double low, double high)
     const double width = high - low;
     const double variance = width * width / 12.0;
     // Standard error of the variance of a uniform distribution: its kurtosis is 9/5.
-    return near(m.mean, 0.5 * (low + high), kErrors * std::sqrt(variance / n)) && near(m.variance, variance, kErrors * variance * std::sqrt((9.0 / 5.0 - 1.0) / n)) && m.low >= low - 1e-6
+    return near(m.mean, 0.5 * (low + high), kErrors * std::sqrt(variance / n))
+        && near(m.variance, variance, kErrors * variance * std::sqrt((9.0 / 5.0 - 1.0) / n)) && m.low >= low - 1e-6
         && m.high <= high + 1e-6 && m.low < low + 0.01 * width && m.high > high - 0.01 * width;
 }
 
@@ -92,7 +94,7 @@ bool isIndependent(const std::vector<float>& a, const std::vector<float>& b)
 }
 
 /// One particle of a burst at a frame.
-struct Track {
+struct Trail {
     Effect effect;
     glm::dvec3 position(int frame) const
     {
@@ -139,8 +141,8 @@ Effect randomForces()
     effect.emitter.mode = EmissionMode::Burst;
     effect.emitter.burstDuration = 0.0F;
     effect.motion.randomness = 1.0F;
-    effect.motion.wind = 3.0F;
-    effect.motion.windAngle = 30.0F;
+    effect.wind.strength = 3.0F;
+    effect.wind.angle = 30.0F;
     effect.motion.gravity = 2.0F;
     return effect;
 }
@@ -200,7 +202,7 @@ private slots:
         Effect effect = oneParticle();
         effect.emitter.speed = 2.5F;
         effect.emitter.normal = glm::vec3(0.6F, 0.0F, 0.8F);
-        const glm::dvec3 v = Track{effect}.velocity(0);
+        const glm::dvec3 v = Trail{effect}.velocity(0);
         QVERIFY(near(v.x, 1.5, 1e-6));
         QVERIFY(near(v.y, 0.0, 1e-6));
         QVERIFY(near(v.z, 2.0, 1e-6));
@@ -209,10 +211,10 @@ private slots:
     void equationIII_windAcceleratesAlongX()
     {
         Effect effect = oneParticle();
-        effect.motion.wind = 1.5F;
-        effect.motion.windAngle = 60.0F;
+        effect.wind.strength = 1.5F;
+        effect.wind.angle = 60.0F;
         const double t = 20.0 / 30.0;
-        QVERIFY(near(Track{effect}.velocity(20).x, 1.5 * 0.5 * t, 1e-5)); // Vw cos 60 t
+        QVERIFY(near(Trail{effect}.velocity(20).x, 1.5 * 0.5 * t, 1e-5)); // Vw cos 60 t
     }
 
     void equationIV_gravityDividedByMassPullsDown()
@@ -221,25 +223,25 @@ private slots:
         effect.motion.gravity = 9.81F;
         effect.motion.mass = 4.0F;
         const double t = 30.0 / 30.0;
-        QVERIFY(near(Track{effect}.velocity(30).y, 1.0 - 9.81 / 4.0 * t, 1e-5));
+        QVERIFY(near(Trail{effect}.velocity(30).y, 1.0 - 9.81 / 4.0 * t, 1e-5));
     }
 
     void equationV_windAcceleratesAlongZ()
     {
         Effect effect = oneParticle();
-        effect.motion.wind = 1.5F;
-        effect.motion.windAngle = 60.0F;
+        effect.wind.strength = 1.5F;
+        effect.wind.angle = 60.0F;
         const double t = 20.0 / 30.0;
-        QVERIFY(near(Track{effect}.velocity(20).z, 1.5 * std::sqrt(0.75) * t, 1e-5)); // Vw sin 60 t
+        QVERIFY(near(Trail{effect}.velocity(20).z, 1.5 * std::sqrt(0.75) * t, 1e-5)); // Vw sin 60 t
     }
 
     void equationIX_velocityIsTheSumOfAccelerations()
     {
         Effect effect = oneParticle();
-        effect.motion.wind = 2.0F;
-        const Track track{effect};
+        effect.wind.strength = 2.0F;
+        const Trail trail{effect};
         for (const int frame : {1, 7, 25}) {
-            QVERIFY(near(track.velocity(frame).x, 2.0 * frame / 30.0, 1e-5));
+            QVERIFY(near(trail.velocity(frame).x, 2.0 * frame / 30.0, 1e-5));
         }
     }
 
@@ -247,12 +249,12 @@ private slots:
     {
         // Semi-implicit Euler: P(n) = sum of a dt k dt for k = 1..n = a dt^2 n (n + 1) / 2.
         Effect effect = oneParticle();
-        effect.motion.wind = 2.0F;
-        const Track track{effect};
+        effect.wind.strength = 2.0F;
+        const Trail trail{effect};
         const double dt = 1.0 / 30.0;
         for (const int n : {1, 2, 30}) {
-            QVERIFY(near(track.position(n).x, 2.0 * dt * dt * n * (n + 1) / 2.0, 1e-5));
-            QVERIFY(near(track.position(n).y, n * dt, 1e-5));
+            QVERIFY(near(trail.position(n).x, 2.0 * dt * dt * n * (n + 1) / 2.0, 1e-5));
+            QVERIFY(near(trail.position(n).y, n * dt, 1e-5));
         }
     }
 
@@ -379,8 +381,9 @@ private slots:
         effect.emitter.normal = {1.0F, 0.0F, 0.0F};
         effect.motion.rotation = 90.0F;
         effect.timeline.frameRate = 30;
-        // Velocity turns with the cloud, so the particle moves straight in the turning frame: after 1 s it lies 1 m away at 90 degrees.
-        const glm::dvec3 p = Track{effect}.position(30);
+        // Velocity turns with the cloud, so the particle moves straight in the turning frame: after 1 s it lies 1 m
+        // away at 90 degrees.
+        const glm::dvec3 p = Trail{effect}.position(30);
         QVERIFY(near(p.x, 1.0, 1e-4));
         QVERIFY(near(p.y, 0.0, 1e-5));
         QVERIFY(near(p.z, -1.0, 1e-4));
@@ -390,7 +393,7 @@ private slots:
     {
         Effect effect = thesisEffect(1);
         effect.motion.rotationJitter = 90.0F;
-        const Model model(sampled(effect));
+        const SimulationModel model(sampled(effect));
         std::vector<float> angles;
         for (int step = 0; step < kMany; ++step) {
             angles.push_back(model.rotationAt(step) * 180.0F / 3.14159265F * 30.0F);
@@ -403,18 +406,18 @@ private slots:
         // V(n) = b dt sum of exp(-c k dt), k = 1..n.
         Effect effect = oneParticle();
         effect.emitter.speed = 0.0F;
-        effect.motion.buoyancy = 2.0F;
-        effect.motion.cooling = 1.5F;
+        effect.motion.buoyancy = effect.air.buoyancy = 2.0F;
+        effect.motion.cooling = effect.air.cooling = 1.5F;
         const double dt = 1.0 / 30.0;
         const double q = std::exp(-1.5 * dt);
-        QVERIFY(near(Track{effect}.velocity(40).y, 2.0 * dt * q * (1.0 - std::pow(q, 40)) / (1.0 - q), 1e-4));
+        QVERIFY(near(Trail{effect}.velocity(40).y, 2.0 * dt * q * (1.0 - std::pow(q, 40)) / (1.0 - q), 1e-4));
     }
 
     void dragSlowsExponentially()
     {
         Effect effect = oneParticle();
-        effect.motion.drag = 0.7F;
-        QVERIFY(near(Track{effect}.velocity(45).y, std::exp(-0.7 * 1.5), 1e-5));
+        effect.motion.drag = effect.air.drag = 0.7F;
+        QVERIFY(near(Trail{effect}.velocity(45).y, std::exp(-0.7 * 1.5), 1e-5));
     }
 
     void ringsAreTheCurlOfTheirPotential()
@@ -443,9 +446,13 @@ private slots:
     void ringsHaveNoDivergence()
     {
         constexpr float kHalf = 0.01F;
-        for (const glm::vec3& at : {glm::vec3(0.2F, 0.3F, 0.1F), glm::vec3(0.3F, 0.8F, -0.2F), glm::vec3(-0.1F, 1.3F, 0.25F)}) {
-            const auto v = carriedBy(evenRings(), 30, {at + glm::vec3(kHalf, 0, 0), at - glm::vec3(kHalf, 0, 0), at + glm::vec3(0, kHalf, 0), at - glm::vec3(0, kHalf, 0), at + glm::vec3(0, 0, kHalf), at - glm::vec3(0, 0, kHalf)});
-            const double divergence = (v[0].x - v[1].x + v[2].y - v[3].y + v[4].z - v[5].z) / (2.0 * static_cast<double>(kHalf));
+        for (const glm::vec3& at :
+            {glm::vec3(0.2F, 0.3F, 0.1F), glm::vec3(0.3F, 0.8F, -0.2F), glm::vec3(-0.1F, 1.3F, 0.25F)}) {
+            const auto v = carriedBy(evenRings(), 30,
+                {at + glm::vec3(kHalf, 0, 0), at - glm::vec3(kHalf, 0, 0), at + glm::vec3(0, kHalf, 0),
+                    at - glm::vec3(0, kHalf, 0), at + glm::vec3(0, 0, kHalf), at - glm::vec3(0, 0, kHalf)});
+            const double divergence =
+                (v[0].x - v[1].x + v[2].y - v[3].y + v[4].z - v[5].z) / (2.0 * static_cast<double>(kHalf));
             QVERIFY(near(divergence, 0.0, 0.02)); // of terms of about 5 / s
         }
     }
@@ -466,9 +473,10 @@ private slots:
         effect.turbulence.strength = 1.0F;
         effect.turbulence.octaves = 2;
         effect.turbulence.onset = 0.0F;
-        const Model model(sampled(effect));
+        const SimulationModel model(sampled(effect));
         const StepConstants constants = model.constants(3);
-        for (const glm::vec3& at : {glm::vec3(0.3F, 0.7F, -0.2F), glm::vec3(-0.8F, 1.4F, 0.5F), glm::vec3(0.05F, 0.2F, 0.9F)}) {
+        for (const glm::vec3& at :
+            {glm::vec3(0.3F, 0.7F, -0.2F), glm::vec3(-0.8F, 1.4F, 0.5F), glm::vec3(0.05F, 0.2F, 0.9F)}) {
             Particles p;
             p.reset(1, {.rolls = true});
             p.x[0] = at.x;
@@ -485,8 +493,10 @@ private slots:
             const glm::dvec3 dy = slope({0, 1, 0});
             const glm::dvec3 dz = slope({0, 0, 1});
             const glm::dvec3 vorticity(dy.z - dz.y, dz.x - dx.z, dx.y - dy.x);
-            const glm::dvec3 turned = glm::dvec3(p.rollX[0], p.rollY[0], p.rollZ[0]) / (0.5 * static_cast<double>(constants.dt));
-            QVERIFY2(glm::length(turned - vorticity) < 0.03 * glm::length(vorticity), qPrintable(QString::number(glm::length(turned - vorticity) / glm::length(vorticity))));
+            const glm::dvec3 turned =
+                glm::dvec3(p.rollX[0], p.rollY[0], p.rollZ[0]) / (0.5 * static_cast<double>(constants.dt));
+            QVERIFY2(glm::length(turned - vorticity) < 0.03 * glm::length(vorticity),
+                qPrintable(QString::number(glm::length(turned - vorticity) / glm::length(vorticity))));
         }
     }
 
@@ -495,15 +505,19 @@ private slots:
         Effect effect = thesisEffect(1);
         effect.vortex.strength = 3.0F;
         effect.vortex.radius = 0.5F;
-        const std::vector<glm::dvec3> v = carriedBy(effect, 1, {glm::vec3(0.25F, 0.0F, 0.0F), glm::vec3(0.5F, 0.0F, 0.0F), glm::vec3(1.0F, 0.0F, 0.0F)});
+        const std::vector<glm::dvec3> v = carriedBy(
+            effect, 1, {glm::vec3(0.25F, 0.0F, 0.0F), glm::vec3(0.5F, 0.0F, 0.0F), glm::vec3(1.0F, 0.0F, 0.0F)});
         const double dt = 1.0 / 30.0;
-        const auto turned = [&](const glm::dvec3& moved, double radius) { return std::atan2(-moved.z * dt, radius + moved.x * dt) * radius / dt; };
+        const auto turned = [&](const glm::dvec3& moved, double radius) {
+            return std::atan2(-moved.z * dt, radius + moved.x * dt) * radius / dt;
+        };
         QVERIFY(near(turned(v[0], 0.25), 3.0 * 0.8, 1e-5)); // 2 s / (1 + s^2) at s = 1/2
         QVERIFY(near(turned(v[1], 0.5), 3.0, 1e-5));
         QVERIFY(near(turned(v[2], 1.0), 3.0 * 0.8, 1e-5));
 
         effect.vortex.widening = 0.25F; // twice as wide two metres above, and no narrower below
-        const std::vector<glm::dvec3> funnel = carriedBy(effect, 1, {glm::vec3(1.0F, 2.0F, 0.0F), glm::vec3(0.5F, -2.0F, 0.0F)});
+        const std::vector<glm::dvec3> funnel =
+            carriedBy(effect, 1, {glm::vec3(1.0F, 2.0F, 0.0F), glm::vec3(0.5F, -2.0F, 0.0F)});
         QVERIFY(near(turned(funnel[0], 1.0), 3.0, 1e-5));
         QVERIFY(near(turned(funnel[1], 0.5), 3.0, 1e-5));
     }

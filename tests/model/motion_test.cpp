@@ -25,7 +25,8 @@ Effect burstOf(int count)
     return effect;
 }
 
-/// The largest distance between the distribution of a sample and the uniform one on [low, high] (Kolmogorov and Smirnov).
+/// The largest distance between the distribution of a sample and the uniform one on [low, high] (Kolmogorov and
+/// Smirnov).
 double distanceFromUniform(std::vector<double> sample, double low, double high)
 {
     std::sort(sample.begin(), sample.end());
@@ -33,7 +34,8 @@ double distanceFromUniform(std::vector<double> sample, double low, double high)
     double largest = 0.0;
     for (std::size_t i = 0; i < sample.size(); ++i) {
         const double expected = (sample[i] - low) / (high - low);
-        largest = std::max({largest, std::abs(static_cast<double>(i + 1) / n - expected), std::abs(static_cast<double>(i) / n - expected)});
+        largest = std::max({largest, std::abs(static_cast<double>(i + 1) / n - expected),
+            std::abs(static_cast<double>(i) / n - expected)});
     }
     return largest;
 }
@@ -59,11 +61,12 @@ double divergenceOfAir(const Effect& effect)
 {
     constexpr std::size_t kPlaces = 3000;
     constexpr float kHalf = 0.004F;
-    const Model model(sampled(effect));
+    const SimulationModel model(sampled(effect));
     Particles before;
     before.reset(6 * kPlaces);
     for (std::uint32_t i = 0; i < kPlaces; ++i) {
-        const glm::vec3 place(signedFloat(mixBits(3 * i)), 1.6F + 1.4F * signedFloat(mixBits(3 * i + 1)), signedFloat(mixBits(3 * i + 2)));
+        const glm::vec3 place(signedFloat(mixBits(3 * i)), 1.6F + 1.4F * signedFloat(mixBits(3 * i + 1)),
+            signedFloat(mixBits(3 * i + 2)));
         for (int side = 0; side < 6; ++side) {
             glm::vec3 at = place;
             at[side / 2] += side % 2 == 0 ? kHalf : -kHalf;
@@ -124,7 +127,8 @@ private slots:
             const double chord = glm::length(velocityOf(*frame, i) - glm::dvec3(effect.emitter.normal));
             heights.push_back(0.5 * chord * chord);
         }
-        const double distance = distanceFromUniform(heights, 0.0, 1.0 - std::cos(static_cast<double>(spread) * M_PI / 180.0));
+        const double distance =
+            distanceFromUniform(heights, 0.0, 1.0 - std::cos(static_cast<double>(spread) * M_PI / 180.0));
         QVERIFY2(distance < kOneInTenThousand / std::sqrt(kMany), qPrintable(QString::number(distance)));
     }
 
@@ -158,7 +162,8 @@ private slots:
             const glm::dvec3 along = n * glm::dot(n, from);
             const double radius = glm::length(from - along);
             const double angle = 2.0 * 1.0 * 0.5 / (0.25 + radius * radius) * kSeconds; // up to 40 radians
-            const glm::dvec3 expected = along + (from - along) * std::cos(angle) + glm::cross(n, from) * std::sin(angle);
+            const glm::dvec3 expected =
+                along + (from - along) * std::cos(angle) + glm::cross(n, from) * std::sin(angle);
             QVERIFY(near(glm::distance(positionOf(*after, i) - pivot, expected), 0.0, 2e-3 * radius));
         }
     }
@@ -189,7 +194,8 @@ private slots:
             const int frame = seconds == 0 ? 1 : seconds * frameRate;
             const double t = static_cast<double>(frame) / frameRate;
             const double expected = 1.0 + (1.0 - terminal) * std::expm1(-static_cast<double>(drag) * t);
-            QVERIFY(near(velocityOf(*frameOf(effect, frame), 0).y, expected, 1e-5 * (1.0 + std::abs(expected)) * std::sqrt(t * frameRate / 30.0)));
+            QVERIFY(near(velocityOf(*frameOf(effect, frame), 0).y, expected,
+                1e-5 * (1.0 + std::abs(expected)) * std::sqrt(t * frameRate / 30.0)));
         }
     }
 
@@ -200,7 +206,7 @@ private slots:
         for (const int steps : {1, 2, 8}) {
             Effect effect = burstOf(kMany);
             effect.motion.randomness = 1.0F;
-            effect.motion.wind = 3.0F;
+            effect.wind.strength = 3.0F;
             effect.motion.buoyancy = 2.0F;
             effect.motion.cooling = 0.0F;
             effect.timeline.stepsPerFrame = steps;
@@ -219,12 +225,13 @@ private slots:
             Effect effect = thesisEffect(1);
             effect.motion.rotationJitter = 90.0F;
             effect.timeline.stepsPerFrame = steps;
-            const Model model(sampled(effect));
+            const SimulationModel model(sampled(effect));
             std::vector<double> angles; // of frames, degrees
             for (int frame = 0; frame < 20000; ++frame) {
                 double sum = 0.0;
                 for (int step = 0; step < steps; ++step) {
-                    sum += static_cast<double>(model.rotationAt(static_cast<std::int64_t>(frame) * steps + step)) * 180.0 / M_PI;
+                    sum += static_cast<double>(model.rotationAt(static_cast<std::int64_t>(frame) * steps + step))
+                        * 180.0 / M_PI;
                 }
                 angles.push_back(sum);
             }
@@ -273,8 +280,8 @@ private slots:
     {
         Effect effect = thesisEffect(3000);
         effect.emitter.velocityRandomness = 1.0F;
-        effect.motion.wind = 0.5F;
-        effect.motion.windAngle = 37.0F;
+        effect.wind.strength = 0.5F;
+        effect.wind.angle = 37.0F;
         effect.motion.gravity = 0.5F;
         effect.motion.randomness = 0.7F;
         const auto start = frameOf(effect, 100);
@@ -374,7 +381,8 @@ private slots:
 
     void particlesAreAsOldAsTheirWayIsLong()
     {
-        // Nothing but the velocity of birth: what was born between two steps has lived, faded and moved for the same time.
+        // Nothing but the velocity of birth: what was born between two steps has lived, faded and moved for the same
+        // time.
         Effect effect = thesisEffect(6000);
         effect.emitter.subframe = true;
         effect.emitter.speed = 3.0F;
@@ -391,7 +399,8 @@ private slots:
             }
         }
         const double distance = distanceFromUniform(partsOfAStep, 0.0, 1.0);
-        QVERIFY2(distance < kOneInTenThousand / std::sqrt(static_cast<double>(partsOfAStep.size())), qPrintable(QString::number(distance)));
+        QVERIFY2(distance < kOneInTenThousand / std::sqrt(static_cast<double>(partsOfAStep.size())),
+            qPrintable(QString::number(distance)));
     }
 
     void particlesBornBetweenStepsTurnForAsLongAsTheyHaveLived_data()
@@ -419,9 +428,11 @@ private slots:
                 ++seen;
                 const glm::dvec3 p = positionOf(*frame, i);
                 const double radius = glm::length(p);
-                const auto rate = static_cast<double>(rotation) * M_PI / 180.0 + static_cast<double>(vortex) / (0.25 + radius * radius);
+                const auto rate = static_cast<double>(rotation) * M_PI / 180.0
+                    + static_cast<double>(vortex) / (0.25 + radius * radius);
                 const double angle = rate * static_cast<double>(cycle.age);
-                QVERIFY(near(p.x * std::sin(angle) + p.z * std::cos(angle), 0.0, 1e-5 + 1e-4 * radius)); // turned back onto the line
+                QVERIFY(near(p.x * std::sin(angle) + p.z * std::cos(angle), 0.0,
+                    1e-5 + 1e-4 * radius)); // turned back onto the line
             }
         }
         QVERIFY(seen > 400);

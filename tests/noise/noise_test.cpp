@@ -30,9 +30,11 @@ struct Steps {
         const int n = tile.size;
         for (int i = 0; i < n; ++i) {
             for (int j = 0; j + 1 < n; ++j) {
-                inside = std::max({inside, std::abs(tile.at(j, i) - tile.at(j + 1, i)), std::abs(tile.at(i, j) - tile.at(i, j + 1))});
+                inside = std::max(
+                    {inside, std::abs(tile.at(j, i) - tile.at(j + 1, i)), std::abs(tile.at(i, j) - tile.at(i, j + 1))});
             }
-            seam = std::max({seam, std::abs(tile.at(0, i) - tile.at(n - 1, i)), std::abs(tile.at(i, 0) - tile.at(i, n - 1))});
+            seam = std::max(
+                {seam, std::abs(tile.at(0, i) - tile.at(n - 1, i)), std::abs(tile.at(i, 0) - tile.at(i, n - 1))});
         }
     }
 };
@@ -64,7 +66,8 @@ private slots:
                 noise.warp = warp;
                 const Steps steps(bakeNoise(noise, size, 0.3F).value());
                 QVERIFY(steps.inside > 0.0F);
-                QVERIFY2(steps.seam <= steps.inside * 1.05F, qPrintable(QString("seam %1 inside %2").arg(steps.seam).arg(steps.inside)));
+                QVERIFY2(steps.seam <= steps.inside * 1.05F,
+                    qPrintable(QString("seam %1 inside %2").arg(steps.seam).arg(steps.inside)));
             }
         }
     }
@@ -126,7 +129,8 @@ private slots:
             }
             const Moments m = Moments::of(all);
             QVERIFY2(std::abs(m.mean) < 0.02, qPrintable(QString::number(m.mean)));
-            QVERIFY2(std::abs(std::sqrt(m.variance) - 1.0 / 3.0) < 0.04, qPrintable(QString::number(std::sqrt(m.variance))));
+            QVERIFY2(
+                std::abs(std::sqrt(m.variance) - 1.0 / 3.0) < 0.04, qPrintable(QString::number(std::sqrt(m.variance))));
         }
     }
 
@@ -134,7 +138,8 @@ private slots:
     {
         constexpr double kScale = 90.0; // makes the standard deviation about 1/3
         // Cells of whole (even and odd) and of broken numbers of pixels, wide and narrow; one cell, and one a pixel.
-        for (const auto& [size, cells] : {std::pair{64, 2}, {48, 16}, {45, 15}, {75, 20}, {50, 49}, {33, 33}, {200, 100}, {19, 1}}) {
+        for (const auto& [size, cells] :
+            {std::pair{64, 2}, {48, 16}, {45, 15}, {75, 20}, {50, 49}, {33, 33}, {200, 100}, {19, 1}}) {
             for (const float depth : {0.0F, 0.11F, 0.3F, 0.5F, 0.97F}) {
                 Noise noise = plain(NoiseBasis::Simplex);
                 noise.octaves = 1;
@@ -145,9 +150,16 @@ private slots:
                 const auto z = static_cast<double>(depth * static_cast<float>(octave.period.z));
                 for (int y = 0; y < size; ++y) {
                     for (int x = 0; x < size; ++x) {
-                        const double expected = kScale * obviousSimplex(octave, (x + 0.5) * cells / size, (y + 0.5) * cells / size, z);
+                        const double expected =
+                            kScale * obviousSimplex(octave, (x + 0.5) * cells / size, (y + 0.5) * cells / size, z);
                         const double seen = tile.at(x, y);
-                        QVERIFY2(std::abs(seen - expected) < 5e-6, qPrintable(QString("%1 pixels, %2 cells, depth %3: %4 is not %5").arg(size).arg(cells).arg(depth).arg(seen).arg(expected)));
+                        QVERIFY2(std::abs(seen - expected) < 5e-6,
+                            qPrintable(QString("%1 pixels, %2 cells, depth %3: %4 is not %5")
+                                           .arg(size)
+                                           .arg(cells)
+                                           .arg(depth)
+                                           .arg(seen)
+                                           .arg(expected)));
                     }
                 }
             }

@@ -10,12 +10,14 @@
 
 namespace fumage::tests {
 
-/// Simplex noise at one point, as textbooks have it: skew, sort the fractions, sum over the four corners. Before the scale of the octave.
+/// Simplex noise at one point, as textbooks have it: skew, sort the fractions, sum over the four corners. Before the
+/// scale of the octave.
 /// @param x,y,z lattice units
 template <class Real>
 Real obviousSimplex(const Octave& octave, Real x, Real y, Real z)
 {
-    // The cube that the simplex lies in, and the fractions within; the way to the opposite corner takes the axis of the largest first.
+    // The cube that the simplex lies in, and the fractions within; the way to the opposite corner takes the axis of the
+    // largest first.
     const std::array<Real, 3> skewed{y + z, x + z, x + y};
     std::array<int, 3> corner{};
     std::array<Real, 3> fraction{};
@@ -37,8 +39,12 @@ Real obviousSimplex(const Octave& octave, Real x, Real y, Real z)
         const Real t = static_cast<Real>(0.5) - (dx * dx + dy * dy + dz * dz);
         if (t > 0) {
             const LatticePeriod& period = octave.period;
-            const std::uint32_t bits = mixLattice(latticeColumn(wrapped(px, 2 * period.x)) + latticeRow(wrapped(py, 2 * period.y), wrapped(pz, 2 * period.z)), octave.seed);
-            const auto component = [&](std::uint32_t shift) { return static_cast<Real>(static_cast<std::int32_t>(bits << shift)) * static_cast<Real>(0x1p-31); };
+            const std::uint32_t bits = mixLattice(latticeColumn(wrapped(px, 2 * period.x))
+                    + latticeRow(wrapped(py, 2 * period.y), wrapped(pz, 2 * period.z)),
+                octave.seed);
+            const auto component = [&](std::uint32_t shift) {
+                return static_cast<Real>(static_cast<std::int32_t>(bits << shift)) * static_cast<Real>(0x1p-31);
+            };
             sum += t * t * t * t * (dx * component(0) + dy * component(11) + dz * component(22));
         }
         if (step == 3) {

@@ -28,8 +28,8 @@ expect ' campfire ' fumage-cli render camp
 expect ' smoke.json ' fumage-cli render sm
 expect ' --format ' fumage-cli render campfire --form
 expect '*png16*exr*' fumage-cli render campfire --format ''
-expect '* motion.wind= *' fumage-cli render campfire --set motion.
-expect '* motion.wind= *' fumage-cli flipbook campfire -s motion.w
+expect '* wind.strength= *' fumage-cli render campfire --set wind.
+expect '* wind.strength= *' fumage-cli flipbook campfire -s wind.s
 expect ' smoke.json ' fumage-cli render campfire --output sm
 expect '  ' fumage-cli render campfire --size ''
 expect ' --threads ' fumage-cli dump campfire --thr

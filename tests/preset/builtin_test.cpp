@@ -2,8 +2,8 @@
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
-#include "core/export/cell_frames.h"
-#include "core/export/flipbook.h"
+#include "core/export/sheets/cell_frames.h"
+#include "core/export/sheets/flipbook.h"
 #include "core/preset/library.h"
 
 #include <QTemporaryDir>
@@ -41,7 +41,9 @@ private slots:
     void halfOfThemLoop()
     {
         const std::vector<LibraryEntry> presets = builtinPresets();
-        const auto loops = [](const LibraryEntry& entry) { return loadPreset(entry).value().preset.effect.timeline.loop; };
+        const auto loops = [](const LibraryEntry& entry) {
+            return loadPreset(entry).value().preset.effect.timeline.loop;
+        };
         QVERIFY(std::ranges::count_if(presets, loops) >= 8);
     }
 

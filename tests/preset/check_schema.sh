@@ -16,18 +16,25 @@ validator = Draft202012Validator(schema)
 for path in sys.argv[2:]:
     preset = json.load(open(path))
     validator.validate(preset)
-wrong = [("motion", "wind", "fast"), ("motion", "randomness", 2), ("emitter", "normal", [0, 1]), ("emitter", "shape", "cube"), ("emitter", "count", 1.5), ("life", "size", [])]
+def owner(preset, group):
+    return preset["scene"] if group in ("wind", "light") else preset["layers"][0]
+
+
+wrong = [("wind", "strength", "fast"), ("motion", "randomness", 2), ("emitter", "normal", [0, 1]), ("emitter", "shape", "cube"), ("emitter", "count", 1.5), ("life", "size", [])]
 for group, name, value in wrong:
     broken = copy.deepcopy(preset)
-    broken[group][name] = value
+    owner(broken, group)[group][name] = value
     if validator.is_valid(broken):
         sys.exit(f"the schema accepts {group}.{name} = {value}")
-for typo in (("motion", "wnd"), ("motoin",)):
+for path in (("scene", "wind", "strngth"), ("scene", "wnd"), ("layers", 0, "motion", "grvity"), ("layers", 0, "motoin"), ("scnee",),
+        ("scene", "motion"), ("layers", 0, "wind")):
     broken = copy.deepcopy(preset)
-    place = broken if len(typo) == 1 else broken[typo[0]]
-    place[typo[-1]] = {}
+    place = broken
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = {}
     if validator.is_valid(broken):
-        sys.exit(f"the schema accepts the key {'.'.join(typo)}")
+        sys.exit(f"the schema accepts the key {'.'.join(map(str, path))}")
 validator.validate({"$schema": "preset.schema.json", **preset})
 print(f"{len(sys.argv) - 2} presets are valid, {len(wrong)} broken ones are not")
 PYTHON

@@ -7,6 +7,7 @@
 #include "core/preset/json_tree.h"
 #include "core/preset/library.h"
 #include "core/preset/schema.h"
+#include "core/preset/preset_file.h"
 
 #include <QTemporaryDir>
 
@@ -61,7 +62,7 @@ private slots:
         const Result<PresetReading> reading = parsePreset(json, "my.json");
         QVERIFY(reading.ok());
         QVERIFY(reading.value().warnings[0].text().find("motion.wnd") != std::string::npos);
-        QVERIFY(reading.value().warnings[0].text().find("motion.wind") != std::string::npos);
+        QVERIFY(reading.value().warnings[0].text().find("wind.strength") != std::string::npos);
         QVERIFY(reading.value().warnings[0].text().find("my.json, line 1") != std::string::npos);
         const std::string again = formatPreset(reading.value().preset);
         const Result<PresetReading> second = parsePreset(again);
@@ -74,7 +75,8 @@ private slots:
     void aHostileFileIsReadInTimeLinearInItsSize_data()
     {
         QTest::addColumn<QByteArray>("json");
-        const auto row = [](const char* name, const std::string& before, const std::function<std::string(int)>& each, const std::string& after) {
+        const auto row = [](const char* name, const std::string& before, const std::function<std::string(int)>& each,
+                             const std::string& after) {
             std::string text = before;
             for (int i = 0; text.size() + after.size() + 32 < kMaxPresetBytes; ++i) {
                 text += i == 0 ? "" : ",";
@@ -103,8 +105,8 @@ private slots:
         const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         QVERIFY(!reading || reading.value().warnings.size() < 25);
         // Time of the processor, 0.1 s when optimised; the square of the size costs a minute.
-        constexpr double kMostSeconds = 3.0;
-        QVERIFY2(seconds < kMostSeconds, QByteArray::number(seconds).constData());
+        constexpr double kMaxSeconds = 3.0;
+        QVERIFY2(seconds < kMaxSeconds, QByteArray::number(seconds).constData());
     }
 
     void manyWarningsAreCounted()
@@ -134,7 +136,8 @@ private slots:
 
     void aReferenceToTheSchemaIsKeptWithoutAWarning()
     {
-        const Result<PresetReading> reading = parsePreset(formatPreset({}).replace(0, 1, "{\"$schema\": \"preset.schema.json\","));
+        const Result<PresetReading> reading =
+            parsePreset(formatPreset({}).replace(0, 1, "{\"$schema\": \"preset.schema.json\","));
         QVERIFY(reading.ok() && reading.value().warnings.empty());
         QVERIFY(formatPreset(reading.value().preset).find(R"("$schema": "preset.schema.json")") != std::string::npos);
     }
@@ -150,7 +153,9 @@ private slots:
     {
         QTest::addColumn<QByteArray>("json");
         QTest::addColumn<int>("code");
-        const auto row = [](const char* name, const std::string& json, ErrorCode code) { QTest::newRow(name) << QByteArray::fromStdString(json) << int(code); };
+        const auto row = [](const char* name, const std::string& json, ErrorCode code) {
+            QTest::newRow(name) << QByteArray::fromStdString(json) << int(code);
+        };
         row("empty", "", ErrorCode::Syntax);
         row("not JSON", "hello", ErrorCode::Syntax);
         row("truncated", formatPreset({}).substr(0, 700), ErrorCode::Syntax);
@@ -165,22 +170,41 @@ private slots:
         row("two numbers for a vector", kHead + R"("emitter": {"normal": [0, 1]}})", ErrorCode::WrongType);
         row("nested vector", kHead + R"("emitter": {"normal": [[0, 1, 0]]}})", ErrorCode::WrongType);
         row("empty curve", kHead + R"("life": {"size": []}})", ErrorCode::WrongType);
-        row("seventeen points", kHead + R"("life": {"size": [[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0]]}})", ErrorCode::WrongType);
+        row("seventeen points",
+            kHead
+                + R"("life": {"size": [[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0],[0,0]]}})",
+            ErrorCode::WrongType);
         row("unknown choice", kHead + R"("emitter": {"shape": "cube"}})", ErrorCode::UnknownName);
         row("NaN", kHead + R"("motion": {"wind": NaN}})", ErrorCode::NotFinite);
         row("infinity", kHead + R"("motion": {"wind": Infinity}})", ErrorCode::NotFinite);
         row("1e999", kHead + R"("motion": {"wind": 1e999}})", ErrorCode::NotFinite);
         row("too large for a float", kHead + R"("motion": {"wind": 1e200}})", ErrorCode::NotFinite);
-        row("version 2", R"({"format": "fumage-preset", "version": 2})", ErrorCode::WrongVersion);
+        row("version 3", R"({"format": "fumage-preset", "version": 3})", ErrorCode::WrongVersion);
+        row("two layers", R"({"format": "fumage-preset", "version": 2, "layers": [{}, {}]})", ErrorCode::WrongVersion);
+        row("no layers", R"({"format": "fumage-preset", "version": 2, "layers": []})", ErrorCode::WrongVersion);
+        row("layers are an object", R"({"format": "fumage-preset", "version": 2, "layers": {}})", ErrorCode::WrongType);
+        row("a layer is a number", R"({"format": "fumage-preset", "version": 2, "layers": [1]})", ErrorCode::WrongType);
+        row("the scene is a list", R"({"format": "fumage-preset", "version": 2, "scene": []})", ErrorCode::WrongType);
+        row("a group of the scene is a number", R"({"format": "fumage-preset", "version": 2, "scene": {"air": 1}})",
+            ErrorCode::WrongType);
         row("version 0", R"({"format": "fumage-preset", "version": 0})", ErrorCode::WrongVersion);
         row("version missing", R"({"format": "fumage-preset"})", ErrorCode::WrongVersion);
         row("version is text", R"({"format": "fumage-preset", "version": "1"})", ErrorCode::WrongVersion);
         row("not UTF-8", kHead + "\"name\": \"\xff\xfe\"}", ErrorCode::NotUtf8);
-        row("a zero byte and rubbish behind the end", formatPreset({}) + std::string("\0rubbish", 8), ErrorCode::Syntax);
+        row("a zero byte and rubbish behind the end", formatPreset({}) + std::string("\0rubbish", 8),
+            ErrorCode::Syntax);
         row("a zero byte in the middle", kHead + std::string("\0", 1) + "\"name\": \"x\"}", ErrorCode::Syntax);
         row("deep", std::string(1000, '['), ErrorCode::TooDeep);
         row(
-            "deep objects", [] { std::string s; for (int i = 0; i < 1000; ++i) { s += "{\"a\":"; } return s; }(), ErrorCode::TooDeep);
+            "deep objects",
+            [] {
+                std::string s;
+                for (int i = 0; i < 1000; ++i) {
+                    s += "{\"a\":";
+                }
+                return s;
+            }(),
+            ErrorCode::TooDeep);
         row("10 MB of brackets", std::string(10'000'000, '['), ErrorCode::TooLarge);
     }
     void badInputIsRefused()
@@ -249,9 +273,11 @@ private slots:
 
     void errorsHaveLineAndColumn()
     {
-        const std::string json = "{\n  \"format\": \"fumage-preset\",\n  \"version\": 1,\n  \"motion\": {\n    \"\u00e5\": 1, \"wind\": \"fast\"\n  }\n}";
+        const std::string json = "{\n  \"format\": \"fumage-preset\",\n  \"version\": 1,\n  \"motion\": {\n    "
+                                 "\"\u00e5\": 1, \"wind\": \"fast\"\n  }\n}";
         QCOMPARE(parsePreset(json, "x.json").error().place.text(), std::string("x.json, line 5, column 21"));
-        QCOMPARE(parsePreset("{\n  \"format\": tru\n}", "x.json").error().place.text(), std::string("x.json, line 2, column 16"));
+        QCOMPARE(parsePreset("{\n  \"format\": tru\n}", "x.json").error().place.text(),
+            std::string("x.json, line 2, column 16"));
     }
 
     void placesOfValuesAreTheirFirstCharacter()
@@ -274,7 +300,8 @@ private slots:
         for (const LibraryEntry& entry : entries) {
             const Result<PresetReading> reading = loadPreset(entry);
             QVERIFY2(reading.ok(), entry.id.c_str());
-            QVERIFY2(reading.value().warnings.empty(), reading.value().warnings.empty() ? "" : reading.value().warnings.front().text().c_str());
+            QVERIFY2(reading.value().warnings.empty(),
+                reading.value().warnings.empty() ? "" : reading.value().warnings.front().text().c_str());
             QVERIFY(!reading.value().preset.name.empty() && !reading.value().preset.description.empty());
         }
     }
@@ -299,8 +326,10 @@ private slots:
         QCOMPARE(e.life.initialAlpha, 0.1F);
         QCOMPARE(e.look.opacity, 1.0F); // what is seen of a particle is A(t) of eq. XIII
         QCOMPARE(e.noise.basis, NoiseBasis::Lattice);
-        for (const float zero : {e.emitter.spread, e.motion.drag, e.motion.buoyancy, e.motion.pull, e.motion.gust, e.turbulence.strength, e.vortex.strength, e.rings.strength, e.look.roll, e.life.lifetimeVariance, e.look.sizeVariance,
-                 e.look.spin, e.look.spinVariance, e.look.stretch, e.look.erosion, e.look.dilution, e.light.emission, e.noise.warp}) {
+        for (const float zero : {e.emitter.spread, e.motion.drag, e.motion.buoyancy, e.motion.pull, e.wind.gust,
+                 e.turbulence.strength, e.vortex.strength, e.rings.strength, e.look.roll, e.life.lifetimeVariance,
+                 e.look.sizeVariance, e.look.spin, e.look.spinVariance, e.look.stretch, e.look.erosion, e.look.dilution,
+                 e.glow.emission, e.noise.warp}) {
             QCOMPARE(zero, 0.0F);
         }
         const NoiseTile tile = bakeNoise(e.noise, 128, 0.0F).value();
@@ -324,7 +353,8 @@ private slots:
         const std::string path = folder.path().toStdString() + "/p.json";
         QVERIFY(writePresetFile(path, Preset{}).ok());
         QVERIFY(readPresetFile(path).ok());
-        QCOMPARE(writePresetFile(folder.path().toStdString() + "/none/p.json", Preset{}).error().code, ErrorCode::FileNotFound);
+        QCOMPARE(writePresetFile(folder.path().toStdString() + "/none/p.json", Preset{}).error().code,
+            ErrorCode::FileNotFound);
     }
 
     void userPresetsAreFoundInTheirFolder()
@@ -339,7 +369,8 @@ private slots:
         QVERIFY(loadPreset(std::string("mine")).ok());
         qputenv("XDG_DATA_HOME", "relative");
         qputenv("HOME", folder.path().toUtf8());
-        QCOMPARE(userPresetFolder(), std::filesystem::path(folder.path().toStdString()) / ".local/share/fumage/presets");
+        QCOMPARE(
+            userPresetFolder(), std::filesystem::path(folder.path().toStdString()) / ".local/share/fumage/presets");
         qputenv("HOME", "");
         QVERIFY(userPresetFolder().empty());
         QVERIFY(presetsIn(userPresetFolder()).empty());

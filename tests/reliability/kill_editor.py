@@ -33,7 +33,7 @@ class Home:
         show = subprocess.run([str(build / "bin/fumage-cli"), "presets", "--show", "thesis-2012"], capture_output=True, check=True)
         preset = json.loads(show.stdout)
         for group, values in SMALL.items():
-            preset[group].update(values)
+            (preset["scene"] if group in preset["scene"] else preset["layers"][0])[group].update(values)
         self.document.write_text(json.dumps(preset))
         settings = place / "config/fumage/fumage.ini"
         settings.parent.mkdir(parents=True)

@@ -1,4 +1,5 @@
-// Saves or keeps safe the work of a document, or does exports of a queue, until it is killed; see kill_loop.py. Ends with 3 where it finds a broken file.
+// Saves or keeps safe the work of a document, or does exports of a queue, until it is killed; see kill_loop.py. Ends
+// with 3 where it finds a broken file.
 
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
@@ -6,7 +7,7 @@
 #include "ui/export/export_queue.h"
 
 #include "core/effect/known_parameter.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -58,7 +59,7 @@ int recover(const std::string& path)
     }
     if (leftWork) {
         recovery.adopt(std::move(left.works.front()));
-        recovery.proveHarmless();
+        recovery.markRecovered();
     }
     QEventLoop writing;
     QObject::connect(&recovery, &Recovery::written, &writing, &QEventLoop::quit);
@@ -114,7 +115,8 @@ int main(int argc, char** argv)
 {
     const QCoreApplication application(argc, argv);
     const std::string what = argc == 3 ? argv[1] : "";
-    return what == "save" ? save(argv[2]) : what == "recover" ? recover(argv[2])
-        : what == "queue"                                     ? doQueue(argv[2])
-                                                              : 2;
+    return what == "save"   ? save(argv[2])
+        : what == "recover" ? recover(argv[2])
+        : what == "queue"   ? doQueue(argv[2])
+                            : 2;
 }

@@ -1,4 +1,5 @@
-// Whatever the numbers of a document are within their ranges, it becomes a picture or a sentence: nothing throws, and no pixel is no number.
+// Whatever the numbers of a document are within their ranges, it becomes a picture or a sentence: nothing throws, and
+// no pixel is no number.
 #include "tests/helpers.h"
 
 #include "core/base/hash.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr int kEdge = 16;
 constexpr int kCells = 16; ///< of the air
 constexpr int kParticles = 400;
-constexpr float kMostSteps = 40.0F; ///< of a life
+constexpr float kMaxSteps = 40.0F; ///< of a life
 
 /// FUMAGE_SMOKES=10000 tries as many of each kind; without it a number that takes seconds.
 int smokesOfAKind()
@@ -53,13 +54,17 @@ Value anyValue(const Parameter& parameter, const Value& now, std::uint32_t seed,
 {
     std::uint32_t draw = 16 * row;
     const auto next = [&] { return unit(seed, draw++); };
-    const auto number = [&] { const float how = next(); return anywhere(parameter.hard, how, next()); };
+    const auto number = [&] {
+        const float how = next();
+        return anywhere(parameter.hard, how, next());
+    };
     if (std::holds_alternative<bool>(now)) {
         return next() < 0.5F;
     }
     if (std::holds_alternative<int>(now)) {
         const double choices = static_cast<double>(parameter.choices.size());
-        return static_cast<int>(parameter.kind == Kind::Choice ? std::floor(choices * static_cast<double>(next())) : std::round(number()));
+        return static_cast<int>(
+            parameter.kind == Kind::Choice ? std::floor(choices * static_cast<double>(next())) : std::round(number()));
     }
     if (std::holds_alternative<float>(now)) {
         return static_cast<float>(number());
@@ -102,7 +107,7 @@ Effect made(Effect effect)
     effect.timeline.stepsPerFrame = std::min(effect.timeline.stepsPerFrame, 2);
     effect.timeline.length = std::min(effect.timeline.length, 20);
     const float steps = static_cast<float>(effect.timeline.frameRate * effect.timeline.stepsPerFrame);
-    effect.life.fadeRate = std::max(effect.life.fadeRate, effect.life.initialAlpha * steps / kMostSteps);
+    effect.life.fadeRate = std::max(effect.life.fadeRate, effect.life.initialAlpha * steps / kMaxSteps);
     return effect;
 }
 
@@ -147,7 +152,7 @@ Effect pointInStillAir()
     effect.emitter = {};
     effect.emitter.radius = 0.0F;
     effect.emitter.speed = 0.0F;
-    effect.motion.wind = 0.0F;
+    effect.wind.strength = 0.0F;
     effect.turbulence.strength = 0.0F;
     effect.air.enabled = true;
     return effect;
@@ -166,7 +171,7 @@ std::vector<Effect> pointSources()
             effect.emitter.mode = (i & 2) != 0 ? EmissionMode::Burst : EmissionMode::Continuous;
             effect.emitter.speed = (i & 4) != 0 ? 0.09F : 0.0F; // as fast as air of no buoyancy is taken to rise
             effect.emitter.normal = (i & 8) != 0 ? glm::vec3(0.0F, -1.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
-            effect.motion.buoyancy = (i & 16) != 0 ? 0.0F : 2.0F;
+            effect.motion.buoyancy = effect.air.buoyancy = (i & 16) != 0 ? 0.0F : 2.0F;
             effect.emitter.position = (i & 32) != 0 ? glm::vec3(10000.0F, -10000.0F, 10000.0F) : glm::vec3(0.0F);
             points.push_back(effect);
         }
@@ -203,7 +208,8 @@ private slots:
         }
     }
 
-    /// Every smoke is a wild variation of the one before it; a line begins at each built-in preset and at each point source.
+    /// Every smoke is a wild variation of the one before it; a line begins at each built-in preset and at each point
+    /// source.
     void everyVariationOfVariationsIsShownOrRefused()
     {
         std::vector<Effect> parents;
@@ -226,7 +232,9 @@ private slots:
             const Effect effect = made(pointInStillAir());
             Simulator simulator(sampled(effect));
             Frame frame = *simulator.frame(10).value();
-            const auto living = static_cast<std::size_t>(std::find_if(frame.particles.birthStep.begin(), frame.particles.birthStep.end(), [](std::int32_t step) { return step >= 0; })
+            const auto living = static_cast<std::size_t>(
+                std::find_if(frame.particles.birthStep.begin(), frame.particles.birthStep.end(),
+                    [](std::int32_t step) { return step >= 0; })
                 - frame.particles.birthStep.begin());
             frame.particles.x[living + 3] = place;
             Renderer renderer;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kWidth = 200;
 constexpr int kHeight = 100;
-constexpr float kMost = 0.96F; ///< of half the picture, which has a margin of 4 %
+constexpr float kMax = 0.96F; ///< of half the picture, which has a margin of 4 %
 
 /// A few discs that someone placed by hand.
 struct Discs {
@@ -55,7 +55,8 @@ glm::vec2 reachThrough(const Camera& camera, const Discs& discs, float seconds)
 
 Discs somewhere()
 {
-    return Discs({{0.0F, 0.0F, 0.0F, 0.2F}, {3.0F, 1.0F, -2.0F, 0.1F}, {-0.5F, 4.0F, 1.0F, 0.5F}, {1.0F, 2.0F, 6.0F, 0.3F}});
+    return Discs(
+        {{0.0F, 0.0F, 0.0F, 0.2F}, {3.0F, 1.0F, -2.0F, 0.1F}, {-0.5F, 4.0F, 1.0F, 0.5F}, {1.0F, 2.0F, 6.0F, 0.3F}});
 }
 
 } // namespace
@@ -88,9 +89,9 @@ private slots:
         Framing framing(camera, kWidth, kHeight);
         framing.addParticles(discs.particles, discs.appearance, 0.0F);
         const glm::vec2 reach = reachThrough(framing.camera(), discs, 0.0F);
-        QVERIFY(reach.x < kMost + 1e-3F);
-        QVERIFY(reach.y < kMost + 1e-3F);
-        QVERIFY2(std::max(reach.x, reach.y) > kMost - 1e-3F, "nearer would do");
+        QVERIFY(reach.x < kMax + 1e-3F);
+        QVERIFY(reach.y < kMax + 1e-3F);
+        QVERIFY2(std::max(reach.x, reach.y) > kMax - 1e-3F, "nearer would do");
         QCOMPARE(framing.camera().yaw, camera.yaw);
         QCOMPARE(framing.camera().focalLength, camera.focalLength);
     }
@@ -112,11 +113,12 @@ private slots:
             const glm::vec2 reach = reachThrough(found, discs, secondsAt(moment));
             most = std::max({most, reach.x, reach.y});
         }
-        QVERIFY(most < kMost + 1e-3F);
-        QVERIFY(most > kMost - 1e-3F);
+        QVERIFY(most < kMax + 1e-3F);
+        QVERIFY(most > kMax - 1e-3F);
 
         // No target nearby would let the camera come much nearer.
-        for (const glm::vec3& step : {glm::vec3(0.2F, 0.0F, 0.0F), glm::vec3(0.0F, 0.2F, 0.0F), glm::vec3(0.0F, 0.0F, 0.2F)}) {
+        for (const glm::vec3& step :
+            {glm::vec3(0.2F, 0.0F, 0.0F), glm::vec3(0.0F, 0.2F, 0.0F), glm::vec3(0.0F, 0.0F, 0.2F)}) {
             QVERIFY(framing.distanceFrom(found.target + step) > 0.99F * found.distance);
             QVERIFY(framing.distanceFrom(found.target - step) > 0.99F * found.distance);
         }
@@ -131,7 +133,7 @@ private slots:
         framing.addParticles(discs.particles, discs.appearance, 0.0F);
         camera.distance = framing.distanceFrom(camera.target);
         const glm::vec2 reach = reachThrough(camera, discs, 0.0F);
-        QVERIFY(std::abs(std::max(reach.x, reach.y) - kMost) < 1e-3F);
+        QVERIFY(std::abs(std::max(reach.x, reach.y) - kMax) < 1e-3F);
     }
 
     void theTargetIsAmongTheSmokeAndNotHalfWayToWhatHasFlownOff()
@@ -145,7 +147,7 @@ private slots:
         const Camera found = framing.camera();
         QVERIFY(std::abs(found.target.z + 2.0F) < 0.1F);
         const glm::vec2 reach = reachThrough(found, smoke, 0.0F);
-        QVERIFY(std::max(reach.x, reach.y) < kMost + 1e-3F);
+        QVERIFY(std::max(reach.x, reach.y) < kMax + 1e-3F);
     }
 
     void clearParticlesNeedNoRoom()

@@ -66,8 +66,8 @@ Effect loneFlame()
     effect.light.intensity = 0.0F;
     effect.light.ambient = 0.0F;
     effect.light.occlusion = 0.0F; // nothing hides the sky
-    effect.light.emission = 3.0F;
-    effect.light.emissionCooling = 0.0F;
+    effect.glow.emission = 3.0F;
+    effect.glow.emissionCooling = 0.0F;
     effect.camera.target = {0.0F, 0.0F, 0.0F};
     effect.output.width = effect.output.height = 64;
     return effect;
@@ -101,7 +101,8 @@ private slots:
         for (const int slice : {0, 1, kMaxNoiseSlices - 1}) {
             for (const int level : {0, 5, TextureRef::kPlain}) {
                 for (const std::uint32_t step : {0U, 1U, TextureRef::kErosionSteps}) {
-                    const TextureRef ref = unpackTexture(packTexture(static_cast<std::uint32_t>(slice), static_cast<std::uint32_t>(level), 200, 511, step));
+                    const TextureRef ref = unpackTexture(packTexture(
+                        static_cast<std::uint32_t>(slice), static_cast<std::uint32_t>(level), 200, 511, step));
                     QCOMPARE(ref.slice, slice);
                     QCOMPARE(ref.level, level);
                     QCOMPARE(ref.u, 200U);
@@ -122,7 +123,8 @@ private slots:
 
     void oneSpriteIsItsProfile()
     {
-        const Image image = compose(batchOf(200, 100, {{disc(70.3F, 33.8F, 9.5F, 0.8F, {0.2F, 0.4F, 0.6F}), 5}}), flatTexture(1.0F));
+        const Image image =
+            compose(batchOf(200, 100, {{disc(70.3F, 33.8F, 9.5F, 0.8F, {0.2F, 0.4F, 0.6F}), 5}}), flatTexture(1.0F));
         for (int y = 0; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
                 const float dx = static_cast<float>(x) + 0.5F - 70.3F;
@@ -142,7 +144,8 @@ private slots:
             SpriteBatch batch = batchOf(width, height, {});
             for (std::uint32_t i = 0; i < 200; ++i) {
                 const auto draw = [i](std::uint32_t stream) { return unitFloat(mixBits(i * 8 + stream)); };
-                batch.add(disc(140.0F * draw(0), 80.0F * draw(1), 1.0F + 20.0F * draw(2), 0.3F, {draw(3), draw(4), 0.5F}), i);
+                batch.add(
+                    disc(140.0F * draw(0), 80.0F * draw(1), 1.0F + 20.0F * draw(2), 0.3F, {draw(3), draw(4), 0.5F}), i);
             }
             return compose(batch, flatTexture(1.0F));
         };
@@ -228,9 +231,11 @@ private slots:
                     const TextureRef ref = unpackTexture(s.texture);
                     if (ref.level != TextureRef::kPlain && a > 0.0) {
                         const int edge = texture.levelSize(ref.level);
-                        // The place between texels is known to 1/128, that of a row at dx = 0 as well, and the last step is the next texel.
+                        // The place between texels is known to 1/128, that of a row at dx = 0 as well, and the last
+                        // step is the next texel.
                         const auto fixed = [&](float alongX, float alongY, double offset) {
-                            const double row = std::round(128.0 * (static_cast<double>(alongY) * dy * 0.3F * edge + offset / 256.0 * edge - 0.5));
+                            const double row = std::round(
+                                128.0 * (static_cast<double>(alongY) * dy * 0.3F * edge + offset / 256.0 * edge - 0.5));
                             return std::lround(128.0 * static_cast<double>(alongX) * dx * 0.3F * edge + row);
                         };
                         const long fixedU = fixed(s.m00, s.m01, ref.u);
@@ -245,11 +250,14 @@ private slots:
                         const double high = byte(16) + fu * (byte(24) - byte(16));
                         const double grey = low + fv * (high - low);
                         const double du = (byte(8) - byte(0)) + fv * ((byte(24) - byte(16)) - (byte(8) - byte(0)));
-                        const double kept = std::clamp((grey / 255.0 - static_cast<double>(ref.erosion)) / 0.5, 0.0, 1.0);
+                        const double kept =
+                            std::clamp((grey / 255.0 - static_cast<double>(ref.erosion)) / 0.5, 0.0, 1.0);
                         a *= 1.0 - 0.7F + 0.7F * kept;
                         const double scale = std::sqrt(std::abs(static_cast<double>(s.m00 * s.m11 - s.m01 * s.m10)));
-                        const double lp = (static_cast<double>(s.m00) * 0.5 + static_cast<double>(s.m01) * -0.3) / scale;
-                        const double lq = (static_cast<double>(s.m10) * 0.5 + static_cast<double>(s.m11) * -0.3) / scale;
+                        const double lp =
+                            (static_cast<double>(s.m00) * 0.5 + static_cast<double>(s.m01) * -0.3) / scale;
+                        const double lq =
+                            (static_cast<double>(s.m10) * 0.5 + static_cast<double>(s.m11) * -0.3) / scale;
                         const double relief = 0.4 * 0.3 * edge / 255.0;
                         shade = std::max(0.0, 1.0 + relief * (lp * du + lq * (high - low)) - 0.3 * (lp * p + lq * q));
                     }
@@ -257,8 +265,15 @@ private slots:
                     through *= 1.0 - a;
                 }
                 const glm::vec4 pixel = image.at(x, y);
-                QVERIFY2(std::abs(static_cast<double>(pixel.a) - (1.0 - through)) < 2e-3 && std::abs(static_cast<double>(pixel.r) - red) < 2e-3,
-                    qPrintable(QString("%1,%2: %3 %4, expected %5 %6").arg(x).arg(y).arg(pixel.a).arg(pixel.r).arg(1.0 - through).arg(red)));
+                QVERIFY2(std::abs(static_cast<double>(pixel.a) - (1.0 - through)) < 2e-3
+                        && std::abs(static_cast<double>(pixel.r) - red) < 2e-3,
+                    qPrintable(QString("%1,%2: %3 %4, expected %5 %6")
+                                   .arg(x)
+                                   .arg(y)
+                                   .arg(pixel.a)
+                                   .arg(pixel.r)
+                                   .arg(1.0 - through)
+                                   .arg(red)));
             }
         }
     }
@@ -302,7 +317,8 @@ private slots:
                     area += static_cast<double>(alpha);
                     between += alpha > 0.0F && alpha < 1.0F ? 1 : 0;
                 }
-                QVERIFY2(std::abs(area / (4.0 * 9.3 * 9.3) - 1.0) < 0.01, qPrintable(QStringLiteral("%1 at %2 degrees").arg(area).arg(static_cast<double>(degrees))));
+                QVERIFY2(std::abs(area / (4.0 * 9.3 * 9.3) - 1.0) < 0.01,
+                    qPrintable(QStringLiteral("%1 at %2 degrees").arg(area).arg(static_cast<double>(degrees))));
                 QVERIFY(between > 30);
             }
         }
@@ -316,7 +332,8 @@ private slots:
                 entries.push_back(depthEntry(mixBits(i) >> 10U & 0x3fff00U, i));
             }
             std::vector<DepthEntry> expected = entries;
-            std::stable_sort(expected.begin(), expected.end(), [](DepthEntry a, DepthEntry b) { return (a >> 32U) < (b >> 32U); });
+            std::stable_sort(
+                expected.begin(), expected.end(), [](DepthEntry a, DepthEntry b) { return (a >> 32U) < (b >> 32U); });
             AlignedArray<DepthEntry> scratch;
             sortByDepth(entries, scratch);
             QVERIFY(entries == expected);
@@ -332,7 +349,8 @@ private slots:
                 camera.yaw = yaw;
                 camera.pitch = pitch;
                 const Projected p = project(makeView(camera, 0.0F, 640, 360), camera.target);
-                QVERIFY(std::abs(p.x - 320.0F) < 1e-2F && std::abs(p.y - 180.0F) < 1e-2F && std::abs(p.depth - camera.distance) < 1e-4F);
+                QVERIFY(std::abs(p.x - 320.0F) < 1e-2F && std::abs(p.y - 180.0F) < 1e-2F
+                    && std::abs(p.depth - camera.distance) < 1e-4F);
             }
         }
     }
@@ -436,9 +454,9 @@ private slots:
     void rimOfAHotCoreIsDark()
     {
         Effect effect = loneFlame();
-        effect.light.hotCore = 0.0F;
+        effect.glow.hotCore = 0.0F;
         const float without = sumOf(render(effect, 0)).r;
-        effect.light.hotCore = 1.0F;
+        effect.glow.hotCore = 1.0F;
         const float with = sumOf(render(effect, 0)).r;
         QVERIFY(without > 0.0F);
         QVERIFY2(with < 0.05F * without, qPrintable(QString("%1 %2").arg(with).arg(without)));
@@ -448,18 +466,19 @@ private slots:
     {
         Effect effect = loneFlame();
         const glm::vec4 lava = sumOf(render(effect, 0));
-        effect.light.flameOpacity = 0.1F;
+        effect.glow.flameOpacity = 0.1F;
         const glm::vec4 flame = sumOf(render(effect, 0));
         // A lone particle hides nothing: it gives as much light through a tenth of the smoke.
         QVERIFY2(std::abs(flame.r - lava.r) < 1e-3F * lava.r, qPrintable(QString("%1 %2").arg(flame.r).arg(lava.r)));
-        QVERIFY2(std::abs(flame.a - 0.1F * lava.a) < 1e-3F * lava.a, qPrintable(QString("%1 %2").arg(flame.a).arg(lava.a)));
+        QVERIFY2(
+            std::abs(flame.a - 0.1F * lava.a) < 1e-3F * lava.a, qPrintable(QString("%1 %2").arg(flame.a).arg(lava.a)));
         // At once cold, or with nothing that glows, it is smoke as any other.
-        effect.light.emissionCooling = 100.0F;
-        effect.light.flameOpacity = 1.0F;
+        effect.glow.emissionCooling = 100.0F;
+        effect.glow.flameOpacity = 1.0F;
         const glm::vec4 smoke = sumOf(render(effect, 10));
-        effect.light.flameOpacity = 0.1F;
+        effect.glow.flameOpacity = 0.1F;
         QCOMPARE(sumOf(render(effect, 10)), smoke);
-        effect.light.emission = 0.0F;
+        effect.glow.emission = 0.0F;
         QCOMPARE(sumOf(render(effect, 0)).a, lava.a);
     }
 
@@ -477,7 +496,7 @@ private slots:
         effect.emitter.count = 2;
         const float lava = sumOf(render(effect, kBothBorn)).r;
         QVERIFY2(lava > one && lava < 1.6F * one, qPrintable(QString("%1 %2").arg(lava).arg(one)));
-        effect.light.flameOpacity = 0.01F;
+        effect.glow.flameOpacity = 0.01F;
         const float flames = sumOf(render(effect, kBothBorn)).r;
         QVERIFY2(flames > 1.95F * one && flames < 2.001F * one, qPrintable(QString("%1 %2").arg(flames).arg(one)));
     }
@@ -601,7 +620,8 @@ private slots:
     void filesShowTheLightOfClearFlames()
     {
         // Premultiplied: a clear flame, smoke, what glows a little, a hot flame, and thin smoke.
-        const std::vector<glm::vec4> pixels{{0.3F, 0.1F, 0.02F, 0.02F}, {0.1F, 0.1F, 0.1F, 0.5F}, {0.022F, 0.01F, 0.01F, 0.02F}, {9.0F, 3.0F, 0.5F, 0.1F}, {0.008F, 0.008F, 0.008F, 0.01F}};
+        const std::vector<glm::vec4> pixels{{0.3F, 0.1F, 0.02F, 0.02F}, {0.1F, 0.1F, 0.1F, 0.5F},
+            {0.022F, 0.01F, 0.01F, 0.02F}, {9.0F, 3.0F, 0.5F, 0.1F}, {0.008F, 0.008F, 0.008F, 0.01F}};
         Image image;
         image.resize(static_cast<int>(pixels.size()), 1);
         std::memcpy(image.pixels.data(), pixels.data(), pixels.size() * sizeof(glm::vec4));
@@ -616,15 +636,21 @@ private slots:
             fillBackground(opaque, glm::vec3(0.0F));
             EncodedImage<std::uint16_t> overBlack;
             encode(opaque, output, overBlack);
-            const auto at = [](const EncodedImage<std::uint16_t>& of, std::size_t pixel, std::size_t channel) { return of.pixels[pixel * 4 + channel] / 65535.0; };
+            const auto at = [](const EncodedImage<std::uint16_t>& of, std::size_t pixel, std::size_t channel) {
+                return of.pixels[pixel * 4 + channel] / 65535.0;
+            };
             for (const std::size_t flame : {0U, 3U}) {
                 for (std::size_t channel = 0; channel < 3; ++channel) {
-                    QVERIFY(std::abs(at(covered, flame, channel) * at(covered, flame, 3) - at(overBlack, flame, channel)) < 1e-4);
+                    QVERIFY(
+                        std::abs(at(covered, flame, channel) * at(covered, flame, 3) - at(overBlack, flame, channel))
+                        < 1e-4);
                 }
                 QVERIFY(at(covered, flame, 3) > 5.0 * static_cast<double>(pixels[flame].a));
             }
             for (const std::size_t same : {1U, 4U}) {
-                QVERIFY(std::equal(plain.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same), plain.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same + 1), covered.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same)));
+                QVERIFY(std::equal(plain.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same),
+                    plain.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same + 1),
+                    covered.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(same)));
             }
             // From what alpha covers to what it does not nothing jumps.
             QVERIFY(std::abs(at(covered, 2, 0) * at(covered, 2, 3) - at(plain, 2, 0) * at(plain, 2, 3)) < 0.03);

@@ -112,9 +112,9 @@ private slots:
         QFETCH(int, frameRate);
         for (const float expansion : {0.0F, 3.0F, 60.0F, 200.0F, 1000.0F}) {
             Effect effect = small(presetOf("explosion"), 24, 100);
-            effect.air.expansion = expansion;
+            effect.source.expansion = expansion;
             effect.timeline.frameRate = frameRate;
-            const Model model(sampled(effect));
+            const SimulationModel model(sampled(effect));
             const AirGrid grid = airGrid(sampled(effect));
             for (const float acts : {0.0F, 0.3F, 1.0F}) {
                 double seconds = 0.0;
@@ -139,14 +139,15 @@ private slots:
     {
         for (const LibraryEntry& entry : builtinPresets()) {
             Effect effect = loadPreset(entry).value().preset.effect;
-            if (!effect.air.enabled || effect.air.expansion > 17.0F) {
+            if (!effect.air.enabled || effect.source.expansion > 17.0F) {
                 continue;
             }
             for (const int rate : {24, 25, 30, 60}) {
-                effect.timeline.frameRate = std::max(rate, static_cast<int>(std::ceil(effect.air.expansion / 0.6F)));
-                const Model model(sampled(effect));
+                effect.timeline.frameRate = std::max(rate, static_cast<int>(std::ceil(effect.source.expansion / 0.6F)));
+                const SimulationModel model(sampled(effect));
                 const AirStep step = airStep(model, airGrid(sampled(effect)), 3, 1.0F);
-                QVERIFY(step.earlier.empty() && step.pieces == 1 && step.share == 1.0F && step.dt == model.schedule().dt);
+                QVERIFY(
+                    step.earlier.empty() && step.pieces == 1 && step.share == 1.0F && step.dt == model.schedule().dt);
             }
         }
     }
@@ -235,13 +236,15 @@ private slots:
         QVERIFY(near(up / count, 0.5, 0.02));
     }
 
-    /// In air that stands still what leaves a cone has no less than no speed along it, and in the mean over the source's first moments no more than it should.
+    /// In air that stands still what leaves a cone has no less than no speed along it, and in the mean over the
+    /// source's first moments no more than it should.
     void noConeSpraysBackwards()
     {
         for (const float spread : {0.0F, 30.0F, 60.0F, 90.0F, 120.0F, 150.0F}) {
             const Effect effect = spray(spread);
             const glm::vec3 along = sourceVelocity(sampled(effect)->emitter);
-            QVERIFY(near(static_cast<double>(along.y), 5.0 * 0.5 * (1.0 + std::cos(static_cast<double>(spread) * 3.14159265358979 / 180.0)), 1e-4));
+            QVERIFY(near(static_cast<double>(along.y),
+                5.0 * 0.5 * (1.0 + std::cos(static_cast<double>(spread) * 3.14159265358979 / 180.0)), 1e-4));
             const auto frame = frameOf(effect, 2);
             double sum = 0.0;
             double count = 0.0;
@@ -251,7 +254,8 @@ private slots:
                     count += 1.0;
                 }
             }
-            qInfo("%.0f degrees: %.3f m/s of %.3f", static_cast<double>(spread), sum / count, static_cast<double>(along.y));
+            qInfo("%.0f degrees: %.3f m/s of %.3f", static_cast<double>(spread), sum / count,
+                static_cast<double>(along.y));
             QVERIFY(sum / count > -0.05);
             QVERIFY(sum / count < 1.1 * static_cast<double>(along.y) + 0.05);
         }
@@ -263,7 +267,9 @@ private slots:
         QTest::addColumn<int>("shape");
         for (const int shape : {0, 1, 2}) {
             for (const float unevenness : {0.4F, 1.5F}) {
-                QTest::newRow(qPrintable(QStringLiteral("%1 of shape %2").arg(static_cast<double>(unevenness)).arg(shape))) << unevenness << shape;
+                QTest::newRow(
+                    qPrintable(QStringLiteral("%1 of shape %2").arg(static_cast<double>(unevenness)).arg(shape)))
+                    << unevenness << shape;
             }
         }
     }
@@ -274,11 +280,11 @@ private slots:
         QFETCH(int, shape);
         Effect effect = small(presetOf("default"), 32, 100);
         effect.emitter.shape = static_cast<EmitterShape>(shape);
-        effect.air.unevenness = unevenness;
+        effect.source.unevenness = unevenness;
         std::vector<double> heats;
         for (std::uint32_t seed = 1; seed <= 24; ++seed) {
             effect.emitter.seed = seed;
-            const AirStep step = airStep(Model(sampled(effect)), airGrid(sampled(effect)), 7, 1.0F);
+            const AirStep step = airStep(SimulationModel(sampled(effect)), airGrid(sampled(effect)), 7, 1.0F);
             heats.push_back(static_cast<double>(step.source.heat * meanUnevenness(step.source)));
         }
         const Moments all = Moments::of(heats);
@@ -293,13 +299,14 @@ private slots:
     void aSourceThatIsFarAwayIsNowhereInTheBox()
     {
         Effect effect = small(presetOf("default"), 24, 100);
-        Model model(sampled(effect));
+        SimulationModel model(sampled(effect));
         const AirGrid grid = airGrid(sampled(effect));
         for (const float far : {1e4F, 1e9F, 1e20F, 1e38F}) {
             for (const float sign : {-1.0F, 1.0F}) {
                 model.placeEmitter(glm::vec3(sign * far), {0.0F, 1.0F, 0.0F});
                 const AirSource source = airStep(model, grid, 1, 1.0F).source;
-                QVERIFY(glm::all(glm::greaterThanEqual(source.first, glm::ivec3(0))) && glm::all(glm::lessThanEqual(source.first, source.last)));
+                QVERIFY(glm::all(glm::greaterThanEqual(source.first, glm::ivec3(0)))
+                    && glm::all(glm::lessThanEqual(source.first, source.last)));
                 QVERIFY(source.last.y <= grid.cells.y && source.last.z <= grid.cells.z);
                 QVERIFY(source.first.y == source.last.y && source.first.z == source.last.z);
             }

@@ -28,7 +28,7 @@ Effect inAir()
     effect.air.enabled = true;
     effect.air.resolution = 24;
     effect.air.obstacle = Obstacle::Box;
-    effect.air.obstaclePlace = {0.2F, 1.0F, 0.0F};
+    effect.air.obstaclePosition = {0.2F, 1.0F, 0.0F};
     effect.air.obstacleSize = {0.5F, 0.4F, 0.6F};
     effect.motion.rotation = 0.0F;
     effect.motion.rotationJitter = 0.0F;
@@ -74,7 +74,8 @@ AirField steadyAir(const std::function<glm::vec3(const glm::vec3&)>& velocity)
         for (int j = 0; j <= grid.cells.y; ++j) {
             for (int i = 0; i <= grid.cells.x; ++i) {
                 const glm::vec3 air = velocity(grid.corner + grid.cell * glm::vec3(i, j, k));
-                const std::size_t at = 4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * field.row + static_cast<std::size_t>(k) * field.plane;
+                const std::size_t at = 4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * field.row
+                    + static_cast<std::size_t>(k) * field.plane;
                 for (int axis = 0; axis < 3; ++axis) {
                     field.quads[at + static_cast<std::size_t>(axis)] = glm::packHalf1x16(air[axis]);
                 }
@@ -97,7 +98,8 @@ glm::mat3 shapeAfter(const AirField& field, int steps, float dt, float lost = 0.
         carryChunk(constants, particles, 0);
     }
     const Particles& p = particles;
-    return {p.shapeXX[0], p.shapeXY[0], p.shapeXZ[0], p.shapeXY[0], p.shapeYY[0], p.shapeYZ[0], p.shapeXZ[0], p.shapeYZ[0], p.shapeZZ[0]};
+    return {p.shapeXX[0], p.shapeXY[0], p.shapeXZ[0], p.shapeXY[0], p.shapeYY[0], p.shapeYZ[0], p.shapeXZ[0],
+        p.shapeYZ[0], p.shapeZZ[0]};
 }
 
 float furthest(const glm::mat3& a, const glm::mat3& b)
@@ -151,7 +153,7 @@ private slots:
         effect.timeline.length = 24;
         effect.life.fadeRate = 0.2F;
         const SampledEffect smoke = sampled(effect);
-        const Model model(smoke, AirShelf().airOf(smoke));
+        const SimulationModel model(smoke, AirCache().airOf(smoke));
         const std::int64_t step = model.schedule().firstStep + 7;
         Particles here;
         Particles later;
@@ -188,19 +190,23 @@ private slots:
         effect.emitter.radius = 0.3F;
         effect.motion.gravity = 2.0F;
         effect.air.obstacle = static_cast<Obstacle>(obstacle);
-        effect.air.obstaclePlace = {0.1F, height, 0.05F};
+        effect.air.obstaclePosition = {0.1F, height, 0.05F};
         Simulator simulator(sampled(effect), 0);
         int touched = 0;
         for (int n = 0; n < 150; ++n) {
             const auto frame = simulator.frame(n).value();
             forLiving(*frame, [&](const glm::vec3& place, std::size_t) {
                 constexpr float kRounding = 1e-5F;
-                const glm::vec3 away = place - effect.air.obstaclePlace;
+                const glm::vec3 away = place - effect.air.obstaclePosition;
                 const glm::vec3 depth = 0.5F * effect.air.obstacleSize - glm::abs(away);
                 const bool inBox = depth.x > kRounding && depth.y > kRounding && depth.z > kRounding;
                 const bool inBall = glm::length(away) < 0.5F * effect.air.obstacleSize.x - kRounding;
                 if (place.y < 0.0F || (effect.air.obstacle == Obstacle::Box ? inBox : inBall)) {
-                    QFAIL(qPrintable(QStringLiteral("at %1 %2 %3 of frame %4").arg(static_cast<double>(place.x)).arg(static_cast<double>(place.y)).arg(static_cast<double>(place.z)).arg(n)));
+                    QFAIL(qPrintable(QStringLiteral("at %1 %2 %3 of frame %4")
+                                         .arg(static_cast<double>(place.x))
+                                         .arg(static_cast<double>(place.y))
+                                         .arg(static_cast<double>(place.z))
+                                         .arg(n)));
                 }
                 touched += place.y == 0.0F ? 1 : 0;
             });
@@ -214,7 +220,7 @@ private slots:
         effect.emitter.shape = EmitterShape::Disc;
         effect.emitter.radius = 0.3F;
         effect.emitter.speed = 0.0F;
-        effect.motion.buoyancy = 3.0F;
+        effect.motion.buoyancy = effect.air.buoyancy = 3.0F;
         effect.air.enabled = true;
         effect.air.resolution = 32;
         const auto highest = [](const Effect& of) {
@@ -225,7 +231,7 @@ private slots:
         const float risen = highest(effect);
         qInfo("%.2f m", static_cast<double>(risen));
         QVERIFY(risen > 0.8F);
-        effect.motion.buoyancy = 0.0F;
+        effect.motion.buoyancy = effect.air.buoyancy = 0.0F;
         QVERIFY(highest(effect) < 0.5F);
     }
 
@@ -235,15 +241,15 @@ private slots:
         effect.emitter.shape = EmitterShape::Sphere;
         effect.emitter.radius = 1.0F;
         effect.air.enabled = true;
-        effect.air.raggedness = 0.0F;
+        effect.source.raggedness = 0.0F;
         effect.air.ground = false;
         const auto heatOfSources = [&](float unevenness) {
-            effect.air.unevenness = unevenness;
+            effect.source.unevenness = unevenness;
             Spread heat;
             for (std::uint32_t seed = 1; seed <= 60; ++seed) {
                 effect.emitter.seed = seed;
-                const AirPlan plan = airPlan(Model(sampled(effect)));
-                AirSolver air(plan.grid, plan.borders);
+                const AirPlan plan = airPlan(SimulationModel(sampled(effect)));
+                AirSolver air(plan.grid, plan.boundaries);
                 air.step(plan.stepTo(1));
                 forCells(plan.grid.cells, [&](const glm::ivec3& c) {
                     if (glm::length(plan.grid.centre(c) - effect.emitter.position) < 0.6F) {
@@ -281,7 +287,8 @@ private slots:
         Effect effect = thesisEffect(1);
         effect.emitter.radius = 0.2F;
         effect.motion = Motion();
-        effect.motion.wind = effect.motion.buoyancy = effect.motion.cooling = 0.0F;
+        effect.wind.strength = effect.motion.buoyancy = effect.air.buoyancy = effect.motion.cooling =
+            effect.air.cooling = 0.0F;
         effect.air.enabled = true;
         effect.air.resolution = cells;
         effect.air.fit = false;
@@ -291,14 +298,16 @@ private slots:
         effect.air.turbulence = 7.0F;
         effect.air.turbulenceScale = 0.9F;
         const auto afterAStep = [&](float heat, const auto& visit) {
-            const AirPlan plan = airPlan(Model(sampled(effect)));
+            const AirPlan plan = airPlan(SimulationModel(sampled(effect)));
             AirStep step = plan.stepTo(1);
             step.source.acts = false;
-            QCOMPARE(static_cast<int>(step.stirring.octaves), octaves);
-            AirSolver air(plan.grid, plan.borders);
+            QCOMPARE(static_cast<int>(step.forcing.octaves), octaves);
+            AirSolver air(plan.grid, plan.boundaries);
             air.set([&](const glm::vec3& /*place*/) { return glm::vec4(0.0F, 0.0F, 0.0F, heat); });
             air.step(step);
-            forCells(plan.grid.cells, [&](const glm::ivec3& c) { visit(plan.grid.centre(c) - effect.emitter.position, glm::vec3(air.at(c)) / step.dt); });
+            forCells(plan.grid.cells, [&](const glm::ivec3& c) {
+                visit(plan.grid.centre(c) - effect.emitter.position, glm::vec3(air.at(c)) / step.dt);
+            });
         };
         double squares = 0.0;
         double count = 0.0;
@@ -306,7 +315,8 @@ private slots:
             effect.emitter.seed = seed;
             afterAStep(1.0F, [&](const glm::vec3& away, const glm::vec3& acceleration) {
                 // Not where the pressure is that of the open sides, and not in the calm around the source.
-                if (glm::all(glm::lessThan(glm::abs(glm::vec2(away.x, away.z)), glm::vec2(1.2F))) && away.y > 0.8F && away.y < 3.2F) {
+                if (glm::all(glm::lessThan(glm::abs(glm::vec2(away.x, away.z)), glm::vec2(1.2F))) && away.y > 0.8F
+                    && away.y < 3.2F) {
                     squares += static_cast<double>(glm::dot(acceleration, acceleration));
                     count += 1.0;
                 }
@@ -315,7 +325,8 @@ private slots:
         const double strength = std::sqrt(squares / count);
         qInfo("%.2f m/s^2", strength);
         QVERIFY(near(strength / (7.0 * share), 1.0, 0.05));
-        afterAStep(0.0F, [](const glm::vec3& /*away*/, const glm::vec3& acceleration) { QVERIFY(acceleration == glm::vec3(0.0F)); });
+        afterAStep(0.0F,
+            [](const glm::vec3& /*away*/, const glm::vec3& acceleration) { QVERIFY(acceleration == glm::vec3(0.0F)); });
     }
 
     void smokeIsBornInTheSourceAndThinsOutTowardsItsRim()
@@ -325,7 +336,8 @@ private slots:
         effect.emitter.radius = 0.5F;
         effect.emitter.speed = 0.0F;
         effect.motion = Motion();
-        effect.motion.wind = effect.motion.gravity = effect.motion.buoyancy = effect.motion.pull = 0.0F;
+        effect.wind.strength = effect.motion.gravity = effect.motion.buoyancy = effect.air.buoyancy =
+            effect.motion.pull = 0.0F;
         effect.turbulence.strength = effect.rings.strength = effect.vortex.strength = 0.0F;
         effect.air.enabled = true;
         effect.air.resolution = 32;
@@ -336,12 +348,14 @@ private slots:
             const glm::vec3 away = (place - effect.emitter.position) / effect.emitter.radius;
             const float out2 = away.x * away.x + away.z * away.z;
             QVERIFY(out2 <= 0.64F + 1e-5F);
-            QVERIFY(place.y >= effect.emitter.position.y - 1e-5F && place.y - effect.emitter.position.y <= depth * (1.0F - out2) + 1e-5F);
+            QVERIFY(place.y >= effect.emitter.position.y - 1e-5F
+                && place.y - effect.emitter.position.y <= depth * (1.0F - out2) + 1e-5F);
             within += out2 < 0.25F ? 1.0 : 0.0;
             count += 1.0;
         });
-        // r = .8 R sqrt(a) (1 - .85 u), a and u even: r < R / 2 where u > s = (1 - .625) / .85 always, and else with (.625 / (1 - .85 u))^2,
-        // whose integral over u up to s is .625 (1 - .625) / .85; together 1 - s + .625 s. Even over the disc it would be 1/4.
+        // r = .8 R sqrt(a) (1 - .85 u), a and u even: r < R / 2 where u > s = (1 - .625) / .85 always, and else with
+        // (.625 / (1 - .85 u))^2, whose integral over u up to s is .625 (1 - .625) / .85; together 1 - s + .625 s. Even
+        // over the disc it would be 1/4.
         constexpr double kSurely = (1.0 - 0.625) / 0.85;
         constexpr double kWithin = 1.0 - kSurely + 0.625 * kSurely;
         QVERIFY(count > 500.0);
@@ -352,8 +366,8 @@ private slots:
     {
         Effect effect = thesisEffect(500);
         effect.emitter.speed = 0.5F;
-        effect.motion.wind = 1.0F;
-        effect.motion.drag = 1.0F;
+        effect.wind.strength = 1.0F;
+        effect.motion.drag = effect.air.drag = 1.0F;
         effect.air.enabled = true;
         effect.air.resolution = 32;
         double sum = 0.0;
@@ -372,12 +386,14 @@ private slots:
         effect.emitter.speed = 0.0F;
         effect.emitter.position.y = 3.0F;
         effect.motion.gravity = 2.0F;
-        effect.motion.drag = 2.0F;
+        effect.motion.drag = effect.air.drag = 2.0F;
         effect.air.enabled = true;
         effect.air.resolution = 24;
         const auto frame = frameOf(effect, 45);
         double fastest = 0.0;
-        forLiving(*frame, [&](const glm::vec3&, std::size_t i) { fastest = std::max(fastest, -static_cast<double>(frame->particles.vy[i])); });
+        forLiving(*frame, [&](const glm::vec3&, std::size_t i) {
+            fastest = std::max(fastest, -static_cast<double>(frame->particles.vy[i]));
+        });
         QVERIFY(near(fastest, 1.0, 0.1)); // gravity / drag
     }
 
@@ -412,7 +428,8 @@ private slots:
             const Lifecycle after = lifecycle(*late, i);
             if (before.alive && after.alive && after.age > before.age) {
                 ++seen;
-                const double way = static_cast<double>(early->particles.y[i]) - static_cast<double>(late->particles.y[i]);
+                const double way =
+                    static_cast<double>(early->particles.y[i]) - static_cast<double>(late->particles.y[i]);
                 QVERIFY(near(way, fallen(after.age) - fallen(before.age), 1e-5));
             }
         }
@@ -421,15 +438,15 @@ private slots:
 
     void airIsSharedByEffectsThatDifferInWhatItKnowsNothingOf()
     {
-        AirShelf shelf;
+        AirCache shelf;
         Effect effect = inAir();
         const auto air = shelf.airOf(sampled(effect));
         effect.look.size = 0.4F;
         effect.emitter.count = 5000;
-        effect.air.detail = 0.3F;
-        effect.light.emission = 1.0F;
+        effect.turbulence.detail = 0.3F;
+        effect.glow.emission = 1.0F;
         QCOMPARE(shelf.airOf(sampled(effect)), air);
-        effect.motion.buoyancy += 0.1F;
+        effect.air.buoyancy += 0.1F;
         QVERIFY(shelf.airOf(sampled(effect)) != air);
         effect.air.enabled = false;
         QVERIFY(shelf.airOf(sampled(effect)) == nullptr);
@@ -462,7 +479,8 @@ private slots:
     void aShapeRelaxesToWhatItsFlowAndMemoryBalance()
     {
         // C_xx' = 2 a C_xx - (C_xx - 1) / tau comes to rest at 1 / (1 - 2 a tau), here 2.
-        const AirField field = steadyAir([](const glm::vec3& p) { return glm::vec3(0.5F * p.x, -0.25F * p.y, -0.25F * p.z); });
+        const AirField field =
+            steadyAir([](const glm::vec3& p) { return glm::vec3(0.5F * p.x, -0.25F * p.y, -0.25F * p.z); });
         constexpr float kStep = 1.0F / 256.0F;
         const glm::mat3 shape = shapeAfter(field, 2560, kStep, 1.0F - std::exp(-kStep / 0.5F));
         QVERIFY(near(static_cast<double>(shape[0].x), 2.0, 0.01));
@@ -471,9 +489,10 @@ private slots:
     void whateverTheAirDoesAShapeStaysFiniteAndPositive()
     {
         for (const float rate : {30.0F, 1000.0F, 30000.0F}) {
-            const AirField field = steadyAir([&](const glm::vec3& p) { return rate * glm::vec3(p.x + p.z, -p.y + p.x, p.y); });
+            const AirField field =
+                steadyAir([&](const glm::vec3& p) { return rate * glm::vec3(p.x + p.z, -p.y + p.x, p.y); });
             const glm::mat3 shape = shapeAfter(field, 100, 0.05F, 0.05F);
-            QVERIFY(shape[0].x + shape[1].y + shape[2].z <= 1.001F * kMostDeformation * kMostDeformation);
+            QVERIFY(shape[0].x + shape[1].y + shape[2].z <= 1.001F * kMaxDeformation * kMaxDeformation);
             QVERIFY(shape[0].x > 0.0F && shape[1].y > 0.0F && shape[2].z > 0.0F);
         }
     }

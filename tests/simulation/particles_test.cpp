@@ -16,7 +16,8 @@ Particles distinct()
     int number = 0;
     forEachColumn([&](const auto& column) {
         ++number;
-        std::fill(column.of(particles).begin(), column.of(particles).end(), static_cast<std::decay_t<decltype(column.empty)>>(number));
+        std::fill(column.of(particles).begin(), column.of(particles).end(),
+            static_cast<std::decay_t<decltype(column.empty)>>(number));
     });
     return particles;
 }
@@ -31,14 +32,18 @@ private slots:
     {
         Particles particles = distinct();
         std::map<std::string_view, double> values;
-        forEachColumn([&](const auto& column) { values[column.name] = static_cast<double>(column.of(particles).back()); });
-        const std::map<std::string_view, double> members{{"x", particles.x.back()}, {"y", particles.y.back()}, {"z", particles.z.back()},
-            {"vx", particles.vx.back()}, {"vy", particles.vy.back()}, {"vz", particles.vz.back()},
-            {"rollX", particles.rollX.back()}, {"rollY", particles.rollY.back()}, {"rollZ", particles.rollZ.back()}, {"relativeX", particles.relativeX.back()}, {"relativeY", particles.relativeY.back()},
-            {"relativeZ", particles.relativeZ.back()}, {"heat", particles.heat.back()},
-            {"shapeXX", particles.shapeXX.back()}, {"shapeYY", particles.shapeYY.back()}, {"shapeZZ", particles.shapeZZ.back()}, {"shapeXY", particles.shapeXY.back()}, {"shapeXZ", particles.shapeXZ.back()},
-            {"shapeYZ", particles.shapeYZ.back()},
-            {"key", particles.key.back()}, {"birthStep", particles.birthStep.back()}};
+        forEachColumn(
+            [&](const auto& column) { values[column.name] = static_cast<double>(column.of(particles).back()); });
+        const std::map<std::string_view, double> members{{"x", particles.x.back()}, {"y", particles.y.back()},
+            {"z", particles.z.back()}, {"vx", particles.vx.back()}, {"vy", particles.vy.back()},
+            {"vz", particles.vz.back()}, {"rollX", particles.rollX.back()}, {"rollY", particles.rollY.back()},
+            {"rollZ", particles.rollZ.back()}, {"relativeX", particles.relativeX.back()},
+            {"relativeY", particles.relativeY.back()}, {"relativeZ", particles.relativeZ.back()},
+            {"heat", particles.heat.back()}, {"shapeXX", particles.shapeXX.back()},
+            {"shapeYY", particles.shapeYY.back()}, {"shapeZZ", particles.shapeZZ.back()},
+            {"shapeXY", particles.shapeXY.back()}, {"shapeXZ", particles.shapeXZ.back()},
+            {"shapeYZ", particles.shapeYZ.back()}, {"key", particles.key.back()},
+            {"birthStep", particles.birthStep.back()}};
         QCOMPARE(values, members);
         std::set<double> different;
         for (const auto& [name, value] : values) {
@@ -70,8 +75,13 @@ private slots:
             QCOMPARE(particles.bytes(), Particles::kChunk * 4 * (rolls ? 11U : 8U));
             forEachColumn([&](const auto& column) {
                 const auto& values = column.of(particles);
-                QCOMPARE(values.size(), column.owner == ColumnOf::InAir || column.owner == ColumnOf::Deforming || (column.owner == ColumnOf::Rolling && !rolls) ? std::size_t(0) : Particles::kChunk);
-                QVERIFY2(std::all_of(values.begin(), values.end(), [&](auto value) { return value == column.empty; }), column.name.data());
+                QCOMPARE(values.size(),
+                    column.owner == ColumnOf::InAir || column.owner == ColumnOf::Deforming
+                            || (column.owner == ColumnOf::Rolling && !rolls)
+                        ? std::size_t(0)
+                        : Particles::kChunk);
+                QVERIFY2(std::all_of(values.begin(), values.end(), [&](auto value) { return value == column.empty; }),
+                    column.name.data());
             });
             QCOMPARE(particles.birthStep[4], Particles::kUnborn);
         }
@@ -93,7 +103,9 @@ private slots:
         });
         Particles unrolled = full;
         unrolled.clearRoll(10, 20);
-        forEachColumn([&](const auto& column) { QCOMPARE(column.of(unrolled)[15], column.owner == ColumnOf::Rolling ? column.empty : column.of(full)[15]); });
+        forEachColumn([&](const auto& column) {
+            QCOMPARE(column.of(unrolled)[15], column.owner == ColumnOf::Rolling ? column.empty : column.of(full)[15]);
+        });
     }
 };
 

@@ -29,7 +29,8 @@ struct Velocities {
     std::vector<float> x, y, z;
 };
 
-Velocities turbulenceOf(const StepConstants& constants, const std::vector<float>& x, const std::vector<float>& y, const std::vector<float>& z)
+Velocities turbulenceOf(const StepConstants& constants, const std::vector<float>& x, const std::vector<float>& y,
+    const std::vector<float>& z)
 {
     Velocities v{x, y, z};
     turbulenceAt(constants, x, y, z, v.x, v.y, v.z);
@@ -96,7 +97,7 @@ private slots:
     void anyFrameFromNothingEqualsPlayingToIt()
     {
         const Effect effect = everythingOn();
-        const Model model(sampled(effect));
+        const SimulationModel model(sampled(effect));
         const std::int64_t start = model.schedule().firstStep;
         Particles played;
         QVERIFY(advanceFromNothing(model, played, start).ok());
@@ -111,7 +112,7 @@ private slots:
 
     void stepsMayBeTakenInAnyPortions()
     {
-        const Model model(sampled(everythingOn()));
+        const SimulationModel model(sampled(everythingOn()));
         Particles a;
         QVERIFY(advanceFromNothing(model, a, 200).ok());
         Particles b = a;
@@ -145,7 +146,7 @@ private slots:
             effect.timeline.loop = true;
             effect.timeline.length = 48;
             effect.turbulence.drift = 0.7F;
-            const Model model(sampled(effect));
+            const SimulationModel model(sampled(effect));
             const std::int64_t step = model.schedule().firstStep + 20;
             Particles here;
             QVERIFY(advanceFromNothing(model, here, step).ok());
@@ -171,7 +172,7 @@ private slots:
 
     void curlNoiseHasNoDivergence()
     {
-        const StepConstants constants = Model(sampled(turbulent())).constants(7);
+        const StepConstants constants = SimulationModel(sampled(turbulent())).constants(7);
         constexpr float h = 1e-2F;
         double divergence = 0.0;
         double gradient = 0.0;
@@ -179,7 +180,8 @@ private slots:
             const float cx = 10.0F * signedFloat(mixBits(3 * i));
             const float cy = 10.0F * signedFloat(mixBits(3 * i + 1));
             const float cz = 10.0F * signedFloat(mixBits(3 * i + 2));
-            const Velocities v = turbulenceOf(constants, {cx + h, cx - h, cx, cx, cx, cx}, {cy, cy, cy + h, cy - h, cy, cy}, {cz, cz, cz, cz, cz + h, cz - h});
+            const Velocities v = turbulenceOf(constants, {cx + h, cx - h, cx, cx, cx, cx},
+                {cy, cy, cy + h, cy - h, cy, cy}, {cz, cz, cz, cz, cz + h, cz - h});
             const double dx = static_cast<double>(v.x[0] - v.x[1]) / (2.0 * static_cast<double>(h));
             const double dy = static_cast<double>(v.y[2] - v.y[3]) / (2.0 * static_cast<double>(h));
             const double dz = static_cast<double>(v.z[4] - v.z[5]) / (2.0 * static_cast<double>(h));
@@ -188,7 +190,8 @@ private slots:
         }
         QVERIFY(gradient > 100.0);
         // What is left is the error of the central difference, of order h^2.
-        QVERIFY2(std::sqrt(divergence / gradient) < 0.01, qPrintable(QString::number(std::sqrt(divergence / gradient))));
+        QVERIFY2(
+            std::sqrt(divergence / gradient) < 0.01, qPrintable(QString::number(std::sqrt(divergence / gradient))));
     }
 
     void airAroundTheEmitterShearsLikeAirElsewhere()
@@ -202,7 +205,8 @@ private slots:
         for (std::uint32_t seed = 1; seed <= 400; ++seed) {
             effect.emitter.seed = seed;
             const float far = 3.0F + signedFloat(mixBits(seed));
-            const Velocities v = turbulenceOf(Model(sampled(effect)).constants(7), {h, -h, far + h, far - h}, {0.0F, 0.0F, far, far}, {0.0F, 0.0F, -far, -far});
+            const Velocities v = turbulenceOf(SimulationModel(sampled(effect)).constants(7), {h, -h, far + h, far - h},
+                {0.0F, 0.0F, far, far}, {0.0F, 0.0F, -far, -far});
             here += std::pow(static_cast<double>(v.y[0] - v.y[1]), 2.0);
             elsewhere += std::pow(static_cast<double>(v.y[2] - v.y[3]), 2.0);
         }
@@ -226,7 +230,7 @@ private slots:
         effect.turbulence.strength = 2.5F;
         effect.turbulence.octaves = octaves;
         effect.turbulence.roughness = roughness;
-        const StepConstants constants = Model(sampled(effect)).constants(11);
+        const StepConstants constants = SimulationModel(sampled(effect)).constants(11);
         std::vector<float> x(60000);
         std::vector<float> y(x.size());
         std::vector<float> z(x.size());
@@ -257,16 +261,18 @@ private slots:
             effect.turbulence.drift = 0.5F;
             effect.timeline.loop = loop;
             effect.timeline.length = 110;
-            const Model model(sampled(effect));
+            const SimulationModel model(sampled(effect));
             const std::vector<float> x{0.3F, 1.7F, -2.2F};
             // A jump shows in the change of the change from step to step.
             double largest = 0.0;
             double moves = 0.0;
-            std::array<Velocities, 3> v{turbulenceOf(model.constants(0), x, x, x), turbulenceOf(model.constants(1), x, x, x), {}};
+            std::array<Velocities, 3> v{
+                turbulenceOf(model.constants(0), x, x, x), turbulenceOf(model.constants(1), x, x, x), {}};
             for (int step = 2; step < 300; ++step) {
                 v[2] = turbulenceOf(model.constants(step), x, x, x);
                 for (std::size_t i = 0; i < x.size(); ++i) {
-                    largest = std::max(largest, std::abs(static_cast<double>(v[2].x[i] - 2.0F * v[1].x[i] + v[0].x[i])));
+                    largest =
+                        std::max(largest, std::abs(static_cast<double>(v[2].x[i] - 2.0F * v[1].x[i] + v[0].x[i])));
                     moves = std::max(moves, std::abs(static_cast<double>(v[2].x[i] - v[1].x[i])));
                 }
                 std::rotate(v.begin(), v.begin() + 1, v.end());
@@ -278,13 +284,14 @@ private slots:
 
     void curlNoiseDriftsUpwards()
     {
-        // Every octave and both slices move by drift times time: who moves along sees the swirls turn over slowly, who stands sees others pass.
+        // Every octave and both slices move by drift times time: who moves along sees the swirls turn over slowly, who
+        // stands sees others pass.
         Effect effect = turbulent();
         effect.turbulence.octaves = 3;
         effect.turbulence.scale = 0.3F;
         effect.turbulence.drift = 2.3F;
         effect.turbulence.evolution = 0.05F;
-        const Model model(sampled(effect));
+        const SimulationModel model(sampled(effect));
         std::vector<float> x(4000);
         std::vector<float> y(x.size());
         std::vector<float> moved(x.size());
@@ -301,14 +308,15 @@ private slots:
         const Velocities along = turbulenceOf(model.constants(kFrom + kSteps), x, moved, z);
         const Velocities standing = turbulenceOf(model.constants(kFrom + kSteps), x, y, z);
         QVERIFY2(correlation(before.y, along.y) > 0.98, qPrintable(QString::number(correlation(before.y, along.y))));
-        QVERIFY2(correlation(before.y, standing.y) < 0.3, qPrintable(QString::number(correlation(before.y, standing.y))));
+        QVERIFY2(
+            correlation(before.y, standing.y) < 0.3, qPrintable(QString::number(correlation(before.y, standing.y))));
     }
 
     void swirlsGrowWithHeight()
     {
         Effect effect = turbulent();
         effect.turbulence.growth = 1.0F;
-        const StepConstants constants = Model(sampled(effect)).constants(3);
+        const StepConstants constants = SimulationModel(sampled(effect)).constants(3);
         const auto roughness = [&](float height) {
             double sum = 0.0;
             for (std::uint32_t i = 0; i < 3000; ++i) {
@@ -330,7 +338,10 @@ private slots:
         const auto frame = frameOf(effect, 0);
         float widest = 0.0F;
         for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
-            const float cosine = frame->particles.vy[i] / std::sqrt(frame->particles.vx[i] * frame->particles.vx[i] + frame->particles.vy[i] * frame->particles.vy[i] + frame->particles.vz[i] * frame->particles.vz[i]);
+            const float cosine = frame->particles.vy[i]
+                / std::sqrt(frame->particles.vx[i] * frame->particles.vx[i]
+                    + frame->particles.vy[i] * frame->particles.vy[i]
+                    + frame->particles.vz[i] * frame->particles.vz[i]);
             widest = std::max(widest, std::acos(std::min(1.0F, cosine)) * 57.29578F);
         }
         QVERIFY(widest <= 30.1F && widest > 29.0F);
@@ -347,7 +358,8 @@ private slots:
             const auto frame = frameOf(effect, 0);
             int inner = 0;
             for (std::size_t i = 0; i < frame->particles.capacity; ++i) {
-                const float r2 = frame->particles.x[i] * frame->particles.x[i] + frame->particles.y[i] * frame->particles.y[i] + frame->particles.z[i] * frame->particles.z[i];
+                const float r2 = frame->particles.x[i] * frame->particles.x[i]
+                    + frame->particles.y[i] * frame->particles.y[i] + frame->particles.z[i] * frame->particles.z[i];
                 QVERIFY(r2 <= 4.0001F);
                 inner += r2 < 1.0F ? 1 : 0;
             }
@@ -389,8 +401,8 @@ private slots:
         Simulator simulator(sampled(effect));
         int told = 0;
         int all = 0;
-        const Progress progress([&](Work work, int done, int total) {
-            QCOMPARE(work, Work::PreRoll);
+        const Progress progress([&](ProgressPhase work, int done, int total) {
+            QCOMPARE(work, ProgressPhase::PreRoll);
             QVERIFY(done > told && done <= total);
             told = done;
             all = total;

@@ -25,7 +25,8 @@ Status printLine(const std::string& id)
     }
     Renderer renderer;
     Image image;
-    if (Status status = renderer.render(*frame.value(), effect, effect->output.width, effect->output.height, image); !status) {
+    if (Status status = renderer.render(*frame.value(), effect, effect->output.width, effect->output.height, image);
+        !status) {
         return status;
     }
     std::printf("%s\n", goldenLine(id, image).c_str());

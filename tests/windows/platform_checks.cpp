@@ -1,5 +1,6 @@
 // What *_windows.cpp of the core promise:  platform_checks FOLDER
-// A program of its own, also as the other program that holds, writes, reads and fails:  platform_checks hold|copy|fail|sleep ...
+// A program of its own, also as the other program that holds, writes, reads and fails:  platform_checks
+// hold|copy|fail|sleep ...
 
 #include "core/base/aligned_array.h"
 #include "core/base/child_process.h"
@@ -55,7 +56,8 @@ bool says(const Status& status, ErrorCode code, std::string_view text)
 
 std::size_t filesIn(const std::filesystem::path& folder)
 {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
 }
 
 /// This program as another one.
@@ -68,42 +70,57 @@ ChildProcess other(const std::vector<std::string>& arguments)
 
 void paths()
 {
-    check(pathFrom("r\xc3\xb6k \xe7\x83\x9f \xf0\x9f\x94\xa5.txt") == std::filesystem::path(L"r\u00f6k \u70df \U0001F525.txt"), "a path has the letters of its text");
-    check(pathFrom("a\xff.txt") == std::filesystem::path(L"a\ufffd.txt") && pathFrom("").empty(), "and U+FFFD for what is none");
+    check(pathFrom("r\xc3\xb6k \xe7\x83\x9f \xf0\x9f\x94\xa5.txt")
+            == std::filesystem::path(L"r\u00f6k \u70df \U0001F525.txt"),
+        "a path has the letters of its text");
+    check(pathFrom("a\xff.txt") == std::filesystem::path(L"a\ufffd.txt") && pathFrom("").empty(),
+        "and U+FFFD for what is none");
 }
 
 void files(const std::filesystem::path& folder)
 {
-    const std::filesystem::path file = folder / std::filesystem::path(u8"smoke \u70df \u00e5\u00e4\u00f6 \U0001F525.txt");
-    check(writeFileAtomically(file, std::string_view("one\n")).ok() && contents(file) == "one\n", "a file with letters of many scripts is written and read");
-    check(writeFileAtomically(file, std::string_view("two\r\n\x1a")).ok() && contents(file) == "two\r\n\x1a", "it is replaced, byte for byte");
+    const std::filesystem::path file =
+        folder / std::filesystem::path(u8"smoke \u70df \u00e5\u00e4\u00f6 \U0001F525.txt");
+    check(writeFileAtomically(file, std::string_view("one\n")).ok() && contents(file) == "one\n",
+        "a file with letters of many scripts is written and read");
+    check(writeFileAtomically(file, std::string_view("two\r\n\x1a")).ok() && contents(file) == "two\r\n\x1a",
+        "it is replaced, byte for byte");
     check(filesIn(folder) == 1, "nothing else is left in the folder");
     check(readFileHead(file, 2).value() == "tw", "the beginning of a file is read");
-    check(says(writeFileAtomically(folder, std::string_view("x")), ErrorCode::NotAFile, "it is a folder"), "a folder is not replaced");
-    check(says(writeFileAtomically(folder / "none" / "a.txt", std::string_view("x")), ErrorCode::FileNotFound, "none"), "a folder that is missing is named");
+    check(says(writeFileAtomically(folder, std::string_view("x")), ErrorCode::NotAFile, "it is a folder"),
+        "a folder is not replaced");
+    check(says(writeFileAtomically(folder / "none" / "a.txt", std::string_view("x")), ErrorCode::FileNotFound, "none"),
+        "a folder that is missing is named");
     check(says(writeFileAtomically("NUL", std::string_view("x")), ErrorCode::NotAFile, "NUL"), "a device is no file");
     ::SetFileAttributesW(file.c_str(), FILE_ATTRIBUTE_READONLY);
-    check(says(writeFileAtomically(file, std::string_view("x")), ErrorCode::PermissionDenied, "permission denied"), "a file that may not be written is not replaced");
+    check(says(writeFileAtomically(file, std::string_view("x")), ErrorCode::PermissionDenied, "permission denied"),
+        "a file that may not be written is not replaced");
     ::SetFileAttributesW(file.c_str(), FILE_ATTRIBUTE_NORMAL);
     check(contents(file) == "two\r\n\x1a", "and keeps what it holds");
     {
-        const Descriptor reader(::CreateFileW(file.c_str(), GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr, OPEN_EXISTING, 0, nullptr));
+        const Descriptor reader(::CreateFileW(file.c_str(), GENERIC_READ,
+            FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr, OPEN_EXISTING, 0, nullptr));
         std::array<char, 8> old{};
         DWORD count = 0;
         const bool isReplaced = writeFileAtomically(file, std::string_view("three")).ok();
         ::ReadFile(reader.get(), old.data(), static_cast<DWORD>(old.size()), &count, nullptr);
-        check(!isReplaced || std::string_view(old.data(), count) == "two\r\n\x1a", "who reads a file reads what it was when it was opened");
+        check(!isReplaced || std::string_view(old.data(), count) == "two\r\n\x1a",
+            "who reads a file reads what it was when it was opened");
     }
     {
         const Descriptor holder(::CreateFileW(file.c_str(), GENERIC_READ, 0, nullptr, OPEN_EXISTING, 0, nullptr));
-        check(says(writeFileAtomically(file, std::string_view("x")), ErrorCode::PermissionDenied, ""), "a file that another program holds is not replaced");
+        check(says(writeFileAtomically(file, std::string_view("x")), ErrorCode::PermissionDenied, ""),
+            "a file that another program holds is not replaced");
         check(filesIn(folder) == 1, "and nothing is left of the attempt");
     }
-    check(writeFileAtomically(file, std::string_view("mine"), FileAccess::Private).ok() && contents(file) == "mine", "a private file is written");
-    check(writeFileAtomically(file, std::string_view("again")).ok() && contents(file) == "again", "and can be replaced by its owner");
+    check(writeFileAtomically(file, std::string_view("mine"), FileAccess::Private).ok() && contents(file) == "mine",
+        "a private file is written");
+    check(writeFileAtomically(file, std::string_view("again")).ok() && contents(file) == "again",
+        "and can be replaced by its owner");
     const std::vector<std::byte> bytes(3, std::byte{'x'});
     const std::array<FileContents, 2> pair{FileContents{folder / "a", bytes}, FileContents{folder / "b", bytes}};
-    check(writeTogetherAtomically(pair).ok() && contents(folder / "a") == "xxx" && contents(folder / "b") == "xxx", "two files are written together");
+    check(writeTogetherAtomically(pair).ok() && contents(folder / "a") == "xxx" && contents(folder / "b") == "xxx",
+        "two files are written together");
     check(writeTogetherAtomically(pair).ok(), "and again: their lock was given back");
 }
 
@@ -139,7 +156,8 @@ void locks(const std::filesystem::path& folder)
 int hold(const std::filesystem::path& folder)
 {
     const std::unique_ptr<FileLock> lock = FileLock::tryTake(folder / "lock");
-    const Result<FileDraft> draft = FileDraft::make(folder / "draft.txt", {}, FileAccess::Usual, FileDraft::Naming::Temporary);
+    const Result<FileDraft> draft =
+        FileDraft::make(folder / "draft.txt", {}, FileAccess::Usual, FileDraft::Naming::Temporary);
     std::ofstream(folder / "begun") << "yes";
     ::Sleep(lock && draft ? INFINITE : 0);
     return 1;
@@ -152,14 +170,17 @@ void children(const std::filesystem::path& folder)
     const std::vector<std::byte> bytes(5'000'000, std::byte{0x1a});
     ChildProcess copier = other({"copy", file.string(), words, ""});
     check(copier.write(bytes).ok() && copier.finish().ok(), "a program takes five megabytes");
-    check(std::filesystem::file_size(file) == bytes.size() + words.size() + 1, "and has them all, and its arguments as they were given");
+    check(std::filesystem::file_size(file) == bytes.size() + words.size() + 1,
+        "and has them all, and its arguments as they were given");
     ChildProcess failing = other({"fail"});
     static_cast<void>(failing.write(bytes));
-    check(says(failing.finish(), ErrorCode::WriteFailed, "it does not like this"), "the last words of one that fails are heard");
+    check(says(failing.finish(), ErrorCode::WriteFailed, "it does not like this"),
+        "the last words of one that fails are heard");
     ChildProcess sleeping = other({"sleep"});
     std::stop_source stop;
     std::jthread later([&] { stop.request_stop(); });
-    check(says(sleeping.write(bytes, stop.get_token()), ErrorCode::Cancelled, ""), "waiting for one that takes nothing can be cancelled");
+    check(says(sleeping.write(bytes, stop.get_token()), ErrorCode::Cancelled, ""),
+        "waiting for one that takes nothing can be cancelled");
     const Result<ChildProcess> missing = ChildProcess::start("no-such-program", {});
     check(!missing && missing.error().code == ErrorCode::FileNotFound, "a program that is missing is said to be");
 }

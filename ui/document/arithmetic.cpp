@@ -64,7 +64,8 @@ bool areThousands(const QStringList& groups)
 {
     constexpr qsizetype kGroup = 3;
     const bool first = !groups.first().isEmpty() && groups.first().size() <= kGroup && !groups.first().startsWith(u'0');
-    return first && std::all_of(groups.begin() + 1, groups.end(), [](const QString& group) { return group.size() == kGroup; });
+    return first
+        && std::all_of(groups.begin() + 1, groups.end(), [](const QString& group) { return group.size() == kGroup; });
 }
 
 /// How many of the groups stand before the decimal sign; all where there is none; nothing where they mean no number.
@@ -87,7 +88,8 @@ std::optional<qsizetype> wholeGroups(const Digits& digits, const NumberSigns& la
     const bool once = digits.signs.count(last) == 1 && isDecimalSign(last);
     const bool groupsAlike = digits.signs.count(digits.signs.front()) == digits.signs.size() - (count > 2 ? 1 : 0);
     const bool empty = before.first().isEmpty() && digits.groups.last().isEmpty();
-    return once && groupsAlike && !empty && (count == 2 || areThousands(before)) ? std::optional(count - 1) : std::nullopt;
+    return once && groupsAlike && !empty && (count == 2 || areThousands(before)) ? std::optional(count - 1)
+                                                                                 : std::nullopt;
 }
 
 /// sum = product {(+ | -) product}; product = factor {(* | /) factor}; factor = number | ( sum ) | sign factor.
@@ -168,7 +170,8 @@ private:
         }
         static const QRegularExpression kExponent(QStringLiteral(R"(^[eE][+\-]?\d+)"));
         const QString exponent = kExponent.match(m_rest.mid(digits.length).toString()).captured();
-        const QString plain = digits.groups.mid(0, *whole).join(QString()) + QLatin1Char('.') + digits.groups.mid(*whole).join(QString());
+        const QString plain =
+            digits.groups.mid(0, *whole).join(QString()) + QLatin1Char('.') + digits.groups.mid(*whole).join(QString());
         bool ok = false;
         const double value = QLocale::c().toDouble(QLatin1Char('0') + plain + QLatin1Char('0') + exponent, &ok);
         m_rest = m_rest.mid(digits.length + exponent.size()).trimmed();

@@ -17,9 +17,9 @@ enum CommandId {
 
 } // namespace
 
-EditCommand::EditCommand(Document& document, std::vector<Change> changes, const QString& text, Gesture gesture)
+EditCommand::EditCommand(EffectHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture)
     : QUndoCommand(text)
-    , m_document(document)
+    , m_holder(holder)
     , m_changes(std::move(changes))
     , m_isNamed(!text.isEmpty())
     , m_gesture(gesture)
@@ -34,7 +34,8 @@ void EditCommand::describe()
     }
     QStringList parts;
     for (const Change& change : m_changes) {
-        parts += (fullLabelOf(*change.parameter) + QLatin1Char(' ') + valueTextOf(*change.parameter, change.after)).trimmed();
+        parts += (fullLabelOf(*change.parameter) + QLatin1Char(' ') + valueTextOf(*change.parameter, change.after))
+                     .trimmed();
     }
     setText(parts.join(QStringLiteral(", ")));
 }
@@ -51,13 +52,13 @@ void EditCommand::redo()
 
 void EditCommand::write(Value Change::*value)
 {
-    Effect effect = m_document.effect();
+    Effect effect = m_holder.effect();
     std::vector<const Parameter*> changed;
     for (const Change& change : m_changes) {
         change.parameter->set(effect, change.*value);
         changed.push_back(change.parameter);
     }
-    m_document.write(effect, std::move(changed));
+    m_holder.write(effect, std::move(changed));
 }
 
 int EditCommand::id() const
@@ -72,7 +73,8 @@ bool EditCommand::mergeWith(const QUndoCommand* other)
         return false;
     }
     for (const Change& change : next->m_changes) {
-        const auto mine = std::find_if(m_changes.begin(), m_changes.end(), [&](const Change& c) { return c.parameter == change.parameter; });
+        const auto mine = std::find_if(
+            m_changes.begin(), m_changes.end(), [&](const Change& c) { return c.parameter == change.parameter; });
         if (mine == m_changes.end()) {
             m_changes.push_back(change);
         } else {
@@ -85,10 +87,10 @@ bool EditCommand::mergeWith(const QUndoCommand* other)
     return true;
 }
 
-ReplaceCommand::ReplaceCommand(Document& document, const Effect& after, const QString& text, Gesture gesture)
+ReplaceCommand::ReplaceCommand(EffectHolder& holder, const Effect& after, const QString& text, Gesture gesture)
     : QUndoCommand(text)
-    , m_document(document)
-    , m_before(document.effect())
+    , m_holder(holder)
+    , m_before(holder.effect())
     , m_after(after)
     , m_gesture(gesture)
 {
@@ -108,9 +110,9 @@ void ReplaceCommand::redo()
 void ReplaceCommand::show(Effect effect)
 {
     if (m_before.camera == m_after.camera) {
-        effect.camera = m_document.effect().camera;
+        effect.camera = m_holder.effect().camera;
     }
-    m_document.write(effect, differences(m_before, m_after));
+    m_holder.write(effect, differences(m_before, m_after));
 }
 
 int ReplaceCommand::id() const

@@ -1,10 +1,29 @@
 #pragma once
 
-#include "ui/document/document.h"
+#include "core/effect/parameter.h"
 
 #include <QUndoCommand>
 
+#include <vector>
+
 namespace fumage::ui {
+
+/// Edits that belong to one gesture of the hand become one undo step: press to release, one typing, one burst of the
+/// wheel.
+struct Gesture {
+    quint64 id = 0; ///< 0: each edit is a step of its own
+};
+
+/// What commands read and write.
+class EffectHolder {
+public:
+    [[nodiscard]] virtual const Effect& effect() const = 0;
+    /// @param changed all parameters that differ from before
+    virtual void write(const Effect& effect, std::vector<const Parameter*> changed) = 0;
+
+protected:
+    ~EffectHolder() = default;
+};
 
 /// Sets one or a few parameters; merges with the one before while the hand has not let go.
 class EditCommand : public QUndoCommand {
@@ -16,7 +35,7 @@ public:
     };
 
     /// @param text empty: names and new values of what is changed
-    EditCommand(Document& document, std::vector<Change> changes, const QString& text, Gesture gesture);
+    EditCommand(EffectHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture);
 
     void undo() override;
     void redo() override;
@@ -27,7 +46,7 @@ private:
     void write(Value Change::*value);
     void describe();
 
-    Document& m_document;
+    EffectHolder& m_holder;
     std::vector<Change> m_changes;
     bool m_isNamed; ///< by whoever made it
     Gesture m_gesture;
@@ -36,7 +55,7 @@ private:
 /// Exchanges the whole effect: a reset, a paste, a variation.
 class ReplaceCommand : public QUndoCommand {
 public:
-    ReplaceCommand(Document& document, const Effect& after, const QString& text, Gesture gesture);
+    ReplaceCommand(EffectHolder& holder, const Effect& after, const QString& text, Gesture gesture);
 
     void undo() override;
     void redo() override;
@@ -46,7 +65,7 @@ public:
 private:
     void show(Effect effect);
 
-    Document& m_document;
+    EffectHolder& m_holder;
     Effect m_before;
     Effect m_after;
     Gesture m_gesture;

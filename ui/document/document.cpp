@@ -1,6 +1,5 @@
 #include "ui/document/document.h"
 
-#include "ui/document/commands.h"
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 
@@ -8,6 +7,7 @@
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
 #include "core/effect/value.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <utility>
@@ -141,8 +141,7 @@ void Document::load(const Preset& preset, const QString& path, bool modified, co
     m_undo.clear();
     m_preset = preset;
     m_path = path;
-    m_read = read ? *read : path.isEmpty() ? FileMark()
-                                           : markOfFile(path);
+    m_read = read ? *read : path.isEmpty() ? FileMark() : markOfFile(path);
     m_views.reset(preset.effect.camera);
     rebase();
     emit loaded();
@@ -168,8 +167,7 @@ void Document::loadUnsaved(const Preset& work, const QString& path, const std::o
 DiskState Document::compareWithDisk()
 {
     const FileMark now = m_path.isEmpty() ? m_read : markOfFile(m_path);
-    const DiskState state = now == m_read ? DiskState::Same : now.isEmpty() ? DiskState::Gone
-                                                                            : DiskState::Changed;
+    const DiskState state = now == m_read ? DiskState::Same : now.isEmpty() ? DiskState::Gone : DiskState::Changed;
     const bool wasGone = std::exchange(m_fileIsGone, state == DiskState::Gone);
     if (wasGone != m_fileIsGone) {
         emit titleChanged();
@@ -238,7 +236,7 @@ void Document::announce(std::vector<const Parameter*> changed)
 {
     EffectChange change{std::move(changed)};
     for (const Parameter* parameter : change.parameters) {
-        change.stale = std::max(change.stale, parameter->stage);
+        change.stale = std::max(change.stale, parameter->dirties);
     }
     emit effectChanged(change);
 }

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "ui/document/commands.h"
 #include "ui/document/file_mark.h"
 #include "ui/document/views.h"
 
 #include "core/effect/parameter.h"
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QObject>
 #include <QString>
@@ -15,11 +16,6 @@
 
 namespace fumage::ui {
 
-/// Edits that belong to one gesture of the hand become one undo step: press to release, one typing, one burst of the wheel.
-struct Gesture {
-    quint64 id = 0; ///< 0: each edit is a step of its own
-};
-
 /// A parameter with a value for it.
 struct Assignment {
     const Parameter* parameter = nullptr;
@@ -29,7 +25,7 @@ struct Assignment {
 /// What an edit has changed of the effect.
 struct EffectChange {
     std::vector<const Parameter*> parameters;
-    Stage stale = Stage::Shade; ///< the first stage of the work that has to be done again
+    DirtyStage stale = DirtyStage::Shade; ///< the first stage of the work that has to be done again
 };
 
 /// How the file of a document stands against what was read from it, or written to it, here.
@@ -42,14 +38,14 @@ enum class DiskState {
 /// The effect that is being edited, its file and its undo stack; the only one who writes the effect.
 ///
 /// Panels, gizmos and menus call edit() or replaceEffect(), and follow effectChanged(). Lives on the GUI thread.
-class Document : public QObject {
+class Document : public QObject, private EffectHolder {
     Q_OBJECT
 
 public:
     /// @param first what it shows before it loads anything
     explicit Document(const Preset& first = {}, QObject* parent = nullptr);
 
-    [[nodiscard]] const Effect& effect() const { return m_preset.effect; }
+    [[nodiscard]] const Effect& effect() const override { return m_preset.effect; }
     [[nodiscard]] const Preset& preset() const { return m_preset; }
     /// The effect as it was loaded or last saved: what "changed" and "reset" are measured by.
     [[nodiscard]] const Effect& reference() const { return m_reference; }
@@ -85,7 +81,8 @@ public:
     /// @param read     the mark of the file when it was read; nothing: as it is now
     void load(const Preset& preset, const QString& path, bool modified = false,
         const std::optional<FileMark>& read = std::nullopt);
-    /// Shows work that was never saved: where its file can be read, as a step after what the file holds, so that it can be undone.
+    /// Shows work that was never saved: where its file can be read, as a step after what the file holds, so that it can
+    /// be undone.
     /// @param read the mark of the file that the work began with; nothing: as it is now
     void loadUnsaved(const Preset& work, const QString& path, const std::optional<FileMark>& read = std::nullopt);
     /// Writes the preset to a file, which becomes the document's own.
@@ -113,9 +110,7 @@ signals:
     void viewsChanged();
 
 private:
-    friend class EditCommand;
-    friend class ReplaceCommand;
-    void write(const Effect& effect, std::vector<const Parameter*> changed);
+    void write(const Effect& effect, std::vector<const Parameter*> changed) override;
     void announce(std::vector<const Parameter*> changed);
     void rebase();
     void setCamera(const Camera& camera);

@@ -11,7 +11,8 @@ namespace fumage::ui {
 
 inline constexpr int kShownDigits = 5; ///< significant ones
 
-/// A number as fields show it: so many significant digits at most, no zeros behind, with the decimal sign of the language.
+/// A number as fields show it: so many significant digits at most, no zeros behind, with the decimal sign of the
+/// language.
 [[nodiscard]] QString formatNumber(double value, int digits = kShownDigits);
 
 /// With so many digits behind the decimal sign, for what changes while one looks at it.

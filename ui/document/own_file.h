@@ -20,7 +20,8 @@ struct OwnFile {
 /// @param folder the user's alone; made if it is not there
 [[nodiscard]] OwnFile makeOwnFile(const QDir& folder);
 
-/// Takes possession of the files that programs which are gone have left in a folder, the newest first. Clears away what else they have left.
+/// Takes possession of the files that programs which are gone have left in a folder, the newest first. Clears away what
+/// else they have left.
 [[nodiscard]] std::vector<OwnFile> takeOrphans(const QDir& folder);
 
 } // namespace fumage::ui

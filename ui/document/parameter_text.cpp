@@ -4,6 +4,7 @@
 #include "ui/document/text.h"
 
 #include "core/base/text.h"
+#include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
 #include "core/rendering/view_transform.h"
 
@@ -30,7 +31,9 @@ QString rangeOf(const Parameter& parameter)
     if (parameter.kind != Kind::Float && parameter.kind != Kind::Int) {
         return {};
     }
-    return QStringLiteral("%1 … %2 %3").arg(formatNumber(parameter.hard.low), formatNumber(parameter.hard.high), toQString(unitSymbol(parameter.unit))).trimmed();
+    return QStringLiteral("%1 … %2 %3")
+        .arg(formatNumber(parameter.hard.low), formatNumber(parameter.hard.high), toQString(unitSymbol(parameter.unit)))
+        .trimmed();
 }
 
 /// As it is seen on the screen: "#ff8000"; what is brighter than white is as white.
@@ -45,8 +48,8 @@ QString hexOf(const glm::vec3& colour)
 /// The first of a few things; the others are too much for one line.
 QString someOf(const QStringList& parts)
 {
-    constexpr int kMost = 6;
-    return parts.mid(0, kMost).join(QLatin1Char(' ')) + (parts.size() > kMost ? QStringLiteral(" …") : QString());
+    constexpr int kMax = 6;
+    return parts.mid(0, kMax).join(QLatin1Char(' ')) + (parts.size() > kMax ? QStringLiteral(" …") : QString());
 }
 
 QString pointsOf(const Curve& curve)
@@ -77,7 +80,7 @@ QString labelOf(const Parameter& parameter)
 
 QString groupLabelOf(std::string_view group)
 {
-    return translated(shownGroupLabel(group));
+    return translated(groupLabel(group));
 }
 
 QString choiceLabelOf(std::string_view choice)
@@ -89,13 +92,15 @@ QString choiceLabelOf(std::string_view choice)
 
 QString fullLabelOf(const Parameter& parameter)
 {
-    return QStringLiteral("%1: %2").arg(groupLabelOf(shownGroup(parameter)), labelOf(parameter));
+    return QStringLiteral("%1: %2").arg(groupLabelOf(parameter.group()), labelOf(parameter));
 }
 
 QString valueTextOf(const Parameter& parameter, const Value& value)
 {
     switch (parameter.kind) {
-    case Kind::Bool: return std::get<bool>(value) ? QCoreApplication::translate("Parameters", "on") : QCoreApplication::translate("Parameters", "off");
+    case Kind::Bool:
+        return std::get<bool>(value) ? QCoreApplication::translate("Parameters", "on")
+                                     : QCoreApplication::translate("Parameters", "off");
     case Kind::Int: return formatNumber(std::get<int>(value), parameter.unit);
     case Kind::Float: return formatNumber(static_cast<double>(std::get<float>(value)), parameter.unit);
     case Kind::Choice: return choiceLabelOf(parameter.choices[static_cast<std::size_t>(std::get<int>(value))]);
@@ -114,21 +119,26 @@ QString valueTextOf(const Parameter& parameter, const Value& value)
 
 SearchTexts searchTextsOf(const Parameter& parameter)
 {
-    const auto both = [](const QString& theirs, std::string_view ours) { return theirs + QLatin1Char(' ') + toQString(ours); };
-    const std::string_view group = shownGroup(parameter);
-    return {both(labelOf(parameter), parameter.label), toQString(parameter.synonyms), both(groupLabelOf(group), shownGroupLabel(group)),
+    const auto both = [](const QString& theirs, std::string_view ours) {
+        return theirs + QLatin1Char(' ') + toQString(ours);
+    };
+    const std::string_view group = parameter.group();
+    return {both(labelOf(parameter), parameter.label), toQString(parameter.synonyms),
+        both(groupLabelOf(group), groupLabel(group)),
         both(translated(parameter.tip), parameter.tip) + QLatin1Char(' ') + toQString(parameter.key)};
 }
 
 QString toolTipOf(const Parameter& parameter)
 {
-    QString text = QStringLiteral("<p><b>%1</b><br>%2</p>").arg(fullLabelOf(parameter).toHtmlEscaped(), translated(parameter.tip).toHtmlEscaped());
+    QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
+                       .arg(fullLabelOf(parameter).toHtmlEscaped(), translated(parameter.tip).toHtmlEscaped());
     QStringList facts;
     if (const QString range = rangeOf(parameter); !range.isEmpty()) {
         facts += QCoreApplication::translate("Parameters", "Range: %1").arg(range.toHtmlEscaped());
     }
     if (!parameter.source.empty()) {
-        facts += QCoreApplication::translate("Parameters", "Source: %1").arg(translated(parameter.source).toHtmlEscaped());
+        facts +=
+            QCoreApplication::translate("Parameters", "Source: %1").arg(translated(parameter.source).toHtmlEscaped());
     }
     facts += QStringLiteral("<code>%1</code>").arg(toQString(parameter.key).toHtmlEscaped());
     return text + QStringLiteral("<p>%1</p>").arg(facts.join(QStringLiteral("<br>")));

@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 
 #include "core/base/file.h"
+#include "core/preset/preset_file.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -16,8 +17,9 @@ constexpr int kSoonMs = 1000;
 
 const QString kOrigin = QStringLiteral(".origin"); ///< beside a copy: the path of the document's file
 const QString kMark = QStringLiteral(".mark"); ///< beside a copy: the mark of that file, when the work began
-const QString kTrial = QStringLiteral(".trial"); ///< beside a copy: has a byte for each program that was about to show it
-constexpr qint64 kMostTrials = 2; ///< the first may have been ended by chance
+const QString kTrial =
+    QStringLiteral(".trial"); ///< beside a copy: has a byte for each program that was about to show it
+constexpr qint64 kMaxTrials = 2; ///< the first may have been ended by chance
 
 std::optional<std::string> readBeside(const QString& copy, const QString& ending)
 {
@@ -97,11 +99,13 @@ void Recovery::save()
     if (!m_document.isModified()) {
         return;
     }
-    m_writing.ask([this, write = writer()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
-        const std::lock_guard lock(m_files);
-        if (!stop.stop_requested()) {
-            tell([this, copy = write()] { note(copy); });
-        } },
+    m_writing.ask(
+        [this, write = writer()](const AsyncRequest::Report& report, const std::stop_token& stop) {
+            const std::lock_guard lock(m_files);
+            if (!stop.stop_requested()) {
+                report([this, copy = write()] { note(copy); });
+            }
+        },
         [this](const Error& why) { note(why); });
 }
 
@@ -127,7 +131,7 @@ void Recovery::note(const Status& copy)
     if (copy) {
         emit written();
     } else if (!m_hasFailed) {
-        emit failed(told(copy.error()));
+        emit failed(translated(copy.error()));
     }
     m_hasFailed = !copy;
 }
@@ -147,7 +151,7 @@ Recovery::Leftovers Recovery::find(const QDir& folder)
         Result<PresetReading> reading = readPresetFile(toPath(copy.path));
         if (!reading) {
             found.unreadable += copy.path;
-        } else if (QFileInfo(copy.path + kTrial).size() >= kMostTrials) {
+        } else if (QFileInfo(copy.path + kTrial).size() >= kMaxTrials) {
             found.dangerous += copy.path;
         } else {
             found.works.push_back(
@@ -165,12 +169,12 @@ void Recovery::adopt(Work work)
     // If it is this work that ends the program, others are not to run into it again and again.
     const std::string trials(static_cast<std::size_t>(QFileInfo(m_copy.path + kTrial).size()) + 1, '+');
     if (const Status trial = writeFileAtomically(toPath(m_copy.path + kTrial), trials, FileAccess::Private); !trial) {
-        emit failed(told(trial.error()));
+        emit failed(translated(trial.error()));
     }
     m_document.loadUnsaved(work.preset, work.originalPath, work.originalMark);
 }
 
-void Recovery::proveHarmless()
+void Recovery::markRecovered()
 {
     if (m_onTrial) {
         m_onTrial = false;

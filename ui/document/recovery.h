@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/own_file.h"
-#include "ui/work/answer_job.h"
+#include "ui/concurrency/async_request.h"
 
 #include <QTimer>
 
@@ -13,9 +13,10 @@
 
 namespace fumage::ui {
 
-/// Keeps a copy of unsaved work on disk, a moment after each change, and takes it away once the work is saved or given up: what is
-/// there when a program starts, and belongs to no running one, is what a crash has left. The copies are for the user's eyes alone. They are written
-/// on a thread of their own: until a disk has them for certain takes longer than a hand that drags may wait.
+/// Keeps a copy of unsaved work on disk, a moment after each change, and takes it away once the work is saved or given
+/// up: what is there when a program starts, and belongs to no running one, is what a crash has left. The copies are for
+/// the user's eyes alone. They are written on a thread of their own: until a disk has them for certain takes longer
+/// than a hand that drags may wait.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -24,7 +25,8 @@ public:
     Recovery(Document& document, const QDir& folder, QObject* parent = nullptr);
     ~Recovery() override;
 
-    /// Has the copy written now, if there is unsaved work; written() or failed() follows, unless there is newer work by then.
+    /// Has the copy written now, if there is unsaved work; written() or failed() follows, unless there is newer work by
+    /// then.
     void save();
     /// The work is saved or given up.
     void discard();
@@ -41,16 +43,17 @@ public:
     struct Leftovers {
         std::vector<Work> works; ///< the newest first
         QStringList unreadable; ///< copies that are no presets; they stay
-        QStringList dangerous; ///< copies that programs ended with before they had shown them, more than once; they stay
+        QStringList
+            dangerous; ///< copies that programs ended with before they had shown them, more than once; they stay
     };
-    /// Takes possession of what programs that are gone have left in a folder. A copy stays on the disk, and is found again, until a Recovery that
-    /// has adopted it discards it.
+    /// Takes possession of what programs that are gone have left in a folder. A copy stays on the disk, and is found
+    /// again, until a Recovery that has adopted it discards it.
     [[nodiscard]] static Leftovers find(const QDir& folder);
 
     /// Shows work in the document, and goes on with its copy.
     void adopt(Work work);
     /// The program has shown the work and lives: its copy may be opened again.
-    void proveHarmless();
+    void markRecovered();
 
 signals:
     /// The disk has the copy.
@@ -70,7 +73,7 @@ private:
     bool m_hasFailed = false;
     bool m_isLeft = false;
     std::mutex m_files; ///< held while the copy is written or taken away
-    AnswerJob m_writing; ///< last: its thread ends first
+    AsyncRequest m_writing; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui

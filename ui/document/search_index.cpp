@@ -9,12 +9,13 @@ namespace fumage::ui {
 namespace {
 
 constexpr double kInside = 3.0; ///< what was typed stands somewhere inside a word
-constexpr double kLeastGood = 10.0; ///< it is a word, or the beginning of one
+constexpr double kMinGood = 10.0; ///< it is a word, or the beginning of one
 constexpr double kShareOfForm = 0.9; ///< another form of the word is found
 
 QStringList wordsOf(const QString& text)
 {
-    static const QRegularExpression kBetween(QStringLiteral(R"([^\p{L}\p{N}]+)"), QRegularExpression::UseUnicodePropertiesOption);
+    static const QRegularExpression kBetween(
+        QStringLiteral(R"([^\p{L}\p{N}]+)"), QRegularExpression::UseUnicodePropertiesOption);
     return text.toLower().split(kBetween, Qt::SkipEmptyParts);
 }
 
@@ -52,8 +53,8 @@ bool endsDoubled(const QString& word)
 /// What is left of a word without an ending, and what it may have been before the ending came.
 void addStems(const QString& word, const QString& ending, QStringList& forms)
 {
-    constexpr qsizetype kLeast = 3;
-    if (!word.endsWith(ending) || word.size() - ending.size() < kLeast) {
+    constexpr qsizetype kMin = 3;
+    if (!word.endsWith(ending) || word.size() - ending.size() < kMin) {
         return;
     }
     const QString stem = word.chopped(ending.size());
@@ -85,7 +86,8 @@ void SearchIndex::add(const SearchTexts& texts)
 
 double SearchIndex::scoreOf(const Entry& entry, const QString& word)
 {
-    return std::max({bestOf(entry.name, word, kName), bestOf(entry.synonyms, word, kSynonyms), bestOf(entry.group, word, kGroup), bestOf(entry.more, word, kMore)});
+    return std::max({bestOf(entry.name, word, kName), bestOf(entry.synonyms, word, kSynonyms),
+        bestOf(entry.group, word, kGroup), bestOf(entry.more, word, kMore)});
 }
 
 double SearchIndex::scoreOfForms(const Entry& entry, const QStringList& forms)
@@ -109,7 +111,7 @@ std::vector<double> SearchIndex::scores(const QString& text) const
         bool hasAll = !words.empty();
         for (const QStringList& forms : words) {
             const double score = scoreOfForms(m_entries[i], forms);
-            any[i] += score >= kLeastGood ? score : 0.0;
+            any[i] += score >= kMinGood ? score : 0.0;
             all[i] += score;
             hasAll = hasAll && score > 0.0;
         }
@@ -119,7 +121,7 @@ std::vector<double> SearchIndex::scores(const QString& text) const
     if (best <= 0.0) {
         return any;
     }
-    const double least = best >= kLeastGood * static_cast<double>(words.size()) ? kLeastGood : 0.0;
+    const double least = best >= kMinGood * static_cast<double>(words.size()) ? kMinGood : 0.0;
     std::replace_if(
         all.begin(), all.end(), [least](double score) { return score < least; }, 0.0);
     return all;

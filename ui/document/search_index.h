@@ -15,7 +15,8 @@ struct SearchTexts {
     QString more; ///< what is said about it
 };
 
-/// Finds things by words as people type them: parts of words, comparatives ("thicker"), several at once; the best first.
+/// Finds things by words as people type them: parts of words, comparatives ("thicker"), several at once; the best
+/// first.
 class SearchIndex {
 public:
     void add(const SearchTexts& texts);

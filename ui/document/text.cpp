@@ -6,14 +6,15 @@
 
 namespace fumage::ui {
 
-QString told(const Message& message)
+QString translated(const Message& message)
 {
-    return toQString(message.text([](const char* sentence) { return QCoreApplication::translate("Messages", sentence).toStdString(); }));
+    return toQString(message.text(
+        [](const char* sentence) { return QCoreApplication::translate("Messages", sentence).toStdString(); }));
 }
 
-QString told(const Error& error)
+QString translated(const Error& error)
 {
-    return told(error.whole());
+    return translated(error.whole());
 }
 
 QString onOneLine(const QString& text)

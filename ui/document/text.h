@@ -16,7 +16,8 @@ namespace fumage::ui {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Names of files as the core takes them, and back: UTF-8 whatever the system, where a path that is made of a std::string would be in the system's own letters.
+/// Names of files as the core takes them, and back: UTF-8 whatever the system, where a path that is made of a
+/// std::string would be in the system's own letters.
 [[nodiscard]] inline std::filesystem::path toPath(const QString& path)
 {
     return pathFrom(path.toStdString());
@@ -28,8 +29,8 @@ namespace fumage::ui {
 }
 
 /// What the core says, in the language of the user. Any thread.
-[[nodiscard]] QString told(const Message& message);
-[[nodiscard]] QString told(const Error& error);
+[[nodiscard]] QString translated(const Message& message);
+[[nodiscard]] QString translated(const Error& error);
 
 /// A name that steers nothing where it is shown on one line: control characters and what turns the direction of writing
 /// are question marks.

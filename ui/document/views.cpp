@@ -4,7 +4,7 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr std::size_t kMostViews = 100; ///< beyond them the oldest are forgotten
+constexpr std::size_t kMaxViews = 100; ///< beyond them the oldest are forgotten
 
 /// A camera that stands and looks as another does, and keeps its own lens and turntable.
 Camera placedAs(const Camera& place, const Camera& camera)
@@ -38,7 +38,7 @@ void Views::move(const Camera& before, const Camera& after, quint64 gesture)
         m_cameras.pop_back();
         m_gesture = 0;
     }
-    if (m_cameras.size() > kMostViews) {
+    if (m_cameras.size() > kMaxViews) {
         m_cameras.erase(m_cameras.begin());
     }
     m_at = m_cameras.size() - 1;

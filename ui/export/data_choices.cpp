@@ -19,12 +19,14 @@ namespace fumage::ui {
 namespace {
 
 /// Those of film, television and screens.
-constexpr std::array kRates{FrameRate{24000, 1001}, FrameRate{24, 1}, FrameRate{25, 1}, FrameRate{30000, 1001}, FrameRate{30, 1}, FrameRate{50, 1}, FrameRate{60000, 1001}, FrameRate{60, 1}};
+constexpr std::array kRates{FrameRate{24000, 1001}, FrameRate{24, 1}, FrameRate{25, 1}, FrameRate{30000, 1001},
+    FrameRate{30, 1}, FrameRate{50, 1}, FrameRate{60000, 1001}, FrameRate{60, 1}};
 
 /// Whether a plan's files have axes that one may choose.
 bool hasUpAxis(const ExportPlan& plan)
 {
-    return plan.kind == ExportKind::Volumes || (plan.kind == ExportKind::Particles && plan.particles != ParticleFormat::Pcache);
+    return plan.kind == ExportKind::Volumes
+        || (plan.kind == ExportKind::Particles && plan.particles != ParticleFormat::Pcache);
 }
 
 } // namespace
@@ -33,8 +35,11 @@ DataChoices::DataChoices(QWidget* parent)
     : QWidget(parent)
     , m_rate(new QComboBox(this))
     , m_repeat(new QComboBox(this))
-    , m_noiseSize(makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
-    , m_cells(makeNumberBox(QStringLiteral("export.cells"), tr("Voxels along the longest edge of the smoke of the whole timeline"), kMinVolumeCells, kMaxVolumeCells, this))
+    , m_noiseSize(
+          makeNumberBox(QStringLiteral("export.noiseSize"), tr("Size of the noise texture"), 0, kMaxTextureSize, this))
+    , m_cells(makeNumberBox(QStringLiteral("export.cells"),
+          tr("Voxels along the longest edge of the smoke of the whole timeline"), kMinVolumeCells, kMaxVolumeCells,
+          this))
     , m_voxel(new QDoubleSpinBox(this))
     , m_up(new QComboBox(this))
 {
@@ -114,9 +119,11 @@ void DataChoices::applyTo(ExportPlan& plan) const
     plan.noiseSize = m_noiseSize->value();
     plan.cells = m_cells->value();
     plan.voxel = m_voxel->value() > 0.0 ? std::optional(static_cast<float>(m_voxel->value())) : std::nullopt;
-    plan.rate = m_rate->currentIndex() > 0 ? std::optional(kRates[static_cast<std::size_t>(m_rate->currentIndex()) - 1]) : std::nullopt;
+    plan.rate = m_rate->currentIndex() > 0 ? std::optional(kRates[static_cast<std::size_t>(m_rate->currentIndex()) - 1])
+                                           : std::nullopt;
     plan.repeat = static_cast<Repeat>(m_repeat->currentIndex());
-    plan.up = m_up->currentIndex() == 0 ? std::nullopt : std::optional(kAllUpAxes[static_cast<std::size_t>(m_up->currentIndex()) - 1]);
+    plan.up = m_up->currentIndex() == 0 ? std::nullopt
+                                        : std::optional(kAllUpAxes[static_cast<std::size_t>(m_up->currentIndex()) - 1]);
 }
 
 void DataChoices::take(const ExportPlan& plan)

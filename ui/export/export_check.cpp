@@ -15,7 +15,7 @@ namespace fumage::ui {
 namespace {
 
 constexpr qint64 kNewsEachMs = 100; ///< more often nobody reads it, and files may be many and small
-constexpr qsizetype kMostNamed = 3;
+constexpr qsizetype kMaxNamed = 3;
 
 QString describe(const CheckedFile& file)
 {
@@ -38,21 +38,25 @@ CheckMark markOf(const std::vector<CheckedFile>& files)
     QStringList named;
     qsizetype wrong = 0;
     for (const CheckedFile& file : files) {
-        if (file.state != FileState::Same && wrong++ < kMostNamed) {
+        if (file.state != FileState::Same && wrong++ < kMaxNamed) {
             named << describe(file);
         }
     }
     const QString all = QString::number(files.size());
     if (wrong == 0) {
-        return {.state = CheckState::Same, .told = files.size() == 1 ? ExportCheck::tr("Verified: the file is as it was written") : ExportCheck::tr("Verified: %1 files are as they were written").arg(all)};
+        return {.state = CheckState::Same,
+            .told = files.size() == 1 ? ExportCheck::tr("Verified: the file is as it was written")
+                                      : ExportCheck::tr("Verified: %1 files are as they were written").arg(all)};
     }
-    if (wrong > kMostNamed) {
-        named << ExportCheck::tr("%1 more").arg(wrong - kMostNamed);
+    if (wrong > kMaxNamed) {
+        named << ExportCheck::tr("%1 more").arg(wrong - kMaxNamed);
     }
     const QString which = named.join(QStringLiteral(", "));
     // Names of files may hold what looks like a place for another: all are put in at once.
     return {.state = CheckState::Failed,
-        .told = wrong == 1 ? ExportCheck::tr("1 of %1 files is not as it was written: %2").arg(all, which) : ExportCheck::tr("%1 of %2 files are not as they were written: %3").arg(QString::number(wrong), all, which)};
+        .told = wrong == 1 ? ExportCheck::tr("1 of %1 files is not as it was written: %2").arg(all, which)
+                           : ExportCheck::tr("%1 of %2 files are not as they were written: %3")
+                                 .arg(QString::number(wrong), all, which)};
 }
 
 } // namespace
@@ -100,25 +104,25 @@ void ExportCheck::goOn()
         return;
     }
     m_job.ask(
-        [this, wanted = m_wanted.front()](const AnswerJob::Tell& tell, const std::stop_token& stop) {
+        [this, wanted = m_wanted.front()](const AsyncRequest::Report& report, const std::stop_token& stop) {
             QElapsedTimer sinceNews;
-            const auto report = [&](Work, int done, int total) {
+            const auto progress = [&](ProgressPhase, int done, int total) {
                 if (sinceNews.isValid() && sinceNews.elapsed() < kNewsEachMs) {
                     return;
                 }
                 sinceNews.start();
-                tell([this, id = wanted.id, done, total] {
+                report([this, id = wanted.id, done, total] {
                     emit marked(id, {CheckState::Running, done, total, tr("Verifying: %1 of %2").arg(done).arg(total)});
                 });
             };
             Result<std::vector<CheckedFile>> checked = std::vector<CheckedFile>();
-            runBehindOthers([&] { checked = checkExport(wanted.job->plan, report, stop); });
-            tell([this,
-                     mark = checked ? markOf(checked.value())
-                                    : CheckMark{.state = CheckState::Failed,
-                                        .told = fumage::ui::told(checked.error())}] { end(mark); });
+            runBehindOthers([&] { checked = checkExport(wanted.job->plan, progress, stop); });
+            report([this,
+                       mark = checked ? markOf(checked.value())
+                                      : CheckMark{.state = CheckState::Failed,
+                                          .told = fumage::ui::translated(checked.error())}] { end(mark); });
         },
-        [this](const Error& why) { end({.state = CheckState::Failed, .told = fumage::ui::told(why)}); });
+        [this](const Error& why) { end({.state = CheckState::Failed, .told = fumage::ui::translated(why)}); });
 }
 
 void ExportCheck::end(const CheckMark& mark)

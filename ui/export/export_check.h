@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/export/jobs.h"
-#include "ui/work/answer_job.h"
+#include "core/export/jobs/jobs.h"
+#include "ui/concurrency/async_request.h"
 
 #include <QString>
 
@@ -25,7 +25,8 @@ struct CheckMark {
     QString told{}; ///< how far it is, or what came of it, in words
 };
 
-/// Holds the files of exports against their manifests, one export after the other, on a thread of its own and behind all else that the program computes.
+/// Holds the files of exports against their manifests, one export after the other, on a thread of its own and behind
+/// all else that the program computes.
 class ExportCheck : public QObject {
     Q_OBJECT
 
@@ -51,7 +52,7 @@ private:
     void end(const CheckMark& mark);
 
     std::deque<Wanted> m_wanted; ///< the first is being looked at
-    AnswerJob m_job; ///< last: its thread ends first
+    AsyncRequest m_job; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui

@@ -32,7 +32,8 @@
 
 namespace fumage::ui {
 
-ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent)
+ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile,
+    AskForChoice askForChoice, QWidget* parent)
     : QDialog(parent)
     , m_document(document)
     , m_player(player)
@@ -58,15 +59,12 @@ ExportDialog::ExportDialog(Document& document, Player& player, Locks& locks, Exp
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
-    m_kind->setObjectName(QStringLiteral("export.kind"));
-    m_kind->setAccessibleName(tr("Type"));
+    nameWidget(*m_kind, QStringLiteral("export.kind"), tr("Type"));
     for (std::size_t each = 0; each < kExportKinds; ++each) {
         m_kind->addItem(kindName(static_cast<ExportKind>(each)));
     }
-    m_format->setObjectName(QStringLiteral("export.format"));
-    m_format->setAccessibleName(tr("Format"));
-    m_path->setObjectName(QStringLiteral("export.path"));
-    m_path->setAccessibleName(tr("File"));
+    nameWidget(*m_format, QStringLiteral("export.format"), tr("Format"));
+    nameWidget(*m_path, QStringLiteral("export.path"), tr("File"));
     m_path->setToolTip(tr("A run of # becomes the number of the frame"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
@@ -93,7 +91,8 @@ void ExportDialog::connectPlan()
     connect(m_data, &DataChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::cellsChosen, this, [this](int width, int height) {
-        m_document.edit({{&knownParameter("output.width"), width}, {&knownParameter("output.height"), height}}, tr("Size of cells"));
+        m_document.edit({{&knownParameter("output.width"), width}, {&knownParameter("output.height"), height}},
+            tr("Size of cells"));
     });
     connect(m_flipbook, &FlipbookChoices::resized, this, &ExportDialog::fitScreen);
     connect(m_preview, &PreviewPane::resized, this, &ExportDialog::fitScreen);
@@ -167,12 +166,16 @@ void ExportDialog::buildProgress()
 void ExportDialog::connectButtons()
 {
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::begin);
-    connect(&m_entry, &ExportEntry::entered, this, &ExportDialog::followEntered);
-    connect(&m_entry, &ExportEntry::refused, m_progress, &ExportProgress::say);
-    connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::followPlan);
-    connect(&m_entry, &ExportEntry::ended, this, &ExportDialog::entryEnded);
-    connect(m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
-    connect(m_show, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(fromPath(m_progress->followed()->job->plan.output)).path())); });
+    connect(&m_entry, &ExportSubmission::entered, this, &ExportDialog::followEntered);
+    connect(&m_entry, &ExportSubmission::refused, m_progress, &ExportProgress::say);
+    connect(&m_entry, &ExportSubmission::ended, this, &ExportDialog::followPlan);
+    connect(&m_entry, &ExportSubmission::ended, this, &ExportDialog::entryEnded);
+    connect(
+        m_cancel, &QPushButton::clicked, this, [this] { m_queue.cancel(m_queue.rowOf(m_progress->followed()->id)); });
+    connect(m_show, &QPushButton::clicked, this, [this] {
+        const QFileInfo output(fromPath(m_progress->followed()->job->plan.output));
+        QDesktopServices::openUrl(QUrl::fromLocalFile(output.path()));
+    });
     connect(m_progress, &ExportProgress::changed, this, &ExportDialog::followProgress);
     connect(m_progress, &ExportProgress::fitRequested, this, [this] {
         m_pictures->setFitsCamera(true);
@@ -296,7 +299,8 @@ void ExportDialog::showRowsOf(const ExportPlan& plan)
     m_output->follow(plan);
     m_range->follow(plan.kind);
     m_form->setRowVisible(m_range, RangeRow::isAskedOf(plan.kind));
-    static_cast<QLabel*>(m_form->labelForField(m_range))->setText(plan.kind == ExportKind::Picture ? tr("Frame") : tr("Frames"));
+    static_cast<QLabel*>(m_form->labelForField(m_range))
+        ->setText(plan.kind == ExportKind::Picture ? tr("Frame") : tr("Frames"));
     m_flipbook->setVisible(isFlipbook);
     m_preview->setVisible(isFlipbook);
     m_data->follow(plan);
@@ -327,9 +331,9 @@ void ExportDialog::begin()
     followPlan();
 }
 
-void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::optional<OnClash> answered)
+void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::optional<ConflictPolicy> answered)
 {
-    if (answered == OnClash::NumberOn) {
+    if (answered == ConflictPolicy::KeepBoth) {
         m_pathIsSuggested = false;
         m_path->setText(fromPath(plan.output));
     }
@@ -340,7 +344,11 @@ void ExportDialog::followEntered(quint64 id, const ExportPlan& plan, std::option
 
 void ExportDialog::browse()
 {
-    const QString chosen = m_askForFile(this, {.purpose = FileQuestion::Purpose::Save, .title = tr("Export to"), .start = m_path->text(), .mayReplace = true});
+    const QString chosen = m_askForFile(this,
+        {.purpose = FileQuestion::Purpose::Save,
+            .title = tr("Export to"),
+            .start = m_path->text(),
+            .mayReplace = true});
     if (!chosen.isEmpty()) {
         m_pathIsSuggested = false;
         m_path->setText(chosen);
@@ -368,25 +376,18 @@ void ExportDialog::measureKinds()
         ExportPlan other = shown;
         other.kind = static_cast<ExportKind>(each);
         showRowsOf(other);
-        m_largest = m_largest.expandedTo(contentSize());
+        m_largest = m_largest.expandedTo(contentSizeOf(*m_scroll));
     }
     showRowsOf(shown);
-}
-
-QSize ExportDialog::contentSize() const
-{
-    const QWidget& content = *m_scroll->widget();
-    content.layout()->invalidate(); // what rows inside of its parts have become, it hears of too late
-    content.layout()->activate();
-    return {content.minimumSizeHint().width(), content.sizeHint().height()};
 }
 
 void ExportDialog::fitScreen()
 {
     constexpr QSize kMargin(32 + 16, 48); // of the layout with a scroll bar; of the window
-    const QSize content = contentSize().expandedTo(m_largest); // the buttons stay where they are from kind to kind
+    const QSize content = contentSizeOf(*m_scroll).expandedTo(m_largest); // from kind to kind the buttons stay
     const int around = sizeHint().height() - m_scroll->sizeHint().height();
-    resize(std::max(width(), content.width() + kMargin.width()), std::min(around + content.height(), screen()->availableGeometry().height() - kMargin.height()));
+    resize(std::max(width(), content.width() + kMargin.width()),
+        std::min(around + content.height(), screen()->availableGeometry().height() - kMargin.height()));
 }
 
 void ExportDialog::hideEvent(QHideEvent* event)

@@ -2,9 +2,9 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
-#include "ui/export/export_entry.h"
-#include "ui/face/choice_question.h"
-#include "ui/face/file_question.h"
+#include "ui/export/export_submission.h"
+#include "ui/widgets/choice_question.h"
+#include "ui/widgets/file_question.h"
 #include "ui/timeline/player.h"
 
 #include <QDialog>
@@ -32,14 +32,16 @@ class PreviewPane;
 class RangeRow;
 class SummaryRow;
 
-/// What is to be written and where: adds it to the queue of exports. Does not block the window it belongs to. Size and background are parameters of the document.
+/// What is to be written and where: adds it to the queue of exports. Does not block the window it belongs to. Size and
+/// background are parameters of the document.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// @param askForFile for the name of the file
     /// @param askForChoice what becomes of files that are there
-    ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile, AskForChoice askForChoice, QWidget* parent);
+    ExportDialog(Document& document, Player& player, Locks& locks, ExportQueue& queue, AskForFile askForFile,
+        AskForChoice askForChoice, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
     void setKind(ExportKind kind);
@@ -72,7 +74,6 @@ private:
     void connectButtons();
     /// As large as its contents, and as those of the largest kind, as far as the screen allows.
     void fitScreen();
-    [[nodiscard]] QSize contentSize() const;
     /// How large the contents of the largest kind are.
     void measureKinds();
     /// Shows what a plan asks about.
@@ -88,7 +89,7 @@ private:
     void followProgress();
     void begin();
     /// It is in the queue.
-    void followEntered(quint64 id, const ExportPlan& plan, std::optional<OnClash> answered);
+    void followEntered(quint64 id, const ExportPlan& plan, std::optional<ConflictPolicy> answered);
     void browse();
     [[nodiscard]] ExportKind kind() const;
     /// What is chosen for a kind, without its file.
@@ -99,7 +100,7 @@ private:
     Locks& m_locks;
     ExportQueue& m_queue;
     const AskForFile m_askForFile;
-    ExportEntry m_entry;
+    ExportSubmission m_entry;
     QComboBox* m_kind;
     QComboBox* m_format;
     QScrollArea* m_scroll; ///< a small screen may not hold it all

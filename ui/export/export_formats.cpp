@@ -2,10 +2,11 @@
 
 #include "core/export/output_name.h"
 #include "ui/document/text.h"
-#include "ui/export/export_dialog.h"
 
 #include <algorithm>
 #include <array>
+
+#include <QCoreApplication>
 
 namespace fumage::ui {
 
@@ -24,14 +25,14 @@ std::optional<int> withEnding(std::string_view ending, const Formats& formats)
 QString kindName(ExportKind kind)
 {
     switch (kind) {
-    case ExportKind::Sequence: return ExportDialog::tr("Image sequence");
-    case ExportKind::Flipbook: return ExportDialog::tr("Flipbook");
-    case ExportKind::Video: return ExportDialog::tr("Video");
-    case ExportKind::Picture: return ExportDialog::tr("Single picture");
-    case ExportKind::NoiseTexture: return ExportDialog::tr("Noise texture");
-    case ExportKind::Particles: return ExportDialog::tr("Particles");
-    case ExportKind::Volumes: return ExportDialog::tr("Volumes");
-    case ExportKind::Air: return ExportDialog::tr("Air as a vector field");
+    case ExportKind::Sequence: return QCoreApplication::translate("Exports", "Image sequence");
+    case ExportKind::Flipbook: return QCoreApplication::translate("Exports", "Flipbook");
+    case ExportKind::Video: return QCoreApplication::translate("Exports", "Video");
+    case ExportKind::Picture: return QCoreApplication::translate("Exports", "Single picture");
+    case ExportKind::NoiseTexture: return QCoreApplication::translate("Exports", "Noise texture");
+    case ExportKind::Particles: return QCoreApplication::translate("Exports", "Particles");
+    case ExportKind::Volumes: return QCoreApplication::translate("Exports", "Volumes");
+    case ExportKind::Air: return QCoreApplication::translate("Exports", "Air as a vector field");
     }
     return {};
 }
@@ -39,14 +40,26 @@ QString kindName(ExportKind kind)
 QStringList formatsOf(ExportKind kind)
 {
     switch (kind) {
-    case ExportKind::Particles: return {ExportDialog::tr("CSV, one particle a line"), ExportDialog::tr("PLY, binary points"), ExportDialog::tr("Point cache for Unity, binary")};
-    case ExportKind::Volumes: return {ExportDialog::tr("OpenVDB, half floats")};
-    case ExportKind::Air: return {ExportDialog::tr("FGA for Unreal"), ExportDialog::tr("Volume File for Unity")};
+    case ExportKind::Particles:
+        return {QCoreApplication::translate("Exports", "CSV, one particle a line"),
+            QCoreApplication::translate("Exports", "PLY, binary points"),
+            QCoreApplication::translate("Exports", "Point cache for Unity, binary")};
+    case ExportKind::Volumes: return {QCoreApplication::translate("Exports", "OpenVDB, half floats")};
+    case ExportKind::Air:
+        return {QCoreApplication::translate("Exports", "FGA for Unreal"),
+            QCoreApplication::translate("Exports", "Volume File for Unity")};
     case ExportKind::Video:
-        return {ExportDialog::tr("MP4 (H.264), on the background colour"), ExportDialog::tr("WebM (VP9), transparent"), ExportDialog::tr("QuickTime (ProRes 4444), transparent"),
-            ExportDialog::tr("GIF, on the background colour"), ExportDialog::tr("APNG, transparent")};
+        return {QCoreApplication::translate("Exports", "MP4 (H.264), on the background colour"),
+            QCoreApplication::translate("Exports", "WebM (VP9), transparent"),
+            QCoreApplication::translate("Exports", "QuickTime (ProRes 4444), transparent"),
+            QCoreApplication::translate("Exports", "GIF, on the background colour"),
+            QCoreApplication::translate("Exports", "APNG, transparent")};
     default:
-        return {ExportDialog::tr("PNG, 8 bits"), ExportDialog::tr("PNG, 16 bits"), ExportDialog::tr("OpenEXR, half floats, linear"), ExportDialog::tr("OpenEXR, floats, linear"), ExportDialog::tr("TGA, 8 bits")};
+        return {QCoreApplication::translate("Exports", "PNG, 8 bits"),
+            QCoreApplication::translate("Exports", "PNG, 16 bits"),
+            QCoreApplication::translate("Exports", "OpenEXR, half floats, linear"),
+            QCoreApplication::translate("Exports", "OpenEXR, floats, linear"),
+            QCoreApplication::translate("Exports", "TGA, 8 bits")};
     }
 }
 
@@ -91,7 +104,8 @@ std::optional<int> formatNamedBy(const QString& path, ExportKind kind)
 
 QString withEndingOf(const ExportPlan& plan, const QString& path)
 {
-    constexpr std::array kWithFormats{ExportKind::Picture, ExportKind::Particles, ExportKind::Volumes, ExportKind::Air, ExportKind::Video};
+    constexpr std::array kWithFormats{
+        ExportKind::Picture, ExportKind::Particles, ExportKind::Volumes, ExportKind::Air, ExportKind::Video};
     if (std::ranges::none_of(kWithFormats, [&](ExportKind kind) { return formatNamedBy(path, kind).has_value(); })) {
         return path;
     }

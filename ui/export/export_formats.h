@@ -14,7 +14,8 @@ namespace fumage::ui {
 /// The formats of a kind in words, in the order of ImageFormat, VideoFormat, ParticleFormat or AirFormat.
 [[nodiscard]] QStringList formatsOf(ExportKind kind);
 
-/// The format that the ending of a path asks for, as an ImageFormat, VideoFormat, ParticleFormat or AirFormat; nothing where it asks for none of this kind.
+/// The format that the ending of a path asks for, as an ImageFormat, VideoFormat, ParticleFormat or AirFormat; nothing
+/// where it asks for none of this kind.
 [[nodiscard]] std::optional<int> formatNamedBy(const QString& path, ExportKind kind);
 
 /// The same path for another format: its ending goes, where it is one that exports have, and the plan's comes.

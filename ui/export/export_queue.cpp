@@ -1,13 +1,12 @@
 #include "ui/export/export_queue.h"
 
 #include "ui/document/text.h"
-#include "ui/export/export_clash.h"
-#include "ui/face/plain_text.h"
+#include "ui/export/file_conflict.h"
+#include "ui/widgets/plain_text.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include <QDir>
 #include <QFile>
 
 namespace fumage::ui {
@@ -15,14 +14,7 @@ namespace fumage::ui {
 namespace {
 
 /// More of those that are done are forgotten, the oldest first.
-constexpr int kMostEnded = 100;
-
-/// Where it goes, and how it stands.
-QString tipOf(const QueuedExport& one)
-{
-    const QString place = QDir::toNativeSeparators(fromPath(one.job->plan.output));
-    return QStringLiteral("%1\n%2").arg(place, wholeTextOf(one, QStringLiteral("\n")));
-}
+constexpr int kMaxEnded = 100;
 
 } // namespace
 
@@ -30,7 +22,9 @@ ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
     : QAbstractListModel(parent)
     , m_folder(folder)
     , m_file(folder)
-    , m_starts([this] { return jobsThat([](const QueuedExport& one) { return one.isActive() && one.state != ExportState::Starting; }); })
+    , m_starts([this] {
+        return jobsThat([](const QueuedExport& one) { return one.isActive() && one.state != ExportState::Starting; });
+    })
 {
     connect(&m_file, &QueueFile::failed, this, &ExportQueue::notKept);
     connect(&m_worker, &ExportWorker::progressed, this, [this](int done, int total, double secondsLeft) {
@@ -38,16 +32,16 @@ ExportQueue::ExportQueue(const QDir& folder, QObject* parent)
         follow(done, total, secondsLeft < 0.0 ? files : tr("%1, %2 s left").arg(files).arg(std::ceil(secondsLeft)));
     });
     connect(&m_worker, &ExportWorker::preparing, this, [this](const QString& what) { follow(0, 0, what); });
-    connect(&m_worker, &ExportWorker::finished, this, [this](const QString& remark) { end(ExportState::Done, remark); });
+    connect(
+        &m_worker, &ExportWorker::finished, this, [this](const QString& remark) { end(ExportState::Done, remark); });
     connect(&m_worker, &ExportWorker::cancelled, this, [this] { end(ExportState::Cancelled, {}); });
     connect(&m_starts, &StartCheck::answered, this, &ExportQueue::takeAnswer);
     connect(&m_check, &ExportCheck::marked, this, &ExportQueue::takeMark);
-    connect(&m_worker, &ExportWorker::failed, this, [this](const QString& message) { end(ExportState::Failed, message); });
+    connect(
+        &m_worker, &ExportWorker::failed, this, [this](const QString& message) { end(ExportState::Failed, message); });
 }
 
 ExportQueue::~ExportQueue() = default;
-
-// --- the list ------------------------------------------------------------------------------------------------------------
 
 int ExportQueue::rowCount(const QModelIndex& parent) const
 {
@@ -64,7 +58,8 @@ QVariant ExportQueue::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
     case Qt::EditRole: return toQString(one.job->name);
     case Qt::ToolTipRole: return plainToolTip(tipOf(one));
-    case Qt::AccessibleTextRole: return QStringLiteral("%1, %2").arg(toQString(one.job->name), wholeTextOf(one, QStringLiteral(", ")));
+    case Qt::AccessibleTextRole:
+        return QStringLiteral("%1, %2").arg(toQString(one.job->name), wholeTextOf(one, QStringLiteral(", ")));
     case StateRole: return static_cast<int>(one.state);
     case ShareRole: return shareOf(one);
     case CheckRole: return static_cast<int>(one.check.state);
@@ -93,7 +88,8 @@ bool ExportQueue::setData(const QModelIndex& index, const QVariant& value, int r
 Qt::ItemFlags ExportQueue::flags(const QModelIndex& index) const
 {
     const Qt::ItemFlags usual = QAbstractListModel::flags(index);
-    return index.isValid() ? usual | Qt::ItemIsEditable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren : usual | Qt::ItemIsDropEnabled;
+    return index.isValid() ? usual | Qt::ItemIsEditable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren
+                           : usual | Qt::ItemIsDropEnabled;
 }
 
 bool ExportQueue::moveRows(const QModelIndex& source, int row, int count, const QModelIndex& target, int before)
@@ -121,24 +117,28 @@ const QueuedExport* ExportQueue::find(quint64 id) const
 
 int ExportQueue::rowOf(quint64 id) const
 {
-    const auto found = std::find_if(m_exports.begin(), m_exports.end(), [&](const QueuedExport& one) { return one.id == id; });
+    const auto found =
+        std::find_if(m_exports.begin(), m_exports.end(), [&](const QueuedExport& one) { return one.id == id; });
     return found == m_exports.end() ? -1 : static_cast<int>(found - m_exports.begin());
 }
 
 int ExportQueue::running() const
 {
-    const auto found = std::find_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Running; });
+    const auto found = std::find_if(
+        m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Running; });
     return found == m_exports.end() ? -1 : static_cast<int>(found - m_exports.begin());
 }
 
 int ExportQueue::active() const
 {
-    return static_cast<int>(std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.isActive(); }));
+    return static_cast<int>(
+        std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.isActive(); }));
 }
 
 int ExportQueue::held() const
 {
-    return static_cast<int>(std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Held; }));
+    return static_cast<int>(std::count_if(
+        m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Held; }));
 }
 
 template <class IsMeant>
@@ -163,12 +163,11 @@ ExportJobs ExportQueue::unfinishedJobs() const
     return jobsThat([](const QueuedExport& one) { return one.isUnfinished(); });
 }
 
-// --- what people do with it ----------------------------------------------------------------------------------------------
-
 Result<quint64> ExportQueue::add(ExportJob job)
 {
-    if (unfinishedJobs().size() >= kMostJobs) {
-        return Error{ErrorCode::TooLarge, said("%1 exports are waiting already", kMostJobs), {}, said("Wait until some are done, or remove some")};
+    if (unfinishedJobs().size() >= kMaxJobs) {
+        return Error{ErrorCode::TooLarge, makeMessage("%1 exports are waiting already", kMaxJobs), {},
+            makeMessage("Wait until some are done, or remove some")};
     }
     append(std::make_shared<const ExportJob>(std::move(job)), ExportState::Waiting);
     const quint64 id = m_lastId;
@@ -181,8 +180,9 @@ Result<quint64> ExportQueue::add(ExportJob job)
 
 void ExportQueue::forgetOldest()
 {
-    auto ended = std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return !one.isUnfinished(); });
-    removeAll([&](const QueuedExport& one) { return !one.isUnfinished() && ended-- > kMostEnded; });
+    auto ended =
+        std::count_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return !one.isUnfinished(); });
+    removeAll([&](const QueuedExport& one) { return !one.isUnfinished() && ended-- > kMaxEnded; });
 }
 
 void ExportQueue::append(std::shared_ptr<const ExportJob> job, ExportState state)
@@ -209,7 +209,8 @@ void ExportQueue::takeAnswer(quint64 id, const Status& apart)
     if (row < 0 || at(row).state != ExportState::Starting) {
         return;
     }
-    setState(row, apart ? ExportState::Waiting : ExportState::Failed, apart ? QString() : fumage::ui::told(apart.error()));
+    setState(row, apart ? ExportState::Waiting : ExportState::Failed,
+        apart ? QString() : fumage::ui::translated(apart.error()));
     goOn();
     keep();
     if (active() == 0) {
@@ -277,10 +278,13 @@ void ExportQueue::removeHeld()
 
 void ExportQueue::stopAll()
 {
-    removeAll([](const QueuedExport& one) { return one.state == ExportState::Starting || one.state == ExportState::Waiting; });
+    removeAll([](const QueuedExport& one) {
+        return one.state == ExportState::Starting || one.state == ExportState::Waiting;
+    });
     m_worker.cancel();
     if (const int row = running(); row >= 0) {
-        setState(row, ExportState::Cancelled); // the program may end before its thread has: nothing is to be left of it on the disk
+        setState(row, ExportState::Cancelled); // the program may end before its thread has: nothing is to be left of it
+                                               // on the disk
     }
     keep();
 }
@@ -289,7 +293,7 @@ QStringList ExportQueue::takeLeftovers()
 {
     QueueFile::Leftovers left = QueueFile::find(m_folder);
     for (const std::shared_ptr<const ExportJob>& job : left.jobs) {
-        if (unfinishedJobs().size() < kMostJobs) {
+        if (unfinishedJobs().size() < kMaxJobs) {
             append(job, ExportState::Held);
         }
     }
@@ -302,14 +306,13 @@ QStringList ExportQueue::takeLeftovers()
     return left.unreadable;
 }
 
-// --- doing them ----------------------------------------------------------------------------------------------------------
-
 void ExportQueue::goOn()
 {
     if (m_worker.isRunning()) {
         return;
     }
-    const auto next = std::find_if(m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Waiting; });
+    const auto next = std::find_if(
+        m_exports.begin(), m_exports.end(), [](const QueuedExport& one) { return one.state == ExportState::Waiting; });
     if (next == m_exports.end()) {
         return;
     }
@@ -359,8 +362,6 @@ void ExportQueue::end(ExportState state, const QString& told)
         emit emptied();
     }
 }
-
-// --- holding them against their manifests --------------------------------------------------------------------------------
 
 void ExportQueue::verify(int row)
 {

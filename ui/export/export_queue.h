@@ -9,8 +9,8 @@
 
 namespace fumage::ui {
 
-/// The exports of the program as a list: done one after the other, from the top, while the artist works. Those that are not done are on the disk too, so
-/// that a crash does not lose them.
+/// The exports of the program as a list: done one after the other, from the top, while the artist works. Those that are
+/// not done are on the disk too, so that a crash does not lose them.
 class ExportQueue : public QAbstractListModel {
     Q_OBJECT
 
@@ -52,15 +52,16 @@ public:
 
     /// Puts an export at the end, and starts it where none runs.
     /// @return its id
-    /// @error TooLarge where there are kMostJobs already
+    /// @error TooLarge where there are kMaxJobs already
     [[nodiscard]] Result<quint64> add(ExportJob job);
-    /// Lets one that is held, failed or was cancelled wait for its turn; it fails where another that waits writes one of its files. The disk is asked on another
-    /// thread.
+    /// Lets one that is held, failed or was cancelled wait for its turn; it fails where another that waits writes one
+    /// of its files. The disk is asked on another thread.
     void start(int row);
     void startHeld();
     /// Of one that is done: gives up holding its files against its manifest.
     void cancel(int row);
-    /// Holds the files of one that is done against its manifest. The mark that comes of it goes where files of that name are written again.
+    /// Holds the files of one that is done against its manifest. The mark that comes of it goes where files of that
+    /// name are written again.
     void verify(int row);
     /// Takes one from the list that does not run.
     void remove(int row);

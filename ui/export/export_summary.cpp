@@ -1,12 +1,13 @@
 #include "ui/export/export_summary.h"
 
+#include "core/export/sheets/flipbook_files.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/loop.h"
 #include "core/export/remarks.h"
-#include "core/export/sheet_playback.h"
+#include "core/export/sheets/sheet_playback.h"
 #include "ui/document/text.h"
-#include "ui/export/export_dialog.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
@@ -34,11 +35,21 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
     const int width = cell.width * plan.columns;
     const int height = cell.height * plan.rows;
     const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
-    const QString files = more > 1 ? ExportDialog::tr("%1, %2 × %3 pixels, and %4 more files").arg(first).arg(width).arg(height).arg(more)
-                                   : ExportDialog::tr("%1, %2 × %3 pixels, and %4").arg(first).arg(width).arg(height).arg(fromPath(filesOf(flipbookOf(plan)).back().filename()));
+    const QString files = more > 1 ? QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, and %4 more files")
+                                         .arg(first)
+                                         .arg(width)
+                                         .arg(height)
+                                         .arg(more)
+                                   : QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, and %4")
+                                         .arg(first)
+                                         .arg(width)
+                                         .arg(height)
+                                         .arg(fromPath(filesOf(flipbookOf(plan)).back().filename()));
     const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height);
     const QLocale locale;
-    return files + QLatin1Char('\n') + ExportDialog::tr("On the graphics card: %1 as BC7, %2 uncompressed").arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
+    return files + QLatin1Char('\n')
+        + QCoreApplication::translate("Exports", "On the graphics card: %1 as BC7, %2 uncompressed")
+              .arg(locale.formattedDataSize(memory.compressed, 1), locale.formattedDataSize(memory.plain, 1));
 }
 
 /// The files of a plan that is possible.
@@ -46,13 +57,19 @@ QString filesTold(const ExportPlan& plan, const Effect& effect)
 {
     QString first = fromPath(firstFile(plan).filename());
     if (isNumbered(plan.kind) && plan.frames.count() > 1) {
-        return ExportDialog::tr("Files: %1, from %2 to %3").arg(plan.frames.count()).arg(first, fromPath(lastFile(plan).filename()));
+        return QCoreApplication::translate("Exports", "Files: %1, from %2 to %3")
+            .arg(plan.frames.count())
+            .arg(first, fromPath(lastFile(plan).filename()));
     }
     if (plan.kind == ExportKind::Video) {
         const std::array<int, 2> size = sizeOf(effect.output, plan.video);
         const double rate = plan.rate.value_or(FrameRate{effect.timeline.frameRate, 1}).perSecond();
         const double seconds = static_cast<double>(plan.frames.count()) * plan.frames.step / rate;
-        return ExportDialog::tr("%1, %2 × %3 pixels, %4 s").arg(first).arg(size[0]).arg(size[1]).arg(QLocale().toString(seconds, 'f', 1));
+        return QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, %4 s")
+            .arg(first)
+            .arg(size[0])
+            .arg(size[1])
+            .arg(QLocale().toString(seconds, 'f', 1));
     }
     if (plan.kind == ExportKind::Flipbook) {
         return flipbookSummary(plan, outputFor(effect, plan).value()); // it is possible
@@ -64,7 +81,8 @@ QString filesTold(const ExportPlan& plan, const Effect& effect)
 
 bool isPossible(const ExportPlan& plan, const Effect& effect)
 {
-    const bool flipbook = plan.kind != ExportKind::Flipbook || (plan.frames.count() >= plan.columns * plan.rows && checkFlipbook(plan, effect).ok());
+    const bool flipbook = plan.kind != ExportKind::Flipbook
+        || (plan.frames.count() >= plan.columns * plan.rows && checkFlipbook(plan, effect).ok());
     const bool carried = plan.kind != ExportKind::Air || effect.air.enabled;
     return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook && carried;
 }
@@ -72,22 +90,25 @@ bool isPossible(const ExportPlan& plan, const Effect& effect)
 QString summaryOf(const ExportPlan& plan, const Effect& effect)
 {
     if (plan.output.empty() || plan.frames.first > plan.frames.last) {
-        return ExportDialog::tr("Choose a file, and a first frame that comes before the last.");
+        return QCoreApplication::translate("Exports", "Choose a file, and a first frame that comes before the last.");
     }
     if (plan.kind == ExportKind::Flipbook) {
         if (const Status status = checkFlipbook(plan, effect); !status) {
-            return told(status.error());
+            return translated(status.error());
         }
     }
     if (plan.kind == ExportKind::Air && !effect.air.enabled) {
-        return ExportDialog::tr("No air carries this smoke: switch it on in the group Air.");
+        return QCoreApplication::translate("Exports", "No air carries this smoke: switch it on in the group Air.");
     }
     if (!isPossible(plan, effect)) {
-        return ExportDialog::tr("%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.").arg(plan.frames.count()).arg(plan.columns * plan.rows);
+        return QCoreApplication::translate(
+            "Exports", "%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.")
+            .arg(plan.frames.count())
+            .arg(plan.columns * plan.rows);
     }
     QString summary = filesTold(plan, effect);
     for (const Message& remark : remarksOn(effect, plan)) {
-        const QString text = told(remark);
+        const QString text = translated(remark);
         summary += QLatin1Char('\n') + text.left(1).toUpper() + text.mid(1) + QLatin1Char('.');
     }
     return summary;
@@ -101,26 +122,31 @@ std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect
     const int cells = plan.kind == ExportKind::Flipbook ? plan.columns * plan.rows : 1;
     if (plan.frames.count() < cells) {
         const auto [columns, rows] = gridWithin(plan.frames.count(), plan.columns, plan.rows, plan.powerOfTwo);
-        return ExportOffer{ExportDialog::tr("Use %1 × %2 cells").arg(columns).arg(rows), plan.frames, columns, rows};
+        return ExportOffer{QCoreApplication::translate("Exports", "Use %1 × %2 cells").arg(columns).arg(rows),
+            plan.frames, columns, rows};
     }
     const std::optional<FrameRange> whole = closedInstead(effect.timeline, plan.frames, cells);
     if (!whole || remarksOn(effect, plan).empty()) {
         return std::nullopt;
     }
-    return ExportOffer{ExportDialog::tr("Use frames %1").arg(toQString(textOf(*whole))), *whole, plan.columns, plan.rows};
+    return ExportOffer{QCoreApplication::translate("Exports", "Use frames %1").arg(toQString(textOf(*whole))), *whole,
+        plan.columns, plan.rows};
 }
 
 bool haveSameCells(const ExportPlan& a, const ExportPlan& b)
 {
-    const auto told = [](const ExportPlan& plan) {
-        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format, plan.fitCamera, plan.powerOfTwo, plan.trim, plan.retime, plan.passes.has(Pass::Motion));
+    const auto ofCells = [](const ExportPlan& plan) {
+        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format,
+            plan.fitCamera, plan.powerOfTwo, plan.trim, plan.retime, plan.passes.has(Pass::Motion));
     };
-    return told(a) == told(b);
+    return ofCells(a) == ofCells(b);
 }
 
 QString suggestedPath(const ExportPlan& plan, const Document& document)
 {
-    const QString folder = document.filePath().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) : QFileInfo(document.filePath()).path();
+    const QString folder = document.filePath().isEmpty()
+        ? QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)
+        : QFileInfo(document.filePath()).path();
     QString name = fileNameOf(document.displayName()).toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
     switch (plan.kind) {
     case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;

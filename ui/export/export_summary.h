@@ -21,7 +21,8 @@ struct ExportOffer {
     int columns = 0;
     int rows = 0;
 };
-/// What may be offered for a plan: the largest grid that its frames fill, or the frames that close its loop; none: nothing.
+/// What may be offered for a plan: the largest grid that its frames fill, or the frames that close its loop; none:
+/// nothing.
 [[nodiscard]] std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect);
 
 /// Whether two plans for flipbooks fill the same cells.

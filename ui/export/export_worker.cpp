@@ -25,24 +25,26 @@ void ExportWorker::start(std::shared_ptr<const ExportJob> job)
     m_timer.start();
     m_hasBegun = false;
     const auto work = [this, job = m_job](const std::stop_token& stop) {
-        const auto report = [this](Work part, int done, int total) {
+        const auto progress = [this](ProgressPhase part, int done, int total) {
             QMetaObject::invokeMethod(
-                this, [this, part, done, total] { tell(part, done, total); }, Qt::QueuedConnection);
+                this, [this, part, done, total] { report(part, done, total); }, Qt::QueuedConnection);
         };
         Result<std::optional<Flipbook>> result = std::optional<Flipbook>();
-        runBehindOthers([&] { result = runJob(*job, report, stop); });
+        runBehindOthers([&] { result = runJob(*job, progress, stop); });
         endSoon(result);
     };
     try {
         m_thread = GuardedThread(work, [this](const Error& why) { endSoon(why); });
     } catch (const std::system_error&) {
-        end(Error{ErrorCode::OutOfMemory, said("the export cannot be started: there are not enough memory or threads"), {}, said("Close other programs")});
+        end(Error{ErrorCode::OutOfMemory,
+            makeMessage("the export cannot be started: there are not enough memory or threads"), {},
+            makeMessage("Close other programs")});
     }
 }
 
-void ExportWorker::tell(Work work, int done, int total)
+void ExportWorker::report(ProgressPhase work, int done, int total)
 {
-    if (work == Work::Frames) {
+    if (work == ProgressPhase::Frames) {
         m_hasBegun = true;
         constexpr double kMillisecondsASecond = 1000.0;
         const double elapsed = static_cast<double>(m_timer.elapsed()) / kMillisecondsASecond;
@@ -51,8 +53,8 @@ void ExportWorker::tell(Work work, int done, int total)
         m_timer.restart();
         const int percent = static_cast<int>(100.0 * done / total);
         switch (work) {
-        case Work::Air: emit preparing(tr("Baking the air: %1 %").arg(percent)); break;
-        case Work::Fitting: emit preparing(tr("Looking where the smoke is: %1 %").arg(percent)); break;
+        case ProgressPhase::Air: emit preparing(tr("Baking the air: %1 %").arg(percent)); break;
+        case ProgressPhase::Fitting: emit preparing(tr("Looking where the smoke is: %1 %").arg(percent)); break;
         default: emit preparing(tr("Simulating what comes before: %1 %").arg(percent)); break;
         }
     }
@@ -77,20 +79,23 @@ void ExportWorker::end(const Result<std::optional<Flipbook>>& result)
     } else if (result.error().code == ErrorCode::Cancelled) {
         emit cancelled();
     } else {
-        emit failed(told(result.error()));
+        emit failed(translated(result.error()));
     }
 }
 
 QString ExportWorker::complaint(const CutOff& cut)
 {
     QStringList edges;
-    for (const auto& [reached, name] : {std::pair{cut.left, tr("left")}, std::pair{cut.right, tr("right")}, std::pair{cut.top, tr("top")}, std::pair{cut.bottom, tr("bottom")}}) {
+    for (const auto& [reached, name] : {std::pair{cut.left, tr("left")}, std::pair{cut.right, tr("right")},
+             std::pair{cut.top, tr("top")}, std::pair{cut.bottom, tr("bottom")}}) {
         if (reached) {
             edges << name;
         }
     }
-    const QString what = cut.distance > 0.0F ? tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera, or move it back to %4 m.")
-                                             : tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.");
+    const QString what = cut.distance > 0.0F
+        ? tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera, or move it back to %4 "
+             "m.")
+        : tr("The smoke is cut off at the edge of cells (%1) in frames %2 to %3. Fit the camera.");
     const QString told = what.arg(edges.join(QStringLiteral(", "))).arg(cut.firstFrame).arg(cut.lastFrame);
     return cut.distance > 0.0F ? told.arg(QLocale().toString(cut.distance, 'g', 3)) : told;
 }

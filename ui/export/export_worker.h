@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/work/guarded_thread.h"
+#include "ui/concurrency/guarded_thread.h"
 
-#include "core/export/jobs.h"
+#include "core/export/jobs/jobs.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -37,7 +37,7 @@ signals:
 
 private:
     [[nodiscard]] static QString complaint(const CutOff& cut);
-    void tell(Work work, int done, int total);
+    void report(ProgressPhase work, int done, int total);
     /// On the thread of the work.
     void endSoon(const Result<std::optional<Flipbook>>& result);
     void end(const Result<std::optional<Flipbook>>& result);

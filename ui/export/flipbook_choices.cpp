@@ -44,11 +44,13 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     m_engine->setAccessibleName(tr("For"));
     m_engine->setToolTip(tr("What is to play it: the files that it needs are written, too"));
     for (const Engine each : kAllEngines) {
-        m_engine->addItem(each == Engine::Generic ? tr("Any engine") : each == Engine::Web ? tr("Web page")
-                                                                                           : toQString(titleOf(each)));
+        m_engine->addItem(each == Engine::Generic ? tr("Any engine")
+                : each == Engine::Web             ? tr("Web page")
+                                                  : toQString(titleOf(each)));
     }
     m_sixWay->setObjectName(QStringLiteral("export.sixWay"));
-    m_sixWay->setToolTip(tr("Two pictures with light from six sides, so that an engine lights the smoke with its own lights"));
+    m_sixWay->setToolTip(
+        tr("Two pictures with light from six sides, so that an engine lights the smoke with its own lights"));
     m_motion->setObjectName(QStringLiteral("export.motion"));
     m_motion->setToolTip(tr("A picture of where the smoke goes, so that an engine moves it between the cells"));
     const ExportPlan usual;

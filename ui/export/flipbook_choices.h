@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/sheet_choice.h"
+#include "core/export/sheets/sheet_optimizer.h"
 
 #include <QWidget>
 

@@ -32,9 +32,11 @@ FlipbookExtras::FlipbookExtras(QWidget* parent)
     m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_trim->setObjectName(QStringLiteral("export.trim"));
     m_powerOfTwo->setObjectName(QStringLiteral("export.powerOfTwo"));
-    m_powerOfTwo->setToolTip(tr("Cells become as large as the nearest power of two; with 1, 2, 4 to 64 columns and rows"));
+    m_powerOfTwo->setToolTip(
+        tr("Cells become as large as the nearest power of two; with 1, 2, 4 to 64 columns and rows"));
     m_retimes->setObjectName(QStringLiteral("export.retimes"));
-    m_retimes->setToolTip(tr("From left to right through the cells, from bottom to top through the frames: level is still, falling is backwards"));
+    m_retimes->setToolTip(tr("From left to right through the cells, from bottom to top through the frames: level is "
+                             "still, falling is backwards"));
     m_curve->setObjectName(QStringLiteral("export.retime"));
     m_curve->setAccessibleName(tr("Frames by cells"));
     m_curve->setCurve(Curve{{0.0F, 0.0F}, {1.0F, 1.0F}});
@@ -91,7 +93,7 @@ PackRow* FlipbookExtras::addPack()
     m_list->addWidget(row);
     connect(row, &PackRow::changed, this, &FlipbookExtras::changed);
     connect(row, &PackRow::removed, this, [this, row] { removePack(row); });
-    m_add->setEnabled(m_packs.size() < kMostPackedPictures);
+    m_add->setEnabled(m_packs.size() < kMaxPackedPictures);
     emit changed();
     emit resized();
     return row;
@@ -132,7 +134,8 @@ void FlipbookExtras::followPlan(const Effect& effect, const ExportPlan& plan)
 void FlipbookExtras::follow(const Effect& effect)
 {
     m_trim->setEnabled(!effect.timeline.loop);
-    m_trim->setToolTip(effect.timeline.loop ? tr("Not of a loop, which would no longer close") : tr("Frames without smoke at the beginning and the end have no cells"));
+    m_trim->setToolTip(effect.timeline.loop ? tr("Not of a loop, which would no longer close")
+                                            : tr("Frames without smoke at the beginning and the end have no cells"));
 }
 
 void FlipbookExtras::applyTo(ExportPlan& plan) const

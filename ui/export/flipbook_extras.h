@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/sheet_choice.h"
+#include "core/export/sheets/sheet_optimizer.h"
 
 #include <QWidget>
 
@@ -17,7 +17,8 @@ class CurveArea;
 class PackRow;
 class SheetFinder;
 
-/// What few flipbooks are asked, folded away: which frames they show, sides of powers of two, a budget of memory, and packed pictures.
+/// What few flipbooks are asked, folded away: which frames they show, sides of powers of two, a budget of memory, and
+/// packed pictures.
 class FlipbookExtras : public QWidget {
     Q_OBJECT
 

@@ -4,6 +4,7 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QScrollArea>
 
 namespace fumage::ui {
 
@@ -32,5 +33,21 @@ public:
         return label;
     }
 };
+
+/// For tests, and for those who cannot see it.
+inline void nameWidget(QWidget& widget, const QString& name, const QString& spoken)
+{
+    widget.setObjectName(name);
+    widget.setAccessibleName(spoken);
+}
+
+/// How much room a form in a scroll area needs.
+[[nodiscard]] inline QSize contentSizeOf(const QScrollArea& area)
+{
+    const QWidget& content = *area.widget();
+    content.layout()->invalidate(); // what rows inside of its parts have become, it hears of too late
+    content.layout()->activate();
+    return {content.minimumSizeHint().width(), content.sizeHint().height()};
+}
 
 } // namespace fumage::ui

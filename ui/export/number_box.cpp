@@ -1,6 +1,6 @@
 #include "ui/export/number_box.h"
 
-#include "ui/face/plain_text.h"
+#include "ui/widgets/plain_text.h"
 
 #include "ui/panels/whole_box.h"
 

@@ -1,13 +1,11 @@
 #include "ui/export/output_rows.h"
 
-#include "ui/export/export_dialog.h"
 #include "ui/panels/parameter_row.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 
-#include <array>
-
+#include <QCoreApplication>
 #include <QVBoxLayout>
 
 namespace fumage::ui {
@@ -19,16 +17,6 @@ constexpr const Parameter& kHeight = knownParameter("output.height");
 constexpr const Parameter& kBackground = knownParameter("output.background");
 constexpr const Parameter& kColour = knownParameter("output.background_colour");
 
-constexpr std::array kParameters{
-    &knownParameter("timeline.loop"),
-    &kWidth,
-    &kHeight,
-    &knownParameter("output.quality"),
-    &knownParameter("output.supersample"),
-    &kBackground,
-    &kColour,
-};
-
 } // namespace
 
 OutputRows::OutputRows(Document& document, Locks& locks, QWidget* parent)
@@ -37,9 +25,11 @@ OutputRows::OutputRows(Document& document, Locks& locks, QWidget* parent)
 {
     auto* box = new QVBoxLayout(this);
     box->setContentsMargins({});
-    for (const Parameter* parameter : kParameters) {
-        m_rows.push_back(new ParameterRow(*parameter, document, locks, this));
-        box->addWidget(m_rows.back());
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.atExport) {
+            m_rows.push_back(new ParameterRow(parameter, document, locks, this));
+            box->addWidget(m_rows.back());
+        }
     }
 }
 
@@ -58,9 +48,9 @@ void OutputRows::follow(const ExportPlan& plan)
         row->sync();
         row->setVisible(isAsked(row->parameter(), plan));
         if (&row->parameter() == &kWidth) {
-            row->setName(isFlipbook ? ExportDialog::tr("Cell width") : QString());
+            row->setName(isFlipbook ? QCoreApplication::translate("Exports", "Cell width") : QString());
         } else if (&row->parameter() == &kHeight) {
-            row->setName(isFlipbook ? ExportDialog::tr("Cell height") : QString());
+            row->setName(isFlipbook ? QCoreApplication::translate("Exports", "Cell height") : QString());
         }
     }
     setVisible(isPicture(plan.kind));

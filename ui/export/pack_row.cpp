@@ -1,7 +1,7 @@
 #include "ui/export/pack_row.h"
 
 #include "ui/document/text.h"
-#include "ui/face/plain_text.h"
+#include "ui/widgets/plain_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -77,7 +77,8 @@ void PackRow::fillChannels()
 PackedPicture PackRow::pack() const
 {
     const std::vector<PackedChannel> all = allChannels();
-    PackedPicture out{m_name->text().trimmed().toStdString(), {}, kDivisors[static_cast<std::size_t>(m_size->currentIndex())]};
+    PackedPicture out{
+        m_name->text().trimmed().toStdString(), {}, kDivisors[static_cast<std::size_t>(m_size->currentIndex())]};
     for (std::size_t i = 0; i < m_channels.size(); ++i) {
         const int index = m_channels[i]->currentIndex(); // the first is none
         if (index > 0) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/packing.h"
+#include "core/export/sheets/packing.h"
 
 #include <QWidget>
 

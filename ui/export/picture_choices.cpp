@@ -19,7 +19,8 @@ PictureChoices::PictureChoices(QWidget* parent)
     m_carries->setToolTip(tr("Fumage then opens a picture as the preset that it was made of, at its frame"));
     m_carries->setChecked(true);
     m_manifest->setObjectName(QStringLiteral("export.manifest"));
-    m_manifest->setToolTip(tr("A file beside the others with what each of them shows: Verify, in the panel Exports, and fumage-cli verify then find those that are missing, broken or changed"));
+    m_manifest->setToolTip(tr("A file beside the others with what each of them shows: Verify, in the panel Exports, "
+                              "and fumage-cli verify then find those that are missing, broken or changed"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     for (QCheckBox* choice : {m_fit, m_carries, m_manifest}) {

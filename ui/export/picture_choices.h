@@ -8,7 +8,8 @@ class QCheckBox;
 
 namespace fumage::ui {
 
-/// What only pictures of the smoke are asked: how the camera stands, what they carry, and whether there is a manifest to verify them by.
+/// What only pictures of the smoke are asked: how the camera stands, what they carry, and whether there is a manifest
+/// to verify them by.
 class PictureChoices : public QWidget {
     Q_OBJECT
 

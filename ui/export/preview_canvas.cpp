@@ -80,7 +80,8 @@ void PreviewCanvas::paintEvent(QPaintEvent* /*event*/)
     }
     painter.setPen(m_backdrop == Backdrop::Light ? Qt::black : Qt::white);
     constexpr int kMargin = 12;
-    painter.drawText(area.adjusted(kMargin, kMargin, -kMargin, -kMargin), static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap), m_text);
+    painter.drawText(area.adjusted(kMargin, kMargin, -kMargin, -kMargin),
+        static_cast<int>(Qt::AlignCenter) | static_cast<int>(Qt::TextWordWrap), m_text);
 }
 
 } // namespace fumage::ui

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/export/sheet_preview.h"
-#include "ui/work/answer_job.h"
+#include "core/export/sheets/sheet_preview.h"
+#include "ui/concurrency/async_request.h"
 
 #include <QString>
 
@@ -26,7 +26,7 @@ signals:
     void failed(const QString& message);
 
 private:
-    AnswerJob m_job;
+    AsyncRequest m_job;
 };
 
 } // namespace fumage::ui

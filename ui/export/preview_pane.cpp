@@ -77,7 +77,8 @@ void PreviewPane::buildBody()
     row->setSpacing(12);
     row->addWidget(m_canvas);
     row->addLayout(side, 1);
-    connect(m_backdrop, &QComboBox::currentIndexChanged, m_canvas, [this](int index) { m_canvas->setBackdrop(static_cast<PreviewCanvas::Backdrop>(index)); });
+    connect(m_backdrop, &QComboBox::currentIndexChanged, m_canvas,
+        [this](int index) { m_canvas->setBackdrop(static_cast<PreviewCanvas::Backdrop>(index)); });
 }
 
 void PreviewPane::connectJob()
@@ -143,7 +144,10 @@ void PreviewPane::take(const std::shared_ptr<const SheetPreview>& preview)
     m_clock.start();
     const SheetGrid& grid = preview->sheet.grid;
     m_state->setText(preview->isWhole ? tr("%1 cells a second").arg(QLocale().toString(preview->cellsPerSecond, 'f', 1))
-                                      : tr("%1 cells a second, shown at %2 × %3 pixels").arg(QLocale().toString(preview->cellsPerSecond, 'f', 1)).arg(grid.cellWidth).arg(grid.cellHeight));
+                                      : tr("%1 cells a second, shown at %2 × %3 pixels")
+                                            .arg(QLocale().toString(preview->cellsPerSecond, 'f', 1))
+                                            .arg(grid.cellWidth)
+                                            .arg(grid.cellHeight));
     play();
 }
 
@@ -156,10 +160,13 @@ void PreviewPane::play()
     constexpr double kPause = 1.0; // s, after what does not loop
     const SheetGrid& grid = m_preview->sheet.grid;
     const double length = grid.loops ? grid.cells : grid.cells - 1 + kPause * m_preview->cellsPerSecond;
-    const double cell = std::fmod(static_cast<double>(m_clock.elapsed()) / kMillisecondsASecond * m_preview->cellsPerSecond, length);
+    const double cell =
+        std::fmod(static_cast<double>(m_clock.elapsed()) / kMillisecondsASecond * m_preview->cellsPerSecond, length);
     m_preview->playback->picture(cell, grid.loops, static_cast<CellBlending>(m_blending->currentIndex()), m_image);
     encode(m_image, m_preview->output, m_encoded);
-    m_canvas->setImage(QImage(m_encoded.pixels.data(), m_encoded.width, m_encoded.height, 4 * m_encoded.width, QImage::Format_RGBA8888).copy());
+    m_canvas->setImage(
+        QImage(m_encoded.pixels.data(), m_encoded.width, m_encoded.height, 4 * m_encoded.width, QImage::Format_RGBA8888)
+            .copy());
 }
 
 void PreviewPane::showEvent(QShowEvent* event)

@@ -17,7 +17,8 @@ namespace fumage::ui {
 
 class PreviewCanvas;
 
-/// Plays a flipbook as an engine will, before it is written; opened by a switch. Renders and plays only while it is seen.
+/// Plays a flipbook as an engine will, before it is written; opened by a switch. Renders and plays only while it is
+/// seen.
 class PreviewPane : public QWidget {
     Q_OBJECT
 

@@ -1,7 +1,7 @@
 #include "ui/export/queue_delegate.h"
 
 #include "ui/export/export_queue.h"
-#include "ui/face/theme.h"
+#include "ui/theme/theme.h"
 
 #include <QApplication>
 #include <QPainter>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kMargin = 8;
 constexpr int kGap = 3;
-constexpr int kBar = 4; ///< height of the bar, which only one has that runs or is verified; others keep its place, so that nothing jumps
+constexpr int kBar =
+    4; ///< height of the bar, which only one has that runs or is verified; others keep its place, so that nothing jumps
 
 /// Where the parts of a row lie.
 struct Places {
@@ -26,7 +27,8 @@ struct Places {
 /// What has failed has two lines to say why.
 int linesToldOf(const QModelIndex& index)
 {
-    const bool hasFailed = index.data(ExportQueue::StateRole).toInt() == static_cast<int>(ExportState::Failed) || index.data(ExportQueue::CheckRole).toInt() == static_cast<int>(CheckState::Failed);
+    const bool hasFailed = index.data(ExportQueue::StateRole).toInt() == static_cast<int>(ExportState::Failed)
+        || index.data(ExportQueue::CheckRole).toInt() == static_cast<int>(CheckState::Failed);
     return hasFailed ? 2 : 1;
 }
 
@@ -45,7 +47,8 @@ Places placesIn(const QRect& row, int line, int linesTold)
 
 void drawText(QPainter& painter, const QRect& where, const QString& text)
 {
-    painter.drawText(where, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, painter.fontMetrics().elidedText(text, Qt::ElideRight, where.width()));
+    painter.drawText(where, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+        painter.fontMetrics().elidedText(text, Qt::ElideRight, where.width()));
 }
 
 /// In as many lines as there is room for.
@@ -119,12 +122,16 @@ void QueueDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setFont(option.font);
     painter->setPen(quiet);
     drawText(*painter, at.place, index.data(ExportQueue::PlaceRole).toString());
-    const QRect told = check == CheckState::Same ? drawTick(*painter, at.told, selected ? strong : QColor::fromRgb(colours.good)) : at.told;
-    const bool isMarked = !selected && (state == ExportState::Failed || state == ExportState::Held || check == CheckState::Failed);
+    const QRect told = check == CheckState::Same
+        ? drawTick(*painter, at.told, selected ? strong : QColor::fromRgb(colours.good))
+        : at.told;
+    const bool isMarked =
+        !selected && (state == ExportState::Failed || state == ExportState::Held || check == CheckState::Failed);
     painter->setPen(isMarked ? QColor::fromRgb(colours.mark) : quiet);
     drawLines(*painter, told, index.data(ExportQueue::ToldRole).toString());
     if (state == ExportState::Running || check == CheckState::Running) {
-        drawBar(*painter, at.bar, index.data(ExportQueue::ShareRole).toDouble(), QColor::fromRgb(colours.edge), selected ? strong : QColor::fromRgb(colours.accent));
+        drawBar(*painter, at.bar, index.data(ExportQueue::ShareRole).toDouble(), QColor::fromRgb(colours.edge),
+            selected ? strong : QColor::fromRgb(colours.accent));
     }
     painter->restore();
 }
@@ -135,10 +142,12 @@ QSize QueueDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
     return {at.bar.width() / 2, at.bar.bottom() + 1 + kMargin};
 }
 
-void QueueDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const
+void QueueDelegate::updateEditorGeometry(
+    QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
     constexpr int kFrame = 4; // of the field
-    editor->setGeometry(placesIn(option.rect, option.fontMetrics.height(), linesToldOf(index)).name.adjusted(-kFrame, -kFrame, kFrame, kFrame));
+    editor->setGeometry(placesIn(option.rect, option.fontMetrics.height(), linesToldOf(index))
+                            .name.adjusted(-kFrame, -kFrame, kFrame, kFrame));
 }
 
 } // namespace fumage::ui

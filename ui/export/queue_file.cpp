@@ -31,7 +31,7 @@ Status writeList(const QString& path, const ExportJobs& jobs, FileAccess access)
 QueueFile::QueueFile(const QDir& folder, QObject* parent)
     : QObject(parent)
     , m_file(makeOwnFile(folder))
-    , m_writer(std::make_unique<LatestJob<ExportJobs>>(
+    , m_writer(std::make_unique<LatestOnlyWorker<ExportJobs>>(
           [this](const ExportJobs& jobs, const std::stop_token&) {
               QMetaObject::invokeMethod(
                   this, [this, status = keepAt(m_file.path, jobs)] { report(status); }, Qt::QueuedConnection);
@@ -64,7 +64,7 @@ void QueueFile::keepNow(const ExportJobs& jobs)
 void QueueFile::report(const Status& status)
 {
     if (!status && !m_hasFailed) {
-        emit failed(told(status.error()));
+        emit failed(translated(status.error()));
     }
     m_hasFailed = !status;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "ui/document/own_file.h"
-#include "ui/work/latest_job.h"
+#include "ui/concurrency/latest_only_worker.h"
 
-#include "core/export/job_file.h"
+#include "core/export/jobs/job_file.h"
 
 #include <QObject>
 #include <QStringList>
@@ -18,8 +18,8 @@ using ExportJobs = std::vector<std::shared_ptr<const ExportJob>>;
 /// writeJobsFile() of jobs that are shared.
 [[nodiscard]] Status writeList(const QString& path, const ExportJobs& jobs, FileAccess access);
 
-/// Keeps the exports that are not done on disk, on a thread of its own: what is there when a program starts, and belongs to no running one, is what a
-/// crash has left. For the user's eyes alone.
+/// Keeps the exports that are not done on disk, on a thread of its own: what is there when a program starts, and
+/// belongs to no running one, is what a crash has left. For the user's eyes alone.
 class QueueFile : public QObject {
     Q_OBJECT
 
@@ -51,7 +51,7 @@ private:
     const OwnFile m_file;
     bool m_hasFailed = false;
     ExportJobs m_latest; ///< what was to be kept last
-    std::unique_ptr<LatestJob<ExportJobs>> m_writer;
+    std::unique_ptr<LatestOnlyWorker<ExportJobs>> m_writer;
 };
 
 } // namespace fumage::ui

@@ -2,7 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/export/queue_delegate.h"
-#include "ui/face/icons.h"
+#include "ui/theme/icons.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
@@ -78,7 +78,8 @@ QWidget* QueuePanel::makeNotice()
     return notice;
 }
 
-QAction* QueuePanel::addAction(const char* name, const QString& icon, const QString& text, const std::function<void(int row)>& act)
+QAction* QueuePanel::addAction(
+    const char* name, const QString& icon, const QString& text, const std::function<void(int row)>& act)
 {
     auto* action = new QAction(text, this);
     action->setObjectName(QLatin1String(name));
@@ -96,10 +97,13 @@ void QueuePanel::buildActions()
     m_down = addAction("queue.down", QStringLiteral("down"), tr("Later"), [this](int row) { move(row, row + 2); });
     m_rename = addAction("queue.rename", {}, tr("Rename"), [this](int row) { m_list->edit(m_queue.index(row)); });
     m_stop = addAction("queue.stop", QStringLiteral("cancel"), tr("Cancel"), [this](int row) { cancelOrRemove(row); });
-    m_verify = addAction("queue.verify", QStringLiteral("verify"), tr("Verify"), [this](int row) { m_queue.verify(row); });
+    m_verify =
+        addAction("queue.verify", QStringLiteral("verify"), tr("Verify"), [this](int row) { m_queue.verify(row); });
     m_verify->setToolTip(tr("Verify: look whether the files are as they were written, where an export has a manifest"));
-    m_folder = addAction("queue.folder", QStringLiteral("open"), tr("Show in folder"), [this](int row) { showInFolder(row); });
-    m_again = addAction("queue.again", QStringLiteral("export"), tr("Export again, with the smoke as it is now"), [this](int row) { emit againRequested(m_queue.at(row).job->plan); });
+    m_folder =
+        addAction("queue.folder", QStringLiteral("open"), tr("Show in folder"), [this](int row) { showInFolder(row); });
+    m_again = addAction("queue.again", QStringLiteral("export"), tr("Export again, with the smoke as it is now"),
+        [this](int row) { emit againRequested(m_queue.at(row).job->plan); });
     m_clear = addAction("queue.clear", {}, tr("Remove what has ended"), [this](int) { m_queue.removeEnded(); });
     m_save = addAction("queue.save", QStringLiteral("save"), tr("Save the list…"), [this](int) { saveList(); });
     m_save->setToolTip(tr("Save what is not done as a list, which fumage-cli render --jobs does without a display"));
@@ -154,7 +158,7 @@ void QueuePanel::saveList()
         return;
     }
     if (const Status status = writeList(file, m_queue.unfinishedJobs(), FileAccess::Usual); !status) {
-        emit failed(told(status.error()));
+        emit failed(translated(status.error()));
     }
 }
 
@@ -171,7 +175,8 @@ void QueuePanel::follow()
     const bool isThere = chosen >= 0 && chosen < m_queue.rowCount();
     const ExportState state = isThere ? m_queue.at(chosen).state : ExportState::Done;
     const bool isAtWork = isThere && (m_queue.at(chosen).isActive() || m_queue.at(chosen).isChecked());
-    m_start->setEnabled(isThere && (state == ExportState::Held || state == ExportState::Failed || state == ExportState::Cancelled));
+    m_start->setEnabled(
+        isThere && (state == ExportState::Held || state == ExportState::Failed || state == ExportState::Cancelled));
     m_stop->setEnabled(isThere);
     m_stop->setText(isThere && !isAtWork ? tr("Remove") : tr("Cancel"));
     m_verify->setEnabled(isThere && m_queue.at(chosen).canBeChecked());
@@ -192,7 +197,8 @@ void QueuePanel::showEvent(QShowEvent* event)
 
 bool QueuePanel::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == m_list && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete && m_stop->isEnabled()) {
+    if (watched == m_list && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete && m_stop->isEnabled()) {
         m_stop->trigger();
         return true;
     }

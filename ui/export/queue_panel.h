@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/export/export_queue.h"
-#include "ui/face/file_question.h"
+#include "ui/widgets/file_question.h"
 
 #include <QWidget>
 
@@ -31,7 +31,8 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    QAction* addAction(const char* name, const QString& icon, const QString& text, const std::function<void(int row)>& act);
+    QAction* addAction(
+        const char* name, const QString& icon, const QString& text, const std::function<void(int row)>& act);
     void buildActions();
     QWidget* makeNotice();
     /// That of the one that is chosen; less than 0: none.

@@ -2,10 +2,10 @@
 
 #include "ui/document/text.h"
 #include "ui/export/export_formats.h"
-#include "ui/export/export_queue.h"
 
 #include "core/export/manifest/manifest_parts.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -38,13 +38,14 @@ QString placeOf(const ExportPlan& plan)
 QString usualText(ExportState state)
 {
     switch (state) {
-    case ExportState::Held: return ExportQueue::tr("Not finished: left from before");
+    case ExportState::Held: return QCoreApplication::translate("Exports", "Interrupted");
     case ExportState::Starting:
-    case ExportState::Waiting: return ExportQueue::tr("Waiting");
-    case ExportState::Running: return ExportQueue::tr("Begun");
-    case ExportState::Done: return ExportQueue::tr("Done");
-    case ExportState::Failed: return ExportQueue::tr("Failed");
-    case ExportState::Cancelled: return ExportQueue::tr("Cancelled. Files that were complete are kept.");
+    case ExportState::Waiting: return QCoreApplication::translate("Exports", "Waiting");
+    case ExportState::Running: return QCoreApplication::translate("Exports", "Begun");
+    case ExportState::Done: return QCoreApplication::translate("Exports", "Done");
+    case ExportState::Failed: return QCoreApplication::translate("Exports", "Failed");
+    case ExportState::Cancelled:
+        return QCoreApplication::translate("Exports", "Cancelled. Files that were complete are kept.");
     }
     return {};
 }
@@ -57,6 +58,12 @@ QString lineOf(const QueuedExport& one)
 QString wholeTextOf(const QueuedExport& one, const QString& between)
 {
     return one.check.state == CheckState::None ? one.told : one.told + between + one.check.told;
+}
+
+QString tipOf(const QueuedExport& one)
+{
+    const QString place = QDir::toNativeSeparators(fromPath(one.job->plan.output));
+    return QStringLiteral("%1\n%2").arg(place, wholeTextOf(one, QStringLiteral("\n")));
 }
 
 double shareOf(const QueuedExport& one)

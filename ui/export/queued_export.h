@@ -27,7 +27,10 @@ struct QueuedExport {
     CheckMark check{}; ///< of one that is done: whether its files are as they were written
 
     /// Whether it will be done without anybody doing something for it.
-    [[nodiscard]] bool isActive() const { return state == ExportState::Starting || state == ExportState::Waiting || state == ExportState::Running; }
+    [[nodiscard]] bool isActive() const
+    {
+        return state == ExportState::Starting || state == ExportState::Waiting || state == ExportState::Running;
+    }
     /// Whether it is still to be done.
     [[nodiscard]] bool isUnfinished() const { return isActive() || state == ExportState::Held; }
     /// Whether its files are being held against its manifest, or are to be.
@@ -44,10 +47,13 @@ struct QueuedExport {
 [[nodiscard]] QString lineOf(const QueuedExport& one);
 /// The same with all that there is to say.
 [[nodiscard]] QString wholeTextOf(const QueuedExport& one, const QString& between);
+/// Where it goes, and how it stands.
+[[nodiscard]] QString tipOf(const QueuedExport& one);
 /// How much is done, 0 to 1, of the export or of what looks at its files; less than 0: not known.
 [[nodiscard]] double shareOf(const QueuedExport& one);
 
-/// Whether one export may write over files of another, or over its manifest, by their names alone: the disk may be slow.
+/// Whether one export may write over files of another, or over its manifest, by their names alone: the disk may be
+/// slow.
 [[nodiscard]] bool mayShareFiles(const ExportPlan& one, const ExportPlan& other);
 
 } // namespace fumage::ui

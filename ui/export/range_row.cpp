@@ -16,7 +16,7 @@ RangeRow::RangeRow(Player& player, QWidget* parent)
     , m_range(new QWidget(this))
     , m_first(makeNumberBox(QStringLiteral("export.first"), tr("First frame"), 0, kMaxFrame, m_range))
     , m_last(makeNumberBox(QStringLiteral("export.last"), tr("Last frame"), 0, kMaxFrame, m_range))
-    , m_step(makeNumberBox(QStringLiteral("export.step"), tr("Every so many frames"), 1, kMaxFrame, m_range))
+    , m_step(makeNumberBox(QStringLiteral("export.step"), tr("Step"), 1, kMaxFrame, m_range))
 {
     m_shown->setObjectName(QStringLiteral("export.frame.shown"));
     m_shown->setProperty("role", QStringLiteral("secondary"));
@@ -55,7 +55,8 @@ void RangeRow::follow(ExportKind kind)
 
 FrameRange RangeRow::frames(ExportKind kind) const
 {
-    return kind == ExportKind::Picture ? FrameRange{m_frame->value(), m_frame->value(), 1} : FrameRange{m_first->value(), m_last->value(), m_step->value()};
+    return kind == ExportKind::Picture ? FrameRange{m_frame->value(), m_frame->value(), 1}
+                                       : FrameRange{m_first->value(), m_last->value(), m_step->value()};
 }
 
 void RangeRow::setFrames(const FrameRange& frames)
@@ -84,7 +85,8 @@ void RangeRow::takeShown()
 
 void RangeRow::sayWhichIsShown()
 {
-    m_shown->setText(m_frame->value() == m_player.frame() ? tr("the frame on the screen") : tr("frame %1 is on the screen").arg(m_player.frame()));
+    m_shown->setText(m_frame->value() == m_player.frame() ? tr("the frame on the screen")
+                                                          : tr("frame %1 is on the screen").arg(m_player.frame()));
 }
 
 } // namespace fumage::ui

@@ -27,20 +27,21 @@ SheetFinder::SheetFinder(QWidget* parent)
     build();
     end({});
     connect(m_find, &QPushButton::clicked, this, [this] { m_isSearching ? end(tr("Cancelled.")) : begin(); });
-    connect(&m_search, &SheetSearch::progressed, this, [this](double share) { m_state->setText(tr("Trying sheets: %1 %").arg(static_cast<int>(100.0 * share))); });
+    connect(&m_search, &SheetSearch::progressed, this,
+        [this](double share) { m_state->setText(tr("Trying sheets: %1 %").arg(static_cast<int>(100.0 * share))); });
     connect(&m_search, &SheetSearch::found, this, &SheetFinder::take);
     connect(&m_search, &SheetSearch::failed, this, &SheetFinder::end);
 }
 
 void SheetFinder::build()
 {
-    constexpr double kLeast = 0.1;
-    constexpr double kMost = 1024.0;
+    constexpr double kMin = 0.1;
+    constexpr double kMax = 1024.0;
     constexpr double kUsual = 4.0;
     m_budget->setObjectName(QStringLiteral("export.budget"));
     m_budget->setAccessibleName(tr("Memory on the graphics card"));
     m_budget->setToolTip(tr("What all pictures of the flipbook may take there, as BC7"));
-    m_budget->setRange(kLeast, kMost);
+    m_budget->setRange(kMin, kMax);
     m_budget->setDecimals(1);
     m_budget->setSuffix(tr(" MiB"));
     m_budget->setValue(kUsual);
@@ -63,7 +64,9 @@ void SheetFinder::build()
 
 void SheetFinder::follow(const Effect& effect, const ExportPlan& plan)
 {
-    const bool isSame = !m_isSearching || (effect == m_wanted->effect && haveSameCells(m_wanted->plan, plan) && m_wanted->plan.passes == plan.passes && m_wanted->plan.packs == plan.packs);
+    const bool isSame = !m_isSearching
+        || (effect == m_wanted->effect && haveSameCells(m_wanted->plan, plan) && m_wanted->plan.passes == plan.passes
+            && m_wanted->plan.packs == plan.packs);
     if (!isSame) {
         end(tr("Cancelled: the flipbook has changed."));
     }
@@ -96,7 +99,8 @@ void SheetFinder::end(const QString& said)
     m_isSearching = false;
     m_search.stop();
     m_find->setText(tr("Optimise"));
-    m_find->setToolTip(tr("Tries columns, rows and sizes of cells, and takes those that play nearest to the animation"));
+    m_find->setToolTip(
+        tr("Tries columns, rows and sizes of cells, and takes those that play nearest to the animation"));
     m_state->setText(said);
     m_state->setVisible(!said.isEmpty());
     emit resized();

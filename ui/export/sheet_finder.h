@@ -12,7 +12,8 @@ class QPushButton;
 
 namespace fumage::ui {
 
-/// Has columns, rows and the size of cells chosen for a budget of memory, by how well sheets play. Searches only while it is seen.
+/// Has columns, rows and the size of cells chosen for a budget of memory, by how well sheets play. Searches only while
+/// it is seen.
 class SheetFinder : public QWidget {
     Q_OBJECT
 

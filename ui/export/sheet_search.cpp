@@ -13,20 +13,22 @@ SheetSearch::SheetSearch(QObject* parent)
 
 void SheetSearch::start(const Effect& effect, const ExportPlan& plan, std::int64_t budget)
 {
-    m_job.ask([this, effect, plan, budget](const AnswerJob::Tell& tell, const std::stop_token& stop) {
-        const auto report = [&](Work part, int done, int total) {
-            if (part == Work::Frames) {
-                tell([this, share = static_cast<double>(done) / total] { emit progressed(share); });
+    m_job.ask(
+        [this, effect, plan, budget](const AsyncRequest::Report& report, const std::stop_token& stop) {
+            const auto progress = [&](ProgressPhase part, int done, int total) {
+                if (part == ProgressPhase::Frames) {
+                    report([this, share = static_cast<double>(done) / total] { emit progressed(share); });
+                }
+            };
+            Result<std::vector<SheetCandidate>> rated = std::vector<SheetCandidate>();
+            runBehindOthers([&] { rated = rateSheets(effect, plan, budget, progress, stop); });
+            if (rated) {
+                report([this, best = bestOf(rated.value())] { emit found(best); });
+            } else if (rated.error().code != ErrorCode::Cancelled) {
+                report([this, message = translated(rated.error())] { emit failed(message); });
             }
-        };
-        Result<std::vector<SheetCandidate>> rated = std::vector<SheetCandidate>();
-        runBehindOthers([&] { rated = rateSheets(effect, plan, budget, report, stop); });
-        if (rated) {
-            tell([this, best = bestOf(rated.value())] { emit found(best); });
-        } else if (rated.error().code != ErrorCode::Cancelled) {
-            tell([this, message = told(rated.error())] { emit failed(message); });
-        } },
-        [this](const Error& why) { emit failed(told(why)); });
+        },
+        [this](const Error& why) { emit failed(translated(why)); });
 }
 
 } // namespace fumage::ui

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "core/export/sheet_choice.h"
-#include "ui/work/answer_job.h"
+#include "core/export/sheets/sheet_optimizer.h"
+#include "ui/concurrency/async_request.h"
 
 #include <QString>
 
 namespace fumage::ui {
 
-/// Finds the sheet that plays best within a budget of memory, on a thread of its own and behind all else that the program computes.
+/// Finds the sheet that plays best within a budget of memory, on a thread of its own and behind all else that the
+/// program computes.
 class SheetSearch : public QObject {
     Q_OBJECT
 
@@ -26,7 +27,7 @@ signals:
     void failed(const QString& message);
 
 private:
-    AnswerJob m_job;
+    AsyncRequest m_job;
 };
 
 } // namespace fumage::ui

@@ -1,6 +1,6 @@
 #include "ui/export/start_check.h"
 
-#include "ui/export/export_clash.h"
+#include "ui/export/file_conflict.h"
 
 #include <algorithm>
 
@@ -40,8 +40,9 @@ void StartCheck::goOn()
         return;
     }
     m_job.ask(
-        [this, job = m_wanted.front().job, others = m_others()](const AnswerJob::Tell& tell, const std::stop_token&) {
-            tell([this, others, apart = filesOf(others).check(*job)] { end(others, apart); });
+        [this, job = m_wanted.front().job, others = m_others()](
+            const AsyncRequest::Report& report, const std::stop_token&) {
+            report([this, others, apart = filesOf(others).check(*job)] { end(others, apart); });
         },
         [this](const Error& why) { end(m_others(), why); });
 }
@@ -49,7 +50,8 @@ void StartCheck::goOn()
 void StartCheck::end(const ExportJobs& asked, const Status& apart)
 {
     const ExportJobs now = m_others();
-    if (apart && std::ranges::any_of(now, [&](const auto& job) { return std::ranges::find(asked, job) == asked.end(); })) {
+    if (apart
+        && std::ranges::any_of(now, [&](const auto& job) { return std::ranges::find(asked, job) == asked.end(); })) {
         goOn(); // one was added meanwhile
         return;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/export/jobs.h"
+#include "core/export/jobs/jobs.h"
 #include "ui/export/queue_file.h"
-#include "ui/work/answer_job.h"
+#include "ui/concurrency/async_request.h"
 
 #include <deque>
 #include <functional>
@@ -10,7 +10,8 @@
 
 namespace fumage::ui {
 
-/// Looks whether exports that are to be started write files of others that wait, one export after the other, on a thread of its own: the disk may be slow.
+/// Looks whether exports that are to be started write files of others that wait, one export after the other, on a
+/// thread of its own: the disk may be slow.
 class StartCheck : public QObject {
     Q_OBJECT
 
@@ -37,7 +38,7 @@ private:
 
     const std::function<ExportJobs()> m_others;
     std::deque<Wanted> m_wanted; ///< the first is being looked at
-    AnswerJob m_job; ///< last: its thread ends first
+    AsyncRequest m_job; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui

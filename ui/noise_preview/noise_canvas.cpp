@@ -1,8 +1,8 @@
 #include "ui/noise_preview/noise_canvas.h"
 
 #include "ui/document/number_text.h"
-#include "ui/face/hand.h"
-#include "ui/face/hand_guard.h"
+#include "ui/widgets/gesture.h"
+#include "ui/widgets/input_guard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,9 @@ NoiseCanvas::NoiseCanvas(QWidget* parent)
 {
     setObjectName(QStringLiteral("noiseCanvas"));
     setAccessibleName(tr("Noise texture"));
-    HandGuard::leaveAllButtons(*this);
-    setToolTip(tr("Wheel: zoom. Left button: move the profile line. Middle button: move the picture. Double-click: whole tile."));
+    InputGuard::leaveAllButtons(*this);
+    setToolTip(tr(
+        "Wheel: zoom. Left button: move the profile line. Middle button: move the picture. Double-click: whole tile."));
 }
 
 void NoiseCanvas::show(const NoisePicturePtr& picture)
@@ -130,7 +131,7 @@ bool NoiseCanvas::event(QEvent* event)
 void NoiseCanvas::wheelEvent(QWheelEvent* event)
 {
     const double before = m_zoom;
-    m_zoom = std::clamp(m_zoom * std::pow(kZoomOfNotch, notchesOf(*event)), kFarthest, kNearest);
+    m_zoom = std::clamp(m_zoom * std::pow(kZoomOfNotch, wheelSteps(*event)), kFarthest, kNearest);
     // What lies under the mouse stays there.
     const QPointF middle(width() / 2.0, height() / 2.0);
     const QPointF way = event->position() - middle;
@@ -181,7 +182,8 @@ void NoisePlots::paintProfile(QPainter& painter, const QRectF& area) const
         const float value = tile.at(x, row);
         low = std::min(low, value);
         high = std::max(high, value);
-        const QPointF at(area.left() + area.width() * x / std::max(1, tile.size - 1), area.bottom() - area.height() * static_cast<double>(value));
+        const QPointF at(area.left() + area.width() * x / std::max(1, tile.size - 1),
+            area.bottom() - area.height() * static_cast<double>(value));
         x == 0 ? path.moveTo(at) : path.lineTo(at);
     }
     painter.setPen(QPen(palette().highlight().color(), 1.5));
@@ -198,8 +200,10 @@ void NoisePlots::paintProfile(QPainter& painter, const QRectF& area) const
     painter.setPen(QPen(mark, 1.5));
     painter.drawLine(QLineF(area.left() + 1.0, area.bottom() - 2.0, area.left() + across, area.bottom() - 2.0));
     painter.setPen(palette().text().color());
-    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignTop | Qt::AlignRight, tr("amplitude %1").arg(formatFixed(static_cast<double>(high - low), 2)));
-    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignBottom | Qt::AlignLeft, tr("λ %1").arg(formatNumber(std::round(m_wavelength * 1000.0) / 1000.0)));
+    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignTop | Qt::AlignRight,
+        tr("amplitude %1").arg(formatFixed(static_cast<double>(high - low), 2)));
+    painter.drawText(area.adjusted(4.0, 2.0, -4.0, -4.0), Qt::AlignBottom | Qt::AlignLeft,
+        tr("λ %1").arg(formatNumber(std::round(m_wavelength * 1000.0) / 1000.0)));
 }
 
 void NoisePlots::paintHistogram(QPainter& painter, const QRectF& area) const
@@ -211,7 +215,9 @@ void NoisePlots::paintHistogram(QPainter& painter, const QRectF& area) const
     bar.setAlpha(150);
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const double height = area.height() * bins[i] / most;
-        painter.fillRect(QRectF(area.left() + width * static_cast<double>(i), area.bottom() - height, std::max(1.0, width - 0.5), height), bar);
+        painter.fillRect(QRectF(area.left() + width * static_cast<double>(i), area.bottom() - height,
+                             std::max(1.0, width - 0.5), height),
+            bar);
     }
 }
 

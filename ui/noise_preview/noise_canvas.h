@@ -51,7 +51,8 @@ private:
     } m_before; ///< the drag
 };
 
-/// Figure 4 of the 2012 model: the profile of the noise along a line, with amplitude and wavelength marked; and its histogram.
+/// Figure 4 of the 2012 model: the profile of the noise along a line, with amplitude and wavelength marked; and its
+/// histogram.
 class NoisePlots : public QWidget {
     Q_OBJECT
 

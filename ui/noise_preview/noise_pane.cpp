@@ -2,7 +2,7 @@
 
 #include "ui/document/text.h"
 #include "ui/document/number_text.h"
-#include "ui/face/icons.h"
+#include "ui/theme/icons.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -41,7 +41,8 @@ void NoisePane::build()
     m_channel->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_channel->setMinimumContentsLength(3);
     m_channel->addItems({tr("Texture"), tr("Sum of octaves"), tr("Alpha of a particle")});
-    m_channel->setToolTip(tr("What is shown: the grey values that particles read, the noise before sharpness, or what is left under the mask of a particle"));
+    m_channel->setToolTip(tr("What is shown: the grey values that particles read, the noise before sharpness, or what "
+                             "is left under the mask of a particle"));
     m_slice->setObjectName(QStringLiteral("noiseSlice"));
     m_slice->setAccessibleName(tr("Slice"));
     m_slice->setToolTip(tr("Which slice of the 3D noise; particles go through them as they age"));
@@ -72,11 +73,14 @@ QHBoxLayout* NoisePane::makeBar()
     bar->setSpacing(2);
     bar->addWidget(m_channel, 1);
     m_plain = addToggle(QStringLiteral("noisePlain"), QStringLiteral("compare"), tr("Without smoothing and sharpness"));
-    m_tiled = addToggle(QStringLiteral("noiseTiled"), QStringLiteral("tiles"), tr("Three by three tiles, to judge the seams"));
-    m_profile = addToggle(QStringLiteral("noiseProfile"), QStringLiteral("profile"), tr("Profile along a line, with amplitude and wavelength"));
+    m_tiled = addToggle(
+        QStringLiteral("noiseTiled"), QStringLiteral("tiles"), tr("Three by three tiles, to judge the seams"));
+    m_profile = addToggle(QStringLiteral("noiseProfile"), QStringLiteral("profile"),
+        tr("Profile along a line, with amplitude and wavelength"));
     m_profile->setChecked(true);
     m_animate = addToggle(QStringLiteral("noiseAnimate"), QStringLiteral("play"), tr("Go through the slices"));
-    QToolButton* save = makeIconButton(this, QStringLiteral("noiseExport"), QStringLiteral("export"), tr("Export the noise texture…"));
+    QToolButton* save =
+        makeIconButton(this, QStringLiteral("noiseExport"), QStringLiteral("export"), tr("Export the noise texture…"));
     save->setAccessibleName(tr("Export the noise texture"));
     for (QToolButton* button : {m_plain, m_tiled, m_profile, m_animate, save}) {
         bar->addWidget(button);
@@ -90,8 +94,9 @@ void NoisePane::connectParts()
     m_clock.setInterval(kAnimationMs);
     connect(&m_clock, &QTimer::timeout, this, &NoisePane::advance);
     connect(&m_worker, &NoiseWorker::ready, this, &NoisePane::receive);
-    connect(&m_worker, &NoiseWorker::exhausted, this, [this] { m_facts->setText(tr("There is not enough memory for this texture.")); });
-    connect(&m_worker, &NoiseWorker::failed, this, [this](const Error& why) { m_facts->setText(told(why)); });
+    connect(&m_worker, &NoiseWorker::exhausted, this,
+        [this] { m_facts->setText(tr("There is not enough memory for this texture.")); });
+    connect(&m_worker, &NoiseWorker::failed, this, [this](const Error& why) { m_facts->setText(translated(why)); });
     connect(&m_document, &Document::effectChanged, this, &NoisePane::refresh);
     connect(m_channel, &QComboBox::currentIndexChanged, this, &NoisePane::refresh);
     connect(m_plain, &QToolButton::toggled, this, &NoisePane::refresh);
@@ -167,7 +172,9 @@ void NoisePane::receive(const NoisePicturePtr& picture)
     m_picture = picture;
     m_canvas->show(picture);
     plot();
-    m_facts->setText(tr("%1 × %1 px   mean %2   deviation %3").arg(picture->tile.size).arg(formatFixed(picture->mean, 2), formatFixed(picture->deviation, 2)));
+    m_facts->setText(tr("%1 × %1 px   mean %2   deviation %3")
+                         .arg(picture->tile.size)
+                         .arg(formatFixed(picture->mean, 2), formatFixed(picture->deviation, 2)));
     emit pictureShown();
 }
 

@@ -14,9 +14,12 @@ void applyMask(const Look& look, NoiseTile& tile)
     const auto edge = static_cast<float>(tile.size);
     for (int y = 0; y < tile.size; ++y) {
         for (int x = 0; x < tile.size; ++x) {
-            float& value = tile.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.size) + static_cast<std::size_t>(x)];
+            float& value = tile.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.size)
+                + static_cast<std::size_t>(x)];
             const float grey = 1.0F - look.texture + look.texture * value;
-            value = grey * maskAt(look, (static_cast<float>(x) + 0.5F) / edge * 2.0F - 1.0F, (static_cast<float>(y) + 0.5F) / edge * 2.0F - 1.0F);
+            value = grey
+                * maskAt(look, (static_cast<float>(x) + 0.5F) / edge * 2.0F - 1.0F,
+                    (static_cast<float>(y) + 0.5F) / edge * 2.0F - 1.0F);
         }
     }
 }

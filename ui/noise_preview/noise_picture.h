@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/work/latest_job.h"
+#include "ui/concurrency/latest_only_worker.h"
 
 #include "core/noise/texture.h"
 
@@ -32,7 +32,8 @@ struct NoiseRequest {
     [[nodiscard]] bool asksAs(const NoiseRequest& other) const
     {
         const bool sameMask = channel != NoiseChannel::Alpha || look == other.look;
-        return noise == other.noise && depth == other.depth && size == other.size && channel == other.channel && plain == other.plain && sameMask;
+        return noise == other.noise && depth == other.depth && size == other.size && channel == other.channel
+            && plain == other.plain && sameMask;
     }
 };
 
@@ -67,7 +68,7 @@ signals:
     void failed(const fumage::Error& why);
 
 private:
-    LatestJob<NoiseRequest> m_job;
+    LatestOnlyWorker<NoiseRequest> m_job;
 };
 
 } // namespace fumage::ui

@@ -22,7 +22,7 @@ AngleDial::AngleDial(QWidget* parent)
 {
     setFixedSize(sizeHint());
     setFocusPolicy(Qt::StrongFocus);
-    connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_angle, true); });
+    connect(&m_burst, &GestureTimer::ended, this, [this] { emit edited(m_angle, true); });
 }
 
 void AngleDial::setAngle(double degrees)

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "ui/face/hand.h"
+#include "ui/widgets/gesture.h"
 
 #include <QWidget>
 
 namespace fumage::ui {
 
-/// A small round dial for an angle that goes all around; 0 points right, angles grow downwards as seen from above (+Z towards the viewer).
+/// A small round dial for an angle that goes all around; 0 points right, angles grow downwards as seen from above (+Z
+/// towards the viewer).
 class AngleDial : public QWidget {
     Q_OBJECT
 
@@ -31,7 +32,7 @@ private:
 
     double m_angle = 0.0;
     bool m_turning = false;
-    Burst m_burst;
+    GestureTimer m_burst;
 };
 
 } // namespace fumage::ui

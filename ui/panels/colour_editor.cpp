@@ -31,15 +31,18 @@ glm::vec3 linearColour(const QColor& screen)
     return {channel(screen.redF()), channel(screen.greenF()), channel(screen.blueF())};
 }
 
-QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec3& before, const std::function<void(const glm::vec3&, bool)>& changed)
+QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec3& before,
+    const std::function<void(const glm::vec3&, bool)>& changed)
 {
     auto* dialog = new QColorDialog(screenColour(before), parent);
     dialog->setObjectName(QStringLiteral("colourDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
-    QObject::connect(dialog, &QColorDialog::currentColorChanged, parent, [changed](const QColor& colour) { changed(linearColour(colour), false); });
-    QObject::connect(dialog, &QColorDialog::colorSelected, parent, [changed](const QColor& colour) { changed(linearColour(colour), true); });
+    QObject::connect(dialog, &QColorDialog::currentColorChanged, parent,
+        [changed](const QColor& colour) { changed(linearColour(colour), false); });
+    QObject::connect(dialog, &QColorDialog::colorSelected, parent,
+        [changed](const QColor& colour) { changed(linearColour(colour), true); });
     QObject::connect(dialog, &QColorDialog::rejected, parent, [changed, before] { changed(before, true); });
     dialog->open();
     return *dialog;

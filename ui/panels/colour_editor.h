@@ -19,7 +19,8 @@ namespace fumage::ui {
 /// Lets a person choose a colour; changes are seen at once.
 /// @param changed called with each colour, and at the end with the one that was accepted, or with the one before
 /// @return the dialog, which deletes itself
-QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec3& before, const std::function<void(const glm::vec3&, bool finished)>& changed);
+QColorDialog& chooseColour(QWidget* parent, const QString& title, const glm::vec3& before,
+    const std::function<void(const glm::vec3&, bool finished)>& changed);
 
 /// A swatch that opens a colour dialog.
 class ColourEditor : public ParameterEditor {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMargin = 7.0;
 constexpr double kReach = 9.0;
-constexpr float kLeastGap = 0.005F; ///< between the x of neighbours
+constexpr float kMinGap = 0.005F; ///< between the x of neighbours
 
 } // namespace
 
@@ -40,7 +40,8 @@ QRectF CurveArea::area() const
 QPointF CurveArea::toScreen(const CurvePoint& point) const
 {
     const QRectF inside = area();
-    return {inside.left() + static_cast<double>(point.x) * inside.width(), inside.bottom() - static_cast<double>(point.y) * inside.height()};
+    return {inside.left() + static_cast<double>(point.x) * inside.width(),
+        inside.bottom() - static_cast<double>(point.y) * inside.height()};
 }
 
 CurvePoint CurveArea::fromScreen(const QPointF& at) const
@@ -85,8 +86,8 @@ bool CurveArea::step(int index, int right, int up)
 void CurveArea::place(int index, CurvePoint to)
 {
     const auto at = [&](int i) -> CurvePoint& { return m_curve.storage[static_cast<std::size_t>(i)]; };
-    const float low = index > 0 ? at(index - 1).x + kLeastGap : 0.0F;
-    const float high = index + 1 < m_curve.count ? at(index + 1).x - kLeastGap : 1.0F;
+    const float low = index > 0 ? at(index - 1).x + kMinGap : 0.0F;
+    const float high = index + 1 < m_curve.count ? at(index + 1).x - kMinGap : 1.0F;
     to.x = std::round(std::clamp(to.x, std::min(low, high), high) * 1000.0F) / 1000.0F;
     to.y = std::round(std::clamp(to.y, 0.0F, 1.0F) * 1000.0F) / 1000.0F;
     at(index) = to;
@@ -135,7 +136,7 @@ CurveEditor::CurveEditor(const Parameter& parameter, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_area);
-    layout->addWidget(makeHint(tr("Press to add, drag to move, Delete or right click to take away")));
+    layout->addWidget(makeHint(tr("Click to add, drag to move, Delete or right click to remove")));
     setFocusProxy(m_area);
     connect(m_area, &CurveArea::changed, this, [this](bool finished) { emit edited(m_area->curve(), finished); });
 }

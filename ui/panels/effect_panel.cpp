@@ -32,18 +32,19 @@ constexpr int kMargin = 8;
 const QString kClosed = QStringLiteral("-"); ///< before the name of a group that is folded
 
 /// What an artist needs first, once more above all groups.
-constexpr std::array kEssentials{
-    &knownParameter("look.opacity"),
-    &knownParameter("look.size"),
-    &knownParameter("look.colour"),
-    &knownParameter("life.fade_rate"),
-    &knownParameter("emitter.normal"),
-    &knownParameter("motion.wind_angle"),
-    &knownParameter("motion.gravity"),
-    &knownParameter("noise.octaves"),
-    &knownParameter("noise.sharpness"),
-    &knownParameter("timeline.loop"),
-};
+/// In their order.
+std::vector<const Parameter*> essentialParameters()
+{
+    std::vector<const Parameter*> essentials;
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.essential > 0) {
+            essentials.push_back(&parameter);
+        }
+    }
+    std::sort(essentials.begin(), essentials.end(),
+        [](const Parameter* a, const Parameter* b) { return a->essential < b->essential; });
+    return essentials;
+}
 
 } // namespace
 
@@ -112,16 +113,16 @@ QWidget* EffectPanel::makeGroups(Locks& locks)
         connect(group, &ParameterGroup::foldRequested, this, &EffectPanel::foldAll);
     };
     std::vector<ParameterRow*> essentials;
-    for (const Parameter* parameter : kEssentials) {
+    for (const Parameter* parameter : essentialParameters()) {
         essentials.push_back(new ParameterRow(*parameter, m_document, locks, content));
         essentials.back()->prefixNames(kEssentialsName + QLatin1Char('/'));
     }
     add(kEssentialsName, tr("Essentials"), std::move(essentials));
     const std::vector<const Parameter*>& all = shownParameters();
     for (auto first = all.begin(); first != all.end();) {
-        const std::string_view group = shownGroup(**first);
+        const std::string_view group = (*first)->group();
         std::vector<ParameterRow*> rows;
-        for (; first != all.end() && shownGroup(**first) == group; ++first) {
+        for (; first != all.end() && (*first)->group() == group; ++first) {
             rows.push_back(new ParameterRow(**first, m_document, locks, content));
             m_index.add(searchTextsOf(**first));
         }
@@ -174,13 +175,15 @@ void EffectPanel::filter()
     m_groups.front()->setVisible(!isSearched && !onlyChanged);
     const bool any = std::any_of(ranked.begin() + 1, ranked.end(), [](const auto& one) { return one.first > 0.0; });
     if (isSearched) { // the best on top
-        std::stable_sort(ranked.begin() + 1, ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        std::stable_sort(
+            ranked.begin() + 1, ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     }
     std::vector<ParameterGroup*> order;
     std::transform(ranked.begin(), ranked.end(), std::back_inserter(order), [](const auto& one) { return one.second; });
     arrange(*m_list, order);
     m_nothing->setVisible(!any);
-    m_nothing->setText(isSearched ? tr("No parameter is found by “%1”. Try a part of a word, or another word.").arg(text) : tr("Nothing differs from the preset."));
+    m_nothing->setText(isSearched ? tr("No parameter matches “%1”. Try a part of a word, or another word.").arg(text)
+                                  : tr("Nothing differs from the preset."));
 }
 
 void EffectPanel::showGroup(std::string_view name)
@@ -202,7 +205,7 @@ void EffectPanel::showParameter(const QString& key)
     if (editor == nullptr) {
         return;
     }
-    showGroup(shownGroup(editor->parameter()));
+    showGroup(editor->parameter().group());
     m_scroll->ensureWidgetVisible(editor);
     editor->setFocus(Qt::ShortcutFocusReason);
 }

@@ -14,8 +14,8 @@ class QVBoxLayout;
 
 namespace fumage::ui {
 
-/// All parameters of the effect, generated from the parameter table: a search field above groups that fold. On top those that an artist needs
-/// first stand once more.
+/// All parameters of the effect, generated from the parameter table: a search field above groups that fold. On top
+/// those that an artist needs first stand once more.
 class EffectPanel : public QWidget {
     Q_OBJECT
 

@@ -28,7 +28,8 @@ QImage picturedRow(const Gradient& gradient, int columns)
 {
     QImage row(std::max(1, columns), 1, QImage::Format_RGB32);
     for (int x = 0; x < row.width(); ++x) {
-        row.setPixelColor(x, 0, screenColour(gradient.at((static_cast<float>(x) + 0.5F) / static_cast<float>(row.width()))));
+        row.setPixelColor(
+            x, 0, screenColour(gradient.at((static_cast<float>(x) + 0.5F) / static_cast<float>(row.width()))));
     }
     return row;
 }
@@ -73,13 +74,15 @@ QRectF GradientBar::bar() const
 QPointF GradientBar::handle(int stop) const
 {
     const QRectF inside = bar();
-    return {inside.left() + static_cast<double>(m_gradient.storage[static_cast<std::size_t>(stop)].at) * inside.width(), inside.bottom() + kHandleHalf + 2.0};
+    return {inside.left() + static_cast<double>(m_gradient.storage[static_cast<std::size_t>(stop)].at) * inside.width(),
+        inside.bottom() + kHandleHalf + 2.0};
 }
 
 float GradientBar::positionOf(const QPointF& mouse) const
 {
     const QRectF inside = bar();
-    return std::round(static_cast<float>(std::clamp((mouse.x() - inside.left()) / inside.width(), 0.0, 1.0)) * 1000.0F) / 1000.0F;
+    return std::round(static_cast<float>(std::clamp((mouse.x() - inside.left()) / inside.width(), 0.0, 1.0)) * 1000.0F)
+        / 1000.0F;
 }
 
 int GradientBar::pointAt(const QPointF& mouse) const
@@ -117,12 +120,13 @@ void GradientBar::place(int index, float at)
 void GradientBar::colourStop(int stop)
 {
     const Gradient before = m_gradient;
-    chooseColour(this, tr("Colour of the stop"), before.storage[static_cast<std::size_t>(stop)].colour, [this, stop, before](const glm::vec3& colour, bool finished) {
-        m_gradient = before;
-        m_gradient.storage[static_cast<std::size_t>(stop)].colour = colour;
-        update();
-        emit changed(finished);
-    });
+    chooseColour(this, tr("Colour of the stop"), before.storage[static_cast<std::size_t>(stop)].colour,
+        [this, stop, before](const glm::vec3& colour, bool finished) {
+            m_gradient = before;
+            m_gradient.storage[static_cast<std::size_t>(stop)].colour = colour;
+            update();
+            emit changed(finished);
+        });
 }
 
 void GradientBar::addPointActions(QMenu& menu, int index)
@@ -161,7 +165,9 @@ void GradientBar::paintEvent(QPaintEvent*)
         const bool marked = isMarked(i);
         painter.setPen(QPen(marked ? palette().highlight().color() : palette().text().color(), marked ? 2.2 : 1.2));
         painter.setBrush(screenColour(m_gradient.storage[static_cast<std::size_t>(i)].colour));
-        const QPolygonF drop{{at.x(), at.y() - kHandleHalf - 2.0}, {at.x() + kHandleHalf - 1.0, at.y() - 2.0}, {at.x() + kHandleHalf - 1.0, at.y() + kHandleHalf}, {at.x() - kHandleHalf + 1.0, at.y() + kHandleHalf}, {at.x() - kHandleHalf + 1.0, at.y() - 2.0}};
+        const QPolygonF drop{{at.x(), at.y() - kHandleHalf - 2.0}, {at.x() + kHandleHalf - 1.0, at.y() - 2.0},
+            {at.x() + kHandleHalf - 1.0, at.y() + kHandleHalf}, {at.x() - kHandleHalf + 1.0, at.y() + kHandleHalf},
+            {at.x() - kHandleHalf + 1.0, at.y() - 2.0}};
         painter.drawPolygon(drop);
     }
 }
@@ -187,7 +193,7 @@ GradientEditor::GradientEditor(const Parameter& parameter, QWidget* parent)
     presets->setPopupMode(QToolButton::InstantPopup);
     presets->setMenu(menu);
     auto* below = new QHBoxLayout;
-    below->addWidget(makeHint(tr("Press to add, drag to move, double click for the colour, right click for more")), 1);
+    below->addWidget(makeHint(tr("Click to add, drag to move, double click for the colour, right click for more")), 1);
     below->addWidget(presets, 0, Qt::AlignTop);
     layout->addWidget(m_bar);
     layout->addLayout(below);
@@ -205,13 +211,15 @@ void GradientEditor::addActions(QMenu& menu, const QPoint& global)
 void GradientEditor::fillMenu(QMenu& menu)
 {
     for (const GradientPreset& preset : gradientPresets()) {
-        menu.addAction(iconOf(preset.gradient), nameOf(preset), this, [this, &preset] { m_bar->replace(preset.gradient); });
+        menu.addAction(
+            iconOf(preset.gradient), nameOf(preset), this, [this, &preset] { m_bar->replace(preset.gradient); });
     }
     menu.addSeparator();
     QMenu* hues = menu.addMenu(tr("Other hues"));
     for (const int degrees : {30, 60, 90, 120, 150, 180, -150, -120, -90, -60, -30}) {
         const Gradient turned = hueShifted(m_bar->gradient(), degrees);
-        hues->addAction(iconOf(turned), QStringLiteral("%1°").arg(degrees), this, [this, turned] { m_bar->replace(turned); });
+        hues->addAction(
+            iconOf(turned), QStringLiteral("%1°").arg(degrees), this, [this, turned] { m_bar->replace(turned); });
     }
     menu.addAction(tr("Reverse"), this, [this] { m_bar->replace(reversed(m_bar->gradient())); });
 }

@@ -13,14 +13,25 @@ namespace {
 
 /// Linear RGB, from what is young or hottest to what is old or coolest in the order that the bar shows.
 const std::array kPresets{
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Fire"), {{0.0F, {0.25F, 0.01F, 0.0F}}, {0.4F, {1.0F, 0.12F, 0.01F}}, {0.75F, {1.0F, 0.45F, 0.08F}}, {1.0F, {1.0F, 0.9F, 0.6F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Gas flame"), {{0.0F, {0.0F, 0.02F, 0.25F}}, {0.5F, {0.03F, 0.25F, 1.0F}}, {1.0F, {0.7F, 0.9F, 1.0F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Ice"), {{0.0F, {0.03F, 0.18F, 0.4F}}, {0.5F, {0.25F, 0.65F, 0.9F}}, {1.0F, {0.9F, 0.98F, 1.0F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Magic"), {{0.0F, {0.08F, 0.0F, 0.3F}}, {0.45F, {0.55F, 0.05F, 0.9F}}, {0.8F, {1.0F, 0.3F, 0.8F}}, {1.0F, {1.0F, 0.85F, 1.0F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Poison"), {{0.0F, {0.01F, 0.06F, 0.0F}}, {0.5F, {0.12F, 0.6F, 0.03F}}, {1.0F, {0.75F, 1.0F, 0.25F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Sunset"), {{0.0F, {0.05F, 0.02F, 0.15F}}, {0.4F, {0.5F, 0.08F, 0.2F}}, {0.75F, {1.0F, 0.35F, 0.1F}}, {1.0F, {1.0F, 0.8F, 0.35F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Soot"), {{0.0F, {0.01F, 0.01F, 0.01F}}, {0.5F, {0.08F, 0.07F, 0.065F}}, {1.0F, {0.35F, 0.33F, 0.31F}}}},
-    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "White"), {{0.0F, {1.0F, 1.0F, 1.0F}}, {1.0F, {1.0F, 1.0F, 1.0F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Fire"),
+        {{0.0F, {0.25F, 0.01F, 0.0F}}, {0.4F, {1.0F, 0.12F, 0.01F}}, {0.75F, {1.0F, 0.45F, 0.08F}},
+            {1.0F, {1.0F, 0.9F, 0.6F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Gas flame"),
+        {{0.0F, {0.0F, 0.02F, 0.25F}}, {0.5F, {0.03F, 0.25F, 1.0F}}, {1.0F, {0.7F, 0.9F, 1.0F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Ice"),
+        {{0.0F, {0.03F, 0.18F, 0.4F}}, {0.5F, {0.25F, 0.65F, 0.9F}}, {1.0F, {0.9F, 0.98F, 1.0F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Magic"),
+        {{0.0F, {0.08F, 0.0F, 0.3F}}, {0.45F, {0.55F, 0.05F, 0.9F}}, {0.8F, {1.0F, 0.3F, 0.8F}},
+            {1.0F, {1.0F, 0.85F, 1.0F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Poison"),
+        {{0.0F, {0.01F, 0.06F, 0.0F}}, {0.5F, {0.12F, 0.6F, 0.03F}}, {1.0F, {0.75F, 1.0F, 0.25F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Sunset"),
+        {{0.0F, {0.05F, 0.02F, 0.15F}}, {0.4F, {0.5F, 0.08F, 0.2F}}, {0.75F, {1.0F, 0.35F, 0.1F}},
+            {1.0F, {1.0F, 0.8F, 0.35F}}}},
+    GradientPreset{QT_TRANSLATE_NOOP("GradientPresets", "Soot"),
+        {{0.0F, {0.01F, 0.01F, 0.01F}}, {0.5F, {0.08F, 0.07F, 0.065F}}, {1.0F, {0.35F, 0.33F, 0.31F}}}},
+    GradientPreset{
+        QT_TRANSLATE_NOOP("GradientPresets", "White"), {{0.0F, {1.0F, 1.0F, 1.0F}}, {1.0F, {1.0F, 1.0F, 1.0F}}}},
 };
 
 glm::vec3 hueShifted(const glm::vec3& colour, double degrees)

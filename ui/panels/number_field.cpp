@@ -2,8 +2,8 @@
 
 #include "ui/document/number_text.h"
 #include "ui/document/text.h"
-#include "ui/face/field_keys.h"
-#include "ui/face/plain_text.h"
+#include "ui/widgets/field_keys.h"
+#include "ui/widgets/plain_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ NumberField::NumberField(const NumberScale& scale, QWidget* parent)
     // A press may become a drag: the release of a click gives the focus.
     setFocusPolicy(Qt::TabFocus);
     setContextMenuPolicy(Qt::NoContextMenu); // the row has one
-    connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_value, true); });
+    connect(&m_burst, &GestureTimer::ended, this, [this] { emit edited(m_value, true); });
     showValue();
 }
 
@@ -63,21 +63,22 @@ QString NumberField::fittingText() const
         return made;
     }();
     constexpr int kPadding = 4; // of QLineEdit, to both sides
-    const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - margins.left() - margins.right() - kPadding;
+    const int room = style()->subElementRect(QStyle::SE_LineEditContents, &option, this).width() - margins.left()
+        - margins.right() - kPadding;
     const QString whole = formatNumber(m_value, m_scale.unit);
     if (hasFocus() || room <= 0) {
         return whole;
     }
     const auto fits = [&](const QString& text) { return fontMetrics().horizontalAdvance(text) <= room; };
-    constexpr int kLeastDigits = 3;
+    constexpr int kMinDigits = 3;
     for (const Unit unit : {m_scale.unit, Unit::None}) {
-        for (int digits = kShownDigits; digits >= kLeastDigits; --digits) {
+        for (int digits = kShownDigits; digits >= kMinDigits; --digits) {
             if (const QString text = formatNumber(m_value, unit, digits); fits(text)) {
                 return text;
             }
         }
     }
-    return formatNumber(m_value, kLeastDigits);
+    return formatNumber(m_value, kMinDigits);
 }
 
 void NumberField::resizeEvent(QResizeEvent* event)
@@ -103,12 +104,15 @@ void NumberField::commitText()
     if (!isModified()) {
         return;
     }
-    const std::optional<double> number = parseNumber(text(), m_scale.unit, m_scale.whole && m_scale.hard.high >= kThousand);
+    const std::optional<double> number =
+        parseNumber(text(), m_scale.unit, m_scale.whole && m_scale.hard.high >= kThousand);
     setModified(false);
     if (!number) {
         const QString unit = toQString(unitSymbol(m_scale.unit));
         QToolTip::showText(mapToGlobal(QPoint(0, height())),
-            plainToolTip(unit.isEmpty() ? tr("“%1” is not a number.").arg(shortened(text())) : tr("“%1” is not a number in %2.").arg(shortened(text()), unit)), this);
+            plainToolTip(unit.isEmpty() ? tr("“%1” is not a number.").arg(shortened(text()))
+                                        : tr("“%1” is not a number in %2.").arg(shortened(text()), unit)),
+            this);
         showValue();
         return;
     }
@@ -191,7 +195,7 @@ void NumberField::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    stepBy(notchesOf(*event) * (event->modifiers().testFlag(Qt::ShiftModifier) ? kFine : 1.0));
+    stepBy(wheelSteps(*event) * (event->modifiers().testFlag(Qt::ShiftModifier) ? kFine : 1.0));
     event->accept();
 }
 

@@ -1,14 +1,15 @@
 #pragma once
 
-#include "ui/face/hand.h"
+#include "ui/widgets/gesture.h"
 #include "ui/panels/number_scale.h"
 
 #include <QLineEdit>
 
 namespace fumage::ui {
 
-/// A number that can be dragged sideways, typed with its unit, stepped with the arrow keys, and with the wheel while it has the focus.
-/// Shift moves finely, Ctrl snaps to tens of steps. Return takes over what was typed, Escape puts back what was there, and both leave the field.
+/// A number that can be dragged sideways, typed with its unit, stepped with the arrow keys, and with the wheel while it
+/// has the focus. Shift moves finely, Ctrl snaps to tens of steps. Return takes over what was typed, Escape puts back
+/// what was there, and both leave the field.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -43,7 +44,7 @@ private:
 
     NumberScale m_scale;
     double m_value = 0.0;
-    Burst m_burst;
+    GestureTimer m_burst;
     bool m_pressed = false;
     bool m_dragged = false;
     EndlessWay m_way{Qt::Horizontal};

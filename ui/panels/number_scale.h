@@ -23,7 +23,8 @@ struct NumberScale {
     /// A value moved by some steps: by so many times the step, or on a logarithmic scale by so many parts of the value.
     [[nodiscard]] double stepped(double value, double steps) const;
 
-    /// Within the hard range; whole where it must be; else rounded to a hundredth of the step, so that no digits appear that nobody asked for.
+    /// Within the hard range; whole where it must be; else rounded to a hundredth of the step, so that no digits appear
+    /// that nobody asked for.
     [[nodiscard]] double settled(double value) const;
 };
 

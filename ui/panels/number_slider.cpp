@@ -19,7 +19,8 @@ int positionsAStep(const NumberScale& scale)
 {
     const double steps = (scale.soft.high - scale.soft.low) / scale.step;
     constexpr double kFewSteps = 100.0;
-    return scale.logarithmic || steps > kFewSteps ? kPositions / 100 : std::max(1, static_cast<int>(std::lround(kPositions / steps)));
+    return scale.logarithmic || steps > kFewSteps ? kPositions / 100
+                                                  : std::max(1, static_cast<int>(std::lround(kPositions / steps)));
 }
 
 } // namespace
@@ -32,7 +33,7 @@ NumberSlider::NumberSlider(const NumberScale& scale, QWidget* parent)
     setSingleStep(positionsAStep(scale));
     setPageStep(singleStep() * 10);
     setFocusPolicy(Qt::StrongFocus);
-    connect(&m_burst, &Burst::ended, this, [this] { emit edited(m_number, true); });
+    connect(&m_burst, &GestureTimer::ended, this, [this] { emit edited(m_number, true); });
     connect(this, &QSlider::valueChanged, this, &NumberSlider::follow);
     connect(this, &QSlider::sliderReleased, this, [this] { emit edited(m_number, true); });
 }
@@ -82,7 +83,7 @@ void NumberSlider::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    setValue(value() + static_cast<int>(std::lround(notchesOf(*event) * singleStep())));
+    setValue(value() + static_cast<int>(std::lround(wheelSteps(*event) * singleStep())));
     event->accept();
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "ui/face/hand.h"
+#include "ui/widgets/gesture.h"
 #include "ui/panels/number_scale.h"
 
 #include <QSlider>
 
 namespace fumage::ui {
 
-/// A slider over the soft range of a number. A click goes to its place; keys and, with the focus, the wheel go by steps.
+/// A slider over the soft range of a number. A click goes to its place; keys and, with the focus, the wheel go by
+/// steps.
 class NumberSlider : public QSlider {
     Q_OBJECT
 
@@ -28,7 +29,7 @@ private:
     void follow(int position);
 
     NumberScale m_scale;
-    Burst m_burst;
+    GestureTimer m_burst;
     double m_number = 0.0;
     bool m_jumping = false; ///< a click beside the handle brings it there
 };

@@ -2,12 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
-#include "ui/panels/colour_editor.h"
-#include "ui/panels/curve_editor.h"
-#include "ui/panels/gradient_editor.h"
 #include "ui/panels/number_field.h"
-#include "ui/panels/simple_editors.h"
-#include "ui/panels/vector_editors.h"
 
 #include <QLabel>
 
@@ -44,23 +39,6 @@ QWidget* ParameterEditor::makeHint(const QString& text)
     hint->setProperty("role", QStringLiteral("hint"));
     hint->setWordWrap(true);
     return hint;
-}
-
-ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent)
-{
-    switch (parameter.kind) {
-    case Kind::Bool: return new BoolEditor(parameter, parent);
-    case Kind::Choice: return new ChoiceEditor(parameter, parent);
-    case Kind::Seed: return new SeedEditor(parameter, parent);
-    case Kind::Direction: return new DirectionEditor(parameter, parent);
-    case Kind::Vector: return new VectorEditor(parameter, parent);
-    case Kind::Colour: return new ColourEditor(parameter, parent);
-    case Kind::Curve: return new CurveEditor(parameter, parent);
-    case Kind::Gradient: return new GradientEditor(parameter, parent);
-    case Kind::Int:
-    case Kind::Float: break;
-    }
-    return new NumberEditor(parameter, parent);
 }
 
 } // namespace fumage::ui

@@ -10,7 +10,8 @@ namespace fumage::ui {
 
 class NumberField;
 
-/// The widget that shows and changes one parameter; knows nothing of the document. Its objectName is the parameter's key.
+/// The widget that shows and changes one parameter; knows nothing of the document. Its objectName is the parameter's
+/// key.
 class ParameterEditor : public QWidget {
     Q_OBJECT
 
@@ -39,8 +40,5 @@ protected:
 private:
     const Parameter& m_parameter;
 };
-
-/// @return the editor for the parameter's kind
-[[nodiscard]] ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent);
 
 } // namespace fumage::ui

@@ -6,6 +6,7 @@
 
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
+#include "core/effect/assignment.h"
 #include "core/effect/value.h"
 
 #include <algorithm>
@@ -26,7 +27,8 @@ constexpr int kMargin = 8;
 
 } // namespace
 
-ParameterGroup::ParameterGroup(const QString& name, const QString& label, std::vector<ParameterRow*> rows, Document& document, QWidget* parent)
+ParameterGroup::ParameterGroup(
+    const QString& name, const QString& label, std::vector<ParameterRow*> rows, Document& document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_heading(new QToolButton(this))
@@ -64,7 +66,9 @@ bool ParameterGroup::isOpen() const
 
 bool ParameterGroup::holdsAnyOf(const QStringList& stored) const
 {
-    return name() != kEssentialsName && std::any_of(m_rows.begin(), m_rows.end(), [&](const ParameterRow* row) { return stored.contains(toQString(row->parameter().group())); });
+    return name() != kEssentialsName && std::any_of(m_rows.begin(), m_rows.end(), [&](const ParameterRow* row) {
+        return stored.contains(toQString(row->parameter().group()));
+    });
 }
 
 void ParameterGroup::setOpen(bool open)
@@ -107,7 +111,8 @@ void ParameterGroup::showRows()
 
 void ParameterGroup::showMark()
 {
-    const bool changed = std::any_of(m_rows.begin(), m_rows.end(), [](const ParameterRow* row) { return row->isChanged(); });
+    const bool changed =
+        std::any_of(m_rows.begin(), m_rows.end(), [](const ParameterRow* row) { return row->isChanged(); });
     m_heading->setText((changed ? QStringLiteral("• ") : QString()) + m_label);
 }
 
@@ -126,8 +131,9 @@ double ParameterGroup::filter(const std::vector<double>& scores, bool onlyChange
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         ranked.emplace_back(m_scores[i], m_rows[i]);
         constexpr double kUnseen = 1e-3; // found, but of no use as the effect stands: it gives its group no place
-        const double score = !fumage::isVisible(m_rows[i]->parameter(), m_document.effect()) ? kUnseen : m_isSearched ? m_scores[i]
-                                                                                                                      : 1.0;
+        const double score = !fumage::isVisible(m_rows[i]->parameter(), m_document.effect()) ? kUnseen
+            : m_isSearched                                                                   ? m_scores[i]
+                                                                                             : 1.0;
         best = isWanted(i) ? std::max(best, score) : best;
     }
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -147,7 +153,8 @@ void ParameterGroup::copy() const
         if (&row->stored() != &parameter) {
             continue; // what it writes has a line of its own
         }
-        lines += toQString(parameter.key) + QLatin1Char('=') + toQString(formatText(parameter, parameter.get(m_document.effect())));
+        lines += toQString(parameter.key) + QLatin1Char('=')
+            + toQString(formatText(parameter, parameter.get(m_document.effect())));
     }
     QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
 }
@@ -157,7 +164,8 @@ std::vector<Assignment> ParameterGroup::pasted() const
     std::vector<Assignment> found;
     for (const QString& line : QApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
         const QString key = line.section(QLatin1Char('='), 0, 0).trimmed();
-        const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const ParameterRow* r) { return toQString(r->parameter().key) == key; });
+        const auto row = std::find_if(
+            m_rows.begin(), m_rows.end(), [&](const ParameterRow* r) { return toQString(r->parameter().key) == key; });
         if (row == m_rows.end()) {
             continue;
         }

@@ -20,7 +20,8 @@ class ParameterGroup : public QWidget {
 
 public:
     /// @param name objectName without its "group."
-    ParameterGroup(const QString& name, const QString& label, std::vector<ParameterRow*> rows, Document& document, QWidget* parent);
+    ParameterGroup(const QString& name, const QString& label, std::vector<ParameterRow*> rows, Document& document,
+        QWidget* parent);
 
     [[nodiscard]] bool isOpen() const;
     void setOpen(bool open);

@@ -1,10 +1,11 @@
+#include "ui/panels/editor_factory.h"
 #include "ui/panels/parameter_row.h"
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
-#include "ui/face/hand.h"
-#include "ui/face/icons.h"
-#include "ui/face/message_box.h"
+#include "ui/widgets/gesture.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/message_box.h"
 
 #include "core/effect/value.h"
 
@@ -126,7 +127,8 @@ void ParameterRow::showLock(bool locked)
 {
     // Few parameters are ever locked: the mark is made when it is needed.
     if (m_lock == nullptr && locked) {
-        m_lock = makeIconButton(m_label, m_editor->objectName() + QStringLiteral(".locked"), QStringLiteral("lock"), tr("Locked against randomising; press to unlock"));
+        m_lock = makeIconButton(m_label, m_editor->objectName() + QStringLiteral(".locked"), QStringLiteral("lock"),
+            tr("Locked against randomising; press to unlock"));
         constexpr QSize kMark(12, 12);
         m_lock->setIconSize(kMark);
         auto* inside = new QHBoxLayout(m_label);
@@ -163,7 +165,8 @@ bool ParameterRow::eventFilter(QObject* watched, QEvent* event)
 void ParameterRow::copy(bool asAssignment) const
 {
     const QString text = toQString(formatText(parameter(), parameter().get(m_document.effect())));
-    QApplication::clipboard()->setText(asAssignment ? QStringLiteral("--set '%1=%2'").arg(toQString(parameter().key), text) : text);
+    QApplication::clipboard()->setText(
+        asAssignment ? QStringLiteral("--set '%1=%2'").arg(toQString(parameter().key), text) : text);
 }
 
 void ParameterRow::paste()
@@ -172,7 +175,7 @@ void ParameterRow::paste()
     if (value) {
         m_document.edit(parameter(), value.value().value);
     } else {
-        MessageBox::warn(this, tr("Paste"), told(value.error()));
+        MessageBox::warn(this, tr("Paste"), translated(value.error()));
     }
 }
 
@@ -186,7 +189,8 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event)
     menu.addAction(tr("Reset to the default"), this, [this] { m_document.edit(stored(), stored().get(Effect())); });
     menu.addSeparator();
     menu.addAction(tr("Copy"), this, [this] { copy(false); });
-    menu.addAction(tr("Paste"), this, &ParameterRow::paste)->setEnabled(!QApplication::clipboard()->text().trimmed().isEmpty());
+    menu.addAction(tr("Paste"), this, &ParameterRow::paste)
+        ->setEnabled(!QApplication::clipboard()->text().trimmed().isEmpty());
     menu.addAction(tr("Copy as --set"), this, [this] { copy(true); });
     menu.addSeparator();
     QAction* lock = menu.addAction(tr("Lock against randomising"));

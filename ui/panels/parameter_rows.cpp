@@ -4,7 +4,8 @@
 
 namespace fumage::ui {
 
-ParameterRows::ParameterRows(std::span<const Parameter* const> parameters, const QString& prefix, Document& document, Locks& locks, QWidget* parent)
+ParameterRows::ParameterRows(std::span<const Parameter* const> parameters, const QString& prefix, Document& document,
+    Locks& locks, QWidget* parent)
     : QWidget(parent)
 {
     auto* layout = new QVBoxLayout(this);

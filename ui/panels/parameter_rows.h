@@ -13,7 +13,8 @@ class ParameterRows : public QWidget {
 
 public:
     /// @param prefix of all objectNames: the editors in the panel have the names without it
-    ParameterRows(std::span<const Parameter* const> parameters, const QString& prefix, Document& document, Locks& locks, QWidget* parent = nullptr);
+    ParameterRows(std::span<const Parameter* const> parameters, const QString& prefix, Document& document, Locks& locks,
+        QWidget* parent = nullptr);
 
 private:
     void sync();

@@ -10,8 +10,9 @@ class QMenu;
 
 namespace fumage::ui {
 
-/// Points along a strip, in order, for the hand: press one to drag it, press beside them for a new one, take one away with Delete or from its
-/// menu, go from one to the next with PageUp and PageDown, move one with the arrows. What a point is and how it looks says the class derived from it.
+/// Points along a strip, in order, for the hand: press one to drag it, press beside them for a new one, take one away
+/// with Delete or from its menu, go from one to the next with PageUp and PageDown, move one with the arrows. What a
+/// point is and how it looks says the class derived from it.
 class PointStrip : public QWidget {
     Q_OBJECT
 
@@ -88,7 +89,8 @@ int insertPoint(Points& points, const Point& point)
     }
     const auto begin = points.storage.begin();
     const auto end = begin + points.count;
-    const auto at = std::upper_bound(begin, end, point, [](const Point& a, const Point& b) { return placeOf(a) < placeOf(b); });
+    const auto at =
+        std::upper_bound(begin, end, point, [](const Point& a, const Point& b) { return placeOf(a) < placeOf(b); });
     std::copy_backward(at, end, end + 1);
     *at = point;
     ++points.count;

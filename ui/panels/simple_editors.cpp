@@ -2,7 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/panels/angle_dial.h"
-#include "ui/face/icons.h"
+#include "ui/theme/icons.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/number_slider.h"
 
@@ -135,7 +135,7 @@ SeedEditor::SeedEditor(const Parameter& parameter, QWidget* parent)
     auto* dice = new QToolButton(this);
     name(*dice, QStringLiteral("dice"), tr("dice"));
     dice->setIcon(themedIcon(QStringLiteral("dice")));
-    dice->setToolTip(tr("Throw the dice: another seed, another smoke of the same kind"));
+    dice->setToolTip(tr("New seed: another smoke of the same kind"));
     dice->setAutoRaise(true);
     auto* lock = new QToolButton(this);
     name(*lock, QStringLiteral("lock"), tr("lock"));
@@ -150,8 +150,10 @@ SeedEditor::SeedEditor(const Parameter& parameter, QWidget* parent)
     connect(lock, &QToolButton::toggled, dice, &QWidget::setDisabled);
     connect(lock, &QToolButton::toggled, m_field, &QWidget::setDisabled);
     setFocusProxy(m_field);
-    connect(m_field, &NumberField::edited, this, [this](double number, bool finished) { emit edited(static_cast<std::uint32_t>(number), finished); });
-    connect(dice, &QToolButton::clicked, this, [this] { emit edited(static_cast<std::uint32_t>(QRandomGenerator::global()->generate()), true); });
+    connect(m_field, &NumberField::edited, this,
+        [this](double number, bool finished) { emit edited(static_cast<std::uint32_t>(number), finished); });
+    connect(dice, &QToolButton::clicked, this,
+        [this] { emit edited(static_cast<std::uint32_t>(QRandomGenerator::global()->generate()), true); });
 }
 
 void SeedEditor::setValue(const Value& value)

@@ -60,14 +60,16 @@ YawPitch anglesOf(const glm::vec3& direction, double yawWhereVertical)
     const double z = static_cast<double>(direction.z);
     const double level = std::hypot(x, z);
     constexpr double kVertical = 1e-6;
-    return {level > kVertical ? glm::degrees(std::atan2(z, x)) : yawWhereVertical, glm::degrees(std::atan2(static_cast<double>(direction.y), level))};
+    return {level > kVertical ? glm::degrees(std::atan2(z, x)) : yawWhereVertical,
+        glm::degrees(std::atan2(static_cast<double>(direction.y), level))};
 }
 
 glm::vec3 directionOf(const YawPitch& angles)
 {
     const double yaw = glm::radians(angles.yaw);
     const double pitch = glm::radians(angles.pitch);
-    return {static_cast<float>(std::cos(pitch) * std::cos(yaw)), static_cast<float>(std::sin(pitch)), static_cast<float>(std::cos(pitch) * std::sin(yaw))};
+    return {static_cast<float>(std::cos(pitch) * std::cos(yaw)), static_cast<float>(std::sin(pitch)),
+        static_cast<float>(std::cos(pitch) * std::sin(yaw))};
 }
 
 VectorEditor::VectorEditor(const Parameter& parameter, QWidget* parent)
@@ -107,7 +109,8 @@ DirectionEditor::DirectionEditor(const Parameter& parameter, QWidget* parent)
         NumberField* field = addField(kNames[static_cast<std::size_t>(i)], kNames[static_cast<std::size_t>(i)]);
         m_fields[static_cast<std::size_t>(i)] = field;
         components->addWidget(field, 1);
-        connect(field, &NumberField::edited, this, [this, i](double number, bool finished) { setComponent(i, number, finished); });
+        connect(field, &NumberField::edited, this,
+            [this, i](double number, bool finished) { setComponent(i, number, finished); });
     }
     grid->addLayout(components, 0, 0, 1, 3);
     m_yaw = addAngle(QStringLiteral("yaw"), tr("Yaw"), yawScale(), *grid, 1);
@@ -126,7 +129,8 @@ DirectionEditor::DirectionEditor(const Parameter& parameter, QWidget* parent)
     setFocusProxy(m_fields[0]);
 }
 
-DirectionEditor::Angle DirectionEditor::addAngle(const QString& suffix, const QString& label, const NumberScale& scale, QGridLayout& grid, int row)
+DirectionEditor::Angle DirectionEditor::addAngle(
+    const QString& suffix, const QString& label, const NumberScale& scale, QGridLayout& grid, int row)
 {
     const Angle angle{new NumberSlider(scale, this), new NumberField(scale, this)};
     name(*angle.slider, suffix + QStringLiteral(".slider"), label);

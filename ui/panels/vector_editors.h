@@ -38,7 +38,8 @@ private:
         NumberSlider* slider;
         NumberField* field;
     };
-    [[nodiscard]] Angle addAngle(const QString& suffix, const QString& label, const NumberScale& scale, QGridLayout& grid, int row);
+    [[nodiscard]] Angle addAngle(
+        const QString& suffix, const QString& label, const NumberScale& scale, QGridLayout& grid, int row);
     void setComponent(int index, double number, bool finished);
     void setAngles(double yaw, double pitch, bool finished);
     void change(const glm::vec3& value, bool finished);

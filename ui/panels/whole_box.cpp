@@ -22,7 +22,8 @@ std::optional<int> WholeBox::read(const QString& text) const
     if (!value) {
         return std::nullopt;
     }
-    return static_cast<int>(std::lround(std::clamp(*value, static_cast<double>(minimum()), static_cast<double>(maximum()))));
+    return static_cast<int>(
+        std::lround(std::clamp(*value, static_cast<double>(minimum()), static_cast<double>(maximum()))));
 }
 
 int WholeBox::valueFromText(const QString& text) const

@@ -16,7 +16,7 @@ constexpr qint64 kSendMs = 50;
 LibraryPreset readEntry(const LibraryEntry& entry)
 {
     LibraryPreset read{entry, {}, {}};
-    const auto fail = [&](const Error& why) { read.trouble = told(why); };
+    const auto fail = [&](const Error& why) { read.trouble = translated(why); };
     // One that cannot be read costs no other.
     runGuarded(
         [&] {
@@ -32,7 +32,9 @@ LibraryPreset readEntry(const LibraryEntry& entry)
 LibraryReader::LibraryReader(QObject* parent)
     : QObject(parent)
     , m_job([this](quint64 number, const std::stop_token& stop) { work(number, stop); },
-          [this](quint64 number, const Error& why) { send(number, {{{}, {}, told(why)}}, true); })
+          [this](quint64 number, const Error& why) {
+              send(number, {{{}, {}, translated(why)}}, true);
+          })
 {
 }
 
@@ -66,7 +68,8 @@ void LibraryReader::work(quint64 number, const std::stop_token& stop)
 void LibraryReader::send(quint64 number, std::vector<LibraryPreset> presets, bool first)
 {
     QMetaObject::invokeMethod(
-        this, [this, number, presets = std::move(presets), first] {
+        this,
+        [this, number, presets = std::move(presets), first] {
             if (number == m_newest) {
                 emit found(presets, first);
             }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/work/latest_job.h"
+#include "ui/concurrency/latest_only_worker.h"
 
 #include "core/preset/library.h"
 
@@ -18,7 +18,8 @@ struct LibraryPreset {
     QString trouble; ///< why it cannot be read; empty where it was
 };
 
-/// Reads the library on a thread of its own: a folder of the user's may hold anything, and the window is not to wait for it.
+/// Reads the library on a thread of its own: a folder of the user's may hold anything, and the window is not to wait
+/// for it.
 class LibraryReader : public QObject {
     Q_OBJECT
 
@@ -38,7 +39,7 @@ private:
     void send(quint64 number, std::vector<LibraryPreset> presets, bool first);
 
     quint64 m_newest = 0;
-    LatestJob<quint64> m_job;
+    LatestOnlyWorker<quint64> m_job;
 };
 
 } // namespace fumage::ui

@@ -1,8 +1,8 @@
 #include "ui/presets/preset_browser.h"
 
 #include "ui/document/text.h"
-#include "ui/face/icons.h"
-#include "ui/face/message_box.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/message_box.h"
 
 #include <QFile>
 #include <QHBoxLayout>
@@ -22,7 +22,8 @@ constexpr int kThumbnail = 104;
 PresetBrowser::PresetBrowser(QWidget* parent)
     : QWidget(parent)
     , m_search(new QLineEdit(this))
-    , m_onlyFavourites(makeIconButton(this, QStringLiteral("onlyFavourites"), QStringLiteral("star"), tr("Favourites only")))
+    , m_onlyFavourites(
+          makeIconButton(this, QStringLiteral("onlyFavourites"), QStringLiteral("star"), tr("Favourites only")))
     , m_list(new PresetList(kThumbnail, this))
 {
     setObjectName(QStringLiteral("presetBrowser"));
@@ -65,7 +66,8 @@ void PresetBrowser::remove(const QString& path)
         return;
     }
     if (!QFile::moveToTrash(path)) {
-        MessageBox::warn(this, tr("Delete the preset"), tr("“%1” cannot be moved to the trash. Delete the file by hand.").arg(path));
+        MessageBox::warn(
+            this, tr("Delete the preset"), tr("“%1” cannot be moved to the trash. Delete the file by hand.").arg(path));
     }
     m_list->reload();
 }
@@ -82,10 +84,11 @@ void PresetBrowser::showMenu(const QPoint& at)
     if (preset != nullptr) {
         // Copies: while the menu is open the list may be filled anew.
         menu.addAction(tr("Open"), this, [this, preset = *preset] { emit opened(preset); });
-        menu.addAction(tr("Put into this document"), this, [this, preset = *preset] { emit applied(preset); });
+        menu.addAction(tr("Apply to this document"), this, [this, preset = *preset] { emit applied(preset); });
         const QString id = m_list->idOf(item);
         const bool favourite = m_favourites.contains(id);
-        menu.addAction(favourite ? tr("No longer a favourite") : tr("Make a favourite"), this, [this, id, favourite] { emit favouriteChanged(id, !favourite); });
+        menu.addAction(favourite ? tr("No longer a favourite") : tr("Make a favourite"), this,
+            [this, id, favourite] { emit favouriteChanged(id, !favourite); });
     }
     if (!entry->path.empty()) {
         menu.addSeparator();

@@ -1,7 +1,7 @@
 #include "ui/presets/preset_list.h"
 
 #include "ui/document/text.h"
-#include "ui/face/plain_text.h"
+#include "ui/widgets/plain_text.h"
 
 #include <algorithm>
 
@@ -24,7 +24,8 @@ QString idOfEntry(const LibraryEntry& entry)
 /// A text of a preset; those of built-in ones in the language of the user.
 QString textOf(const LibraryPreset& shelf, const std::string& text)
 {
-    return shelf.entry.path.empty() && !text.empty() ? QCoreApplication::translate("Presets", text.c_str()) : toQString(text);
+    return shelf.entry.path.empty() && !text.empty() ? QCoreApplication::translate("Presets", text.c_str())
+                                                     : toQString(text);
 }
 
 QString nameOf(const LibraryPreset& shelf)
@@ -50,7 +51,8 @@ PresetList::PresetList(int edge, QWidget* parent)
     setUniformItemSizes(true);
     setDragEnabled(true);
     setSpacing(2);
-    connect(&m_reader, &LibraryReader::found, this, qOverload<const std::vector<LibraryPreset>&, bool>(&PresetList::add));
+    connect(
+        &m_reader, &LibraryReader::found, this, qOverload<const std::vector<LibraryPreset>&, bool>(&PresetList::add));
     connect(&m_thumbnailer, &Thumbnailer::ready, this, &PresetList::receive);
     connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         if (const Preset* preset = presetOf(item)) {
@@ -120,7 +122,8 @@ void PresetList::label(QListWidgetItem& item) const
     const LibraryPreset* shelf = shelfOf(&item);
     const QString name = shortened(nameOf(*shelf));
     const bool favourite = m_favourites.contains(idOf(&item));
-    item.setText((favourite ? QStringLiteral("★ ") : QString()) + name + (shelf->trouble.isEmpty() ? QString() : tr(" (broken)")));
+    item.setText((favourite ? QStringLiteral("★ ") : QString()) + name
+        + (shelf->trouble.isEmpty() ? QString() : tr(" (broken)")));
 }
 
 void PresetList::receive(const QString& id, const QImage& image)
@@ -184,7 +187,8 @@ void PresetList::paintEvent(QPaintEvent* event)
         constexpr int kMargin = 12;
         QPainter painter(viewport());
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(viewport()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, remark);
+        painter.drawText(viewport()->rect().adjusted(kMargin, kMargin, -kMargin, -kMargin),
+            Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, remark);
     }
 }
 
@@ -201,14 +205,16 @@ QString PresetList::emptyRemark() const
     if (m_onlyFavourites && m_favourites.isEmpty()) {
         return tr("There are no favourites yet: the menu of a preset makes it one.");
     }
-    return tr("No preset speaks of “%1”.").arg(shortened(m_words.join(QLatin1Char(' '))));
+    return tr("No preset matches “%1”.").arg(shortened(m_words.join(QLatin1Char(' '))));
 }
 
 bool PresetList::isWanted(const QListWidgetItem& item) const
 {
     const LibraryPreset& shelf = *shelfOf(&item);
-    const QString text = item.text() + QLatin1Char(' ') + textOf(shelf, shelf.preset.description) + QLatin1Char(' ') + toQString(shelf.preset.name + ' ' + shelf.preset.description);
-    const bool found = std::all_of(m_words.begin(), m_words.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    const QString text = item.text() + QLatin1Char(' ') + textOf(shelf, shelf.preset.description) + QLatin1Char(' ')
+        + toQString(shelf.preset.name + ' ' + shelf.preset.description);
+    const bool found = std::all_of(
+        m_words.begin(), m_words.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
     return found && (!m_onlyFavourites || m_favourites.contains(idOf(&item)));
 }
 

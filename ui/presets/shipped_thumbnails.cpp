@@ -1,6 +1,6 @@
 #include "ui/presets/shipped_thumbnails.h"
 
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -51,7 +51,9 @@ QImage shippedThumbnail(const Effect& effect, int edge)
 {
     const QString file = shippedFiles().value(contentsOf(effect));
     const QImage image = file.isEmpty() ? QImage() : QImage(file);
-    return image.isNull() ? image : image.scaled(edge, edge, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
+    return image.isNull() ? image
+                          : image.scaled(edge, edge, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                                .convertToFormat(QImage::Format_RGB32);
 }
 
 } // namespace fumage::ui

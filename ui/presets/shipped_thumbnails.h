@@ -8,8 +8,9 @@
 
 namespace fumage::ui {
 
-// Pictures of the built-in presets that the program brings along, so that a first start has them at once. They are found by the contents of the preset: one
-// that has changed since its picture was made has none until `./dev thumbnails` makes it.
+// Pictures of the built-in presets that the program brings along, so that a first start has them at once. They are
+// found by the contents of the preset: one that has changed since its picture was made has none until `./dev
+// thumbnails` makes it.
 
 inline constexpr int kShippedThumbnailEdge = 256; ///< pixels
 

@@ -1,7 +1,7 @@
 #include "ui/presets/start_dialog.h"
 
 #include "ui/document/text.h"
-#include "ui/face/plain_text.h"
+#include "ui/widgets/plain_text.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -43,12 +43,12 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     , m_again(new QCheckBox(tr("Show this when Fumage starts"), this))
 {
     setObjectName(QStringLiteral("startDialog"));
-    setWindowTitle(tr("Begin with a smoke"));
+    setWindowTitle(tr("Start from a preset"));
     auto* list = new PresetList(kThumbnail, this);
     QListWidget* files = makeRecent(recentFiles, this);
     auto* open = new QPushButton(tr("Open a file…"), this);
     open->setObjectName(QStringLiteral("startOpen"));
-    auto* empty = new QPushButton(tr("The default smoke"), this);
+    auto* empty = new QPushButton(tr("New smoke"), this);
     empty->setObjectName(QStringLiteral("startDefault"));
     empty->setDefault(true);
     m_again->setObjectName(QStringLiteral("startAgain"));

@@ -1,6 +1,6 @@
 #include "ui/presets/thumbnail_store.h"
 
-#include "core/preset/preset.h"
+#include "core/preset/preset_file.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -14,7 +14,8 @@ namespace fumage::ui {
 
 QDir ThumbnailStore::usualFolder()
 {
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/fumage/thumbnails"));
+    return QDir(
+        QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/fumage/thumbnails"));
 }
 
 QString ThumbnailStore::pathOf(const Effect& effect, int edge) const
@@ -24,7 +25,8 @@ QString ThumbnailStore::pathOf(const Effect& effect, int edge) const
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(formatPreset(preset)));
     hash.addData(QByteArray::number(edge));
-    hash.addData(QByteArray::number(QFileInfo(QCoreApplication::applicationFilePath()).lastModified().toMSecsSinceEpoch()));
+    hash.addData(
+        QByteArray::number(QFileInfo(QCoreApplication::applicationFilePath()).lastModified().toMSecsSinceEpoch()));
     return m_folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
 }
 

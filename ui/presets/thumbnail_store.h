@@ -7,8 +7,9 @@
 
 namespace fumage::ui {
 
-/// Small pictures of effects, kept on disk from one start to the next. What is asked for is found by its content: an effect that is changed,
-/// another size or another build of the program are other pictures. Several programs may use one folder at a time.
+/// Small pictures of effects, kept on disk from one start to the next. What is asked for is found by its content: an
+/// effect that is changed, another size or another build of the program are other pictures. Several programs may use
+/// one folder at a time.
 class ThumbnailStore {
 public:
     /// @param folder made when something is put in

@@ -1,6 +1,6 @@
 #include "ui/presets/thumbnailer.h"
 
-#include "ui/pictures/studio.h"
+#include "ui/preview/preview_renderer.h"
 #include "ui/presets/shipped_thumbnails.h"
 
 #include "core/effect/sampling.h"
@@ -13,15 +13,19 @@ namespace {
 
 /// Enough for a picture of a hand's width, few enough for a dozen of them in a second.
 constexpr int kParticles = 16000;
-/// Of the air, along its longest side: another flow than the whole, but of the same kind, in half a second instead of many.
+/// Of the air, along its longest side: another flow than the whole, but of the same kind, in half a second instead of
+/// many.
 constexpr int kAirCells = 32;
 
 /// A burst is at its best soon after it, steady smoke when it has been rising for a while.
 int tellingFrame(const Effect& effect)
 {
     const double life = static_cast<double>(effect.life.initialAlpha / effect.life.fadeRate);
-    const double seconds = effect.emitter.mode == EmissionMode::Burst ? std::min(0.4 * life, static_cast<double>(effect.emitter.burstDuration) + 0.8) : life;
-    return std::clamp(static_cast<int>(seconds * effect.timeline.frameRate), 0, std::max(0, effect.timeline.length - 1));
+    const double seconds = effect.emitter.mode == EmissionMode::Burst
+        ? std::min(0.4 * life, static_cast<double>(effect.emitter.burstDuration) + 0.8)
+        : life;
+    return std::clamp(
+        static_cast<int>(seconds * effect.timeline.frameRate), 0, std::max(0, effect.timeline.length - 1));
 }
 
 } // namespace
@@ -32,12 +36,12 @@ QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& st
     preview.output.width = edge;
     preview.output.height = edge;
     preview.air.resolution = std::min(preview.air.resolution, kAirCells);
-    PictureRequest request;
+    RenderRequest request;
     request.effect = std::make_shared<const Effect>(preview);
     request.frame = tellingFrame(preview);
     request.width = edge;
     request.height = edge;
-    const PicturePtr picture = Studio().make(request, stop);
+    const PicturePtr picture = PreviewRenderer().make(request, stop);
     return picture ? picture->image : QImage();
 }
 
@@ -55,8 +59,8 @@ bool showsSomething(const QImage& image)
     }
     const double count = std::max(1.0, static_cast<double>(grey.width()) * grey.height());
     const double mean = sum / count;
-    constexpr double kLeastDeviation = 3.0; // of 255: less is not seen at this size
-    return squares / count - mean * mean > kLeastDeviation * kLeastDeviation;
+    constexpr double kMinDeviation = 3.0; // of 255: less is not seen at this size
+    return squares / count - mean * mean > kMinDeviation * kMinDeviation;
 }
 
 Thumbnailer::Thumbnailer(std::optional<ThumbnailStore> store, QObject* parent)
@@ -80,7 +84,9 @@ void Thumbnailer::request(const QString& name, const Effect& effect, int edge)
     } else {
         // What is at hand does not wait for what has to be rendered.
         const bool isAtHand = isThumbnailShipped(effect);
-        const auto place = isAtHand ? std::find_if(m_jobs.begin(), m_jobs.end(), [](const Job& job) { return !job.isAtHand; }) : m_jobs.end();
+        const auto place = isAtHand
+            ? std::find_if(m_jobs.begin(), m_jobs.end(), [](const Job& job) { return !job.isAtHand; })
+            : m_jobs.end();
         m_jobs.insert(place, {name, effect, edge, isAtHand});
     }
     m_wake.notify_one();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/presets/thumbnail_store.h"
-#include "ui/work/guarded_thread.h"
+#include "ui/concurrency/guarded_thread.h"
 
 #include <QImage>
 #include <QObject>

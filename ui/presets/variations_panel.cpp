@@ -1,6 +1,6 @@
 #include "ui/presets/variations_panel.h"
 
-#include "ui/face/icons.h"
+#include "ui/theme/icons.h"
 
 #include "core/effect/parameter_table.h"
 #include "core/effect/variation.h"
@@ -20,7 +20,7 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr int kLeastEdge = 88;
+constexpr int kMinEdge = 88;
 constexpr int kLargestEdge = 256;
 constexpr int kAttempts = 5; ///< for a cell; the last goes a 16th of the way
 constexpr int kLargestAmount = 40; ///< percent of the soft range
@@ -72,7 +72,7 @@ QHBoxLayout* VariationsPanel::makeBar()
 {
     m_back->setObjectName(QStringLiteral("variations.back"));
     m_back->setIcon(themedIcon(QStringLiteral("back")));
-    m_back->setToolTip(tr("Back to the smoke before this one"));
+    m_back->setToolTip(tr("Previous variation"));
     m_back->setAccessibleName(m_back->toolTip());
     auto* dice = new QToolButton(this);
     dice->setObjectName(QStringLiteral("variations.dice"));
@@ -119,7 +119,8 @@ void VariationsPanel::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     constexpr int kAround = 16; // a picture: frame and gap
     constexpr int kOther = 110; // above and below all of them
-    const int edge = std::clamp(std::min((width() - kAround) / kColumns, (height() - kOther) / kColumns) - kAround, kLeastEdge, kLargestEdge);
+    const int edge = std::clamp(
+        std::min((width() - kAround) / kColumns, (height() - kOther) / kColumns) - kAround, kMinEdge, kLargestEdge);
     if (edge == m_edge) {
         return;
     }
@@ -153,7 +154,8 @@ void VariationsPanel::fill()
     for (const Parameter& parameter : parameterTable()) {
         locked += m_locks.contains(parameter) ? 1 : 0;
     }
-    m_locked->setText(locked == 0 ? tr("Lock parameters in their context menu to keep them as they are.") : tr("Locked parameters, which stay as they are: %1").arg(locked));
+    m_locked->setText(locked == 0 ? tr("Lock parameters in their context menu to keep them as they are.")
+                                  : tr("Locked parameters, which stay as they are: %1").arg(locked));
     for (int i = 0; i < kCells; ++i) {
         propose(i, 0);
     }

@@ -18,8 +18,8 @@ class QToolButton;
 
 namespace fumage::ui {
 
-/// Nine neighbours of the smoke, the present one in the middle: click to adopt one, and they become its neighbours; back through the
-/// ones that were adopted. The answer to parameters that are hard to manipulate one by one.
+/// Nine neighbours of the smoke, the present one in the middle: click to adopt one, and they become its neighbours;
+/// back through the ones that were adopted. The answer to parameters that are hard to manipulate one by one.
 class VariationsPanel : public QWidget {
     Q_OBJECT
 

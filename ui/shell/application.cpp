@@ -1,6 +1,6 @@
 #include "ui/shell/application.h"
 
-#include "ui/face/language.h"
+#include "ui/theme/language.h"
 #include "ui/shell/end_signals.h"
 #include "ui/shell/guarded_application.h"
 #include "ui/shell/help.h"
@@ -122,8 +122,8 @@ std::optional<int> checkDisplay(int argc, char** argv)
         qputenv("QT_QPA_PLATFORM", "offscreen");
         return std::nullopt;
     }
-    std::fputs(
-        "fumage: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set). Start it on a desktop, or use fumage-cli, which needs none\n",
+    std::fputs("fumage: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set). Start it on a desktop, or "
+               "use fumage-cli, which needs none\n",
         stderr);
     return kFailure;
 }
@@ -162,8 +162,11 @@ int run(int argc, char** argv)
     parser.setApplicationDescription(QCoreApplication::translate("main", "An editor for smoke."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("files"), QCoreApplication::translate("main", "Presets to open, each in a window of its own."), QStringLiteral("[files...]"));
-    const QCommandLineOption keys(QStringLiteral("keys"), QCoreApplication::translate("main", "Prints the keyboard shortcuts."));
+    parser.addPositionalArgument(QStringLiteral("files"),
+        QCoreApplication::translate("main", "Presets to open, each in a window of its own."),
+        QStringLiteral("[files...]"));
+    const QCommandLineOption keys(
+        QStringLiteral("keys"), QCoreApplication::translate("main", "Prints the keyboard shortcuts."));
     parser.addOption(keys);
     parser.process(application);
     if (parser.isSet(keys)) {
@@ -186,7 +189,8 @@ int run(int argc, char** argv)
 int runEditor(int argc, char** argv)
 {
     keepHeapSmall();
-    // Nothing is caught here: then nothing is unwound either, and a window that is half built, without memory, is not torn down.
+    // Nothing is caught here: then nothing is unwound either, and a window that is half built, without memory, is not
+    // torn down.
     std::set_terminate(endByException);
     const std::optional<int> end = checkDisplay(argc, argv);
     return end ? *end : run(argc, argv);

@@ -81,19 +81,23 @@ void CommandSearch::addCommands()
         if (spec.kind == ActionKind::Submenu) {
             for (QAction* choice : m_actions.submenu(spec.id).actions()) {
                 const QString name = choice->text().remove(QLatin1Char('&'));
-                add(fullName(spec) + QStringLiteral(": ") + name, {name, texts.synonyms, texts.name, texts.group}, [choice] { choice->trigger(); });
+                add(fullName(spec) + QStringLiteral(": ") + name, {name, texts.synonyms, texts.name, texts.group},
+                    [choice] { choice->trigger(); });
             }
             continue;
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        add(fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys), texts, [&action] { action.trigger(); });
+        add(fullName(spec) + (keys.isEmpty() ? QString() : QStringLiteral("    ") + keys), texts,
+            [&action] { action.trigger(); });
     }
 }
 
 void CommandSearch::addParameters()
 {
     for (const Parameter* parameter : shownParameters()) {
-        add(fullLabelOf(*parameter), searchTextsOf(*parameter), [this, key = toQString(parameter->key)] { emit parameterChosen(key); })->setToolTip(toolTipOf(*parameter));
+        add(fullLabelOf(*parameter), searchTextsOf(*parameter), [this, key = toQString(parameter->key)] {
+            emit parameterChosen(key);
+        })->setToolTip(toolTipOf(*parameter));
     }
 }
 
@@ -101,7 +105,8 @@ void CommandSearch::addPresets()
 {
     for (const auto& shelf : {builtinPresets(), presetsIn(userPresetFolder())}) {
         for (const LibraryEntry& entry : shelf) {
-            add(tr("Preset: %1").arg(toQString(entry.id)), {toQString(entry.id), {}, tr("Presets"), {}}, [this, entry] { emit presetChosen(entry); });
+            add(tr("Preset: %1").arg(toQString(entry.id)), {toQString(entry.id), {}, tr("Presets"), {}},
+                [this, entry] { emit presetChosen(entry); });
         }
     }
 }
@@ -114,7 +119,9 @@ void CommandSearch::filter(const QString& text)
     while (m_list->count() > 0) {
         items.push_back(m_list->takeItem(m_list->count() - 1));
     }
-    const auto place = [](const QListWidgetItem* item) { return static_cast<std::size_t>(item->data(kPlaceRole).toInt()); };
+    const auto place = [](const QListWidgetItem* item) {
+        return static_cast<std::size_t>(item->data(kPlaceRole).toInt());
+    };
     const auto isBetter = [&](const QListWidgetItem* a, const QListWidgetItem* b) {
         const auto [left, right] = isSearched ? std::pair(scores[place(a)], scores[place(b)]) : std::pair(0.0, 0.0);
         return left != right ? left > right : place(a) < place(b);
@@ -129,7 +136,7 @@ void CommandSearch::filter(const QString& text)
     }
     m_list->setCurrentRow(first);
     m_nothing->setVisible(first < 0);
-    m_nothing->setText(tr("Nothing is found by “%1”. Try a part of a word, or another word.").arg(text));
+    m_nothing->setText(tr("No results for “%1”. Try a part of a word, or another word.").arg(text));
 }
 
 void CommandSearch::choose()

@@ -16,9 +16,9 @@ Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& 
     , m_hold(actions.get("compare.hold"))
     , m_other(document.effect())
 {
-    actions.on("compare.remember", this, &Comparison::putAside);
-    actions.on("compare.adopt", this, [this] { m_document.replaceEffect(m_other, tr("Adopt B")); });
-    connect(&m_document, &Document::loaded, this, &Comparison::putAside);
+    actions.on("compare.remember", this, &Comparison::setReference);
+    actions.on("compare.adopt", this, [this] { m_document.replaceEffect(m_other, tr("Replace A with B")); });
+    connect(&m_document, &Document::loaded, this, &Comparison::setReference);
     connect(&m_split, &QAction::toggled, this, &Comparison::show);
     connect(&m_hold, &QAction::toggled, this, &Comparison::show);
     m_hold.setAutoRepeat(false);
@@ -32,7 +32,7 @@ Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& 
     });
 }
 
-void Comparison::putAside()
+void Comparison::setReference()
 {
     m_other = m_document.effect();
     show();
@@ -46,7 +46,8 @@ void Comparison::show()
 
 void Comparison::beginHold()
 {
-    // Widgets may keep the release of a key to themselves, whichever has the focus by then: their window sees it before them.
+    // Widgets may keep the release of a key to themselves, whichever has the focus by then: their window sees it before
+    // them.
     m_heldIn = QGuiApplication::focusWindow();
     if (m_heldIn) {
         m_heldIn->installEventFilter(this);

@@ -13,8 +13,9 @@ namespace fumage::ui {
 class ActionSet;
 class Viewport;
 
-/// The document (A) beside an effect that was put aside (B): both side by side, or B alone. The key of B switches when it is tapped,
-/// and shows B for a moment when it is held. B is the document as it was opened until another effect is put aside.
+/// The document (A) beside an effect that was put aside (B): both side by side, or B alone. The key of B switches when
+/// it is tapped, and shows B for a moment when it is held. B is the document as it was opened until another effect is
+/// put aside.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -30,7 +31,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void putAside();
+    void setReference();
     void show();
     void beginHold();
     void endHold();

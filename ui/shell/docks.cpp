@@ -36,8 +36,8 @@ public:
 
     QSize minimumSizeHint() const override
     {
-        constexpr int kLeast = 120;
-        return {widget()->minimumSizeHint().width(), kLeast};
+        constexpr int kMin = 120;
+        return {widget()->minimumSizeHint().width(), kMin};
     }
     QSize sizeHint() const override { return widget()->sizeHint(); }
 };
@@ -61,7 +61,8 @@ Docks::Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue&
     , m_parameters(makeDock(QStringLiteral("dock.parameters"), tr("Parameters"), m_effectPanel))
     , m_noise(makeDock(QStringLiteral("dock.noise"), tr("Noise"), new LowPanel(m_noisePane)))
     , m_history(makeDock(QStringLiteral("dock.history"), tr("History"), new HistoryView(document.undoStack())))
-    , m_variations(makeDock(QStringLiteral("dock.variations"), tr("Variations"), new LowPanel(new VariationsPanel(document, locks))))
+    , m_variations(makeDock(
+          QStringLiteral("dock.variations"), tr("Variations"), new LowPanel(new VariationsPanel(document, locks))))
     , m_queue(makeDock(QStringLiteral("dock.queue"), tr("Exports"), m_queuePanel))
 {
     constexpr std::array kBesideTheNoise{&knownParameter("noise.octaves"), &knownParameter("noise.sharpness")};
@@ -102,8 +103,8 @@ void Docks::arrange()
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_presets.get());
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_noise.get());
     // Where there is no room for two, one lies behind the other.
-    constexpr int kLeastForBoth = 820;
-    const bool both = m_window.height() >= kLeastForBoth;
+    constexpr int kMinForBoth = 820;
+    const bool both = m_window.height() >= kMinForBoth;
     if (both) {
         m_window.splitDockWidget(m_presets.get(), m_noise.get(), Qt::Vertical);
     } else {
@@ -125,7 +126,7 @@ void Docks::arrange()
     }
 }
 
-void Docks::setPutAway(bool away)
+void Docks::setAllHidden(bool away)
 {
     if (away == !m_before.isEmpty()) {
         return;

@@ -2,7 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
-#include "ui/face/file_question.h"
+#include "ui/widgets/file_question.h"
 
 #include <QByteArray>
 #include <QDockWidget>
@@ -45,7 +45,7 @@ public:
     /// Goes to the editor of a parameter.
     void showParameter(const QString& key);
     /// Puts all panels away, or back as they were.
-    void setPutAway(bool away);
+    void setAllHidden(bool away);
     /// A switch for each panel.
     void fillMenu(QMenu& menu) const;
 

@@ -1,9 +1,10 @@
 #include "ui/shell/document_files.h"
 
 #include "ui/document/text.h"
-#include "ui/face/message_box.h"
+#include "ui/widgets/message_box.h"
 
 #include "core/preset/library.h"
+#include "core/preset/preset_file.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -25,7 +26,8 @@ QString presetFilter()
 
 QString openFilter()
 {
-    return DocumentFiles::tr("Presets, and pictures that carry one (*.json *.png *.exr)") + QStringLiteral(";;") + presetFilter();
+    return DocumentFiles::tr("Presets, and pictures that carry one (*.json *.png *.exr)") + QStringLiteral(";;")
+        + presetFilter();
 }
 
 /// Takes over what is being typed into a field: it is meant to be saved too.
@@ -63,13 +65,14 @@ DocumentFiles::DocumentFiles(
 
 void DocumentFiles::report(const QString& title, const Error& error) const
 {
-    MessageBox box(QStringLiteral("errorBox"), MessageBox::Warning, title, told(error.message), MessageBox::Ok, m_window);
+    MessageBox box(
+        QStringLiteral("errorBox"), MessageBox::Warning, title, translated(error.message), MessageBox::Ok, m_window);
     QStringList more;
     if (!error.place.empty()) {
-        more += told(error.place);
+        more += translated(error.place);
     }
     if (!error.remedy.empty()) {
-        more += told(error.remedy) + QLatin1Char('.');
+        more += translated(error.remedy) + QLatin1Char('.');
     }
     box.explain(more.join(QLatin1Char('\n')));
     box.exec();
@@ -80,10 +83,11 @@ void DocumentFiles::showWarnings(const QString& name, const std::vector<Message>
     if (warnings.empty()) {
         return;
     }
-    MessageBox box(QStringLiteral("warningBox"), MessageBox::Information, tr("Opened with changes"), tr("“%1” was opened, but some of it had to be put right.").arg(name), MessageBox::Ok, m_window);
+    MessageBox box(QStringLiteral("warningBox"), MessageBox::Information, tr("Opened with changes"),
+        tr("“%1” was opened, but some of it had to be put right.").arg(name), MessageBox::Ok, m_window);
     QStringList lines;
     for (const Message& warning : warnings) {
-        lines += told(warning);
+        lines += translated(warning);
     }
     constexpr int kShown = 6;
     box.explain(QStringList(lines.mid(0, kShown)).join(QLatin1Char('\n')));
@@ -93,15 +97,16 @@ void DocumentFiles::showWarnings(const QString& name, const std::vector<Message>
     box.exec();
 }
 
-bool DocumentFiles::mayLeave()
+bool DocumentFiles::confirmDiscard()
 {
     finishTyping();
     if (!m_document.isModified()) {
         return true;
     }
-    MessageBox box(QStringLiteral("unsavedBox"), MessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(m_document.displayName()),
+    MessageBox box(QStringLiteral("unsavedBox"), MessageBox::Question, tr("Unsaved changes"),
+        tr("Save the changes to “%1”?").arg(m_document.displayName()),
         MessageBox::Save | MessageBox::Discard | MessageBox::Cancel, m_window);
-    box.explain(tr("They are lost if you do not save them."));
+    box.explain(tr("Your changes will be lost if you don't save them."));
     box.setDefaultButton(MessageBox::Save);
     switch (box.exec()) {
     case MessageBox::Save: return save();
@@ -112,15 +117,21 @@ bool DocumentFiles::mayLeave()
 
 void DocumentFiles::newDocument()
 {
-    if (mayLeave()) {
+    if (confirmDiscard()) {
         m_document.load(newPreset(), {});
     }
 }
 
 void DocumentFiles::open()
 {
-    const QString folder = m_document.filePath().isEmpty() ? m_settings.lastFolder() : QFileInfo(m_document.filePath()).path();
-    const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Open, .title = tr("Open"), .start = folder, .filter = openFilter(), .ending = kEnding});
+    const QString folder =
+        m_document.filePath().isEmpty() ? m_settings.lastFolder() : QFileInfo(m_document.filePath()).path();
+    const QString path = m_ask(m_window,
+        {.purpose = FileQuestion::Purpose::Open,
+            .title = tr("Open"),
+            .start = folder,
+            .filter = openFilter(),
+            .ending = kEnding});
     if (!path.isEmpty()) {
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
         openFile(path);
@@ -141,7 +152,7 @@ bool DocumentFiles::openFile(const QString& name)
         report(tr("Cannot open “%1”").arg(QFileInfo(path).fileName()), reading.error());
         return false;
     }
-    if (!mayLeave()) {
+    if (!confirmDiscard()) {
         return false;
     }
     const std::optional<int> frame = reading.value().frame;
@@ -157,7 +168,7 @@ bool DocumentFiles::openFile(const QString& name)
 
 bool DocumentFiles::openPreset(const Preset& preset)
 {
-    if (!mayLeave()) {
+    if (!confirmDiscard()) {
         return false;
     }
     m_document.load(preset, {});
@@ -200,8 +211,8 @@ bool DocumentFiles::saveOverChanges()
     const int answer = m_askForChoice(m_window,
         {.name = QStringLiteral("changedOnDiskBox"),
             .title = tr("Changed by another program"),
-            .text = tr(
-                "“%1” has been changed by another program since it was opened or saved here. If you overwrite it, those changes are lost.")
+            .text = tr("“%1” has been changed by another program since it was opened or saved here. If you overwrite "
+                       "it, those changes are lost.")
                         .arg(QFileInfo(m_document.filePath()).fileName()),
             .answers = {tr("Save as…"), tr("Overwrite"), tr("Cancel")}});
     constexpr int kSaveAs = 0;
@@ -230,7 +241,12 @@ QString DocumentFiles::suggestedPath() const
 
 bool DocumentFiles::saveAs()
 {
-    const QString path = m_ask(m_window, {.purpose = FileQuestion::Purpose::Save, .title = tr("Save as"), .start = suggestedPath(), .filter = presetFilter(), .ending = kEnding});
+    const QString path = m_ask(m_window,
+        {.purpose = FileQuestion::Purpose::Save,
+            .title = tr("Save as"),
+            .start = suggestedPath(),
+            .filter = presetFilter(),
+            .ending = kEnding});
     if (path.isEmpty()) {
         return false;
     }
@@ -250,7 +266,8 @@ QString DocumentFiles::askForName() const
 
 bool DocumentFiles::mayReplace(const QString& name) const
 {
-    MessageBox box(QStringLiteral("replaceBox"), MessageBox::Question, tr("Save to the library"), tr("There is a preset “%1” already. Replace it?").arg(name), MessageBox::Yes | MessageBox::No, m_window);
+    MessageBox box(QStringLiteral("replaceBox"), MessageBox::Question, tr("Save to the library"),
+        tr("There is a preset “%1” already. Replace it?").arg(name), MessageBox::Yes | MessageBox::No, m_window);
     box.setDefaultButton(MessageBox::No);
     return box.exec() == MessageBox::Yes;
 }
@@ -263,7 +280,9 @@ void DocumentFiles::saveToLibrary()
     }
     const QString path = presetFile(libraryFolder(), name);
     if (libraryFolder().isEmpty() || !QDir().mkpath(libraryFolder())) {
-        report(tr("Cannot save “%1”").arg(name), {ErrorCode::PermissionDenied, said("the folder of your presets cannot be made"), libraryFolder().toStdString(), said("Save the preset somewhere else")});
+        report(tr("Cannot save “%1”").arg(name),
+            {ErrorCode::PermissionDenied, makeMessage("the folder of your presets cannot be made"),
+                libraryFolder().toStdString(), makeMessage("Save the preset somewhere else")});
         return;
     }
     if (!QFileInfo::exists(path) || mayReplace(name)) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/face/choice_question.h"
-#include "ui/face/file_question.h"
+#include "ui/widgets/choice_question.h"
+#include "ui/widgets/file_question.h"
 #include "ui/shell/settings.h"
 
 #include "core/preset/library.h"
@@ -23,7 +23,7 @@ public:
         QWidget* window);
 
     /// Asks what shall become of unsaved changes. @return whether to go on
-    [[nodiscard]] bool mayLeave();
+    [[nodiscard]] bool confirmDiscard();
 
     void newDocument();
     void open();

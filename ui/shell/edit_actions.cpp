@@ -1,6 +1,6 @@
 #include "ui/shell/edit_actions.h"
 
-#include "ui/face/plain_text.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/shell/action_table.h"
 
 #include "core/effect/variation.h"
@@ -23,7 +23,8 @@ EditActions::EditActions(const ActionSet& actions, Document& document, const Loc
 {
     connectUndo();
     m_actions.on("edit.randomise", this, &EditActions::randomise);
-    m_actions.on("edit.resetAll", this, [this] { m_document.replaceEffect(m_document.reference(), tr("Reset all parameters")); });
+    m_actions.on("edit.resetAll", this,
+        [this] { m_document.replaceEffect(m_document.reference(), tr("Reset all parameters")); });
 }
 
 void EditActions::connectUndo()
@@ -49,7 +50,8 @@ void EditActions::nameUndo()
 void EditActions::randomise()
 {
     const auto mayVary = [this](const Parameter& parameter) { return m_locks.mayVary(parameter); };
-    m_document.replaceEffect(vary(m_document.effect(), kALittle, QRandomGenerator::global()->generate(), mayVary), tr("Randomise a little"));
+    m_document.replaceEffect(
+        vary(m_document.effect(), kALittle, QRandomGenerator::global()->generate(), mayVary), tr("Randomise slightly"));
 }
 
 } // namespace fumage::ui

@@ -1,7 +1,7 @@
 #include "ui/shell/file_notices.h"
 
 #include "ui/document/text.h"
-#include "ui/face/message_bar.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/shell/document_files.h"
 
 #include <QFileInfo>
@@ -36,7 +36,8 @@ void FileNotices::follow(DiskState state)
     const QString file = onOneLine(QFileInfo(m_document.filePath()).fileName());
     if (state == DiskState::Changed) {
         m_bar.say(kOnDisk,
-            tr("“%1” has been changed by another program. Reload it, which can be undone, or keep this version: it replaces the other when you save it.")
+            tr("“%1” has been changed by another program. Reload it, which can be undone, or keep this version: it "
+               "replaces the other when you save it.")
                 .arg(file),
             {{tr("Reload"), [this] { m_files.reload(); }},
                 {tr("Keep this version"), [this] { m_document.keepOverDisk(); }}});

@@ -1,8 +1,8 @@
 #include "ui/shell/guarded_application.h"
 
 #include "ui/document/text.h"
-#include "ui/face/message_box.h"
-#include "ui/work/guarded_thread.h"
+#include "ui/widgets/message_box.h"
+#include "ui/concurrency/guarded_thread.h"
 
 #include <QScopedValueRollback>
 
@@ -23,10 +23,11 @@ void GuardedApplication::say(const Error& why)
     const QScopedValueRollback<bool> saying(m_saying, true);
     if (why.code == ErrorCode::OutOfMemory) {
         qWarning("There is not enough memory."); // for when there is none for a box
-        MessageBox::warn(activeWindow(), tr("Not enough memory"), tr("There is not enough memory for what you just did. Save your work."));
+        MessageBox::warn(activeWindow(), tr("Not enough memory"),
+            tr("There is not enough memory for what you just did. Save your work."));
         return;
     }
-    const QString text = told(why);
+    const QString text = translated(why);
     if (!m_said.contains(text)) {
         m_said.insert(text);
         MessageBox::warn(activeWindow(), tr("Something failed"),

@@ -2,7 +2,7 @@
 
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
-#include "ui/face/message_box.h"
+#include "ui/widgets/message_box.h"
 #include "ui/shell/action_table.h"
 
 #include "core/effect/shown_table.h"
@@ -29,7 +29,8 @@ QString helpText(const char* text)
 
 /// A window with a text and a field that finds words in it.
 /// @param anchor in the text, where it begins; empty: at the top, or where it was
-void showText(QWidget* parent, const QString& name, const QString& title, const QString& html, const QString& anchor = {})
+void showText(
+    QWidget* parent, const QString& name, const QString& title, const QString& html, const QString& anchor = {})
 {
     if (auto* open = parent->findChild<QDialog*>(name)) {
         open->show();
@@ -72,7 +73,8 @@ QString keysOf(const ActionSpec& spec)
     return keys.join(QStringLiteral(", "));
 }
 
-/// The key of a parameter in the name of one of its widgets, as "essentials.look.size.label"; empty: it is no parameter's.
+/// The key of a parameter in the name of one of its widgets, as "essentials.look.size.label"; empty: it is no
+/// parameter's.
 QString parameterIn(const QString& name)
 {
     const QStringList parts = name.split(QLatin1Char('.'));
@@ -89,9 +91,11 @@ QString parameterIn(const QString& name)
 QString groupIn(const QString& name)
 {
     const QStringList parts = name.split(QLatin1Char('.'));
-    const std::string group = parts.size() > 1 && parts[0] == QLatin1String("group") ? parts[1].toStdString() : std::string();
+    const std::string group =
+        parts.size() > 1 && parts[0] == QLatin1String("group") ? parts[1].toStdString() : std::string();
     const auto& shown = shownParameters();
-    const bool isGroup = std::any_of(shown.begin(), shown.end(), [&](const Parameter* each) { return shownGroup(*each) == group; });
+    const bool isGroup =
+        std::any_of(shown.begin(), shown.end(), [&](const Parameter* each) { return each->group() == group; });
     return isGroup ? parts[1] : QString();
 }
 
@@ -103,9 +107,10 @@ QString parameterReference()
     std::string_view group;
     for (const Parameter* shown : shownParameters()) {
         const Parameter& parameter = *shown;
-        if (shownGroup(parameter) != group) {
-            group = shownGroup(parameter);
-            html += QStringLiteral("<a name=\"%1\"></a><h2>%2</h2>").arg(toQString(group), groupLabelOf(group).toHtmlEscaped());
+        if (parameter.group() != group) {
+            group = parameter.group();
+            html += QStringLiteral("<a name=\"%1\"></a><h2>%2</h2>")
+                        .arg(toQString(group), groupLabelOf(group).toHtmlEscaped());
         }
         html += QStringLiteral("<a name=\"%1\"></a>%2").arg(toQString(parameter.key), toolTipOf(parameter));
     }
@@ -119,12 +124,14 @@ QString shortcutSheet()
     for (const ActionSpec& spec : actionSpecs()) {
         const QString heading = plainText(spec.menu);
         if (heading != menu) {
-            html += (menu.isEmpty() ? QString() : QStringLiteral("</table>")) + QStringLiteral("<h3>%1</h3><table width=\"100%\" cellpadding=\"3\">").arg(heading.toHtmlEscaped());
+            html += (menu.isEmpty() ? QString() : QStringLiteral("</table>"))
+                + QStringLiteral("<h3>%1</h3><table width=\"100%\" cellpadding=\"3\">").arg(heading.toHtmlEscaped());
             menu = heading;
         }
         const QString keys = keysOf(spec);
         if (!keys.isEmpty()) {
-            html += QStringLiteral("<tr><td width=\"60%\">%1</td><td><b>%2</b></td></tr>").arg(plainText(spec.text).toHtmlEscaped(), keys.toHtmlEscaped());
+            html += QStringLiteral("<tr><td width=\"60%\">%1</td><td><b>%2</b></td></tr>")
+                        .arg(plainText(spec.text).toHtmlEscaped(), keys.toHtmlEscaped());
         }
     }
     return html + QStringLiteral("</table>");
@@ -162,22 +169,28 @@ QString referenceAnchorAtHand()
 
 void showReference(QWidget* parent, const QString& anchor)
 {
-    showText(parent, QStringLiteral("referenceDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Parameter reference")), parameterReference(), anchor);
+    showText(parent, QStringLiteral("referenceDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Parameter reference")),
+        parameterReference(), anchor);
 }
 
 void showShortcuts(QWidget* parent)
 {
-    showText(parent, QStringLiteral("shortcutDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Keyboard shortcuts")), shortcutSheet());
+    showText(parent, QStringLiteral("shortcutDialog"), helpText(QT_TRANSLATE_NOOP("Help", "Keyboard shortcuts")),
+        shortcutSheet());
 }
 
 void showAbout(QWidget* parent)
 {
-    MessageBox box(QStringLiteral("aboutBox"), MessageBox::NoIcon, helpText(QT_TRANSLATE_NOOP("Help", "About Fumage")), {}, MessageBox::Ok, parent);
+    MessageBox box(QStringLiteral("aboutBox"), MessageBox::NoIcon, helpText(QT_TRANSLATE_NOOP("Help", "About Fumage")),
+        {}, MessageBox::Ok, parent);
     constexpr int kIcon = 96;
     box.setIconPixmap(QIcon(QStringLiteral(":/icons/fumage.svg")).pixmap(kIcon, kIcon));
     box.setTextFormat(Qt::RichText);
     box.setText(QStringLiteral("<h2>Fumage %1</h2>").arg(QCoreApplication::applicationVersion().toHtmlEscaped()));
-    box.explain(helpText(QT_TRANSLATE_NOOP("Help", "An editor for smoke. Free software under the MIT licence.\n\nThe model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, University of Gävle, 2012. Made with Qt, GLM, Highway, oneTBB, libpng and OpenEXR.")));
+    box.explain(helpText(QT_TRANSLATE_NOOP("Help",
+        "An editor for smoke. Free software under the MIT licence.\n\nThe model begins with Lin and Lin, “Smoke "
+        "Simulation with Perlin Noise”, University of Gävle, 2012. Made with Qt, GLM, Highway, oneTBB, libpng and "
+        "OpenEXR.")));
     box.exec();
 }
 

@@ -15,7 +15,8 @@ namespace fumage::ui {
 /// The same as plain text: a line each, keys and what they do with a tabulator between.
 [[nodiscard]] QString shortcutLines();
 
-/// What in the reference belongs to a widget: the key of the parameter whose row, label or field it is part of, or the name of the group; empty: nothing.
+/// What in the reference belongs to a widget: the key of the parameter whose row, label or field it is part of, or the
+/// name of the group; empty: nothing.
 [[nodiscard]] QString referenceAnchorAt(const QWidget* widget);
 /// The same of what the mouse is over, or else of what has the keyboard.
 [[nodiscard]] QString referenceAnchorAtHand();

@@ -3,8 +3,8 @@
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/queue_panel.h"
-#include "ui/face/message_bar.h"
-#include "ui/face/plain_text.h"
+#include "ui/widgets/message_bar.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/noise_preview/noise_pane.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/start_dialog.h"
@@ -30,7 +30,8 @@ namespace fumage::ui {
 
 namespace {
 
-/// The widget that has the keyboard, if it belongs to a window: in a panel that floats it has another window() than that.
+/// The widget that has the keyboard, if it belongs to a window: in a panel that floats it has another window() than
+/// that.
 QWidget* focusOf(const QWidget& window)
 {
     QWidget* focus = QApplication::focusWidget();
@@ -43,21 +44,22 @@ QWidget* focusOf(const QWidget& window)
 
 } // namespace
 
-MainWindow::MainWindow(Session& session)
-    : m_session(session)
+MainWindow::MainWindow(AppServices& services)
+    : m_services(services)
     , m_document(newPreset())
     , m_actions(this)
-    , m_files(m_document, session.settings(), session.askForFile(), session.askForChoice(), this)
+    , m_files(m_document, services.settings(), services.askForFile(), services.askForChoice(), this)
     , m_recovery(m_document, QDir(Settings::recoveryFolder()))
     , m_messages(new MessageBar(this))
     , m_notices(m_document, m_files, *m_messages)
-    , m_viewport(std::make_unique<Viewport>(m_document, m_player, session.glSupport()))
+    , m_viewport(std::make_unique<Viewport>(m_document, m_player, services.glSupport()))
     , m_timeline(std::make_unique<TimelineBar>(m_document, m_player))
-    , m_docks(*this, m_document, m_locks, session.exports(), session.askForFile())
+    , m_docks(*this, m_document, m_locks, services.exports(), services.askForFile())
     , m_editActions(m_actions, m_document, m_locks)
     , m_viewActions(m_actions, m_document, *m_viewport, *this)
     , m_comparison(m_document, *m_viewport, m_actions)
-    , m_exports(session.exports(), m_document, m_player, m_locks, m_actions, session.askForFile(), session.askForChoice(), session.settings(), this)
+    , m_exports(services.exports(), m_document, m_player, m_locks, m_actions, services.askForFile(),
+          services.askForChoice(), services.settings(), this)
     , m_drops(*this, m_files, m_docks.browser().list())
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -74,23 +76,24 @@ MainWindow::MainWindow(Session& session)
     connectMemory();
     connectExports();
     connectStatus();
-    connect(&m_document, &Document::titleChanged, &m_ear, [this] { showTitle(); });
-    connect(&m_document, &Document::loaded, &m_ear, [this] { showTitle(); });
+    connect(&m_document, &Document::titleChanged, &m_connectionContext, [this] { showTitle(); });
+    connect(&m_document, &Document::loaded, &m_connectionContext, [this] { showTitle(); });
     showTitle();
-    restoreLayout(*this, m_docks, m_viewActions, session.settings());
+    restoreLayout(*this, m_docks, m_viewActions, services.settings());
     centralWidget()->setFocus(); // or the first field would have it, and take Space for text
     m_player.play();
 }
 
 MainWindow::~MainWindow()
 {
-    // A field hands over what was typed when it loses the focus, at the latest while it is torn down: all who hear of it must be there still.
+    // A field hands over what was typed when it loses the focus, at the latest while it is torn down: all who hear of
+    // it must be there still.
     if (QWidget* field = focusOf(*this)) {
         field->clearFocus();
     }
 }
 
-// --- parts ---------------------------------------------------------------------------------------------------------------
+// --- parts ---
 
 void MainWindow::buildCentre()
 {
@@ -103,36 +106,38 @@ void MainWindow::buildCentre()
     layout->addWidget(m_timeline.get());
     centre->setFocusProxy(m_viewport->surface());
     setCentralWidget(centre);
-    m_viewport->setNavigationStyle(m_session.settings().navigationStyle());
+    m_viewport->setNavigationStyle(m_services.settings().navigationStyle());
     connect(m_viewport.get(), &Viewport::baking, &m_timeline->ruler(), &TimelineRuler::setBaking);
-    connect(m_viewport.get(), &Viewport::cacheChanged, m_timeline.get(), [this] { m_timeline->ruler().setCached(m_viewport->cachedFrames()); });
+    connect(m_viewport.get(), &Viewport::cacheChanged, m_timeline.get(),
+        [this] { m_timeline->ruler().setCached(m_viewport->cachedFrames()); });
 }
 
 void MainWindow::buildMenus()
 {
     buildMenuBar(*menuBar(), m_actions);
     buildToolBar(*this, m_actions);
-    fillRecentFiles(m_actions.submenu("file.recent"), m_session.settings(), m_files);
+    fillRecentFiles(m_actions.submenu("file.recent"), m_services.settings(), m_files);
     m_docks.fillMenu(m_actions.submenu("view.panels"));
-    fillMouseHabits(m_actions.submenu("view.mouseHabits"), m_session.settings(), *m_viewport);
-    fillLanguages(m_actions.submenu("view.language"), m_session.settings(), [this](const QString& message) { notify(message); });
-    fillThemes(m_actions.submenu("view.theme"), m_session);
+    fillMouseHabits(m_actions.submenu("view.mouseHabits"), m_services.settings(), *m_viewport);
+    fillLanguages(
+        m_actions.submenu("view.language"), m_services.settings(), [this](const QString& message) { notify(message); });
+    fillThemes(m_actions.submenu("view.theme"), m_services);
 }
 
-// --- connections ---------------------------------------------------------------------------------------------------------
+// --- connections ---
 
 void MainWindow::connectFileActions()
 {
     m_actions.on("file.new", &m_files, &DocumentFiles::newDocument);
     m_actions.on("file.start", this, &MainWindow::showStart);
-    m_actions.on("file.newWindow", this, [this] { m_session.openWindow(); });
+    m_actions.on("file.newWindow", this, [this] { m_services.addWindow(); });
     m_actions.on("file.open", &m_files, &DocumentFiles::open);
     m_actions.on("file.save", &m_files, &DocumentFiles::save);
     m_actions.on("file.saveAs", &m_files, &DocumentFiles::saveAs);
     m_actions.on("file.saveToLibrary", &m_files, &DocumentFiles::saveToLibrary);
     m_actions.on("file.revert", &m_files, &DocumentFiles::revert);
     m_actions.on("file.close", this, &QWidget::close);
-    m_actions.on("file.quit", &m_session, &Session::closeAll);
+    m_actions.on("file.quit", &m_services, &AppServices::closeAll);
     m_actions.on("edit.copyPreset", &m_files, &DocumentFiles::copyPreset);
     m_actions.on("edit.pastePreset", &m_files, &DocumentFiles::pastePreset);
     connect(&m_files, &DocumentFiles::pictureOpened, &m_player, [this](int frame) {
@@ -147,7 +152,8 @@ void MainWindow::connectWindowActions()
     m_actions.on("edit.search", &m_docks, &Docks::searchParameters);
     m_actions.on("edit.commands", this, &MainWindow::searchCommands);
     m_actions.on("edit.preferences", this, &MainWindow::showPreferences);
-    connect(&m_actions.get("view.smokeOnly"), &QAction::toggled, &m_ear, [this](bool on) { showSmokeOnly(on); });
+    connect(&m_actions.get("view.smokeOnly"), &QAction::toggled, &m_connectionContext,
+        [this](bool on) { showSmokeOnly(on); });
     m_actions.on("view.resetLayout", this, [this] {
         m_actions.get("view.smokeOnly").setChecked(false);
         m_docks.arrange();
@@ -160,12 +166,12 @@ void MainWindow::connectWindowActions()
 /// The menu bar goes, too: Escape leads back.
 void MainWindow::showSmokeOnly(bool only)
 {
-    m_docks.setPutAway(only);
+    m_docks.setAllHidden(only);
     findChild<QToolBar*>(QStringLiteral("toolBar"))->setVisible(!only);
     m_timeline->setVisible(!only);
     menuBar()->setVisible(!only);
     statusBar()->setVisible(!only);
-    m_messages->setPutAway(only);
+    m_messages->setAllHidden(only);
     m_viewport->setBare(only);
     m_leaveSmokeOnly->setEnabled(only);
 }
@@ -180,44 +186,47 @@ void MainWindow::connectViews()
         m_actions.get("view.previous").setEnabled(m_document.views().hasPrevious());
         m_actions.get("view.next").setEnabled(m_document.views().hasNext());
     };
-    connect(&m_document, &Document::viewsChanged, &m_ear, follow);
+    connect(&m_document, &Document::viewsChanged, &m_connectionContext, follow);
     follow();
 }
 
 void MainWindow::connectMemory()
 {
-    Settings& settings = m_session.settings();
+    Settings& settings = m_services.settings();
     constexpr qint64 kMegabyte = 1024 * 1024;
     const auto follow = [this](int megabytes) { m_viewport->setCacheBytes(megabytes * kMegabyte); };
-    connect(&settings, &Settings::pictureMegabytesChanged, &m_ear, follow);
+    connect(&settings, &Settings::pictureMegabytesChanged, &m_connectionContext, follow);
     follow(settings.pictureMegabytes());
-    connect(&m_document, &Document::loaded, &m_session, &Session::giveBackMemorySoon);
-    connect(m_viewport.get(), &Viewport::dropped, &m_session, &Session::giveBackMemorySoon);
+    connect(&m_document, &Document::loaded, &m_services, &AppServices::giveBackMemorySoon);
+    connect(m_viewport.get(), &Viewport::dropped, &m_services, &AppServices::giveBackMemorySoon);
 }
 
 void MainWindow::connectPresets()
 {
-    Settings& settings = m_session.settings();
+    Settings& settings = m_services.settings();
     PresetBrowser& browser = m_docks.browser();
     browser.setFavourites(settings.favourites());
     connect(&browser, &PresetBrowser::opened, &m_files, &DocumentFiles::openPreset);
     connect(&browser, &PresetBrowser::applied, &m_document, [this](const Preset& preset) {
-        m_document.replaceEffect(preset.effect, tr("Put in “%1”").arg(shortened(toQString(preset.name))));
+        m_document.replaceEffect(preset.effect, tr("Apply “%1”").arg(shortened(toQString(preset.name))));
     });
     connect(&browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
-    connect(&settings, &Settings::favouritesChanged, &browser, [&browser, &settings] { browser.setFavourites(settings.favourites()); });
+    connect(&settings, &Settings::favouritesChanged, &browser,
+        [&browser, &settings] { browser.setFavourites(settings.favourites()); });
     connect(&m_files, &DocumentFiles::libraryChanged, &browser.list(), &PresetList::reload);
 }
 
 void MainWindow::connectExports()
 {
-    connect(&m_docks.noisePane(), &NoisePane::exportRequested, &m_exports, [this] { m_exports.openDialog().setKind(ExportKind::NoiseTexture); });
-    connect(&m_docks.queuePanel(), &QueuePanel::againRequested, &m_exports, &ExportDesk::exportAgain);
-    connect(&m_docks.queuePanel(), &QueuePanel::failed, &m_ear, [this](const QString& message) { notify(message); });
-    connect(&m_exports, &ExportDesk::added, &m_docks, [this] {
+    connect(&m_docks.noisePane(), &NoisePane::exportRequested, &m_exports,
+        [this] { m_exports.openDialog().setKind(ExportKind::NoiseTexture); });
+    connect(&m_docks.queuePanel(), &QueuePanel::againRequested, &m_exports, &ExportController::exportAgain);
+    connect(&m_docks.queuePanel(), &QueuePanel::failed, &m_connectionContext,
+        [this](const QString& message) { notify(message); });
+    connect(&m_exports, &ExportController::added, &m_docks, [this] {
         // The panel comes by itself once, behind the one that is there; where it is then is up to the user.
-        if (!m_session.settings().knowsQueue()) {
-            m_session.settings().setKnowsQueue(true);
+        if (!m_services.settings().hasSeenQueue()) {
+            m_services.settings().setKnowsQueue(true);
             m_docks.addQueue();
         }
     });
@@ -228,12 +237,15 @@ void MainWindow::connectStatus()
     // What was said was said of another document.
     connect(&m_document, &Document::loaded, statusBar(), &QStatusBar::clearMessage);
     statusBar()->setSizeGripEnabled(false); // always there: if it came and went, the smoke would jump
-    connect(&m_exports, &ExportDesk::news, statusBar(), &QStatusBar::showMessage);
+    connect(&m_exports, &ExportController::news, statusBar(), &QStatusBar::showMessage);
     connect(&m_viewActions.cameraFit(), &CameraFit::news, statusBar(), &QStatusBar::showMessage);
-    connect(&m_recovery, &Recovery::failed, &m_ear, [this](const QString& message) { notify(tr("Unsaved work cannot be kept safe: %1").arg(message)); });
-    connect(m_viewport.get(), &Viewport::pictureShown, &m_recovery, &Recovery::proveHarmless);
-    connect(m_viewport.get(), &Viewport::failed, &m_ear, [this](const QString& why) { notify(why); });
-    connect(m_viewport.get(), &Viewport::exhausted, &m_ear, [this] { notify(tr("There is not enough memory for this picture. Use fewer particles or a smaller window.")); });
+    connect(&m_recovery, &Recovery::failed, &m_connectionContext,
+        [this](const QString& message) { notify(tr("Unsaved work cannot be kept safe: %1").arg(message)); });
+    connect(m_viewport.get(), &Viewport::pictureShown, &m_recovery, &Recovery::markRecovered);
+    connect(m_viewport.get(), &Viewport::failed, &m_connectionContext, [this](const QString& why) { notify(why); });
+    connect(m_viewport.get(), &Viewport::exhausted, &m_connectionContext, [this] {
+        notify(tr("There is not enough memory for this picture. Use fewer particles or a smaller window."));
+    });
 }
 
 void MainWindow::searchCommands()
@@ -252,32 +264,33 @@ void MainWindow::notify(const QString& message)
 
 void MainWindow::begin()
 {
-    if (m_session.settings().showsStartDialog()) {
+    if (m_services.settings().showsStartDialog()) {
         showStart();
     }
 }
 
 void MainWindow::showStart()
 {
-    auto* dialog = new StartDialog(m_session.settings().recentFiles(), this);
+    auto* dialog = new StartDialog(m_services.settings().recentFiles(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setShowAgain(m_session.settings().showsStartDialog());
+    dialog->setShowAgain(m_services.settings().showsStartDialog());
     connect(dialog, &StartDialog::defaultRequested, &m_files, &DocumentFiles::newDocument);
     connect(dialog, &StartDialog::presetChosen, &m_files, &DocumentFiles::openPreset);
     connect(dialog, &StartDialog::fileChosen, &m_files, &DocumentFiles::openFile);
     connect(dialog, &StartDialog::openRequested, &m_files, &DocumentFiles::open);
-    connect(dialog, &QDialog::finished, this, [this, dialog] { m_session.settings().setShowsStartDialog(dialog->showAgain()); });
+    connect(dialog, &QDialog::finished, this,
+        [this, dialog] { m_services.settings().setShowsStartDialog(dialog->showAgain()); });
     dialog->open();
 }
 
 void MainWindow::showPreferences()
 {
-    auto* dialog = new Preferences(m_session, this);
+    auto* dialog = new Preferences(m_services, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
-// --- window --------------------------------------------------------------------------------------------------------------
+// --- window ---
 
 void MainWindow::showTitle()
 {
@@ -292,23 +305,25 @@ void MainWindow::changeEvent(QEvent* event)
     if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
         m_notices.look(); // people come back from where they have changed the file
     } else if (event->type() == QEvent::WindowStateChange && isMinimized()) {
-        m_session.giveBackMemorySoon();
+        m_services.giveBackMemorySoon();
     }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_exports.isBusy()) { // an export that was asked for is about to be in the queue: only then can it be asked what becomes of it
-        connect(&m_exports, &ExportDesk::rested, this, &QWidget::close, Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection | Qt::UniqueConnection));
+    if (m_exports.isBusy()) { // an export that was asked for is about to be in the queue: only then can it be asked
+                              // what becomes of it
+        connect(&m_exports, &ExportController::rested, this, &QWidget::close,
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection | Qt::UniqueConnection));
         event->ignore();
         return;
     }
-    if (!m_files.mayLeave() || !m_session.mayClose(*this)) {
+    if (!m_files.confirmDiscard() || !m_services.mayClose(*this)) {
         event->ignore();
         return;
     }
     m_actions.get("view.smokeOnly").setChecked(false); // is not remembered
-    saveLayout(*this, m_docks, m_viewActions, m_session.settings());
+    saveLayout(*this, m_docks, m_viewActions, m_services.settings());
     m_recovery.discard();
     event->accept();
 }

@@ -7,11 +7,11 @@
 #include "ui/shell/comparison.h"
 #include "ui/shell/docks.h"
 #include "ui/shell/document_files.h"
-#include "ui/shell/drops.h"
+#include "ui/shell/drop_handler.h"
 #include "ui/shell/edit_actions.h"
-#include "ui/shell/export_desk.h"
+#include "ui/shell/export_controller.h"
 #include "ui/shell/file_notices.h"
-#include "ui/shell/session.h"
+#include "ui/shell/app_services.h"
 #include "ui/shell/view_actions.h"
 #include "ui/timeline/player.h"
 
@@ -32,7 +32,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(Session& session);
+    explicit MainWindow(AppServices& services);
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return m_document; }
@@ -49,7 +49,7 @@ public:
 
     /// Says something that is of interest now, and of this document.
     void notify(const QString& message);
-    /// What an empty session shows first.
+    /// What a session without files shows first.
     void begin();
 
 protected:
@@ -72,10 +72,11 @@ private:
     void searchCommands();
     void showTitle();
 
-    Session& m_session;
+    AppServices& m_services;
 
-    // Each member comes after those that it looks at, and so is gone before them. Qt would delete widgets and dialogs as children of the
-    // window too, but only when its members are gone: hence whoever looks at document or player is owned here.
+    // Each member comes after those that it looks at, and so is gone before them. Qt would delete widgets and dialogs
+    // as children of the window too, but only when its members are gone: hence whoever looks at document or player is
+    // owned here.
     Document m_document;
     Player m_player;
     Locks m_locks;
@@ -90,11 +91,12 @@ private:
     EditActions m_editActions;
     ViewActions m_viewActions;
     Comparison m_comparison;
-    ExportDesk m_exports;
-    Drops m_drops;
+    ExportController m_exports;
+    DropHandler m_drops;
     QShortcut* m_leaveSmokeOnly = nullptr; ///< a child of the window
-    /// Context of what this window hears from the members above: dying, they speak once more, to a window that is half gone by then.
-    QObject m_ear;
+    /// Context of what this window hears from the members above: dying, they speak once more, to a window that is half
+    /// gone by then.
+    QObject m_connectionContext;
 };
 
 } // namespace fumage::ui

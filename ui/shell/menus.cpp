@@ -1,10 +1,10 @@
 #include "ui/shell/menus.h"
 
-#include "ui/face/language.h"
-#include "ui/face/plain_text.h"
+#include "ui/theme/language.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/shell/action_table.h"
 #include "ui/shell/document_files.h"
-#include "ui/shell/session.h"
+#include "ui/shell/app_services.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ void buildToolBar(QMainWindow& window, const ActionSet& actions)
     bar->addSeparator();
     add({"edit.variations", "edit.randomise", "compare.split"});
     bar->addSeparator();
-    add({"view.frameAll", "view.grid", "view.gizmos", "view.tracks", "view.frame", "view.checker"});
+    add({"view.frameAll", "view.grid", "view.gizmos", "view.trails", "view.frame", "view.checker"});
     auto* space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
@@ -139,7 +139,8 @@ void fillMouseHabits(QMenu& menu, Settings& settings, Viewport& viewport)
         [&](int index) { settings.setNavigationStyle(static_cast<NavigationStyle>(index)); });
     // It may be chosen in another window.
     QObject::connect(&settings, &Settings::navigationStyleChanged, &viewport, &Viewport::setNavigationStyle);
-    QObject::connect(&settings, &Settings::navigationStyleChanged, &choices, [&choices](NavigationStyle style) { choices.actions()[static_cast<int>(style)]->setChecked(true); });
+    QObject::connect(&settings, &Settings::navigationStyleChanged, &choices,
+        [&choices](NavigationStyle style) { choices.actions()[static_cast<int>(style)]->setChecked(true); });
 }
 
 void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(const QString&)>& say)
@@ -153,11 +154,12 @@ void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(con
         [&choices, &settings] { choices.actions()[languageIndex(settings)]->setChecked(true); });
 }
 
-void fillThemes(QMenu& menu, Session& session)
+void fillThemes(QMenu& menu, AppServices& services)
 {
-    const QActionGroup& choices = addChoices(menu, themeNames(), static_cast<int>(session.settings().theme()),
-        [&session](int index) { session.applyTheme(static_cast<Theme>(index)); });
-    QObject::connect(&session.settings(), &Settings::themeChanged, &choices, [&choices](Theme theme) { choices.actions()[static_cast<int>(theme)]->setChecked(true); });
+    const QActionGroup& choices = addChoices(menu, themeNames(), static_cast<int>(services.settings().theme()),
+        [&services](int index) { services.applyTheme(static_cast<Theme>(index)); });
+    QObject::connect(&services.settings(), &Settings::themeChanged, &choices,
+        [&choices](Theme theme) { choices.actions()[static_cast<int>(theme)]->setChecked(true); });
 }
 
 } // namespace fumage::ui

@@ -11,7 +11,7 @@ namespace fumage::ui {
 
 class ActionSet;
 class DocumentFiles;
-class Session;
+class AppServices;
 class Settings;
 class Viewport;
 
@@ -33,6 +33,6 @@ void fillLanguages(QMenu& menu, Settings& settings, const std::function<void(con
 [[nodiscard]] int languageIndex(const Settings& settings);
 void setLanguage(Settings& settings, int index);
 
-void fillThemes(QMenu& menu, Session& session);
+void fillThemes(QMenu& menu, AppServices& services);
 
 } // namespace fumage::ui

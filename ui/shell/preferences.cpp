@@ -1,8 +1,8 @@
 #include "ui/shell/preferences.h"
 
-#include "ui/face/language.h"
+#include "ui/theme/language.h"
 #include "ui/shell/menus.h"
-#include "ui/shell/session.h"
+#include "ui/shell/app_services.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -45,9 +45,9 @@ void addRemark(QFormLayout& form, const QString& text)
 
 } // namespace
 
-Preferences::Preferences(Session& session, QWidget* parent)
+Preferences::Preferences(AppServices& services, QWidget* parent)
     : QDialog(parent)
-    , m_session(session)
+    , m_services(services)
 {
     setObjectName(QStringLiteral("preferences"));
     setWindowTitle(tr("Preferences"));
@@ -75,9 +75,9 @@ Preferences::Preferences(Session& session, QWidget* parent)
 
 void Preferences::addFace(QFormLayout& form)
 {
-    Settings& settings = m_session.settings();
+    Settings& settings = m_services.settings();
     addList(form, QStringLiteral("preferences.theme"), tr("Theme"), themeNames(), static_cast<int>(settings.theme()),
-        [this](int index) { m_session.applyTheme(static_cast<Theme>(index)); });
+        [this](int index) { m_services.applyTheme(static_cast<Theme>(index)); });
     addList(form, QStringLiteral("preferences.language"), tr("Language"), languageNames(), languageIndex(settings),
         [&settings](int index) { setLanguage(settings, index); });
     addRemark(form, tr("The language changes when Fumage starts the next time."));
@@ -85,7 +85,7 @@ void Preferences::addFace(QFormLayout& form)
 
 void Preferences::addViewport(QFormLayout& form)
 {
-    Settings& settings = m_session.settings();
+    Settings& settings = m_services.settings();
     addList(form, QStringLiteral("preferences.navigation"), tr("Mouse in the viewport"), navigationNames(),
         static_cast<int>(settings.navigationStyle()),
         [&settings](int index) { settings.setNavigationStyle(static_cast<NavigationStyle>(index)); });
@@ -97,7 +97,7 @@ void Preferences::addViewport(QFormLayout& form)
     auto* megabytes = new QSpinBox(this);
     megabytes->setObjectName(QStringLiteral("preferences.memory"));
     megabytes->setAccessibleName(tr("Memory for pictures"));
-    megabytes->setRange(Settings::kLeastPictureMegabytes, Settings::kMostPictureMegabytes);
+    megabytes->setRange(Settings::kMinPictureMegabytes, Settings::kMaxPictureMegabytes);
     megabytes->setSuffix(tr(" MB"));
     megabytes->setKeyboardTracking(false);
     megabytes->setValue(settings.pictureMegabytes());
@@ -108,7 +108,7 @@ void Preferences::addViewport(QFormLayout& form)
 
 void Preferences::addStart(QFormLayout& form)
 {
-    Settings& settings = m_session.settings();
+    Settings& settings = m_services.settings();
     auto* start = new QCheckBox(tr("Show presets when Fumage starts"), this);
     start->setObjectName(QStringLiteral("preferences.start"));
     start->setChecked(settings.showsStartDialog());
@@ -123,7 +123,8 @@ void Preferences::addStart(QFormLayout& form)
     });
     form.addRow(tr("Recovery"), folder);
     addRemark(form,
-        tr("A copy of unsaved work is kept a second after each change, and is opened again should the program end unexpectedly: %1")
+        tr("A copy of unsaved work is kept a second after each change, and is opened again should the program end "
+           "unexpectedly: %1")
             .arg(QDir::toNativeSeparators(Settings::recoveryFolder())));
 }
 

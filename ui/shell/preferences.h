@@ -6,7 +6,7 @@ class QFormLayout;
 
 namespace fumage::ui {
 
-class Session;
+class AppServices;
 
 /// What a person sets once, on one page. Each choice takes effect as it is made, or with the next start where it says
 /// so.
@@ -14,14 +14,14 @@ class Preferences : public QDialog {
     Q_OBJECT
 
 public:
-    Preferences(Session& session, QWidget* parent);
+    Preferences(AppServices& services, QWidget* parent);
 
 private:
     void addFace(QFormLayout& form);
     void addViewport(QFormLayout& form);
     void addStart(QFormLayout& form);
 
-    Session& m_session;
+    AppServices& m_services;
 };
 
 } // namespace fumage::ui

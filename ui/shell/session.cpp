@@ -1,18 +1,11 @@
 #include "ui/shell/session.h"
 
-#include "ui/face/message_bar.h"
-#include "ui/face/hand_guard.h"
-#include "ui/face/plain_text.h"
-#include "ui/face/window_keeper.h"
-#include "ui/shell/key_guard.h"
 #include "ui/shell/main_window.h"
-
-#include "core/base/heap.h"
-#include "core/base/parallel.h"
+#include "ui/widgets/message_bar.h"
 
 #include <algorithm>
 
-#include <QApplication>
+#include <QDir>
 #include <QEventLoopLocker>
 
 namespace fumage::ui {
@@ -24,10 +17,12 @@ QString remarkOn(const Recovery::Leftovers& left)
 {
     QStringList lines;
     if (!left.unreadable.isEmpty()) {
-        lines += Session::tr("A copy of unsaved work cannot be read. It stays where it is: %1").arg(left.unreadable.join(QStringLiteral(", ")));
+        lines += Session::tr("A copy of unsaved work cannot be read. It stays where it is: %1")
+                     .arg(left.unreadable.join(QStringLiteral(", ")));
     }
     if (!left.dangerous.isEmpty()) {
-        lines += Session::tr("The program ended twice while it opened unsaved work. It stays where it is: %1").arg(left.dangerous.join(QStringLiteral(", ")));
+        lines += Session::tr("The program ended twice while it opened unsaved work. It stays where it is: %1")
+                     .arg(left.dangerous.join(QStringLiteral(", ")));
     }
     return lines.join(QLatin1Char(' '));
 }
@@ -35,28 +30,9 @@ QString remarkOn(const Recovery::Leftovers& left)
 } // namespace
 
 Session::Session(AskForFile askForFile, AskForChoice askForChoice, QObject* parent)
-    : QObject(parent)
-    , m_askForFile(std::move(askForFile))
-    , m_askForChoice(std::move(askForChoice))
-    , m_desktopIsDark(isDark(QApplication::palette()))
-    , m_glSupport(probeOpenGl())
-    , m_exports(QDir(Settings::queueFolder()))
+    : AppServices(std::move(askForFile), std::move(askForChoice), parent)
 {
     connectExports();
-    constexpr int kThriftMs =
-        2000; // after a burst of changes: what is given back in the middle of one is asked for again at once
-    m_thrift.setSingleShot(true);
-    m_thrift.setInterval(kThriftMs);
-    connect(&m_thrift, &QTimer::timeout, this, [this] {
-        // It takes some tens of milliseconds, in which others may wait for memory, but not the window.
-        m_giving.ask([](const AnswerJob::Tell&, const std::stop_token&) { giveBackMemory(); }, [](const Error&) {});
-    });
-    computeInBackground();
-    ui::applyTheme(*qApp, m_settings.theme(), m_desktopIsDark);
-    qApp->installEventFilter(new KeyGuard(this));
-    qApp->installEventFilter(new PlainLabels(this));
-    qApp->installEventFilter(new HandGuard(this));
-    qApp->installEventFilter(new WindowKeeper(this));
 }
 
 Session::~Session()
@@ -102,11 +78,6 @@ void Session::start(const QStringList& files)
     }
 }
 
-void Session::giveBackMemorySoon()
-{
-    m_thrift.start();
-}
-
 void Session::leaveWork()
 {
     for (const QPointer<MainWindow>& window : std::as_const(m_windows)) {
@@ -125,26 +96,27 @@ void Session::closeAll()
     }
 }
 
-bool Session::isLast(const MainWindow& window) const
+bool Session::isLast(const QWidget& window) const
 {
-    return std::none_of(m_windows.begin(), m_windows.end(), [&](const QPointer<MainWindow>& other) { return other && other != &window && other->isVisible(); });
+    return std::none_of(m_windows.begin(), m_windows.end(),
+        [&](const QPointer<MainWindow>& other) { return other && other != &window && other->isVisible(); });
 }
 
-bool Session::mayClose(MainWindow& window)
+bool Session::mayClose(QWidget& window)
 {
-    if (m_exports.active() == 0 || !isLast(window)) {
+    if (exports().active() == 0 || !isLast(window)) {
         return true;
     }
-    const int answer = m_askForChoice(&window,
+    const int answer = askForChoice()(&window,
         {.name = QStringLiteral("exportRunsBox"),
             .title = tr("Exports"),
-            .text = tr("Exports that are not finished: %1").arg(m_exports.active()),
+            .text = tr("Exports still running or waiting: %1").arg(exports().active()),
             .answers = {tr("Finish in the background and close"), tr("Stop them and close"), tr("Cancel")}});
     constexpr int kFinish = 0;
     constexpr int kStop = 1;
     if (answer == kStop) {
-        m_exports.stopAll();
-    } else if (answer == kFinish && m_exports.active() > 0) { // while one thought about it they may have ended
+        exports().stopAll();
+    } else if (answer == kFinish && exports().active() > 0) { // while one thought about it they may have ended
         m_untilExported = std::make_shared<QEventLoopLocker>();
     }
     return answer == kFinish || answer == kStop;
@@ -152,32 +124,34 @@ bool Session::mayClose(MainWindow& window)
 
 void Session::connectExports()
 {
-    connect(&m_exports, &ExportQueue::ended, this, [this](quint64 id) {
-        const QueuedExport* one = m_exports.find(id);
+    connect(&exports(), &ExportQueue::ended, this, [this](quint64 id) {
+        const QueuedExport* one = exports().find(id);
         if (m_untilExported && one != nullptr && one->state == ExportState::Failed) { // there is no window that says it
-            m_askForChoice(nullptr, {.name = QStringLiteral("exportFailedBox"), .title = tr("Export"), .text = tr("Export failed: %1").arg(one->told), .answers = {tr("Close")}});
+            askForChoice()(nullptr,
+                {.name = QStringLiteral("exportFailedBox"),
+                    .title = tr("Export"),
+                    .text = tr("Export failed: %1").arg(one->told),
+                    .answers = {tr("Close")}});
         }
     });
-    connect(&m_exports, &ExportQueue::emptied, this, [this] { m_untilExported.reset(); });
+    connect(&exports(), &ExportQueue::emptied, this, [this] { m_untilExported.reset(); });
 }
 
 void Session::offerExports()
 {
-    const QStringList unreadable = m_exports.takeLeftovers();
+    const QStringList unreadable = exports().takeLeftovers();
     MainWindow* window = m_windows.constLast();
     if (!unreadable.isEmpty()) {
-        window->notify(tr("A list of exports cannot be read. It stays where it is: %1").arg(unreadable.join(QStringLiteral(", "))));
+        window->notify(tr("A list of exports cannot be read. It stays where it is: %1")
+                           .arg(unreadable.join(QStringLiteral(", "))));
     }
-    if (const int left = m_exports.held(); left > 0) {
-        QMetaObject::invokeMethod(&window->docks(), &Docks::showQueue, Qt::QueuedConnection); // once the panels have their places
-        window->notify(tr("Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.").arg(left));
+    if (const int left = exports().held(); left > 0) {
+        QMetaObject::invokeMethod(
+            &window->docks(), &Docks::showQueue, Qt::QueuedConnection); // once the panels have their places
+        window->notify(
+            tr("Exports that were not finished when the program ended: %1. The panel Exports starts or removes them.")
+                .arg(left));
     }
-}
-
-void Session::applyTheme(Theme theme)
-{
-    m_settings.setTheme(theme);
-    ui::applyTheme(*qApp, theme, m_desktopIsDark);
 }
 
 } // namespace fumage::ui

@@ -10,7 +10,7 @@ namespace fumage::ui {
 
 namespace {
 
-constexpr int kMostRecent = 10;
+constexpr int kMaxRecent = 10;
 const QString kRecent = QStringLiteral("files/recent");
 const QString kLastFolder = QStringLiteral("files/folder");
 const QString kFavourites = QStringLiteral("presets/favourites");
@@ -54,7 +54,7 @@ void Settings::addRecentFile(const QString& path)
     QStringList files = recentFiles();
     files.removeAll(whole);
     files.prepend(whole);
-    m_settings.setValue(kRecent, QStringList(files.mid(0, kMostRecent)));
+    m_settings.setValue(kRecent, QStringList(files.mid(0, kMaxRecent)));
     emit recentFilesChanged();
 }
 
@@ -69,7 +69,9 @@ void Settings::removeRecentFile(const QString& path)
 QString Settings::lastFolder() const
 {
     const QString folder = m_settings.value(kLastFolder).toString();
-    return QDir(folder).exists() && !folder.isEmpty() ? folder : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(folder).exists() && !folder.isEmpty()
+        ? folder
+        : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
 void Settings::setLastFolder(const QString& folder)
@@ -149,7 +151,7 @@ void Settings::setOpenGl(OpenGlChoice choice)
 int Settings::pictureMegabytes() const
 {
     return std::clamp(
-        m_settings.value(kPictures, kUsualPictureMegabytes).toInt(), kLeastPictureMegabytes, kMostPictureMegabytes);
+        m_settings.value(kPictures, kUsualPictureMegabytes).toInt(), kMinPictureMegabytes, kMaxPictureMegabytes);
 }
 
 void Settings::setPictureMegabytes(int megabytes)
@@ -158,7 +160,7 @@ void Settings::setPictureMegabytes(int megabytes)
     emit pictureMegabytesChanged(pictureMegabytes());
 }
 
-bool Settings::knowsQueue() const
+bool Settings::hasSeenQueue() const
 {
     return m_settings.value(kKnowsQueue, false).toBool();
 }

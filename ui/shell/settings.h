@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/face/theme.h"
+#include "ui/theme/theme.h"
 #include "ui/viewport/navigation.h"
 
 #include <QSettings>
@@ -49,12 +49,12 @@ public:
     /// What the pictures of a window that are kept for playing may take, in MB.
     [[nodiscard]] int pictureMegabytes() const;
     void setPictureMegabytes(int megabytes);
-    static constexpr int kLeastPictureMegabytes = 32;
-    static constexpr int kMostPictureMegabytes = 16384;
+    static constexpr int kMinPictureMegabytes = 32;
+    static constexpr int kMaxPictureMegabytes = 16384;
     static constexpr int kUsualPictureMegabytes = 256;
 
     /// Whether the panel of exports has come by itself, which it does once.
-    [[nodiscard]] bool knowsQueue() const;
+    [[nodiscard]] bool hasSeenQueue() const;
     void setKnowsQueue(bool knows);
 
     [[nodiscard]] QByteArray bytes(const QString& key) const;

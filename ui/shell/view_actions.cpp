@@ -24,7 +24,7 @@ constexpr OverlayAction kOverlayActions[] = {
     {"view.grid", Overlay::Grid},
     {"view.emitter", Overlay::Emitter},
     {"view.gizmos", Overlay::Gizmos},
-    {"view.tracks", Overlay::Tracks},
+    {"view.trails", Overlay::Trails},
     {"view.air", Overlay::Air},
     {.action = "view.frame", .overlay = Overlay::Frame, .remembered = false}, // comes and goes with the export dialog
     {"view.readout", Overlay::Readout},
@@ -71,7 +71,8 @@ void ViewActions::connectOverlays()
     for (const OverlayAction& entry : kOverlayActions) {
         QAction& action = m_actions.get(entry.action);
         action.setChecked(m_viewport.overlays().testFlag(entry.overlay));
-        connect(&action, &QAction::toggled, this, [this, overlay = entry.overlay](bool on) { m_viewport.setOverlay(overlay, on); });
+        connect(&action, &QAction::toggled, this,
+            [this, overlay = entry.overlay](bool on) { m_viewport.setOverlay(overlay, on); });
     }
 }
 
@@ -85,10 +86,11 @@ void ViewActions::connectBackdrop()
     });
     m_actions.on("view.backdrop", this, [this, &checker] {
         const bool wasChecked = checker.isChecked();
-        const QColorDialog& dialog = chooseColour(&m_window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
-            m_viewport.setBackdrop({Backdrop::Kind::Colour, colour});
-            checker.setChecked(false);
-        });
+        const QColorDialog& dialog = chooseColour(
+            &m_window, tr("Backdrop"), m_viewport.backdrop().colour, [this, &checker](const glm::vec3& colour, bool) {
+                m_viewport.setBackdrop({Backdrop::Kind::Colour, colour});
+                checker.setChecked(false);
+            });
         connect(&dialog, &QDialog::rejected, &checker, [&checker, wasChecked] { checker.setChecked(wasChecked); });
     });
 }

@@ -7,7 +7,8 @@ namespace fumage::ui {
 
 /// Which frame is shown, and the clock that moves it on.
 ///
-/// Plays every frame, at most at the frame rate times the speed: a machine that is too slow plays slower and skips nothing.
+/// Plays every frame, at most at the frame rate times the speed: a machine that is too slow plays slower and skips
+/// nothing.
 class Player : public QObject {
     Q_OBJECT
 

@@ -2,9 +2,9 @@
 
 #include "ui/document/number_text.h"
 #include "ui/document/parameter_text.h"
-#include "ui/face/field_keys.h"
-#include "ui/face/hand.h"
-#include "ui/face/icons.h"
+#include "ui/widgets/field_keys.h"
+#include "ui/widgets/gesture.h"
+#include "ui/theme/icons.h"
 #include "ui/panels/whole_box.h"
 
 #include "core/effect/known_parameter.h"
@@ -65,12 +65,17 @@ TimelineBar::TimelineBar(Document& document, Player& player, QWidget* parent)
 
 void TimelineBar::addButtons(QHBoxLayout& controls)
 {
-    QToolButton* start = makeIconButton(this, QStringLiteral("toStart"), QStringLiteral("to-start"), tr("To the first frame (Home)"));
-    QToolButton* back = makeIconButton(this, QStringLiteral("stepBack"), QStringLiteral("step-back"), tr("One frame back (Left)"));
+    QToolButton* start =
+        makeIconButton(this, QStringLiteral("toStart"), QStringLiteral("to-start"), tr("Go to start (Home)"));
+    QToolButton* back =
+        makeIconButton(this, QStringLiteral("stepBack"), QStringLiteral("step-back"), tr("Previous frame (Left)"));
     m_play = makeIconButton(this, QStringLiteral("playButton"), QStringLiteral("play"), tr("Play or pause (Space)"));
-    QToolButton* forward = makeIconButton(this, QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("One frame on (Right)"));
-    QToolButton* end = makeIconButton(this, QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("To the last frame (End)"));
-    m_repeat = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"), tr("Repeat playback: start again after the last frame, whether it fits the first or not"));
+    QToolButton* forward =
+        makeIconButton(this, QStringLiteral("stepForward"), QStringLiteral("step-forward"), tr("Next frame (Right)"));
+    QToolButton* end =
+        makeIconButton(this, QStringLiteral("toEnd"), QStringLiteral("to-end"), tr("Go to end (End)"));
+    m_repeat = makeIconButton(this, QStringLiteral("repeat"), QStringLiteral("loop"),
+        tr("Repeat playback: start again after the last frame, whether it fits the first or not"));
     m_repeat->setCheckable(true);
     for (QToolButton* button : {start, back, m_play, forward, end, m_repeat}) {
         controls.addWidget(button);
@@ -120,7 +125,7 @@ void TimelineBar::addSpeedAndRate(QHBoxLayout& controls)
     m_rate->setToolTip(tr("Frames per second of the effect"));
     m_rate->setKeyboardTracking(false);
     m_rate->setRange(static_cast<int>(kFrameRate.hard.low), static_cast<int>(kFrameRate.hard.high));
-    m_rate->setSuffix(tr(" frames/s"));
+    m_rate->setSuffix(tr(" fps"));
     new SpinBoxKeys(*m_rate);
     controls.addWidget(m_speed);
     controls.addWidget(m_rate);
@@ -159,7 +164,8 @@ void TimelineBar::fillMore(QMenu& menu)
     if (m_speed->isHidden()) {
         QMenu* speeds = menu.addMenu(m_speed->toolTip());
         for (int i = 0; i < m_speed->count(); ++i) {
-            addChoice(*speeds, m_speed->itemText(i), i == m_speed->currentIndex(), [this, i] { m_speed->setCurrentIndex(i); });
+            addChoice(*speeds, m_speed->itemText(i), i == m_speed->currentIndex(),
+                [this, i] { m_speed->setCurrentIndex(i); });
         }
     }
     if (m_rate->isHidden()) {
@@ -176,7 +182,8 @@ void TimelineBar::connectPlayer()
 {
     connect(m_play, &QToolButton::clicked, &m_player, &Player::toggle);
     connect(m_repeat, &QToolButton::toggled, &m_player, &Player::setRepeats);
-    connect(m_speed, &QComboBox::currentIndexChanged, this, [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
+    connect(m_speed, &QComboBox::currentIndexChanged, this,
+        [this] { m_player.setSpeed(m_speed->currentData().toDouble()); });
     connect(m_frame, &QSpinBox::valueChanged, &m_player, &Player::setFrame);
     connect(m_rate, &QSpinBox::valueChanged, this, [this](int value) { m_document.edit(kFrameRate, value); });
     connect(&m_player, &Player::frameChanged, this, &TimelineBar::showTime);
@@ -212,17 +219,18 @@ QSize TimelineBar::minimumSizeHint() const
 void TimelineBar::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    giveWay();
+    hideOverflow();
 }
 
 /// On a small screen some controls go, rather than that all are cut off.
-void TimelineBar::giveWay()
+void TimelineBar::hideOverflow()
 {
     const QMargins margins = layout()->contentsMargins();
     int needed = margins.left() + margins.right();
     for (int i = 0; i < m_controls->count(); ++i) {
         const QLayoutItem& item = *m_controls->itemAt(i);
-        needed += m_controls->spacing() + (item.widget() != nullptr ? item.widget()->sizeHint().width() : item.sizeHint().width());
+        needed += m_controls->spacing()
+            + (item.widget() != nullptr ? item.widget()->sizeHint().width() : item.sizeHint().width());
     }
     const int more = m_more->sizeHint().width() + m_controls->spacing();
     needed -= more;
@@ -245,14 +253,15 @@ void TimelineBar::sync()
     m_frame->setRange(0, m_player.length() - 1);
     m_frame->setSuffix(tr(" of %1").arg(m_player.length() - 1));
     showTime();
-    giveWay(); // the field may be wider now
+    hideOverflow(); // the field may be wider now
 }
 
 void TimelineBar::showTime()
 {
     const QSignalBlocker blocker(m_frame);
     m_frame->setValue(m_player.frame());
-    m_time->setText(tr("%1 s").arg(formatFixed(static_cast<double>(m_player.frame()) / m_document.effect().timeline.frameRate, 2)));
+    m_time->setText(
+        tr("%1 s").arg(formatFixed(static_cast<double>(m_player.frame()) / m_document.effect().timeline.frameRate, 2)));
 }
 
 } // namespace fumage::ui

@@ -33,7 +33,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void giveWay();
+    void hideOverflow();
     /// What goes on a narrow screen, the first of them first.
     [[nodiscard]] std::array<QWidget*, 5> dispensable() const;
     void addButtons(QHBoxLayout& controls);

@@ -1,7 +1,7 @@
 #include "ui/timeline/timeline_ruler.h"
 
-#include "ui/face/field_keys.h"
-#include "ui/face/hand.h"
+#include "ui/widgets/field_keys.h"
+#include "ui/widgets/gesture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ constexpr double kMargin = 12.0;
 constexpr double kGripReach = 7.0;
 constexpr double kRangeTop = 2.0; ///< of the strip that holds the range
 constexpr double kRangeHeight = 8.0;
-constexpr double kLeastTickGap = 52.0;
+constexpr double kMinTickGap = 52.0;
 
 /// 1, 2, 5, 10, 20, 50 ... frames between numbers.
 int tickStep(double pixelsAFrame)
 {
     for (int power = 1;; power *= 10) {
         for (const int factor : {1, 2, 5}) {
-            if (power * factor * pixelsAFrame >= kLeastTickGap) {
+            if (power * factor * pixelsAFrame >= kMinTickGap) {
                 return power * factor;
             }
         }
@@ -67,7 +67,8 @@ double TimelineRuler::xOf(double frame) const
 
 int TimelineRuler::frameAt(double x) const
 {
-    return static_cast<int>(std::lround((x - kMargin) / (width() - 2.0 * kMargin) * std::max(1, m_player.length() - 1)));
+    return static_cast<int>(
+        std::lround((x - kMargin) / (width() - 2.0 * kMargin) * std::max(1, m_player.length() - 1)));
 }
 
 void TimelineRuler::mousePressEvent(QMouseEvent* event)
@@ -162,10 +163,13 @@ void TimelineRuler::paintEvent(QPaintEvent*)
     range.setAlpha(110);
     painter.setPen(Qt::NoPen);
     painter.setBrush(range);
-    painter.drawRoundedRect(QRectF(QPointF(xOf(m_player.first()) - 4.0, kRangeTop), QPointF(xOf(m_player.last()) + 4.0, kRangeTop + kRangeHeight)), 3.0, 3.0);
+    painter.drawRoundedRect(QRectF(QPointF(xOf(m_player.first()) - 4.0, kRangeTop),
+                                QPointF(xOf(m_player.last()) + 4.0, kRangeTop + kRangeHeight)),
+        3.0, 3.0);
     const double half = std::max(0.5, (xOf(1) - xOf(0)) / 2.0);
     for (const int frame : m_cached) {
-        painter.fillRect(QRectF(xOf(frame) - half, kRangeTop + kRangeHeight + 1.0, 2.0 * half + 0.5, 2.5), QColor(86, 170, 110));
+        painter.fillRect(
+            QRectF(xOf(frame) - half, kRangeTop + kRangeHeight + 1.0, 2.0 * half + 0.5, 2.5), QColor(86, 170, 110));
     }
     paintTicks(painter);
     if (m_baking < 1.0) {

@@ -16,7 +16,7 @@ constexpr int kShownMs = 8000;
 CameraFit::CameraFit(Document& document)
     : m_document(document)
     , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); },
-          [this](const Request& request, const Error& why) { tell(request, [this, why] { end(why); }); })
+          [this](const Request& request, const Error& why) { report(request, [this, why] { end(why); }); })
 {
     connect(&m_document, &Document::effectChanged, this, [this] {
         if (m_running) {
@@ -43,10 +43,11 @@ void CameraFit::post()
     m_job.post({m_document.effect(), ++m_number});
 }
 
-void CameraFit::tell(const Request& request, std::function<void()> news)
+void CameraFit::report(const Request& request, std::function<void()> news)
 {
     QMetaObject::invokeMethod(
-        this, [this, number = request.number, news = std::move(news)] {
+        this,
+        [this, number = request.number, news = std::move(news)] {
             if (m_running && number == m_number) {
                 news();
             }
@@ -58,14 +59,15 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
 {
     constexpr int kPercent = 100;
     int told = -1;
-    const auto report = [&](int done, int total) {
+    const auto progress = [&](int done, int total) {
         if (const int percent = kPercent * done / total; percent > told) {
             told = percent;
-            tell(request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
+            report(
+                request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
-    const Result<Camera> camera = fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, report, stop);
-    tell(request, [this, camera] { end(camera); });
+    const Result<Camera> camera = fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, progress, stop);
+    report(request, [this, camera] { end(camera); });
 }
 
 void CameraFit::end(const Result<Camera>& camera)
@@ -75,7 +77,7 @@ void CameraFit::end(const Result<Camera>& camera)
         m_document.moveCamera(camera.value());
         emit news(tr("The camera shows all smoke of the animation"), kShownMs);
     } else {
-        emit news(told(camera.error()), kShownMs);
+        emit news(translated(camera.error()), kShownMs);
     }
     emit ended();
 }

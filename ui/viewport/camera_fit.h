@@ -1,14 +1,14 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/work/latest_job.h"
+#include "ui/concurrency/latest_only_worker.h"
 
 #include "core/base/result.h"
 
 namespace fumage::ui {
 
-/// Moves the document's camera so that all smoke of the whole animation is in the picture. On a thread of its own; a change of the document meanwhile
-/// begins it anew.
+/// Moves the document's camera so that all smoke of the whole animation is in the picture. On a thread of its own; a
+/// change of the document meanwhile begins it anew.
 class CameraFit : public QObject {
     Q_OBJECT
 
@@ -32,14 +32,14 @@ private:
     };
     void post();
     /// Has something called on this object's thread, unless something newer has been asked for by then.
-    void tell(const Request& request, std::function<void()> news);
+    void report(const Request& request, std::function<void()> news);
     void work(const Request& request, const std::stop_token& stop);
     void end(const Result<Camera>& camera);
 
     Document& m_document;
     bool m_running = false;
     int m_number = 0; ///< of the newest request: news of others are old
-    LatestJob<Request> m_job; ///< last: its thread ends first
+    LatestOnlyWorker<Request> m_job; ///< last: its thread ends first
 };
 
 } // namespace fumage::ui

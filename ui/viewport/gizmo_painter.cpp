@@ -71,7 +71,8 @@ struct Label {
 };
 
 /// Where a label stands: beyond the end of its line, and not where another one is.
-QRectF placeOfLabel(const QFontMetrics& metrics, const QLineF& line, const QString& text, int viewWidth, const std::vector<Label>& others)
+QRectF placeOfLabel(const QFontMetrics& metrics, const QLineF& line, const QString& text, int viewWidth,
+    const std::vector<Label>& others)
 {
     constexpr double kGap = 14.0;
     constexpr double kPadding = 4.0;
@@ -80,7 +81,8 @@ QRectF placeOfLabel(const QFontMetrics& metrics, const QLineF& line, const QStri
     const double most = viewWidth - width - kPadding;
     const QPointF wanted(std::min(line.p2().x() + beside, most), line.p2().y() + 4.0 - metrics.ascent());
     std::vector<QRectF> taken;
-    std::transform(others.begin(), others.end(), std::back_inserter(taken), [](const Label& label) { return label.place; });
+    std::transform(
+        others.begin(), others.end(), std::back_inserter(taken), [](const Label& label) { return label.place; });
     return freePlace({wanted.x(), wanted.y(), width, metrics.height() + 1.0}, taken);
 }
 
@@ -96,10 +98,12 @@ void paintLabel(QPainter& painter, const Label& label, bool hot)
 }
 
 /// @return whether the gizmo is one that has a label
-bool paintGizmo(QPainter& painter, const Gizmo& gizmo, const QLineF& line, const Effect& effect, const View& view, bool hot)
+bool paintGizmo(
+    QPainter& painter, const Gizmo& gizmo, const QLineF& line, const Effect& effect, const View& view, bool hot)
 {
     if (gizmo.id == GizmoId::Light) {
-        painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 90), 1.0, Qt::DashLine));
+        painter.setPen(
+            QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 90), 1.0, Qt::DashLine));
         painter.drawLine(line);
         paintSun(painter, line.p2(), gizmo.colour, hot);
     } else if (gizmo.label.isEmpty() || gizmo.id == GizmoId::EmitterPosition) {
@@ -108,8 +112,10 @@ bool paintGizmo(QPainter& painter, const Gizmo& gizmo, const QLineF& line, const
     } else if (gizmo.id == GizmoId::ObstacleSize || gizmo.id == GizmoId::AirSize) {
         paintHandle(painter, line.p2(), gizmo.colour, hot);
     } else if (gizmo.id == GizmoId::Rings) {
-        painter.setPen(QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 150), hot ? 2.0 : 1.2));
-        paintCircle(painter, gizmo.from, glm::normalize(effect.emitter.normal), glm::distance(gizmo.from, gizmo.to), view);
+        painter.setPen(
+            QPen(QColor(gizmo.colour.red(), gizmo.colour.green(), gizmo.colour.blue(), 150), hot ? 2.0 : 1.2));
+        paintCircle(
+            painter, gizmo.from, glm::normalize(effect.emitter.normal), glm::distance(gizmo.from, gizmo.to), view);
         paintHandle(painter, line.p2(), gizmo.colour, hot);
     } else {
         paintArrow(painter, line, gizmo.colour, hot);
@@ -142,7 +148,8 @@ void paintGizmos(QPainter& painter, const Effect& effect, const View& view, std:
         const std::optional<QLineF> line = projectLine(view, gizmo.from, gizmo.to);
         if (line && paintGizmo(painter, gizmo, *line, effect, view, hot == gizmo.id)) {
             hotLabel = hot == gizmo.id ? std::optional(labels.size()) : hotLabel;
-            labels.push_back({placeOfLabel(painter.fontMetrics(), *line, gizmo.label, view.width, labels), gizmo.label, gizmo.colour});
+            labels.push_back({placeOfLabel(painter.fontMetrics(), *line, gizmo.label, view.width, labels), gizmo.label,
+                gizmo.colour});
         }
     }
     for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -45,14 +45,15 @@ float metres(const View& view, const glm::vec3& at, float pixels)
 
 glm::vec3 windDirection(const Effect& effect)
 {
-    const float angle = glm::radians(effect.motion.windAngle);
+    const float angle = glm::radians(effect.wind.angle);
     return {std::cos(angle), 0.0F, std::sin(angle)};
 }
 
 /// Where the light's handle stands: around the middle of the picture.
 glm::vec3 lightAnchor(const Effect& effect, const View& view)
 {
-    return effect.camera.mode == CameraMode::Orbit ? effect.camera.target : view.eye + view.forward * effect.camera.distance;
+    return effect.camera.mode == CameraMode::Orbit ? effect.camera.target
+                                                   : view.eye + view.forward * effect.camera.distance;
 }
 
 float lightReach(const Effect& effect, const View& view)
@@ -75,7 +76,8 @@ glm::vec3 snapDirection(const glm::vec3& direction)
 
 /// The direction from a centre to where the mouse meets a ball around it; beyond its rim, to the rim. The half that the
 /// direction pointed to at the beginning, towards the eye or away, is the one that is met.
-glm::vec3 directionOnBall(const View& view, const glm::vec3& centre, float radius, const glm::vec3& before, QPointF mouse)
+glm::vec3 directionOnBall(
+    const View& view, const glm::vec3& centre, float radius, const glm::vec3& before, QPointF mouse)
 {
     const glm::vec3 ray = rayThrough(view, mouse);
     const glm::vec3 toCentre = centre - view.eye;
@@ -102,15 +104,17 @@ glm::vec3 placeAt(const View& view, const glm::vec3& before, QPointF mouse, bool
 /// Where an obstacle's size is grasped: a corner of a box, the side of a ball.
 glm::vec3 obstacleCorner(const Air& air, const View& view)
 {
-    return air.obstaclePlace + 0.5F * (air.obstacle == Obstacle::Sphere ? view.right * air.obstacleSize.x : air.obstacleSize);
+    return air.obstaclePosition
+        + 0.5F * (air.obstacle == Obstacle::Sphere ? view.right * air.obstacleSize.x : air.obstacleSize);
 }
 
 std::vector<Assignment> dragObstacleSize(const Air& air, const View& view, QPointF mouse, bool snap)
 {
-    const glm::vec3 away = placeAt(view, obstacleCorner(air, view), mouse, snap) - air.obstaclePlace;
-    constexpr float kLeast = 0.02F; // m
-    const glm::vec3 size = air.obstacle == Obstacle::Sphere ? glm::vec3(2.0F * glm::length(away)) : 2.0F * glm::abs(away);
-    return {{&knownParameter("air.obstacle_size"), glm::max(size, kLeast)}};
+    const glm::vec3 away = placeAt(view, obstacleCorner(air, view), mouse, snap) - air.obstaclePosition;
+    constexpr float kMin = 0.02F; // m
+    const glm::vec3 size =
+        air.obstacle == Obstacle::Sphere ? glm::vec3(2.0F * glm::length(away)) : 2.0F * glm::abs(away);
+    return {{&knownParameter("air.obstacle_size"), glm::max(size, kMin)}};
 }
 
 /// The middle of the foot of a box of air that does not fit itself.
@@ -132,8 +136,8 @@ glm::vec3 airLowCorner(const Effect& effect)
 std::vector<Assignment> dragAirSize(const Effect& effect, const View& view, QPointF mouse, bool snap)
 {
     const glm::vec3 away = placeAt(view, airCorner(effect), mouse, snap) - airFoot(effect);
-    constexpr float kLeast = 0.1F; // m
-    return {{&knownParameter("air.size"), glm::max(glm::abs(away) * glm::vec3(2.0F, 1.0F, 2.0F), kLeast)}};
+    constexpr float kMin = 0.1F; // m
+    return {{&knownParameter("air.size"), glm::max(glm::abs(away) * glm::vec3(2.0F, 1.0F, 2.0F), kMin)}};
 }
 
 /// Away from the axis of the rings, to the right as far as the view allows.
@@ -163,7 +167,8 @@ std::vector<Assignment> dragRings(const Effect& effect, const View& view, QPoint
     if (std::abs(towards) < kEdgeOn) {
         return {};
     }
-    const glm::vec3 place = view.eye + ray * (glm::dot(effect.emitter.position - view.eye, normal) / towards) - effect.emitter.position;
+    const glm::vec3 place =
+        view.eye + ray * (glm::dot(effect.emitter.position - view.eye, normal) / towards) - effect.emitter.position;
     const auto snapped = [&](float length) { return snap ? std::round(length / kSnapMetres) * kSnapMetres : length; };
     Rings rings = effect.rings;
     rings.spacing = snapped(glm::dot(place, axis));
@@ -178,7 +183,9 @@ std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF
     constexpr float kLevel = 1e-4F;
     // Seen from the side the ground is a line: then only left and right can be told.
     const float distance = std::abs(ray.y) > kLevel ? (from.y - view.eye.y) / ray.y : -1.0F;
-    glm::vec3 way = distance > 0.0F ? view.eye + ray * distance - from : view.right * static_cast<float>(mouse.x() - static_cast<double>(project(view, from).x));
+    glm::vec3 way = distance > 0.0F
+        ? view.eye + ray * distance - from
+        : view.right * static_cast<float>(mouse.x() - static_cast<double>(project(view, from).x));
     way.y = 0.0F;
     if (glm::length(way) <= 0.0F) {
         return {};
@@ -186,7 +193,7 @@ std::vector<Assignment> dragWind(const Effect& effect, const View& view, QPointF
     float angle = std::atan2(way.z, way.x);
     angle = snap ? snapAngle(angle) : angle;
     // Whole degrees are what a hand means.
-    return {{&knownParameter("motion.wind_angle"), std::round(glm::degrees(angle))}};
+    return {{&knownParameter("wind.angle"), std::round(glm::degrees(angle))}};
 }
 
 /// Those of the air, where there is one: of its obstacle, and of its box where that does not fit itself.
@@ -195,13 +202,15 @@ void addAirGizmos(const Effect& effect, const View& view, std::vector<Gizmo>& gi
     const Air& air = effect.air;
     if (air.enabled && air.obstacle != Obstacle::None) {
         const QColor colour(0xe0, 0xa0, 0x60);
-        gizmos.push_back({GizmoId::Obstacle, air.obstaclePlace, air.obstaclePlace, colour, {}});
-        gizmos.push_back({GizmoId::ObstacleSize, air.obstaclePlace, obstacleCorner(air, view), colour, gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Obstacle"))});
+        gizmos.push_back({GizmoId::Obstacle, air.obstaclePosition, air.obstaclePosition, colour, {}});
+        gizmos.push_back({GizmoId::ObstacleSize, air.obstaclePosition, obstacleCorner(air, view), colour,
+            gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Obstacle"))});
     }
     if (air.enabled && !air.fit) {
         const QColor colour(0x8c, 0xbe, 0xdc);
         gizmos.push_back({GizmoId::AirPlace, airLowCorner(effect), airLowCorner(effect), colour, {}});
-        gizmos.push_back({GizmoId::AirSize, airFoot(effect), airCorner(effect), colour, gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Air"))});
+        gizmos.push_back({GizmoId::AirSize, airFoot(effect), airCorner(effect), colour,
+            gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Air"))});
     }
 }
 
@@ -210,20 +219,28 @@ void addAirGizmos(const Effect& effect, const View& view, std::vector<Gizmo>& gi
 std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
 {
     const glm::vec3 emitter = effect.emitter.position;
-    const auto tip = [&](const glm::vec3& direction, float pixels) { return emitter + direction * metres(view, emitter, pixels); };
+    const auto tip = [&](const glm::vec3& direction, float pixels) {
+        return emitter + direction * metres(view, emitter, pixels);
+    };
     const glm::vec3 middle = lightAnchor(effect, view);
-    std::vector<Gizmo> gizmos{
-        {GizmoId::EmitterPosition, emitter, emitter, QColor(0xa8, 0xe8, 0x50), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Emitter"))},
-        {GizmoId::EmitterNormal, emitter, tip(glm::normalize(effect.emitter.normal), kNormalPixels), QColor(0xa8, 0xe8, 0x50), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Normal"))},
-        {GizmoId::Wind, emitter, tip(windDirection(effect), kWindPixels), QColor(0x4c, 0xb8, 0xe8), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Wind")) + QStringLiteral(" θ %1°").arg(std::lround(effect.motion.windAngle))},
-        {GizmoId::Light, middle, middle - glm::normalize(effect.light.direction) * lightReach(effect, view), QColor(0xff, 0xe4, 0x80), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Light"))}};
+    std::vector<Gizmo> gizmos{{GizmoId::EmitterPosition, emitter, emitter, QColor(0xa8, 0xe8, 0x50),
+                                  gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Emitter"))},
+        {GizmoId::EmitterNormal, emitter, tip(glm::normalize(effect.emitter.normal), kNormalPixels),
+            QColor(0xa8, 0xe8, 0x50), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Normal"))},
+        {GizmoId::Wind, emitter, tip(windDirection(effect), kWindPixels), QColor(0x4c, 0xb8, 0xe8),
+            gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Wind"))
+                + QStringLiteral(" θ %1°").arg(std::lround(effect.wind.angle))},
+        {GizmoId::Light, middle, middle - glm::normalize(effect.light.direction) * lightReach(effect, view),
+            QColor(0xff, 0xe4, 0x80), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Light"))}};
     if (effect.vortex.strength != 0.0F) {
-        gizmos.push_back({GizmoId::VortexAxis, emitter, tip(glm::normalize(effect.vortex.axis), kVortexPixels), QColor(0xb0, 0x8c, 0xf0), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Vortex"))});
+        gizmos.push_back({GizmoId::VortexAxis, emitter, tip(glm::normalize(effect.vortex.axis), kVortexPixels),
+            QColor(0xb0, 0x8c, 0xf0), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Vortex"))});
     }
     if (effect.rings.strength > 0.0F && !effect.air.enabled) { // in air they come by themselves
         const glm::vec3 axis = glm::normalize(effect.emitter.normal);
         const glm::vec3 centre = emitter + axis * effect.rings.spacing;
-        gizmos.push_back({GizmoId::Rings, centre, centre + ringSide(axis, view) * ringRadius(effect.rings), QColor(0xf0, 0x94, 0xb4), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Rings"))});
+        gizmos.push_back({GizmoId::Rings, centre, centre + ringSide(axis, view) * ringRadius(effect.rings),
+            QColor(0xf0, 0x94, 0xb4), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Rings"))});
     }
     addAirGizmos(effect, view, gizmos);
     return gizmos;
@@ -254,16 +271,22 @@ std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& 
     switch (id) {
     case GizmoId::EmitterPosition: return {{&knownParameter("emitter.position"), placeAt(view, emitter, mouse, snap)}};
     case GizmoId::EmitterNormal:
-        return {{&knownParameter("emitter.normal"), onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
+        return {{&knownParameter("emitter.normal"),
+            onBall(emitter, metres(view, emitter, kNormalPixels), effect.emitter.normal)}};
     case GizmoId::Wind: return dragWind(effect, view, mouse, snap);
     case GizmoId::VortexAxis:
-        return {{&knownParameter("vortex.axis"), onBall(emitter, metres(view, emitter, kVortexPixels), effect.vortex.axis)}};
+        return {{&knownParameter("vortex.axis"),
+            onBall(emitter, metres(view, emitter, kVortexPixels), effect.vortex.axis)}};
     case GizmoId::Rings: return dragRings(effect, view, mouse, snap);
     case GizmoId::Light:
-        return {{&knownParameter("light.direction"), -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
-    case GizmoId::Obstacle: return {{&knownParameter("air.obstacle_place"), placeAt(view, effect.air.obstaclePlace, mouse, snap)}};
+        return {{&knownParameter("light.direction"),
+            -onBall(lightAnchor(effect, view), lightReach(effect, view), -effect.light.direction)}};
+    case GizmoId::Obstacle:
+        return {{&knownParameter("air.obstacle_position"), placeAt(view, effect.air.obstaclePosition, mouse, snap)}};
     case GizmoId::ObstacleSize: return dragObstacleSize(effect.air, view, mouse, snap);
-    case GizmoId::AirPlace: return {{&knownParameter("air.offset"), effect.air.offset + placeAt(view, airLowCorner(effect), mouse, snap) - airLowCorner(effect)}};
+    case GizmoId::AirPlace:
+        return {{&knownParameter("air.offset"),
+            effect.air.offset + placeAt(view, airLowCorner(effect), mouse, snap) - airLowCorner(effect)}};
     case GizmoId::AirSize: return dragAirSize(effect, view, mouse, snap);
     }
     return {};

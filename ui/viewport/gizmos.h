@@ -18,7 +18,8 @@ enum class GizmoId {
     EmitterNormal,
     Wind,
     VortexAxis,
-    Rings, ///< rim of the ring that is one spacing away: its height is the spacing, its distance from the axis the radius
+    Rings, ///< rim of the ring that is one spacing away: its height is the spacing, its distance from the axis the
+           ///< radius
     Light,
     Obstacle, ///< in the air
     ObstacleSize, ///< a corner of the box, or a point of the ball
@@ -34,7 +35,8 @@ struct Gizmo {
     QString label;
 };
 
-/// The gizmos of an effect, of the same size on the screen from any distance, but for the ring; vortex and rings only where there are such.
+/// The gizmos of an effect, of the same size on the screen from any distance, but for the ring; vortex and rings only
+/// where there are such.
 [[nodiscard]] std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view);
 
 /// @return the gizmo whose handle lies under the mouse, the nearest to it
@@ -43,7 +45,8 @@ struct Gizmo {
 /// What a drag of a gizmo to a place means.
 /// @param effect as it was when the drag began
 /// @param snap   angles to 15 degrees, positions to 0.1 m
-[[nodiscard]] std::vector<Assignment> dragGizmo(GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap);
+[[nodiscard]] std::vector<Assignment> dragGizmo(
+    GizmoId id, const Effect& effect, const View& view, QPointF mouse, bool snap);
 
 /// Whether a handle is one of the box of the air.
 [[nodiscard]] bool isOfAir(GizmoId id);

@@ -47,7 +47,8 @@ GlSprites::GlSprites()
     m_instances.bind();
     for (const Attribute& attribute : kFloats) {
         glEnableVertexAttribArray(attribute.location);
-        glVertexAttribPointer(attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite), asPointer(attribute.offset));
+        glVertexAttribPointer(
+            attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite), asPointer(attribute.offset));
         glVertexAttribDivisor(attribute.location, 1);
     }
     glEnableVertexAttribArray(kPackedLocation);
@@ -63,10 +64,13 @@ GlSprites::~GlSprites()
 
 void GlSprites::compile(QOpenGLShaderProgram& program, const QString& name)
 {
-    const bool linked = program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/%1.vert").arg(name))
-        && program.addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/%1.frag").arg(name)) && program.link();
+    const bool linked =
+        program.addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/%1.vert").arg(name))
+        && program.addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/%1.frag").arg(name))
+        && program.link();
     if (!linked) {
-        m_failure = QCoreApplication::translate("GlSprites", "The graphics driver refuses the shader %1: %2").arg(name, program.log());
+        m_failure = QCoreApplication::translate("GlSprites", "The graphics driver refuses the shader %1: %2")
+                        .arg(name, program.log());
     }
 }
 
@@ -89,13 +93,14 @@ void GlSprites::uploadTexture(const SpriteTexture& texture)
                 greys[static_cast<std::size_t>(slice) * texels + i] = static_cast<std::uint8_t>(from[i] & 255U);
             }
         }
-        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_R8, edge, edge, texture.slices(), 0, GL_RED, GL_UNSIGNED_BYTE, greys.data());
+        glTexImage3D(
+            GL_TEXTURE_2D_ARRAY, level, GL_R8, edge, edge, texture.slices(), 0, GL_RED, GL_UNSIGNED_BYTE, greys.data());
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
 }
 
-void GlSprites::upload(const SpriteScene& scene)
+void GlSprites::upload(const SpriteBatchSnapshot& scene)
 {
     m_instances.bind();
     m_instances.allocate(scene.sprites.data(), static_cast<int>(scene.sprites.size() * sizeof(Sprite)));
@@ -106,10 +111,11 @@ void GlSprites::upload(const SpriteScene& scene)
     }
 }
 
-void GlSprites::drawSprites(const SpriteScene& scene, const QSize& pixels)
+void GlSprites::drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixels)
 {
     if (!m_light || m_light->size() != pixels) {
-        m_light = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D, GL_RGBA16F);
+        m_light = std::make_unique<QOpenGLFramebufferObject>(
+            pixels, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D, GL_RGBA16F);
     }
     m_light->bind();
     glViewport(0, 0, pixels.width(), pixels.height());
@@ -123,7 +129,8 @@ void GlSprites::drawSprites(const SpriteScene& scene, const QSize& pixels)
 
     const SpriteStyle& style = scene.style;
     m_spriteProgram.bind();
-    m_spriteProgram.setUniformValue("size", QVector2D(static_cast<float>(scene.view.width), static_cast<float>(scene.view.height)));
+    m_spriteProgram.setUniformValue(
+        "size", QVector2D(static_cast<float>(scene.view.width), static_cast<float>(scene.view.height)));
     m_spriteProgram.setUniformValue("noise", 0);
     m_spriteProgram.setUniformValue("square", style.square);
     m_spriteProgram.setUniformValue("hardness", style.hardness);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFramebufferObject>
@@ -12,8 +12,9 @@
 
 namespace fumage::ui {
 
-/// Draws the sprites of a picture with OpenGL 3.3: one instanced quad a particle, far to near, into a half-float buffer of linear
-/// light, then exposure, view transform and backdrop. The same formulas as the compositor, which is the reference.
+/// Draws the sprites of a picture with OpenGL 3.3: one instanced quad a particle, far to near, into a half-float buffer
+/// of linear light, then exposure, view transform and backdrop. The same formulas as the compositor, which is the
+/// reference.
 ///
 /// Made, used and destroyed with its context current.
 class GlSprites : protected QOpenGLFunctions_3_3_Core {
@@ -33,9 +34,9 @@ public:
 
 private:
     void compile(QOpenGLShaderProgram& program, const QString& name);
-    void upload(const SpriteScene& scene);
+    void upload(const SpriteBatchSnapshot& scene);
     void uploadTexture(const SpriteTexture& texture);
-    void drawSprites(const SpriteScene& scene, const QSize& pixels);
+    void drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixels);
     void resolve(const Picture& picture, const QSize& pixels, GLuint target);
 
     QString m_failure;
@@ -46,7 +47,7 @@ private:
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
     std::unique_ptr<QOpenGLFramebufferObject> m_light;
     GLuint m_noise = 0;
-    std::shared_ptr<const SpriteScene> m_uploaded;
+    std::shared_ptr<const SpriteBatchSnapshot> m_uploaded;
     std::shared_ptr<const SpriteTexture> m_uploadedTexture;
 };
 

@@ -24,7 +24,8 @@ glm::vec3 turned(const glm::vec3& view, float yawDegrees, float pitchDegrees)
 {
     const float yaw = std::atan2(view.x, -view.z) + glm::radians(yawDegrees);
     const float steepest = glm::radians(kSteepest);
-    const float pitch = std::clamp(std::asin(std::clamp(view.y, -1.0F, 1.0F)) + glm::radians(pitchDegrees), -steepest, steepest);
+    const float pitch =
+        std::clamp(std::asin(std::clamp(view.y, -1.0F, 1.0F)) + glm::radians(pitchDegrees), -steepest, steepest);
     return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
 }
 
@@ -92,7 +93,8 @@ Camera lookedAround(const Camera& camera, QPointF pixels, const View& view)
 Camera panned(const Camera& camera, QPointF pixels, const View& view)
 {
     const float metresAPixel = camera.distance / view.focal;
-    const glm::vec3 way = (view.up * static_cast<float>(pixels.y()) - view.right * static_cast<float>(pixels.x())) * metresAPixel;
+    const glm::vec3 way =
+        (view.up * static_cast<float>(pixels.y()) - view.right * static_cast<float>(pixels.x())) * metresAPixel;
     Camera out = camera;
     (camera.mode == CameraMode::Fixed ? out.position : out.target) += way;
     return out;

@@ -25,7 +25,8 @@ enum class CameraMove {
 };
 
 /// What a button means; the bare left button orbits in every style, for hands with one button.
-[[nodiscard]] std::optional<CameraMove> cameraMoveFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+[[nodiscard]] std::optional<CameraMove> cameraMoveFor(
+    NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
 
 // Cameras moved by the mouse. A fixed camera turns, slides and walks instead.
 

@@ -44,7 +44,10 @@ std::vector<glm::vec3> circle(const glm::vec3& centre, const glm::vec3& u, const
 
 void drawBox(QPainter& painter, const View& view, const glm::vec3& low, const glm::vec3& high)
 {
-    const auto corner = [&](unsigned bits) { return glm::vec3((bits & 1U) != 0 ? high.x : low.x, (bits & 2U) != 0 ? high.y : low.y, (bits & 4U) != 0 ? high.z : low.z); };
+    const auto corner = [&](unsigned bits) {
+        return glm::vec3(
+            (bits & 1U) != 0 ? high.x : low.x, (bits & 2U) != 0 ? high.y : low.y, (bits & 4U) != 0 ? high.z : low.z);
+    };
     for (unsigned from = 0; from < 8; ++from) {
         for (const unsigned axis : {1U, 2U, 4U}) {
             if ((from & axis) == 0) {
@@ -82,7 +85,8 @@ std::optional<QLineF> projectLine(const View& view, glm::vec3 from, glm::vec3 to
     }
     const Projected start = project(view, from);
     const Projected end = project(view, to);
-    return QLineF(static_cast<double>(start.x), static_cast<double>(start.y), static_cast<double>(end.x), static_cast<double>(end.y));
+    return QLineF(static_cast<double>(start.x), static_cast<double>(start.y), static_cast<double>(end.x),
+        static_cast<double>(end.y));
 }
 
 void paintGrid(QPainter& painter, const View& view)
@@ -129,14 +133,14 @@ void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& no
     drawLoop(painter, view, circle(centre, basis.across * radius, basis.along * radius));
 }
 
-void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view)
+void paintTrails(QPainter& painter, const std::vector<Trail>& trails, const View& view)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(QColor(80, 220, 110, 170), 1.2));
-    for (const Track& track : tracks) {
-        for (std::size_t i = 1; i < track.size(); ++i) {
-            drawLine(painter, view, track[i - 1], track[i]);
+    for (const Trail& trail : trails) {
+        for (std::size_t i = 1; i < trail.size(); ++i) {
+            drawLine(painter, view, trail[i - 1], trail[i]);
         }
     }
     painter.restore();
@@ -158,9 +162,10 @@ void paintObstacle(QPainter& painter, const Air& air, const View& view)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(QColor(0xe0, 0xa0, 0x60, 220), 1.4));
     if (air.obstacle == Obstacle::Box) {
-        drawBox(painter, view, air.obstaclePlace - 0.5F * air.obstacleSize, air.obstaclePlace + 0.5F * air.obstacleSize);
+        drawBox(painter, view, air.obstaclePosition - 0.5F * air.obstacleSize,
+            air.obstaclePosition + 0.5F * air.obstacleSize);
     } else if (air.obstacle == Obstacle::Sphere) {
-        drawBall(painter, view, air.obstaclePlace, 0.5F * air.obstacleSize.x);
+        drawBall(painter, view, air.obstaclePosition, 0.5F * air.obstacleSize.x);
     }
     painter.restore();
 }
@@ -169,12 +174,15 @@ void paintAir(QPainter& painter, const std::vector<AirArrow>& arrows, const View
 {
     constexpr float kSeconds = 0.1F;
     constexpr float kLongest = 1.2F; // gaps
-    const auto mixed = [](int cold, int warm, float heat) { return static_cast<int>(std::lround(static_cast<float>(cold) + static_cast<float>(warm - cold) * heat)); };
+    const auto mixed = [](int cold, int warm, float heat) {
+        return static_cast<int>(std::lround(static_cast<float>(cold) + static_cast<float>(warm - cold) * heat));
+    };
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const AirArrow& arrow : arrows) {
         const float length = glm::length(arrow.velocity) * kSeconds;
-        const glm::vec3 way = arrow.velocity * kSeconds * (length > kLongest * arrow.gap ? kLongest * arrow.gap / length : 1.0F);
+        const glm::vec3 way =
+            arrow.velocity * kSeconds * (length > kLongest * arrow.gap ? kLongest * arrow.gap / length : 1.0F);
         const std::optional<QLineF> line = projectLine(view, arrow.place - 0.5F * way, arrow.place + 0.5F * way);
         constexpr double kSeen = 1.5; // pixels: air that stands still has no arrow
         if (!line || line->length() < kSeen) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 
 #include <QLineF>
 #include <QObject>
@@ -18,7 +18,7 @@ enum class Overlay {
     Grid = 1,
     Emitter = 2,
     Gizmos = 4,
-    Tracks = 8,
+    Trails = 8,
     Frame = 16,
     Readout = 32,
     Air = 64,
@@ -34,7 +34,7 @@ void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view);
 /// With the painter's pen. @param normal of the circle's plane
 void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& normal, float radius, const View& view);
 /// Figure 2 of the 2012 model: the ways of particles, in green.
-void paintTracks(QPainter& painter, const std::vector<Track>& tracks, const View& view);
+void paintTrails(QPainter& painter, const std::vector<Trail>& trails, const View& view);
 /// The box of the air.
 void paintAirBox(QPainter& painter, const Effect& effect, const View& view);
 /// The obstacle in it, if there is one.

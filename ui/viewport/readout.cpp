@@ -24,10 +24,12 @@ void Readout::count()
 
 void Readout::paint(QPainter& painter, const Picture& picture, bool rate, int height) const
 {
-    const auto ms = [](std::chrono::nanoseconds time) { return formatFixed(std::chrono::duration<double, std::milli>(time).count(), 1); };
+    const auto ms = [](std::chrono::nanoseconds time) {
+        return formatFixed(std::chrono::duration<double, std::milli>(time).count(), 1);
+    };
     QStringList figures;
     if (rate && m_intervalMs > 0.0) {
-        figures += tr("%1 frames/s").arg(1000.0 / m_intervalMs, 0, 'f', 0);
+        figures += tr("%1 fps").arg(1000.0 / m_intervalMs, 0, 'f', 0);
     }
     figures += tr("%1 particles").arg(picture.particles);
     if (picture.coarseAir) {
@@ -35,7 +37,9 @@ void Readout::paint(QPainter& painter, const Picture& picture, bool rate, int he
     }
     constexpr qint64 kWorthTelling = 10'000'000;
     if (picture.bakeNs > kWorthTelling) {
-        figures += tr("air %1 s").arg(formatFixed(std::chrono::duration<double>(std::chrono::nanoseconds(picture.bakeNs)).count(), 2));
+        figures +=
+            tr("air %1 s")
+                .arg(formatFixed(std::chrono::duration<double>(std::chrono::nanoseconds(picture.bakeNs)).count(), 2));
     }
     figures += tr("step %1 ms").arg(ms(std::chrono::nanoseconds(picture.stepNs)));
     figures += tr("light %1 ms").arg(ms(picture.times.light + picture.times.sprites));

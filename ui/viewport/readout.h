@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

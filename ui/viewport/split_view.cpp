@@ -13,8 +13,8 @@ bool SplitView::isAtLine(double x, int width) const
 
 void SplitView::moveLine(double x, int width)
 {
-    constexpr double kLeastShare = 0.02;
-    m_line = std::clamp(x / std::max(1, width), kLeastShare, 1.0 - kLeastShare);
+    constexpr double kMinShare = 0.02;
+    m_line = std::clamp(x / std::max(1, width), kMinShare, 1.0 - kMinShare);
 }
 
 void SplitView::paint(QPainter& painter, const QImage& other, const QRect& area) const

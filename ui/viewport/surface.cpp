@@ -115,7 +115,8 @@ private:
 
 std::unique_ptr<Surface> makeSurface(GlSupport support, bool preferOpenGl, QWidget* parent, OverlayPainter overlay)
 {
-    // A processor that plays graphics card draws the whole window anew for every frame: 23 frames/s where the plain widget has 30.
+    // A processor that plays graphics card draws the whole window anew for every frame: 23 frames/s where the plain
+    // widget has 30.
     if (support == GlSupport::None || (support == GlSupport::Software && !preferOpenGl)) {
         return std::make_unique<PlainSurface>(parent, std::move(overlay));
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 #include "ui/viewport/gl_support.h"
 
 #include <QOpenGLWidget>
@@ -29,6 +29,7 @@ public:
 
 /// @param preferOpenGl even where the processor has to play graphics card, which is slower than the plain widget
 /// @param overlay called within each paint, with a painter in logical pixels
-[[nodiscard]] std::unique_ptr<Surface> makeSurface(GlSupport support, bool preferOpenGl, QWidget* parent, OverlayPainter overlay);
+[[nodiscard]] std::unique_ptr<Surface> makeSurface(
+    GlSupport support, bool preferOpenGl, QWidget* parent, OverlayPainter overlay);
 
 } // namespace fumage::ui

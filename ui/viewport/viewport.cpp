@@ -1,7 +1,7 @@
 #include "ui/viewport/viewport.h"
 
 #include "ui/document/text.h"
-#include "ui/pictures/tracks.h"
+#include "ui/preview/trails.h"
 #include "ui/viewport/gizmo_painter.h"
 
 #include "core/simulation/air_plan.h"
@@ -29,14 +29,14 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     layout->addWidget(surface);
 
     m_feed.setSprites(m_surface->drawsSprites());
-    m_feed.setEffect(document.effect(), Stage::Simulate);
+    m_feed.setEffect(document.effect(), DirtyStage::Simulate);
     m_feed.setFrame(player.frame());
     m_feed.setPlaying(player.isPlaying());
-    connect(&m_feed, &PictureFeed::ready, this, &Viewport::display);
-    connect(&m_feed, &PictureFeed::otherReady, surface, qOverload<>(&QWidget::update));
-    connect(&m_feed, &PictureFeed::cacheChanged, this, &Viewport::cacheChanged);
-    connect(&m_feed, &PictureFeed::dropped, this, &Viewport::dropped);
-    connect(&m_feed, &PictureFeed::working, this, &Viewport::followWork);
+    connect(&m_feed, &PreviewScheduler::ready, this, &Viewport::display);
+    connect(&m_feed, &PreviewScheduler::otherReady, surface, qOverload<>(&QWidget::update));
+    connect(&m_feed, &PreviewScheduler::cacheChanged, this, &Viewport::cacheChanged);
+    connect(&m_feed, &PreviewScheduler::dropped, this, &Viewport::dropped);
+    connect(&m_feed, &PreviewScheduler::working, this, &Viewport::followWork);
     connect(m_workLine, &WorkLine::stopped, this, &Viewport::stopWork);
     connect(m_workLine, &WorkLine::resumed, this, [this] {
         m_workLine->showStopped(false);
@@ -47,15 +47,15 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
         placeWorkLine();
         m_surface->widget()->update();
     });
-    connect(&m_feed, &PictureFeed::exhausted, this, &Viewport::exhausted);
-    connect(&m_feed, &PictureFeed::failed, this, [this](const Error& why) { emit failed(told(why)); });
-    connect(&m_feed, &PictureFeed::waitingChanged, &m_player, &Player::setHeld);
+    connect(&m_feed, &PreviewScheduler::exhausted, this, &Viewport::exhausted);
+    connect(&m_feed, &PreviewScheduler::failed, this, [this](const Error& why) { emit failed(translated(why)); });
+    connect(&m_feed, &PreviewScheduler::waitingChanged, &m_player, &Player::setHeld);
     connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
     connect(&m_document, &Document::loaded, this, &Viewport::startAnew);
-    connect(&m_player, &Player::frameChanged, &m_feed, &PictureFeed::setFrame);
-    connect(&m_player, &Player::playingChanged, &m_feed, &PictureFeed::setPlaying);
+    connect(&m_player, &Player::frameChanged, &m_feed, &PreviewScheduler::setFrame);
+    connect(&m_player, &Player::playingChanged, &m_feed, &PreviewScheduler::setPlaying);
     connect(&m_player, &Player::playingChanged, this, [this] { m_readout.restart(); });
-    connect(&m_hand, &ViewportHand::menuRequested, this, &Viewport::menuRequested);
+    connect(&m_hand, &ViewportInput::menuRequested, this, &Viewport::menuRequested);
 }
 
 View Viewport::view() const
@@ -67,8 +67,8 @@ void Viewport::setOverlay(Overlay overlay, bool on)
 {
     m_overlays.setFlag(overlay, on);
     m_hand.setGizmos(!m_isBare && m_overlays.testFlag(Overlay::Gizmos));
-    if (overlay == Overlay::Tracks) {
-        m_feed.setTracks(on);
+    if (overlay == Overlay::Trails) {
+        m_feed.setTrails(on);
     } else if (overlay == Overlay::Air) {
         m_feed.setAir(on);
     }
@@ -181,17 +181,18 @@ void Viewport::frameAll()
     glm::vec3 high = low;
     const Effect& effect = m_document.effect();
     const SampledEffect smoke = sampled(effect);
-    const bool isAtHand = !effect.air.enabled || m_feed.shelf()->isBaked(smoke, makeSchedule(smoke).stepOfFrame(m_player.frame()));
+    const bool isAtHand =
+        !effect.air.enabled || m_feed.shelf()->isBaked(smoke, makeSchedule(smoke).stepOfFrame(m_player.frame()));
     if (!isAtHand) {
         const AirGrid grid = airGrid(smoke); // where the smoke is expected
         m_document.moveCamera(framing(effect.camera, grid.corner, grid.end()));
         return;
     }
-    const std::vector<Track> tracks = findTracks(effect, m_player.frame(), m_feed.shelf());
-    for (const Track& track : tracks) {
-        if (!track.empty()) {
-            low = glm::min(low, track.back());
-            high = glm::max(high, track.back());
+    const std::vector<Trail> trails = findTrails(effect, m_player.frame(), m_feed.shelf());
+    for (const Trail& trail : trails) {
+        if (!trail.empty()) {
+            low = glm::min(low, trail.back());
+            high = glm::max(high, trail.back());
         }
     }
     m_document.moveCamera(framing(m_document.effect().camera, low, high));
@@ -238,8 +239,8 @@ void Viewport::paintOverlays(QPainter& painter)
     if (m_overlays.testFlag(Overlay::Air) && picture()) {
         paintAir(painter, picture()->air, seen);
     }
-    if (m_overlays.testFlag(Overlay::Tracks) && picture()) {
-        paintTracks(painter, picture()->tracks, seen);
+    if (m_overlays.testFlag(Overlay::Trails) && picture()) {
+        paintTrails(painter, picture()->trails, seen);
     }
     if (m_overlays.testFlag(Overlay::Emitter)) {
         paintEmitter(painter, effect.emitter, seen);
@@ -248,7 +249,8 @@ void Viewport::paintOverlays(QPainter& painter)
         paintGizmos(painter, effect, seen, m_hand.gizmo());
     }
     if (m_overlays.testFlag(Overlay::Frame)) {
-        paintFrame(painter, exportFrame(effect, width(), height()), rect(), QStringLiteral("%1 × %2").arg(effect.output.width).arg(effect.output.height));
+        paintFrame(painter, exportFrame(effect, width(), height()), rect(),
+            QStringLiteral("%1 × %2").arg(effect.output.width).arg(effect.output.height));
     }
     if (m_overlays.testFlag(Overlay::Readout) && picture()) {
         m_readout.paint(painter, *picture(), m_player.isPlaying(), height());

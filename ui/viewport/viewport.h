@@ -1,20 +1,21 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/pictures/picture_feed.h"
+#include "ui/preview/preview_scheduler.h"
 #include "ui/timeline/player.h"
 #include "ui/viewport/split_view.h"
 #include "ui/viewport/overlays.h"
 #include "ui/viewport/readout.h"
 #include "ui/viewport/surface.h"
-#include "ui/viewport/viewport_hand.h"
+#include "ui/viewport/viewport_input.h"
 #include "ui/viewport/work_line.h"
 
 #include <QWidget>
 
 namespace fumage::ui {
 
-/// The smoke, live: shows the pictures of the document at the player's frame, with what lies over them, and lends the hand its surface.
+/// The smoke, live: shows the pictures of the document at the player's frame, with what lies over them, and lends the
+/// hand its surface.
 class Viewport : public QWidget {
     Q_OBJECT
 
@@ -90,13 +91,13 @@ private:
 
     Document& m_document;
     Player& m_player;
-    PictureFeed m_feed;
+    PreviewScheduler m_feed;
     Overlays m_overlays = Overlay::Grid | Overlay::Emitter | Overlay::Gizmos | Overlay::Readout;
     bool m_isBare = false;
     SplitView m_split;
     Readout m_readout;
     std::unique_ptr<Surface> m_surface;
-    ViewportHand m_hand; ///< after the surface, which it holds
+    ViewportInput m_hand; ///< after the surface, which it holds
     WorkLine* m_workLine;
 };
 

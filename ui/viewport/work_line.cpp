@@ -125,7 +125,8 @@ void WorkLine::say()
     m_label->setText(m_stopped ? tr("Stopped: a preview is shown") : textFor(m_phase, m_share, left));
     m_button->setText(m_stopped ? tr("Go on") : tr("Stop"));
     m_button->setAccessibleName(m_button->text());
-    m_button->setToolTip(m_stopped ? tr("Make the picture after all") : tr("Give this up; a preview stays, and playing goes on with it"));
+    m_button->setToolTip(m_stopped ? tr("Make the picture after all")
+                                   : tr("Give this up; a preview stays, and playing goes on with it"));
     adjustSize();
 }
 

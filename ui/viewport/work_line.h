@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/pictures/picture.h"
+#include "ui/preview/picture.h"
 
 #include <QElapsedTimer>
 #include <QFrame>
@@ -11,8 +11,8 @@ class QToolButton;
 
 namespace fumage::ui {
 
-/// A line over the viewport that says what a picture waits for, how far that is and how long it will take, with a button that stops it. Comes only where
-/// something takes long.
+/// A line over the viewport that says what a picture waits for, how far that is and how long it will take, with a
+/// button that stops it. Comes only where something takes long.
 class WorkLine : public QFrame {
     Q_OBJECT
 

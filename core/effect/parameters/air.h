@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Air> kGroup<Air>{&Effect::air, "air", "Air"};
+inline constexpr Group<Air> kGroup<Air>{&Effect::air, "air", "Air", Scope::Scene};
 
 inline constexpr std::array<std::string_view, 3> kObstacleNames{"none", "box", "sphere"};
 
@@ -13,11 +13,14 @@ template <>
 inline constexpr std::array kRows<Air>{
     row<&Air::enabled>({
         .key = "air.enabled",
-        .label = "Moving air",
-        .synonyms = "fluid solver simulation flow grid fire real realistic billow roll mushroom",
-        .tip = "The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows around obstacles. Buoyancy, cooling, "
-               "wind, gusts and the speed of the emitter act on the air; turbulence is the detail below its grid, and vortex rings come by themselves.",
+        .label = "Fluid simulation",
+        .synonyms = "fluid solver simulation flow grid fire real realistic billow roll mushroom moving air",
+        .tip = "The smoke is carried by air that it heats: it rolls up, takes in air, makes stems and caps, and flows "
+               "around obstacles. Buoyancy, cooling, wind, gusts and the speed of the emitter act on the air; "
+               "turbulence is the detail below its grid, and vortex rings come by themselves.",
         .source = "Fedkiw, Stam, Jensen 2001",
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
     row<&Air::resolution>({
         .key = "air.resolution",
@@ -25,16 +28,21 @@ inline constexpr std::array kRows<Air>{
         .synonyms = "grid cells voxels divisions quality detail",
         .hard = {kMinAirResolution, kMaxAirResolution},
         .step = 8,
-        .tip = "Cells of air along the longest side of its box: twice as many show smaller billows and take sixteen times as long. Once baked, the air costs "
-               "next to nothing.",
+        .tip = "Cells of air along the longest side of its box: twice as many show smaller billows and take sixteen "
+               "times as long. Once baked, the air costs next to nothing.",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
     row<&Air::fit>({
         .key = "air.fit",
         .label = "Fit to the smoke",
         .synonyms = "auto automatic domain bounds box size",
-        .tip = "The box of the air is as large as the smoke is expected to become, from what the emitter gives it and for how long it lives.",
+        .tip = "The box of the air is as large as the smoke is expected to become, from what the emitter gives it and "
+               "for how long it lives.",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
     row<&Air::size>({
         .key = "air.size",
@@ -45,8 +53,11 @@ inline constexpr std::array kRows<Air>{
         .soft = {0.5, 20},
         .step = 0.1,
         .unit = Unit::Metres,
-        .tip = "Edges of the box of the air. It stands above the emitter's foot; smoke that leaves it goes on with the wind.",
+        .tip = "Edges of the box of the air. It stands above the emitter's foot; smoke that leaves it goes on with the "
+               "wind.",
         .visible = when("air.fit", false),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
     row<&Air::offset>({
         .key = "air.offset",
@@ -59,37 +70,62 @@ inline constexpr std::array kRows<Air>{
         .unit = Unit::Metres,
         .tip = "Moves the box of the air away from the emitter. The emitter has to stay inside it.",
         .visible = when("air.fit", false),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
+    }),
+    row<&Air::buoyancy>({
+        .key = "air.buoyancy",
+        .label = "Buoyancy",
+        .synonyms = "rise lift tall high fast heat hot up float climb",
+        .hard = {-1000, 1000},
+        .soft = {-2, 10},
+        .step = 0.05,
+        .unit = Unit::MetresPerSecond2,
+        .tip = "Upward acceleration of air that is as hot as the source makes it; it fades as the air cools.",
+        .source = "Fedkiw, Stam, Jensen 2001",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+    }),
+    row<&Air::cooling>({
+        .key = "air.cooling",
+        .label = "Cooling",
+        .synonyms = "heat cold temperature short low",
+        .hard = {0, 100},
+        .soft = {0, 5},
+        .step = 0.01,
+        .unit = Unit::PerSecond,
+        .tip = "How fast the heat that lifts the air is lost.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+    }),
+    row<&Air::drag>({
+        .key = "air.drag",
+        .label = "Wind drag",
+        .synonyms = "wind speed slow blow",
+        .hard = {0, 100},
+        .soft = {0, 5},
+        .step = 0.05,
+        .unit = Unit::PerSecond,
+        .tip = "The wind blows the air as fast as its acceleration over this, 0.5 at least: with 1 a wind of 2 "
+               "m/s\u00b2 is one of 2 m/s.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Air::vorticity>({
         .key = "air.vorticity",
-        .label = "Vorticity",
-        .synonyms = "confinement swirl curl turbulence detail curly",
+        .label = "Vorticity confinement",
+        .synonyms = "confinement swirl curl turbulence detail curly vorticity",
         .hard = {0, 10},
         .soft = kUnit,
         .step = 0.01,
-        .tip = "Gives swirls back what the grid takes from them. A little makes billows crisp; much makes them boil.",
+        .tip = "Gives swirls back what the grid takes from them, and no more than that. It makes billows crisp.",
         .source = "Steinhoff and Underhill 1994",
         .visible = when("air.enabled", true),
-    }),
-    row<&Air::raggedness>({
-        .key = "air.raggedness",
-        .label = "Raggedness",
-        .synonyms = "irregular noise source asymmetry breathe flicker",
-        .hard = kUnit,
-        .step = 0.01,
-        .tip = "How far the rim of the source wanders, and how unevenly it blows. Without it smoke rises as a column of one width.",
-        .visible = when("air.enabled", true),
-    }),
-    row<&Air::unevenness>({
-        .key = "air.unevenness",
-        .label = "Uneven heat",
-        .synonyms = "billows cauliflower hot spots noise source asymmetry heterogeneous bald",
-        .hard = {0, 3},
-        .soft = {0, 1.5},
-        .step = 0.02,
-        .tip = "How much the heat of the source differs from place to place, as a share of it. What is hotter rises ahead of the rest: billows on billows. "
-               "Without it a cap is bald.",
-        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Air::turbulence>({
         .key = "air.turbulence",
@@ -99,10 +135,12 @@ inline constexpr std::array kRows<Air>{
         .soft = {0, 20},
         .step = 0.1,
         .unit = Unit::MetresPerSecond2,
-        .tip = "Stirs the hot air, so that smoke breaks up, spreads and billows from its foot on, where it would rise as a smooth column: the root mean "
-               "square of the acceleration where it is hottest.",
+        .tip = "Stirs the hot air, so that smoke breaks up, spreads and billows from its foot on, where it would rise "
+               "as a smooth column: the root mean square of the acceleration where it is hottest.",
         .source = "Bridson et al. 2007, curl noise",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Air::turbulenceScale>({
         .key = "air.turbulence_scale",
@@ -113,42 +151,11 @@ inline constexpr std::array kRows<Air>{
         .step = 0.05,
         .unit = Unit::Metres,
         .scale = Scale::Log,
-        .tip = "Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as far as the cells of the air show them. "
-               "About as large as the emitter looks natural.",
+        .tip = "Size of the largest swirls that the turbulence makes; there are some half and a quarter as large, as "
+               "far as the cells of the air show them. About as large as the emitter looks natural.",
         .visible = when("air.enabled", true),
-    }),
-    row<&Air::detail>({
-        .key = "air.detail",
-        .label = "Detail",
-        .synonyms = "wavelet turbulence noise subgrid sub-grid small swirls",
-        .hard = {0, 10},
-        .soft = {0, 2},
-        .step = 0.02,
-        .tip = "Swirls that are smaller than the cells of the air, as strong as the air around them is sheared. Octaves, roughness, evolution and drift of "
-               "the turbulence say what they are like.",
-        .source = "Kim, Th\u00fcrey, James, Gross 2008",
-        .visible = when("air.enabled", true),
-    }),
-    row<&Air::heatOpacity>({
-        .key = "air.heat_opacity",
-        .label = "Opacity by heat",
-        .synonyms = "flame fire hot transparent burn",
-        .hard = kUnit,
-        .step = 0.01,
-        .tip = "How much smoke fades where its air is cold: 1 shows nothing but what is hot, as in a flame.",
-        .visible = when("air.enabled", true),
-        .stage = Stage::Shade,
-    }),
-    row<&Air::expansion>({
-        .key = "air.expansion",
-        .label = "Expansion",
-        .synonyms = "explosion blast pressure burst divergence big",
-        .hard = {0, 1000},
-        .soft = {0, 30},
-        .step = 0.5,
-        .unit = Unit::PerSecond,
-        .tip = "Volume that the source adds to the air, as a multiple of its own each second, as long as it emits: a burst blows up a ball.",
-        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Air::ground>({
         .key = "air.ground",
@@ -156,6 +163,8 @@ inline constexpr std::array kRows<Air>{
         .synonyms = "floor collision plane",
         .tip = "A floor that air and smoke flow along and do not enter.",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
     row<&Air::groundHeight>({
         .key = "air.ground_height",
@@ -167,6 +176,8 @@ inline constexpr std::array kRows<Air>{
         .unit = Unit::Metres,
         .tip = "Height of the floor.",
         .visible = when("air.ground", true),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
     row<&Air::friction>({
         .key = "air.friction",
@@ -175,8 +186,10 @@ inline constexpr std::array kRows<Air>{
         .hard = {0, 100},
         .soft = kUnit,
         .step = 0.01,
-        .tip = "Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, a wood has 0.1.",
+        .tip = "Drag coefficient of the floor and of the obstacle: 0 lets the air slip along, forest has 0.1.",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Air::obstacle>({
         .key = "air.obstacle",
@@ -185,11 +198,14 @@ inline constexpr std::array kRows<Air>{
         .tip = "A body that air and smoke flow around.",
         .choices = kObstacleNames,
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .live = Live::Fixed,
     }),
-    row<&Air::obstaclePlace>({
-        .key = "air.obstacle_place",
-        .label = "Obstacle place",
-        .synonyms = "collision position centre center",
+    row<&Air::obstaclePosition>({
+        .key = "air.obstacle_position",
+        .formerly = "air.obstacle_place",
+        .label = "Obstacle position",
+        .synonyms = "collision place centre center obstacle",
         .kind = Kind::Vector,
         .hard = kFarAway,
         .soft = {-5, 5},
@@ -197,6 +213,9 @@ inline constexpr std::array kRows<Air>{
         .unit = Unit::Metres,
         .tip = "Centre of the obstacle.",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+        .live = Live::Fixed,
     }),
     row<&Air::obstacleSize>({
         .key = "air.obstacle_size",
@@ -209,6 +228,9 @@ inline constexpr std::array kRows<Air>{
         .unit = Unit::Metres,
         .tip = "Edges of the box; of a sphere the first number is the diameter.",
         .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+        .live = Live::Fixed,
     }),
 };
 

@@ -7,7 +7,7 @@ namespace fumage {
 inline constexpr std::array<std::string_view, 2> kCameraModes{"orbit", "fixed"};
 
 template <>
-inline constexpr Group<Camera> kGroup<Camera>{&Effect::camera, "camera", "Camera"};
+inline constexpr Group<Camera> kGroup<Camera>{&Effect::camera, "camera", "Camera", Scope::Scene};
 
 template <>
 inline constexpr std::array kRows<Camera>{
@@ -17,7 +17,9 @@ inline constexpr std::array kRows<Camera>{
         .synonyms = "orbit fixed free",
         .tip = "Around a target, or at a fixed place.",
         .choices = kCameraModes,
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::yaw>({
         .key = "camera.yaw",
@@ -29,7 +31,9 @@ inline constexpr std::array kRows<Camera>{
         .unit = Unit::Degrees,
         .tip = "Angle around the target, seen from above; 0 looks along -Z.",
         .visible = when("camera.mode", CameraMode::Orbit),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::pitch>({
         .key = "camera.pitch",
@@ -40,7 +44,9 @@ inline constexpr std::array kRows<Camera>{
         .unit = Unit::Degrees,
         .tip = "Angle above the horizon from which the target is seen.",
         .visible = when("camera.mode", CameraMode::Orbit),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::distance>({
         .key = "camera.distance",
@@ -53,7 +59,9 @@ inline constexpr std::array kRows<Camera>{
         .scale = Scale::Log,
         .tip = "Distance from the target.",
         .visible = when("camera.mode", CameraMode::Orbit),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::target>({
         .key = "camera.target",
@@ -66,7 +74,9 @@ inline constexpr std::array kRows<Camera>{
         .unit = Unit::Metres,
         .tip = "The point that the camera looks at.",
         .visible = when("camera.mode", CameraMode::Orbit),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::turntable>({
         .key = "camera.turntable",
@@ -78,7 +88,9 @@ inline constexpr std::array kRows<Camera>{
         .unit = Unit::DegreesPerSecond,
         .tip = "Rate at which the camera goes around the target.",
         .visible = when("camera.mode", CameraMode::Orbit),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Rate,
+        .varies = false,
     }),
     row<&Camera::position>({
         .key = "camera.position",
@@ -91,7 +103,9 @@ inline constexpr std::array kRows<Camera>{
         .unit = Unit::Metres,
         .tip = "Where the fixed camera stands.",
         .visible = when("camera.mode", CameraMode::Fixed),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::view>({
         .key = "camera.view",
@@ -102,7 +116,9 @@ inline constexpr std::array kRows<Camera>{
         .step = 0.01,
         .tip = "Where the fixed camera looks.",
         .visible = when("camera.mode", CameraMode::Fixed),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Camera::focalLength>({
         .key = "camera.focal_length",
@@ -114,7 +130,9 @@ inline constexpr std::array kRows<Camera>{
         .unit = Unit::Millimetres,
         .scale = Scale::Log,
         .tip = "Of a lens on a sensor of 36 mm across the shorter side; longer brings the smoke nearer.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
 };
 

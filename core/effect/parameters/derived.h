@@ -37,32 +37,14 @@ inline constexpr std::array kDerivedParameters{
             .step = 0.1,
             .unit = Unit::Seconds,
             .scale = Scale::Log,
-            .tip = "Seconds from birth to death of a particle: the initial alpha divided by the fade rate. Setting it sets the fade rate.",
+            .tip = "Seconds from birth to death of a particle: the initial alpha divided by the fade rate. Setting it "
+                   "sets the fade rate.",
             .source = "2012 model, eq. XIII",
             .get = &derived::lifetime,
             .set = &derived::setLifetime,
         },
         "life.fade_rate",
     },
-};
-
-/// What panels and help show under a heading of its own, whatever group it is stored in.
-struct ShownGroup {
-    std::string_view name;
-    std::string_view label; ///< heading, key for tr()
-};
-inline constexpr ShownGroup kShownFire{"fire", "Fire"};
-
-/// In their order in the table.
-inline constexpr std::array kFire{
-    &knownParameter("light.emission"),
-    &knownParameter("light.emission_cooling"),
-    &knownParameter("light.hot_core"),
-    &knownParameter("light.flame_opacity"),
-    &knownParameter("light.fire_light"),
-    &knownParameter("light.emission_colour"),
-    &knownParameter("light.temperature"),
-    &knownParameter("light.emission_colours"),
 };
 
 } // namespace fumage

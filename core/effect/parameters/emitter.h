@@ -8,7 +8,7 @@ inline constexpr std::array<std::string_view, 3> kEmitterShapes{"rectangle", "di
 inline constexpr std::array<std::string_view, 2> kEmissionModes{"continuous", "burst"};
 
 template <>
-inline constexpr Group<Emitter> kGroup<Emitter>{&Effect::emitter, "emitter", "Emitter"};
+inline constexpr Group<Emitter> kGroup<Emitter>{&Effect::emitter, "emitter", "Emitter", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Emitter>{
@@ -23,6 +23,8 @@ inline constexpr std::array kRows<Emitter>{
         .tip = "How many particles are alive once the smoke is warm. Many small ones read as smoke, few large ones "
                "as sprites.",
         .source = "2012 model, table of results",
+        .animates = Animates::Rate,
+        .varies = false,
     }),
     row<&Emitter::shape>({
         .key = "emitter.shape",
@@ -31,6 +33,7 @@ inline constexpr std::array kRows<Emitter>{
         .tip = "The surface or body on which particles are born.",
         .source = "2012 model, eq. I (rectangle)",
         .choices = kEmitterShapes,
+        .dirties = DirtyStage::Air,
     }),
     row<&Emitter::radius>({
         .key = "emitter.radius",
@@ -41,6 +44,8 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .unit = Unit::Metres,
         .tip = "Radius of the disc or sphere.",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
     }),
     row<&Emitter::width>({
         .key = "emitter.width",
@@ -53,6 +58,8 @@ inline constexpr std::array kRows<Emitter>{
         .tip = "Width of the rectangle, across its normal.",
         .source = "2012 model, eq. I",
         .visible = when("emitter.shape", EmitterShape::Rectangle),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
     }),
     row<&Emitter::depth>({
         .key = "emitter.depth",
@@ -65,6 +72,8 @@ inline constexpr std::array kRows<Emitter>{
         .tip = "Depth of the rectangle, across its normal and its width.",
         .source = "2012 model, eq. I",
         .visible = when("emitter.shape", EmitterShape::Rectangle),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
     }),
     row<&Emitter::normal>({
         .key = "emitter.normal",
@@ -75,6 +84,9 @@ inline constexpr std::array kRows<Emitter>{
         .step = 0.01,
         .tip = "The direction N that the emitter faces and sends particles in.",
         .source = "2012 model, eq. I and II",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
+        .essential = 5,
     }),
     row<&Emitter::position>({
         .key = "emitter.position",
@@ -87,6 +99,8 @@ inline constexpr std::array kRows<Emitter>{
         .unit = Unit::Metres,
         .tip = "Centre of the emitter.",
         .source = "2012 model, eq. I",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
     }),
     row<&Emitter::speed>({
         .key = "emitter.speed",
@@ -98,26 +112,31 @@ inline constexpr std::array kRows<Emitter>{
         .unit = Unit::MetresPerSecond,
         .tip = "Speed at birth along the normal.",
         .source = "2012 model, eq. II (1 there)",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
     }),
     row<&Emitter::velocityRandomness>({
         .key = "emitter.velocity_randomness",
-        .label = "Velocity randomness",
-        .synonyms = "random chaos jitter irregular uneven wild",
+        .label = "Speed variation",
+        .synonyms = "random chaos jitter irregular uneven wild velocity randomness",
         .hard = kUnit,
         .step = 0.01,
         .tip = "0: every particle leaves at the full speed. 1: each component of the velocity is multiplied by its "
                "own random number.",
         .source = "2012 model, eq. II (1 there)",
+        .animates = Animates::Birth,
     }),
     row<&Emitter::spread>({
         .key = "emitter.spread",
-        .label = "Spread",
-        .synonyms = "wide narrow cone angle nozzle fan direction focused",
+        .label = "Cone angle",
+        .synonyms = "wide narrow cone angle nozzle fan direction focused spread",
         .hard = {0, 180},
         .soft = {0, 90},
         .step = 0.5,
         .unit = Unit::Degrees,
         .tip = "Half angle of the cone in which particles leave, evenly over its directions; 180 is all around.",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Birth,
     }),
     row<&Emitter::mode>({
         .key = "emitter.mode",
@@ -125,6 +144,7 @@ inline constexpr std::array kRows<Emitter>{
         .synonyms = "burst explosion puff continuous once",
         .tip = "Continuous smoke, or one burst at the start of the timeline.",
         .choices = kEmissionModes,
+        .dirties = DirtyStage::Air,
     }),
     row<&Emitter::burstDuration>({
         .key = "emitter.burst_duration",
@@ -136,11 +156,12 @@ inline constexpr std::array kRows<Emitter>{
         .unit = Unit::Seconds,
         .tip = "The time in which a burst gives birth to all of its particles.",
         .visible = when("emitter.mode", EmissionMode::Burst),
+        .dirties = DirtyStage::Air,
     }),
     row<&Emitter::subframe>({
         .key = "emitter.subframe",
-        .label = "Birth between steps",
-        .synonyms = "smooth stream stripes bands",
+        .label = "Sub-frame emission",
+        .synonyms = "smooth stream stripes bands birth between steps",
         .tip = "Spreads births over the time between two steps, so that fast smoke leaves in a stream and not in "
                "sheets.",
     }),
@@ -151,6 +172,7 @@ inline constexpr std::array kRows<Emitter>{
         .hard = kSeeds,
         .step = 1,
         .tip = "Another seed gives another smoke of the same kind.",
+        .dirties = DirtyStage::Air,
     }),
 };
 

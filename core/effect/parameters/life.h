@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Life> kGroup<Life>{&Effect::life, "life", "Life"};
+inline constexpr Group<Life> kGroup<Life>{&Effect::life, "life", "Life", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Life>{
@@ -20,6 +20,8 @@ inline constexpr std::array kRows<Life>{
         .scale = Scale::Log,
         .tip = "Alpha that a particle loses a second. Its life is the initial alpha divided by this.",
         .source = "2012 model, eq. XIII",
+        .dirties = DirtyStage::Air,
+        .essential = 4,
     }),
     row<&Life::initialAlpha>({
         .key = "life.initial_alpha",
@@ -31,11 +33,12 @@ inline constexpr std::array kRows<Life>{
         .scale = Scale::Log,
         .tip = "Alpha Ai of a particle at birth.",
         .source = "2012 model, eq. XIII (0.1 there)",
+        .dirties = DirtyStage::Air,
     }),
     row<&Life::lifetimeVariance>({
         .key = "life.lifetime_variance",
-        .label = "Lifetime variance",
-        .synonyms = "life duration random variation lifespan",
+        .label = "Lifetime variation",
+        .synonyms = "life duration random variation lifespan lifetime variance",
         .hard = kUnit,
         .step = 0.01,
         .tip = "Lets particles die earlier, by up to this share of their life, so that the smoke thins out unevenly.",
@@ -47,6 +50,7 @@ inline constexpr std::array kRows<Life>{
         .hard = kUnit,
         .step = 0.01,
         .tip = "Share of the particle's size, from birth to death.",
+        .dirties = DirtyStage::Shade,
     }),
     row<&Life::alphaCurve>({
         .key = "life.alpha",
@@ -55,7 +59,7 @@ inline constexpr std::array kRows<Life>{
         .hard = kUnit,
         .step = 0.01,
         .tip = "Multiplies the fading alpha, from birth to death.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
     }),
 };
 

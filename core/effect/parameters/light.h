@@ -4,10 +4,8 @@
 
 namespace fumage {
 
-inline constexpr std::array<std::string_view, 2> kEmissionColours{"gradient", "black-body"};
-
 template <>
-inline constexpr Group<Light> kGroup<Light>{&Effect::light, "light", "Light"};
+inline constexpr Group<Light> kGroup<Light>{&Effect::light, "light", "Light", Scope::Scene};
 
 template <>
 inline constexpr std::array kRows<Light>{
@@ -19,17 +17,19 @@ inline constexpr std::array kRows<Light>{
         .hard = kComponents,
         .step = 0.01,
         .tip = "The direction in which the light of the sun travels.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::intensity>({
         .key = "light.intensity",
-        .label = "Intensity",
-        .synonyms = "bright dark brightness sun strength dim light",
+        .label = "Sun intensity",
+        .synonyms = "bright dark brightness sun strength dim light intensity",
         .hard = {0, 1000},
         .soft = {0, 10},
         .step = 0.05,
         .tip = "Strength of the sun.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::shadow>({
         .key = "light.shadow",
@@ -39,7 +39,8 @@ inline constexpr std::array kRows<Light>{
         .soft = {0, 4},
         .step = 0.02,
         .tip = "How much light is lost on the way through the smoke.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::scattering>({
         .key = "light.scattering",
@@ -49,19 +50,21 @@ inline constexpr std::array kRows<Light>{
         .step = 0.01,
         .tip = "Light that is scattered many times and reaches deep into dense smoke, so that it is not black.",
         .source = "Wrenninge et al. 2013, octaves of scattering",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::anisotropy>({
         .key = "light.anisotropy",
-        .label = "Anisotropy",
-        .synonyms = "forward back rim silver lining phase",
+        .label = "Forward scattering",
+        .synonyms = "forward back rim silver lining phase anisotropy",
         .hard = {-0.95, 0.95},
         .soft = {-0.9, 0.9},
         .step = 0.01,
         .tip = "More than 0: smoke glows when it stands before the sun. Less: it is brighter with the sun behind the "
                "camera.",
         .source = "Henyey and Greenstein 1941",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::ambient>({
         .key = "light.ambient",
@@ -71,7 +74,8 @@ inline constexpr std::array kRows<Light>{
         .soft = {0, 4},
         .step = 0.02,
         .tip = "Strength of the light from sky and ground.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::colour>({
         .key = "light.colour",
@@ -82,7 +86,8 @@ inline constexpr std::array kRows<Light>{
         .soft = kUnit,
         .step = 0.01,
         .tip = "Colour of the sun.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::sky>({
         .key = "light.sky",
@@ -93,7 +98,8 @@ inline constexpr std::array kRows<Light>{
         .soft = kUnit,
         .step = 0.01,
         .tip = "Colour of the light from above.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::ground>({
         .key = "light.ground",
@@ -104,7 +110,8 @@ inline constexpr std::array kRows<Light>{
         .soft = kUnit,
         .step = 0.01,
         .tip = "Colour of the light from below.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::occlusion>({
         .key = "light.occlusion",
@@ -114,91 +121,8 @@ inline constexpr std::array kRows<Light>{
         .soft = {0, 4},
         .step = 0.02,
         .tip = "How much the light from sky and ground is lost inside dense smoke.",
-        .stage = Stage::Shade,
-    }),
-    row<&Light::emission>({
-        .key = "light.emission",
-        .label = "Emission",
-        .synonyms = "flame fire glow burn heat hot incandescent",
-        .hard = {0, 1000},
-        .soft = {0, 20},
-        .step = 0.1,
-        .tip = "Light that hot smoke gives off by itself, as fire.",
-        .stage = Stage::Shade,
-    }),
-    row<&Light::emissionCooling>({
-        .key = "light.emission_cooling",
-        .label = "Emission cooling",
-        .synonyms = "fade glow flame fire smoky soot",
-        .hard = {0, 100},
-        .soft = {0, 10},
-        .step = 0.05,
-        .unit = Unit::PerSecond,
-        .tip = "How fast the glow moves down its colours as smoke ages.",
-        .stage = Stage::Shade,
-    }),
-    row<&Light::hotCore>({
-        .key = "light.hot_core",
-        .label = "Hot core",
-        .synonyms = "center inside white hot fire flame",
-        .hard = kUnit,
-        .step = 0.01,
-        .tip = "How much cooler the rim glows than the inside: air cools what lies open to it, and fire shows in the "
-               "gaps.",
-        .stage = Stage::Shade,
-    }),
-    row<&Light::flameOpacity>({
-        .key = "light.flame_opacity",
-        .label = "Flame opacity",
-        .synonyms = "clear transparent soot additive fire",
-        .hard = {0.01, 1},
-        .step = 0.01,
-        .tip = "How opaque smoke is while it glows, beside when it is cold. 1: it glows as lava does. 0.1: a clear flame that "
-               "one sees into, from which soot forms as it cools.",
-        .stage = Stage::Shade,
-    }),
-    row<&Light::fireLight>({
-        .key = "light.fire_light",
-        .label = "Light of the fire",
-        .synonyms = "flame glow bounce illuminate indirect lit",
-        .hard = {0, 100},
-        .soft = {0, 4},
-        .step = 0.05,
-        .tip = "How much what glows lights the smoke around it. 1: as much as it gives off.",
-        .stage = Stage::Shade,
-    }),
-    row<&Light::emissionColour>({
-        .key = "light.emission_colour",
-        .label = "Emission from",
-        .synonyms = "blackbody color fire flame",
-        .tip = "Colours of your choice, or those of a body that glows by its temperature.",
-        .choices = kEmissionColours,
-        .stage = Stage::Shade,
-    }),
-    row<&Light::temperature>({
-        .key = "light.temperature",
-        .label = "Temperature",
-        .synonyms = "heat kelvin hot cold fire blackbody red blue",
-        .hard = {600, 20000},
-        .soft = {900, 4000},
-        .step = 10,
-        .unit = Unit::Kelvin,
-        .tip = "Temperature at birth: 1000 K glows red, 1900 K as a candle, 5800 K as the sun. As smoke cools, its "
-               "glow turns red and fades.",
-        .source = "Planck 1901; colour matching of Wyman et al. 2013",
-        .visible = when("light.emission_colour", EmissionColour::BlackBody),
-        .stage = Stage::Shade,
-    }),
-    row<&Light::emissionGradient>({
-        .key = "light.emission_colours",
-        .label = "Emission colours",
-        .synonyms = "color colors fire flame ramp gradient green blue magic",
-        .hard = kColours,
-        .soft = kUnit,
-        .step = 0.01,
-        .tip = "Colour of the glow from cold (left) to as hot as at birth (right).",
-        .visible = when("light.emission_colour", EmissionColour::Gradient),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
     }),
     row<&Light::resolution>({
         .key = "light.resolution",
@@ -208,7 +132,8 @@ inline constexpr std::array kRows<Light>{
         .soft = {32, 128},
         .step = 8,
         .tip = "Cells of the density grid along the longest side of the cloud.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .varies = false,
     }),
 };
 

@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Motion> kGroup<Motion>{&Effect::motion, "motion", "Motion"};
+inline constexpr Group<Motion> kGroup<Motion>{&Effect::motion, "motion", "Motion", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Motion>{
@@ -19,29 +19,8 @@ inline constexpr std::array kRows<Motion>{
         .unit = Unit::MetresPerSecond2,
         .tip = "Upward acceleration of smoke that is as hot as at birth; it fades as the smoke cools.",
         .source = "2012 model, figure 1",
-    }),
-    row<&Motion::wind>({
-        .key = "motion.wind",
-        .label = "Wind",
-        .synonyms = "blow breeze force air sideways drift lean fast strong",
-        .hard = {0, 1000},
-        .soft = {0, 5},
-        .step = 0.01,
-        .unit = Unit::MetresPerSecond2,
-        .tip = "Acceleration Vw by the wind, level with the ground.",
-        .source = "2012 model, eq. III and V",
-    }),
-    row<&Motion::windAngle>({
-        .key = "motion.wind_angle",
-        .label = "Wind angle",
-        .synonyms = "direction blow heading",
-        .hard = {-360, 360},
-        .soft = {-180, 180},
-        .step = 1,
-        .unit = Unit::Degrees,
-        .tip = "Angle \u03b8 of the wind in the horizontal X-Z plane; 0 blows along +X, 90 along +Z, "
-               "against the sense of the rotation.",
-        .source = "2012 model, eq. III and V",
+        .visible = when("air.enabled", false),
+        .animates = Animates::Step,
     }),
     row<&Motion::gravity>({
         .key = "motion.gravity",
@@ -53,6 +32,8 @@ inline constexpr std::array kRows<Motion>{
         .unit = Unit::MetresPerSecond2,
         .tip = "Gravity g; divided by the mass it pulls particles down.",
         .source = "2012 model, eq. IV",
+        .animates = Animates::Step,
+        .essential = 7,
     }),
     row<&Motion::drag>({
         .key = "motion.drag",
@@ -63,6 +44,7 @@ inline constexpr std::array kRows<Motion>{
         .step = 0.05,
         .unit = Unit::PerSecond,
         .tip = "Air resistance: the share of its velocity that a particle loses a second.",
+        .animates = Animates::Step,
     }),
     row<&Motion::cooling>({
         .key = "motion.cooling",
@@ -73,6 +55,7 @@ inline constexpr std::array kRows<Motion>{
         .step = 0.01,
         .unit = Unit::PerSecond,
         .tip = "How fast the heat that lifts the smoke is lost.",
+        .animates = Animates::Step,
     }),
     row<&Motion::randomness>({
         .key = "motion.randomness",
@@ -83,43 +66,29 @@ inline constexpr std::array kRows<Motion>{
         .tip = "0: forces act steadily. 1: each is multiplied by a new random number every frame and acts as a random "
                "walk. Steps per frame do not change how far it leads; a higher frame rate shortens it.",
         .source = "2012 model, eq. XI and XII (1 there)",
-    }),
-    row<&Motion::gust>({
-        .key = "motion.gust",
-        .label = "Gusts",
-        .synonyms = "wind wander random breeze",
-        .hard = kUnit,
-        .step = 0.01,
-        .tip = "How much the strength and direction of the wind wander.",
-    }),
-    row<&Motion::gustRate>({
-        .key = "motion.gust_rate",
-        .label = "Gust rate",
-        .synonyms = "wind frequency",
-        .hard = {0, 100},
-        .soft = {0, 5},
-        .step = 0.05,
-        .unit = Unit::Hertz,
-        .tip = "How often the wind changes.",
+        .animates = Animates::Step,
     }),
     row<&Motion::heatVariance>({
         .key = "motion.heat_variance",
-        .label = "Heat variance",
-        .synonyms = "random hot rise",
+        .label = "Heat variation",
+        .synonyms = "random hot rise heat variance",
         .hard = kUnit,
         .step = 0.01,
-        .tip = "How much the heat at birth differs from one particle to the next, around the same mean; hot ones run ahead.",
+        .tip = "How much the heat at birth differs from one particle to the next, around the same mean; hot ones run "
+               "ahead.",
+        .animates = Animates::Step,
     }),
     row<&Motion::pull>({
         .key = "motion.pull",
-        .label = "Pull to axis",
-        .synonyms = "attract inflow narrow thin column tight",
+        .label = "Attract to axis",
+        .synonyms = "attract inflow narrow thin column tight pull to axis",
         .hard = {-100, 100},
         .soft = {-2, 5},
         .step = 0.05,
         .unit = Unit::PerSecond2,
         .tip = "Acceleration towards the vertical line through the emitter, per metre of distance: the inflow that "
                "keeps a plume together.",
+        .animates = Animates::Step,
     }),
     row<&Motion::rotation>({
         .key = "motion.rotation",
@@ -129,9 +98,11 @@ inline constexpr std::array kRows<Motion>{
         .soft = {-180, 180},
         .step = 1,
         .unit = Unit::DegreesPerSecond,
-        .tip = "Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, "
-               "against the sense of the wind's angle. The emitter does not turn.",
+        .tip =
+            "Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, "
+            "against the sense of the wind's angle. The emitter does not turn.",
         .source = "2012 model, whole-body rotation (0 there)",
+        .animates = Animates::Step,
     }),
     row<&Motion::rotationJitter>({
         .key = "motion.rotation_jitter",
@@ -141,9 +112,10 @@ inline constexpr std::array kRows<Motion>{
         .soft = {0, 180},
         .step = 1,
         .unit = Unit::DegreesPerSecond,
-        .tip = "Random part of that rate, drawn anew every frame. Steps per frame do not change how far it turns; a higher "
-               "frame rate does.",
+        .tip = "Random part of that rate, drawn anew every frame. Steps per frame do not change how far it turns; a "
+               "higher frame rate does.",
         .source = "2012 model, whole-body rotation",
+        .animates = Animates::Step,
     }),
     row<&Motion::mass>({
         .key = "motion.mass",
@@ -156,6 +128,7 @@ inline constexpr std::array kRows<Motion>{
         .scale = Scale::Log,
         .tip = "Mass m of a particle, which divides gravity.",
         .source = "2012 model, eq. IV",
+        .animates = Animates::Step,
     }),
 };
 

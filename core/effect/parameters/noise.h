@@ -8,7 +8,7 @@ inline constexpr std::array<std::string_view, 3> kNoiseBases{"lattice", "gradien
 inline constexpr std::array<std::string_view, 4> kInterpolations{"linear", "cosine", "cubic", "quintic"};
 
 template <>
-inline constexpr Group<Noise> kGroup<Noise>{&Effect::noise, "noise", "Noise"};
+inline constexpr Group<Noise> kGroup<Noise>{&Effect::noise, "noise", "Noise", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Noise>{
@@ -21,7 +21,8 @@ inline constexpr std::array kRows<Noise>{
         .step = 1,
         .tip = "Layers of noise that are summed, each finer and weaker than the one before.",
         .source = "2012 model, octaves",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
+        .essential = 8,
     }),
     row<&Noise::sharpness>({
         .key = "noise.sharpness",
@@ -33,7 +34,8 @@ inline constexpr std::array kRows<Noise>{
         .scale = Scale::Log,
         .tip = "Contrast of the grey values about their middle; 1 leaves them as they are.",
         .source = "2012 model, sharpness",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
+        .essential = 9,
     }),
     row<&Noise::wavelength>({
         .key = "noise.wavelength",
@@ -45,7 +47,7 @@ inline constexpr std::array kRows<Noise>{
         .scale = Scale::Log,
         .tip = "Wavelength of the first octave as a share of the tile (the inverse of its frequency).",
         .source = "2012 model, octaves",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::persistence>({
         .key = "noise.persistence",
@@ -55,7 +57,7 @@ inline constexpr std::array kRows<Noise>{
         .step = 0.01,
         .tip = "Amplitude of each octave relative to the one before.",
         .source = "2012 model, octaves",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::coverage>({
         .key = "noise.coverage",
@@ -64,7 +66,7 @@ inline constexpr std::array kRows<Noise>{
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much of the tile is smoke: shifts the grey values up or down.",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::warp>({
         .key = "noise.warp",
@@ -75,7 +77,7 @@ inline constexpr std::array kRows<Noise>{
         .step = 0.01,
         .tip = "Bends the noise by another noise, by up to this share of its wavelength.",
         .source = "Perlin 1985, domain perturbation",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::smooth>({
         .key = "noise.smooth",
@@ -86,7 +88,7 @@ inline constexpr std::array kRows<Noise>{
         .tip = "Averages each lattice value with its neighbours: centre 1/4, edges 1/8, corners 1/16.",
         .source = "2012 model, smooth function",
         .visible = when("noise.basis", NoiseBasis::Lattice),
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::basis>({
         .key = "noise.basis",
@@ -95,17 +97,16 @@ inline constexpr std::array kRows<Noise>{
         .tip = "Random values on a lattice (2012 model), random gradients, or gradients on a lattice of simplices.",
         .source = "2012 model; Perlin 2002",
         .choices = kNoiseBases,
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::interpolation>({
         .key = "noise.interpolation",
         .label = "Interpolation",
         .synonyms = "smooth linear cosine cubic",
-        .tip = "How values between lattice points are found. Cubic swings past its points; what leaves "
-               "0 to 1 is cut.",
+        .tip = "How values between lattice points are found. Cubic swings past its points; what leaves 0 to 1 is cut.",
         .source = "2012 model (linear, cosine, cubic); Perlin 2002 (quintic)",
         .choices = kInterpolations,
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::lacunarity>({
         .key = "noise.lacunarity",
@@ -116,7 +117,7 @@ inline constexpr std::array kRows<Noise>{
         .step = 0.05,
         .tip = "Frequency of each octave relative to the one before.",
         .source = "2012 model, octaves",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::depth>({
         .key = "noise.depth",
@@ -127,7 +128,7 @@ inline constexpr std::array kRows<Noise>{
         .step = 1,
         .tip = "Lattice cells of the first octave along the third axis, through which the texture boils before it "
                "repeats.",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
     row<&Noise::slices>({
         .key = "noise.slices",
@@ -137,7 +138,8 @@ inline constexpr std::array kRows<Noise>{
         .soft = {1, 64},
         .step = 1,
         .tip = "How many slices of the 3D noise are baked.",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
+        .varies = false,
     }),
     row<&Noise::resolution>({
         .key = "noise.resolution",
@@ -148,7 +150,8 @@ inline constexpr std::array kRows<Noise>{
         .step = 32,
         .unit = Unit::Pixels,
         .tip = "Edge of the noise tile; particles use the next power of two.",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
+        .varies = false,
     }),
     row<&Noise::seed>({
         .key = "noise.seed",
@@ -157,7 +160,7 @@ inline constexpr std::array kRows<Noise>{
         .hard = kSeeds,
         .step = 1,
         .tip = "Another seed gives another texture of the same kind.",
-        .stage = Stage::Noise,
+        .dirties = DirtyStage::Noise,
     }),
 };
 

@@ -9,7 +9,7 @@ inline constexpr std::array<std::string_view, 2> kViewTransforms{"standard", "fi
 inline constexpr std::array<std::string_view, 2> kBackgrounds{"transparent", "colour"};
 
 template <>
-inline constexpr Group<Output> kGroup<Output>{&Effect::output, "output", "Output"};
+inline constexpr Group<Output> kGroup<Output>{&Effect::output, "output", "Output", Scope::Scene};
 
 template <>
 inline constexpr std::array kRows<Output>{
@@ -22,7 +22,9 @@ inline constexpr std::array kRows<Output>{
         .step = 1,
         .unit = Unit::Pixels,
         .tip = "Width of a frame.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .varies = false,
+        .atExport = true,
     }),
     row<&Output::height>({
         .key = "output.height",
@@ -33,7 +35,9 @@ inline constexpr std::array kRows<Output>{
         .step = 1,
         .unit = Unit::Pixels,
         .tip = "Height of a frame.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .varies = false,
+        .atExport = true,
     }),
     row<&Output::quality>({
         .key = "output.quality",
@@ -41,6 +45,8 @@ inline constexpr std::array kRows<Output>{
         .synonyms = "draft final preview particles",
         .tip = "Draft: a quarter of the particles. Final: eight times as many. The smoke keeps its form and density.",
         .choices = kQualities,
+        .varies = false,
+        .atExport = true,
     }),
     row<&Output::supersample>({
         .key = "output.supersample",
@@ -49,7 +55,9 @@ inline constexpr std::array kRows<Output>{
         .hard = {1, kMaxSupersample},
         .step = 1,
         .tip = "Renders this many times larger and averages.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .varies = false,
+        .atExport = true,
     }),
     row<&Output::exposure>({
         .key = "output.exposure",
@@ -60,7 +68,9 @@ inline constexpr std::array kRows<Output>{
         .step = 0.05,
         .unit = Unit::Stops,
         .tip = "Brightness in stops; one more doubles it. Not applied to EXR, which is linear.",
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Output::viewTransform>({
         .key = "output.view_transform",
@@ -68,7 +78,9 @@ inline constexpr std::array kRows<Output>{
         .synonyms = "tone mapping filmic color management gamma",
         .tip = "Standard is plain sRGB; filmic rolls bright light off softly.",
         .choices = kViewTransforms,
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
     }),
     row<&Output::background>({
         .key = "output.background",
@@ -76,7 +88,10 @@ inline constexpr std::array kRows<Output>{
         .synonyms = "transparent alpha backdrop",
         .tip = "Keep transparency, or put a colour behind the smoke.",
         .choices = kBackgrounds,
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
+        .atExport = true,
     }),
     row<&Output::backgroundColour>({
         .key = "output.background_colour",
@@ -88,7 +103,10 @@ inline constexpr std::array kRows<Output>{
         .step = 0.01,
         .tip = "The colour behind the smoke.",
         .visible = when("output.background", Background::Colour),
-        .stage = Stage::Shade,
+        .dirties = DirtyStage::Shade,
+        .animates = Animates::Frame,
+        .varies = false,
+        .atExport = true,
     }),
 };
 

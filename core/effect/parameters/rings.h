@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Rings> kGroup<Rings>{&Effect::rings, "rings", "Vortex rings"};
+inline constexpr Group<Rings> kGroup<Rings>{&Effect::rings, "rings", "Vortex rings", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Rings>{
@@ -20,6 +20,7 @@ inline constexpr std::array kRows<Rings>{
         .tip = "Speed of the flow through the middle of the vortex rings that rise with the smoke: they roll its rim "
                "into billows, and the first one is the head of a mushroom.",
         .source = "Turner 1962, the starting plume",
+        .animates = Animates::Step,
     }),
     row<&Rings::speed>({
         .key = "rings.speed",
@@ -30,6 +31,7 @@ inline constexpr std::array kRows<Rings>{
         .step = 0.05,
         .unit = Unit::MetresPerSecond,
         .tip = "Speed at which the rings travel along the emitter's normal.",
+        .animates = Animates::Rate,
     }),
     row<&Rings::radius>({
         .key = "rings.radius",
@@ -41,15 +43,17 @@ inline constexpr std::array kRows<Rings>{
         .unit = Unit::Metres,
         .scale = Scale::Log,
         .tip = "Radius of a ring at the emitter: inside it the smoke rises, outside it sinks.",
+        .animates = Animates::Step,
     }),
     row<&Rings::widening>({
         .key = "rings.widening",
-        .label = "Widening",
-        .synonyms = "grow expand",
+        .label = "Flare",
+        .synonyms = "grow expand widening",
         .hard = {0, 10},
         .soft = {0, 1},
         .step = 0.01,
         .tip = "Metres that the radius grows with each metre from the emitter.",
+        .animates = Animates::Step,
     }),
     row<&Rings::spacing>({
         .key = "rings.spacing",
@@ -64,20 +68,22 @@ inline constexpr std::array kRows<Rings>{
     }),
     row<&Rings::followers>({
         .key = "rings.followers",
-        .label = "Followers",
-        .synonyms = "repeat trail",
+        .label = "Following rings",
+        .synonyms = "repeat trail followers",
         .hard = {0, 4},
         .soft = kUnit,
         .step = 0.02,
         .tip = "Strength of the rings that follow, relative to the first; smoke that starts warm has followers only.",
+        .animates = Animates::Step,
     }),
     row<&Rings::variance>({
         .key = "rings.variance",
-        .label = "Variance",
-        .synonyms = "random irregular",
+        .label = "Variation",
+        .synonyms = "random irregular variance",
         .hard = kUnit,
         .step = 0.01,
         .tip = "How much the rings differ in strength and lie off the axis, so that they do not march in formation.",
+        .animates = Animates::Step,
     }),
 };
 

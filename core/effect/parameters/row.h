@@ -14,6 +14,7 @@ struct Group {
     Members Effect::*member = nullptr;
     std::string_view name; ///< first part of its keys
     std::string_view label; ///< heading, key for tr()
+    Scope scope = Scope::Layer;
 };
 
 template <class Members>
@@ -25,7 +26,8 @@ inline constexpr std::array<Parameter, 0> kRows{};
 
 namespace rows {
 
-/// Never defined, and not constexpr: a row that calls it does not compile, and the compiler shows the line that says why.
+/// Never defined, and not constexpr: a row that calls it does not compile, and the compiler shows the line that says
+/// why.
 void mistake(const char* what);
 
 template <class>
@@ -91,8 +93,8 @@ consteval Kind kindOf(Kind said)
 
 } // namespace rows
 
-/// Completes what a row says of a member with what follows from it: group, accessors and kind. A slider spans the hard range where no soft one
-/// is given.
+/// Completes what a row says of a member with what follows from it: group, accessors and kind. A slider spans the hard
+/// range where no soft one is given.
 template <auto Member>
 consteval Parameter row(Parameter parameter)
 {
@@ -104,6 +106,7 @@ consteval Parameter row(Parameter parameter)
     parameter.kind = rows::kindOf<typename Field::Type>(parameter.kind);
     parameter.get = &Field::get;
     parameter.set = &Field::set;
+    parameter.scope = kGroup<typename Field::Class>.scope;
     if (parameter.soft.low == parameter.soft.high) {
         parameter.soft = parameter.hard;
     }

@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Timeline> kGroup<Timeline>{&Effect::timeline, "timeline", "Timeline"};
+inline constexpr Group<Timeline> kGroup<Timeline>{&Effect::timeline, "timeline", "Timeline", Scope::Scene};
 
 template <>
 inline constexpr std::array kRows<Timeline>{
@@ -18,19 +18,27 @@ inline constexpr std::array kRows<Timeline>{
         .step = 1,
         .unit = Unit::Frames,
         .tip = "Frames from the first to the last; also the length of the loop.",
+        .dirties = DirtyStage::Air,
+        .varies = false,
     }),
     row<&Timeline::loop>({
         .key = "timeline.loop",
         .label = "Seamless loop",
         .synonyms = "loop seamless repeat cycle tile endless forever",
         .tip = "The frame after the last is the first again, to the bit.",
+        .dirties = DirtyStage::Air,
+        .varies = false,
+        .essential = 10,
+        .atExport = true,
     }),
     row<&Timeline::prewarm>({
         .key = "timeline.prewarm",
-        .label = "Start warm",
-        .synonyms = "preroll pre-roll warmup start",
+        .label = "Prewarm",
+        .synonyms = "preroll pre-roll warmup start warm",
         .tip = "Frame 0 shows smoke that has been rising for a lifetime, instead of none.",
         .visible = when("timeline.loop", 0),
+        .dirties = DirtyStage::Air,
+        .varies = false,
     }),
     row<&Timeline::frameRate>({
         .key = "timeline.frame_rate",
@@ -41,16 +49,22 @@ inline constexpr std::array kRows<Timeline>{
         .step = 1,
         .unit = Unit::FramesPerSecond,
         .tip = "Frames a second.",
+        .dirties = DirtyStage::Air,
+        .varies = false,
+        .live = Live::Fixed,
     }),
     row<&Timeline::stepsPerFrame>({
         .key = "timeline.steps_per_frame",
-        .label = "Steps a frame",
-        .synonyms = "substeps quality accuracy",
+        .label = "Substeps",
+        .synonyms = "substeps quality accuracy steps frame",
         .hard = {1, 32},
         .soft = {1, 8},
         .step = 1,
         .tip = "Steps of the simulation in a frame; more follow fast motion more closely.",
         .source = "2012 model, eq. IX and X (1 there)",
+        .dirties = DirtyStage::Air,
+        .varies = false,
+        .live = Live::Fixed,
     }),
 };
 

@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Turbulence> kGroup<Turbulence>{&Effect::turbulence, "turbulence", "Turbulence"};
+inline constexpr Group<Turbulence> kGroup<Turbulence>{&Effect::turbulence, "turbulence", "Turbulence", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Turbulence>{
@@ -19,6 +19,7 @@ inline constexpr std::array kRows<Turbulence>{
         .unit = Unit::MetresPerSecond,
         .tip = "Speed of the swirls that carry the particles: its root mean square over space, all layers together.",
         .source = "Bridson et al. 2007, curl noise",
+        .animates = Animates::Step,
     }),
     row<&Turbulence::scale>({
         .key = "turbulence.scale",
@@ -30,6 +31,7 @@ inline constexpr std::array kRows<Turbulence>{
         .unit = Unit::Metres,
         .scale = Scale::Log,
         .tip = "Size of the largest swirls at the height of the emitter.",
+        .animates = Animates::Step,
     }),
     row<&Turbulence::octaves>({
         .key = "turbulence.octaves",
@@ -47,6 +49,7 @@ inline constexpr std::array kRows<Turbulence>{
         .hard = kUnit,
         .step = 0.01,
         .tip = "Speed of each layer of swirls relative to the one before.",
+        .animates = Animates::Step,
     }),
     row<&Turbulence::evolution>({
         .key = "turbulence.evolution",
@@ -57,16 +60,18 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::Hertz,
         .tip = "How often the largest swirls become others; smaller ones change faster.",
+        .animates = Animates::Rate,
     }),
     row<&Turbulence::onset>({
         .key = "turbulence.onset",
-        .label = "Onset",
-        .synonyms = "delay start calm",
+        .label = "Fade-in time",
+        .synonyms = "delay start calm onset",
         .hard = {0, 100},
         .soft = {0, 5},
         .step = 0.02,
         .unit = Unit::Seconds,
         .tip = "Age at which the swirls have their full strength; younger smoke is calmer.",
+        .animates = Animates::Step,
     }),
     row<&Turbulence::growth>({
         .key = "turbulence.growth",
@@ -77,6 +82,7 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::PerMetre,
         .tip = "How much larger the swirls are with each metre above the emitter, as in a plume that takes in air.",
+        .animates = Animates::Step,
     }),
     row<&Turbulence::drift>({
         .key = "turbulence.drift",
@@ -87,6 +93,7 @@ inline constexpr std::array kRows<Turbulence>{
         .step = 0.02,
         .unit = Unit::MetresPerSecond,
         .tip = "Speed at which the swirls rise along with the smoke, instead of standing still while it passes.",
+        .animates = Animates::Rate,
     }),
     row<&Turbulence::lacunarity>({
         .key = "turbulence.lacunarity",
@@ -96,6 +103,21 @@ inline constexpr std::array kRows<Turbulence>{
         .soft = {1.5, 3},
         .step = 0.05,
         .tip = "How many times smaller each layer of swirls is than the one before.",
+        .animates = Animates::Step,
+    }),
+    row<&Turbulence::detail>({
+        .key = "turbulence.detail",
+        .formerly = "air.detail",
+        .label = "Detail",
+        .synonyms = "wavelet turbulence noise subgrid sub-grid small swirls",
+        .hard = {0, 10},
+        .soft = {0, 2},
+        .step = 0.02,
+        .tip = "Swirls that are smaller than the cells of the air, as strong as the air around them is sheared. "
+               "Octaves, roughness, evolution and drift of the turbulence say what they are like.",
+        .source = "Kim, Th\u00fcrey, James, Gross 2008",
+        .visible = when("air.enabled", true),
+        .animates = Animates::Step,
     }),
 };
 

@@ -5,7 +5,7 @@
 namespace fumage {
 
 template <>
-inline constexpr Group<Vortex> kGroup<Vortex>{&Effect::vortex, "vortex", "Vortex"};
+inline constexpr Group<Vortex> kGroup<Vortex>{&Effect::vortex, "vortex", "Vortex", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Vortex>{
@@ -17,9 +17,11 @@ inline constexpr std::array kRows<Vortex>{
         .soft = {-5, 5},
         .step = 0.05,
         .unit = Unit::MetresPerSecond,
-        .tip = "Speed of the swirl at its radius. About an upright axis it turns from +X towards -Z; negative turns the other "
-               "way.",
+        .tip = "Speed of the swirl at its radius. About an upright axis it turns from +X towards -Z; negative turns "
+               "the other way.",
         .source = "Scully 1975, vortex profile",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Vortex::radius>({
         .key = "vortex.radius",
@@ -31,15 +33,19 @@ inline constexpr std::array kRows<Vortex>{
         .unit = Unit::Metres,
         .scale = Scale::Log,
         .tip = "Distance from the axis at which the swirl is fastest.",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Vortex::widening>({
         .key = "vortex.widening",
-        .label = "Widening",
-        .synonyms = "tornado funnel cone grow expand",
+        .label = "Flare",
+        .synonyms = "tornado funnel cone grow expand widening",
         .hard = {0, 10},
         .soft = {0, 1},
         .step = 0.01,
         .tip = "Metres that the radius grows with each metre along the axis, away from the emitter: a funnel.",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
     row<&Vortex::axis>({
         .key = "vortex.axis",
@@ -49,6 +55,8 @@ inline constexpr std::array kRows<Vortex>{
         .hard = kComponents,
         .step = 0.01,
         .tip = "Direction of the axis through the emitter about which the smoke swirls.",
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
     }),
 };
 

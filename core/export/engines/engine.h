@@ -23,7 +23,8 @@ enum class Engine {
 inline constexpr std::size_t kEngines = 9;
 
 /// All of them, in the order in which they are told.
-inline constexpr std::array<Engine, kEngines> kAllEngines{Engine::Generic, Engine::Unity, Engine::Unreal, Engine::Godot, Engine::Godot3, Engine::Effekseer, Engine::Pixi, Engine::Defold, Engine::Web};
+inline constexpr std::array<Engine, kEngines> kAllEngines{Engine::Generic, Engine::Unity, Engine::Unreal, Engine::Godot,
+    Engine::Godot3, Engine::Effekseer, Engine::Pixi, Engine::Defold, Engine::Web};
 
 /// "generic", "godot3": what command lines call it.
 [[nodiscard]] std::string_view nameOf(Engine engine);

@@ -18,7 +18,8 @@ std::filesystem::path beside(const std::filesystem::path& picture, std::string_v
 /// Engines that import textures themselves read TGA, too; what is shown or read by other programs is PNG.
 bool takes(Engine engine, ImageFormat format)
 {
-    const bool importsTextures = engine == Engine::Unity || engine == Engine::Unreal || engine == Engine::Godot || engine == Engine::Godot3;
+    const bool importsTextures =
+        engine == Engine::Unity || engine == Engine::Unreal || engine == Engine::Godot || engine == Engine::Godot3;
     return format == ImageFormat::Tga ? importsTextures : !holdsFloats(format);
 }
 
@@ -62,8 +63,10 @@ std::vector<std::string> makeEngineFiles(Engine engine, const EngineSheet& sheet
     case Engine::Generic: break;
     case Engine::Unity: return {sheetText("unity_editor", sheet)};
     case Engine::Unreal: return {sheetText("unreal_import", sheet)};
-    case Engine::Godot: return withImports("godot_import", {sheetText("godot_scene", sheet), sheetText("godot_shader", sheet)});
-    case Engine::Godot3: return withImports("godot3_import", {sheetText("godot3_scene", sheet), sheetText("godot3_shader", sheet)});
+    case Engine::Godot:
+        return withImports("godot_import", {sheetText("godot_scene", sheet), sheetText("godot_shader", sheet)});
+    case Engine::Godot3:
+        return withImports("godot3_import", {sheetText("godot3_scene", sheet), sheetText("godot3_shader", sheet)});
     case Engine::Effekseer: return {sheetText("effekseer_project", sheet)};
     case Engine::Pixi: return {texturePackerText(sheet)};
     case Engine::Defold: return {sheetText("defold_tilesource", sheet)};
@@ -78,10 +81,13 @@ Status checkEngine(Engine engine, PassSet passes, ImageFormat format)
         return Done{};
     }
     if (!passes.has(Pass::Colour)) {
-        return Error{ErrorCode::OutOfRange, said("%1 plays the colour, which is not among the passes", titleOf(engine)), {}, said("Add colour to the passes")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("%1 plays the colour, which is not among the passes", titleOf(engine)), {},
+            makeMessage("Add colour to the passes")};
     }
     if (!takes(engine, format)) {
-        return Error{ErrorCode::OutOfRange, said("what is written for %1 reads PNG", titleOf(engine)), {}, said("Choose PNG")};
+        return Error{ErrorCode::OutOfRange, makeMessage("what is written for %1 reads PNG", titleOf(engine)), {},
+            makeMessage("Choose PNG")};
     }
     return Done{};
 }

@@ -1,7 +1,7 @@
 #include "core/export/engines/engine_remarks.h"
 
 #include "core/base/text.h"
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,8 @@ std::array<double, 2> keptRates(Engine engine, double rate)
     return {std::max(1.0, std::floor(rate)), std::floor(rate) + 1.0};
 }
 
-/// How many frames, one after the other, the same cells may show so that the engine keeps their speed; the nearest number to those that are there.
+/// How many frames, one after the other, the same cells may show so that the engine keeps their speed; the nearest
+/// number to those that are there.
 std::optional<int> framesThatFit(const Effect& effect, const FlipbookOptions& options)
 {
     const int cells = options.columns * options.rows;
@@ -40,7 +41,8 @@ std::optional<int> framesThatFit(const Effect& effect, const FlipbookOptions& op
     for (const double kept : keptRates(options.engine, rate)) {
         const int frames = static_cast<int>(std::lround(cells * static_cast<double>(effect.timeline.frameRate) / kept));
         const double speed = cells * static_cast<double>(effect.timeline.frameRate) / std::max(1, frames);
-        if (frames >= cells && isKept(options.engine, speed) && (!best || std::abs(frames - there) < std::abs(*best - there))) {
+        if (frames >= cells && isKept(options.engine, speed)
+            && (!best || std::abs(frames - there) < std::abs(*best - there))) {
             best = frames;
         }
     }
@@ -71,9 +73,13 @@ Message speedRemark(const Effect& effect, const FlipbookOptions& options)
     const std::string engine(titleOf(options.engine));
     const std::string fps = shown(frameRateThatFits(effect, options));
     if (const std::optional<int> frames = framesThatFit(effect, options)) {
-        return said("%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames in its cells, or %5 frames a second, would keep the speed", engine, played, meant, *frames, fps);
+        return makeMessage("%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames "
+                           "in its cells, or %5 frames a second, would keep the speed",
+            engine, played, meant, *frames, fps);
     }
-    return said("%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames a second would keep the speed", engine, played, meant, fps);
+    return makeMessage("%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames a "
+                       "second would keep the speed",
+        engine, played, meant, fps);
 }
 
 } // namespace
@@ -100,9 +106,13 @@ std::vector<Message> engineRemarks(const Effect& effect, const FlipbookOptions& 
     if (!isKept(options.engine, cellsPerSecond(effect, options))) {
         remarks.push_back(speedRemark(effect, options));
     }
-    // The material function takes floor(i / rows) for the row of cell i. Source: its graph in SideFX Labs' texture sheets.
-    if (options.engine == Engine::Unreal && renderedPasses(options).has(Pass::Motion) && options.columns != options.rows) {
-        remarks.push_back(said("Unreal's FlipBook_MotionVectors finds its cells only where there are as many columns as rows: use %1 x %1 cells, or a material of your own", std::min(options.columns, options.rows)));
+    // The material function takes floor(i / rows) for the row of cell i. Source: its graph in SideFX Labs' texture
+    // sheets.
+    if (options.engine == Engine::Unreal && renderedPasses(options).has(Pass::Motion)
+        && options.columns != options.rows) {
+        remarks.push_back(makeMessage("Unreal's FlipBook_MotionVectors finds its cells only where there are as many "
+                                      "columns as rows: use %1 x %1 cells, or a material of your own",
+            std::min(options.columns, options.rows)));
     }
     return remarks;
 }

@@ -115,11 +115,13 @@ TemplateFacts stopOf(Language language, float position, const glm::vec3& colour)
 bool addGlow(const EngineSheet& sheet, TemplateFacts& facts)
 {
     const auto isMap = [](const EnginePicture& picture) { return picture.pass == Pass::SixWayB; };
-    const bool hasMap = std::any_of(sheet.pictures.begin(), sheet.pictures.end(), isMap) && channelsOf(sheet.style.layout)[1][3] == SixWayChannel::Emissive;
+    const bool hasMap = std::any_of(sheet.pictures.begin(), sheet.pictures.end(), isMap)
+        && channelsOf(sheet.style.layout)[1][3] == SixWayChannel::Emissive;
     const bool glows = hasMap && sheet.scales.glow > 0.0F;
     std::vector<TemplateFacts> keys;
     for (int k = 0; k < kGlowKeys; ++k) {
-        keys.push_back(stopOf(facts.language(), glowKeyPosition(k), sheet.scales.ramp.colours[static_cast<std::size_t>(k)]));
+        keys.push_back(
+            stopOf(facts.language(), glowKeyPosition(k), sheet.scales.ramp.colours[static_cast<std::size_t>(k)]));
     }
     // Where gradients are joined in sRGB, more stops than keys keep what is linear between these.
     constexpr int kStops = 3 * (kGlowKeys - 1);
@@ -127,7 +129,8 @@ bool addGlow(const EngineSheet& sheet, TemplateFacts& facts)
     for (int i = 0; i <= kStops; ++i) {
         const float position = static_cast<float>(i) / kStops;
         const glm::vec3 colour = glowColour(sheet.scales.ramp, position);
-        stops.push_back(stopOf(facts.language(), position, {srgbFromLinear(colour.r), srgbFromLinear(colour.g), srgbFromLinear(colour.b)}));
+        stops.push_back(stopOf(facts.language(), position,
+            {srgbFromLinear(colour.r), srgbFromLinear(colour.g), srgbFromLinear(colour.b)}));
     }
     facts.flag("glows", glows);
     facts.number("glow_scale", sheet.scales.glow);
@@ -179,7 +182,9 @@ TemplateFacts factsOf(Language language, const EngineSheet& sheet)
     facts.number("light_scale", sheet.scales.light);
     addPictures(sheet, facts);
     const int glowResources = addGlow(sheet, facts) ? 2 : 0; // gradient and its texture
-    facts.number("resources", static_cast<int>(sheet.pictures.size()) + 5 + glowResources); // shader, material, quad and process, and the scene itself
+    facts.number("resources",
+        static_cast<int>(sheet.pictures.size()) + 5
+            + glowResources); // shader, material, quad and process, and the scene itself
     addChannels(sheet.style, facts);
     addPlace(sheet.effect, facts);
     return facts;
@@ -196,7 +201,8 @@ std::string filled(std::string_view name, const TemplateFacts& facts)
 
 Language languageOfTemplate(std::string_view name)
 {
-    const auto found = std::find_if(kLanguages.begin(), kLanguages.end(), [&](const auto& each) { return each.first == name; });
+    const auto found =
+        std::find_if(kLanguages.begin(), kLanguages.end(), [&](const auto& each) { return each.first == name; });
     assert(found != kLanguages.end());
     return found->second;
 }

@@ -18,7 +18,9 @@ std::string texturePackerText(const EngineSheet& sheet)
         number.insert(0, 4 - number.size(), '0'); // kMaxSheetCells squared has four digits
         const std::string name = stem + "_" + number;
         frames[name] = {
-            {"frame", {{"x", cell % sheet.columns * width}, {"y", cell / sheet.columns * height}, {"w", width}, {"h", height}}},
+            {"frame",
+                {{"x", cell % sheet.columns * width}, {"y", cell / sheet.columns * height}, {"w", width},
+                    {"h", height}}},
             {"rotated", false},
             {"trimmed", false},
             {"spriteSourceSize", {{"x", 0}, {"y", 0}, {"w", width}, {"h", height}}},

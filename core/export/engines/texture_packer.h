@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/engines/engine_files.h"
+#include "core/export/engines/engine_sheet.h"
 
 namespace fumage {
 

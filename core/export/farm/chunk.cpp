@@ -41,7 +41,8 @@ FarmCost farmCost(const Effect& effect)
     cost.firstStep = schedule.firstStep;
     cost.loopSteps = schedule.loopSteps;
     cost.lifetimeSteps = schedule.lifetimeSteps;
-    cost.frame = particles * kPerParticleDrawn + pixels * kPerPixel + static_cast<double>(schedule.stepsPerFrame) * cost.particleStep;
+    cost.frame = particles * kPerParticleDrawn + pixels * kPerPixel
+        + static_cast<double>(schedule.stepsPerFrame) * cost.particleStep;
     if (effect.air.enabled && checkAir(smoke)) {
         const glm::ivec3 cells = airGrid(smoke).cells;
         const int pieces = piecesOfStep(smoke, schedule.dt, smoke->emitter.mode == EmissionMode::Continuous);
@@ -52,7 +53,7 @@ FarmCost farmCost(const Effect& effect)
 
 int framesPerTask(const FarmCost& cost, const FrameRange& frames)
 {
-    const int fewest = (frames.count() + kMostTasks - 1) / kMostTasks;
+    const int fewest = (frames.count() + kMaxTasks - 1) / kMaxTasks;
     for (int perTask = fewest; perTask < frames.count(); ++perTask) {
         double reached = 0.0;
         for (int task = 0; task < taskCount(frames, perTask); ++task) {

@@ -5,7 +5,8 @@
 
 namespace fumage {
 
-/// What frames cost on a machine of two cores, roughly: good enough to divide work by, and computed without measuring anything.
+/// What frames cost on a machine of two cores, roughly: good enough to divide work by, and computed without measuring
+/// anything.
 struct FarmCost {
     double frame = 0.0; ///< s, to draw and write one
     double start = 0.0; ///< s, for a farm to start a task
@@ -16,18 +17,21 @@ struct FarmCost {
     std::int64_t loopSteps = 0; ///< that the whole air of a loop has; 0: it does not loop
     std::int64_t lifetimeSteps = 1; ///< particles are simulated from no farther back
 
-    /// s, from its start until a task can draw the frame of a number as its first: the air from its beginning (of a loop, all of it), the particles for as long as one lives.
+    /// s, from its start until a task can draw the frame of a number as its first: the air from its beginning (of a
+    /// loop, all of it), the particles for as long as one lives.
     [[nodiscard]] double reach(int number) const;
 };
 
-/// Steps times cells, steps times particles, particles and pixels, each with the time that one takes (resources/docs/performance.md).
+/// Steps times cells, steps times particles, particles and pixels, each with the time that one takes
+/// (resources/docs/performance.md).
 [[nodiscard]] FarmCost farmCost(const Effect& effect);
 
 /// Most tasks that a job is divided into; Slurm takes 1001 where nobody has raised it.
-inline constexpr int kMostTasks = 1000;
+inline constexpr int kMaxTasks = 1000;
 
-/// How many frames a task has: the fewest for which the tasks together spend no more on getting to their frames than on drawing them. As few as these,
-/// so that many machines have work; no fewer, so that at least half of their work counts. At most kMostTasks tasks.
+/// How many frames a task has: the fewest for which the tasks together spend no more on getting to their frames than on
+/// drawing them. As few as these, so that many machines have work; no fewer, so that at least half of their work
+/// counts. At most kMaxTasks tasks.
 /// @param cost of farmCost(), or one's own
 /// @return 1 to frames.count()
 [[nodiscard]] int framesPerTask(const FarmCost& cost, const FrameRange& frames);

@@ -18,7 +18,7 @@ extern const std::size_t kFarmTemplatesCount;
 namespace {
 
 /// What AWS Deadline Cloud takes.
-constexpr int kMostInOpenJdChunk = 150;
+constexpr int kMaxInOpenJdChunk = 150;
 
 using Words = std::vector<std::string>;
 
@@ -30,9 +30,9 @@ std::string shellQuoted(const std::string& word)
 /// A job's name, which is only shown.
 std::string shownName(const FarmJob& job)
 {
-    constexpr std::size_t kMostBytes = 100; // Open Job Description takes 128 letters
+    constexpr std::size_t kMaxBytes = 100; // Open Job Description takes 128 letters
     const std::string& name = job.name;
-    std::size_t end = std::min(name.size(), kMostBytes);
+    std::size_t end = std::min(name.size(), kMaxBytes);
     while (end < name.size() && (static_cast<unsigned char>(name[end]) & 0xc0U) == 0x80U) {
         --end; // not within a letter
     }
@@ -47,7 +47,8 @@ std::string fromHere(const std::string& name)
 
 Words renderWordsOf(const FarmJob& job, const std::string& frames, const std::string& folder)
 {
-    Words words{"render", folder + presetFileOf(job), "--frames", frames, "--output", folder + job.output, "--skip-existing", "--manifest"};
+    Words words{"render", folder + presetFileOf(job), "--frames", frames, "--output", folder + job.output,
+        "--skip-existing", "--manifest"};
     words.insert(words.end(), job.renderWords.begin(), job.renderWords.end());
     return words;
 }
@@ -56,7 +57,8 @@ Words renderWordsOf(const FarmJob& job, const std::string& frames, const std::st
 Words joinWordsIn(const std::string& folder, const FarmJob& job)
 {
     Words words = job.joinWords;
-    std::for_each(words.begin(), words.end(), [&](std::string& word) { word = word.starts_with("./") ? folder + word.substr(2) : word; });
+    std::for_each(words.begin(), words.end(),
+        [&](std::string& word) { word = word.starts_with("./") ? folder + word.substr(2) : word; });
     return words;
 }
 
@@ -70,7 +72,8 @@ std::string_view unwritable(Farm farm, std::string_view name)
     case Farm::OpenJd: refused = {"{{", "}}"}; break;
     case Farm::Deadline: refused = {"\"", "<", ">", "\\"}; break;
     }
-    const auto found = std::find_if(refused.begin(), refused.end(), [&](std::string_view text) { return name.find(text) != std::string_view::npos; });
+    const auto found = std::find_if(refused.begin(), refused.end(),
+        [&](std::string_view text) { return name.find(text) != std::string_view::npos; });
     if (found == refused.end() && farm == Farm::Deadline && !isOneLine(name)) {
         return "\n"; // or another of those that are not seen
     }
@@ -82,8 +85,10 @@ Status checkNames(Farm farm, const FarmJob& job)
     for (const std::string& name : {job.folder.generic_string(), job.name, job.output}) {
         const std::string_view found = unwritable(farm, name);
         if (!found.empty()) {
-            const Message what = found == "\n" ? said("control characters") : Message(inQuotes(found));
-            return Error{ErrorCode::OutOfRange, said("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), what), (job.folder / pathFrom(job.output)).string(), said("Choose another name or folder")};
+            const Message what = found == "\n" ? makeMessage("control characters") : Message(inQuotes(found));
+            return Error{ErrorCode::OutOfRange,
+                makeMessage("%1 has no way to write %2 in the names of files", std::string(nameOf(farm)), what),
+                (job.folder / pathFrom(job.output)).string(), makeMessage("Choose another name or folder")};
         }
     }
     return Done{};
@@ -153,7 +158,8 @@ FarmFiles slurmFiles(const FarmJob& job)
     if (!job.joinWords.empty()) {
         const std::filesystem::path join = fileOf(job, ".join.slurm.sh");
         made.files.push_back({join, filled("slurm_join", facts)});
-        made.submit = "sbatch --dependency=afterany:$(sbatch --parsable " + shellQuoted(script.string()) + ") " + shellQuoted(join.string());
+        made.submit = "sbatch --dependency=afterany:$(sbatch --parsable " + shellQuoted(script.string()) + ") "
+            + shellQuoted(join.string());
     }
     return made;
 }
@@ -167,12 +173,14 @@ FarmFiles openJdFiles(const FarmJob& job)
     addWords("render", words, facts);
     Words join = joinWordsIn(folder, job);
     if (const auto option = std::ranges::find(join, "--frames"); option != join.end()) {
-        *(option + 1) = "{{Param.Frames}}"; // those that are rendered, also where other frames are asked for when the job is submitted
+        *(option + 1) = "{{Param.Frames}}"; // those that are rendered, also where other frames are asked for when the
+                                            // job is submitted
     }
     addWords("join", join, facts);
-    facts.number("most_per_task", kMostInOpenJdChunk);
+    facts.number("most_per_task", kMaxInOpenJdChunk);
     const std::filesystem::path path = fileOf(job, ".openjd.json");
-    return {{{path, filled("openjd", facts)}}, "openjd run " + shellQuoted(path.string()) + " -p Folder=" + shellQuoted(job.folder.string())};
+    return {{{path, filled("openjd", facts)}},
+        "openjd run " + shellQuoted(path.string()) + " -p Folder=" + shellQuoted(job.folder.string())};
 }
 
 FarmFiles flamencoFiles(const FarmJob& job)
@@ -188,13 +196,17 @@ FarmFiles flamencoFiles(const FarmJob& job)
     addWords("render", renderWordsOf(job, {}, "./"), facts, describe);
     addWords("join", job.joinWords, facts, describe);
     const std::filesystem::path path = fileOf(job, ".flamenco.js");
-    return {{{path, filled("flamenco", facts)}}, "Copy " + shellQuoted(path.string()) + " to the folder \"scripts\" of the Flamenco Manager and choose the job type there"};
+    return {{{path, filled("flamenco", facts)}},
+        "Copy " + shellQuoted(path.string())
+            + " to the folder \"scripts\" of the Flamenco Manager and choose the job type there"};
 }
 
 /// The files that Deadline reads: lines "key=value".
 TemplateFacts deadlineFacts(const FarmJob& job)
 {
-    const auto describe = [](const std::string& word, TemplateFacts& each) { each.flag("quoted", word.find_first_of(" '") != std::string::npos); };
+    const auto describe = [](const std::string& word, TemplateFacts& each) {
+        each.flag("quoted", word.find_first_of(" '") != std::string::npos);
+    };
     const std::string folder = (job.folder / "").generic_string(); // Deadline takes a backslash for itself
     const std::string steps = job.frames.step > 1 ? ":" + std::to_string(job.frames.step) : std::string();
     TemplateFacts facts = commonFacts(Language::KeyValue, job);
@@ -213,7 +225,9 @@ FarmFiles deadlineFiles(const FarmJob& job)
     script.text("plugin_file", fromHere(job.name + ".deadline.plugin"));
     script.text("join_job_file", fromHere(job.name + ".join.deadline.job"));
     script.text("join_plugin_file", fromHere(job.name + ".join.deadline.plugin"));
-    FarmFiles made{{{fileOf(job, ".deadline.sh"), filled("deadline_submit", script)}, {fileOf(job, ".deadline.job"), filled("deadline_job", facts)}, {fileOf(job, ".deadline.plugin"), filled("deadline_plugin", facts)}},
+    FarmFiles made{{{fileOf(job, ".deadline.sh"), filled("deadline_submit", script)},
+                       {fileOf(job, ".deadline.job"), filled("deadline_job", facts)},
+                       {fileOf(job, ".deadline.plugin"), filled("deadline_plugin", facts)}},
         "bash " + shellQuoted(fileOf(job, ".deadline.sh").string())};
     if (!job.joinWords.empty()) {
         made.files.push_back({fileOf(job, ".join.deadline.job"), filled("deadline_join_job", facts)});
@@ -242,13 +256,15 @@ std::string presetFileOf(const FarmJob& job)
 
 int mostPerTask(Farm farm)
 {
-    return farm == Farm::OpenJd ? kMostInOpenJdChunk : std::numeric_limits<int>::max();
+    return farm == Farm::OpenJd ? kMaxInOpenJdChunk : std::numeric_limits<int>::max();
 }
 
 Result<FarmFiles> makeFarmFiles(Farm farm, const FarmJob& job)
 {
     if (job.perTask > mostPerTask(farm)) {
-        return Error{ErrorCode::OutOfRange, said("a task of %1 has at most %2 frames", std::string(nameOf(farm)), mostPerTask(farm)), {}, said("Choose fewer frames a task")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("a task of %1 has at most %2 frames", std::string(nameOf(farm)), mostPerTask(farm)), {},
+            makeMessage("Choose fewer frames a task")};
     }
     if (Status status = checkNames(farm, job); !status) {
         return status.error();

@@ -25,13 +25,16 @@ inline constexpr std::array kAllFarms{Farm::Slurm, Farm::OpenJd, Farm::Flamenco,
 
 /// Frames of a preset, rendered by many machines that share a folder.
 struct FarmJob {
-    std::filesystem::path folder; ///< absolute, as all machines see it; the preset, the frames and the farm's files lie in it
+    std::filesystem::path
+        folder; ///< absolute, as all machines see it; the preset, the frames and the farm's files lie in it
     std::string name; ///< of the job, and of the farm's files; the preset's file is name.fumage.json
     std::string output; ///< file name of the frames; a run of # becomes the number
     FrameRange frames;
     int perTask = 1; ///< frames, see framesPerTask()
-    std::vector<std::string> renderWords; ///< options of "fumage-cli render" beside preset, frames, output, manifest and what is there already
-    std::vector<std::string> joinWords; ///< a command of fumage-cli when all frames are there, with paths from the folder; empty: none
+    std::vector<std::string> renderWords; ///< options of "fumage-cli render" beside preset, frames, output, manifest
+                                          ///< and what is there already
+    std::vector<std::string>
+        joinWords; ///< a command of fumage-cli when all frames are there, with paths from the folder; empty: none
 };
 
 /// Most frames that a farm takes as one task.
@@ -52,7 +55,8 @@ struct FarmFiles {
 };
 
 /// Writes the templates of resources/farm for a job. Names are quoted as each format asks for.
-/// @error OutOfRange where a name has characters that the farm has no way to write, and where there are more frames a task than it takes
+/// @error OutOfRange where a name has characters that the farm has no way to write, and where there are more frames a
+/// task than it takes
 [[nodiscard]] Result<FarmFiles> makeFarmFiles(Farm farm, const FarmJob& job);
 
 } // namespace fumage

@@ -5,9 +5,10 @@
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "core/export/sequence.h"
-#include "core/picture_files/picture_notes.h"
-#include "core/picture_files/picture_pixels.h"
+#include "core/image_io/image_metadata.h"
+#include "core/image_io/picture_pixels.h"
 #include "core/preset/preset_node.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -32,7 +33,8 @@ bool isWithin(const std::string& file)
 {
     const std::filesystem::path path = pathFrom(file);
     const auto leaves = [](const std::filesystem::path& part) { return part.empty() || part == "." || part == ".."; };
-    return !file.empty() && file.find('\0') == std::string::npos && !path.has_root_path() && std::none_of(path.begin(), path.end(), leaves);
+    return !file.empty() && file.find('\0') == std::string::npos && !path.has_root_path()
+        && std::none_of(path.begin(), path.end(), leaves);
 }
 
 class Reader {
@@ -66,7 +68,8 @@ private:
     {
         const JsonNode* found = node.type == JsonNode::Type::Object ? node.find(key) : nullptr;
         if (found == nullptr || found->type != type) {
-            return errorAt(found == nullptr ? node : *found, ErrorCode::WrongType, said("%1 is missing in the manifest, or of another type", inQuotes(key)));
+            return errorAt(found == nullptr ? node : *found, ErrorCode::WrongType,
+                makeMessage("%1 is missing in the manifest, or of another type", inQuotes(key)));
         }
         return found;
     }
@@ -85,14 +88,17 @@ private:
     {
         const JsonNode* format = root.type == JsonNode::Type::Object ? root.find("format") : nullptr;
         if (format == nullptr || format->string != kManifestFormat) {
-            return errorAt(root, ErrorCode::WrongType, said("this is no manifest"), said("Manifests are written by --manifest"));
+            return errorAt(root, ErrorCode::WrongType, makeMessage("this is not a manifest"),
+                makeMessage("Manifests are written by --manifest"));
         }
         const Result<const JsonNode*> version = member(root, "version", JsonNode::Type::Number);
         if (!version) {
             return version.error();
         }
         if (version.value()->number != kManifestVersion) {
-            return errorAt(*version.value(), ErrorCode::WrongVersion, said("the manifest has another version than the %1 that this program reads", kManifestVersion), said("Check it with the Fumage that wrote it"));
+            return errorAt(*version.value(), ErrorCode::WrongVersion,
+                makeMessage("the manifest has another version than the %1 that this program reads", kManifestVersion),
+                makeMessage("Check it with the Fumage that wrote it"));
         }
         return Done{};
     }
@@ -100,7 +106,8 @@ private:
     Status readJob(const JsonNode& root)
     {
         ManifestJob& job = m_manifest.job;
-        for (const auto& [key, to] : {std::pair{"program", &job.program}, std::pair{"job", &m_manifest.jobHash}, std::pair{"kind", &job.kind}}) {
+        for (const auto& [key, to] :
+            {std::pair{"program", &job.program}, std::pair{"job", &m_manifest.jobHash}, std::pair{"kind", &job.kind}}) {
             if (Status status = readText(root, key, *to); !status) {
                 return status;
             }
@@ -147,18 +154,23 @@ private:
             return status;
         }
         if (!isWithin(entry.file)) {
-            return errorAt(node, ErrorCode::OutOfRange, said("the manifest names %1, which lies outside of its folder", inQuotes(entry.file)), said("Do not trust it, and have it written anew"));
+            return errorAt(node, ErrorCode::OutOfRange,
+                makeMessage("the manifest names %1, which lies outside of its folder", inQuotes(entry.file)),
+                makeMessage("Do not trust it, and have it written anew"));
         }
         entry.content.ofPixels = node.find("pixels") != nullptr;
         if (Status status = readText(node, entry.content.ofPixels ? "pixels" : "bytes", entry.content.hash); !status) {
             return status;
         }
         if (!isSha256(entry.content.hash)) {
-            return errorAt(node, ErrorCode::WrongType, said("the manifest has %1 for a hash", inQuotes(entry.content.hash)));
+            return errorAt(node, ErrorCode::WrongType,
+                makeMessage("the manifest has %1 for a hash", inQuotes(entry.content.hash)));
         }
         if (const JsonNode* frame = node.find("frame"); frame != nullptr) {
-            if (frame->type != JsonNode::Type::Number || !frame->isWhole || frame->number < 0 || frame->number > kMaxFrame) {
-                return errorAt(*frame, ErrorCode::OutOfRange, said("the manifest has a frame that is no number from 0 to %1", kMaxFrame));
+            if (frame->type != JsonNode::Type::Number || !frame->isWhole || frame->number < 0
+                || frame->number > kMaxFrame) {
+                return errorAt(*frame, ErrorCode::OutOfRange,
+                    makeMessage("the manifest has a frame that is no number from 0 to %1", kMaxFrame));
             }
             entry.frame = static_cast<int>(frame->number);
         }

@@ -2,8 +2,9 @@
 
 #include "core/base/result.h"
 #include "core/effect/effect.h"
-#include "core/picture_files/picture_notes.h"
+#include "core/image_io/image_metadata.h"
 #include "core/version.h"
+#include "core/preset/preset_file.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -23,7 +24,8 @@ inline constexpr std::size_t kMaxManifestBytes = std::size_t{32} << 20U;
 
 /// What a file is known by.
 struct Content {
-    bool ofPixels = false; ///< whether it is the hash of what a picture shows, see pictureHash(); else of the file's bytes
+    bool ofPixels =
+        false; ///< whether it is the hash of what a picture shows, see pictureHash(); else of the file's bytes
     std::string hash; ///< SHA-256
     friend bool operator==(const Content&, const Content&) = default;
 };

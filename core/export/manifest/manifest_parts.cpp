@@ -35,7 +35,10 @@ bool isManifest(const std::filesystem::path& path)
 bool belongsTo(const std::string& stem, const std::filesystem::path& path)
 {
     const std::string name = stemOf(path);
-    return isManifest(path) && (name == stem || (name.starts_with(stem + ".") && name.find_first_not_of("0123456789-x", stem.size() + 1) == std::string::npos));
+    return isManifest(path)
+        && (name == stem
+            || (name.starts_with(stem + ".")
+                && name.find_first_not_of("0123456789-x", stem.size() + 1) == std::string::npos));
 }
 
 std::vector<std::filesystem::path> manifestsIn(const std::filesystem::path& folder, std::error_code& error)
@@ -72,7 +75,8 @@ std::filesystem::path partOf(const std::filesystem::path& manifest, const std::o
 {
     std::string name = stemOf(manifest);
     if (frames) {
-        name += "." + std::to_string(frames->first) + "-" + std::to_string(frames->last) + (frames->step > 1 ? "x" + std::to_string(frames->step) : "");
+        name += "." + std::to_string(frames->first) + "-" + std::to_string(frames->last)
+            + (frames->step > 1 ? "x" + std::to_string(frames->step) : "");
     }
     return manifest.parent_path() / pathFrom(name + std::string(kEnding));
 }
@@ -99,12 +103,14 @@ Result<std::vector<FoundManifest>> findManifests(const std::filesystem::path& fo
         found.push_back({path, std::move(manifest).value()});
     }
     if (error) {
-        return Error{ErrorCode::FileNotFound, said("the folder cannot be read: %1", error.message()), folder.string(), {}};
+        return Error{ErrorCode::FileNotFound, makeMessage("the folder cannot be read: %1", error.message()),
+            folder.string(), {}};
     }
     return found;
 }
 
-ManifestRecorder::ManifestRecorder(ManifestJob job, const std::filesystem::path& manifest, const std::optional<FrameRange>& frames)
+ManifestRecorder::ManifestRecorder(
+    ManifestJob job, const std::filesystem::path& manifest, const std::optional<FrameRange>& frames)
     : m_manifest(manifest)
     , m_part(partOf(manifest, frames))
     , m_recorded{std::move(job), {}, {}}
@@ -112,7 +118,8 @@ ManifestRecorder::ManifestRecorder(ManifestJob job, const std::filesystem::path&
     m_recorded.jobHash = m_recorded.job.hash();
 }
 
-Status ManifestRecorder::add(const std::filesystem::path& file, std::optional<int> frame, std::span<const std::byte> bytes)
+Status ManifestRecorder::add(
+    const std::filesystem::path& file, std::optional<int> frame, std::span<const std::byte> bytes)
 {
     Result<Content> content = contentOf(bytes);
     if (!content) {
@@ -127,7 +134,9 @@ Status ManifestRecorder::add(const std::filesystem::path& file, std::optional<in
 {
     const std::filesystem::path within = withinFolderOf(m_manifest, file);
     if (within.empty() || *within.begin() == "..") {
-        return Error{ErrorCode::OutOfRange, said("%1 does not lie in the folder of its manifest", inQuotes(file.string())), m_manifest.string(), said("Name one in the folder of the pictures, or above it")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("%1 does not lie in the folder of its manifest", inQuotes(file.string())), m_manifest.string(),
+            makeMessage("Name one in the folder of the pictures, or above it")};
     }
     m_recorded.files.push_back({within.generic_string(), frame, std::move(content)});
     return Done{};
@@ -163,7 +172,8 @@ void ManifestRecorder::removeOutdated() const
         }
         const Result<Manifest> other = readManifest(path);
         const auto isMine = [&](const ManifestEntry& entry) { return mine.contains(entry.file); };
-        if (other && other.value().jobHash != m_recorded.jobHash && std::any_of(other.value().files.begin(), other.value().files.end(), isMine)) {
+        if (other && other.value().jobHash != m_recorded.jobHash
+            && std::any_of(other.value().files.begin(), other.value().files.end(), isMine)) {
             std::filesystem::remove(path, ignored);
         }
     }

@@ -7,7 +7,8 @@
 
 namespace fumage {
 
-/// Tasks that share a folder write a part each, so that none has to wait for another or can spoil what it wrote, on any file system: fire.0-7.manifest.json.
+/// Tasks that share a folder write a part each, so that none has to wait for another or can spoil what it wrote, on any
+/// file system: fire.0-7.manifest.json.
 
 /// The path of a file as a manifest names it: from the manifest's folder, be it within it or not.
 [[nodiscard]] std::filesystem::path withinFolderOf(
@@ -19,7 +20,8 @@ namespace fumage {
 /// The file of the part of some frames.
 /// @param manifest its ending may be left out
 /// @param frames   none: the manifest is not divided
-[[nodiscard]] std::filesystem::path partOf(const std::filesystem::path& manifest, const std::optional<FrameRange>& frames);
+[[nodiscard]] std::filesystem::path partOf(
+    const std::filesystem::path& manifest, const std::optional<FrameRange>& frames);
 
 /// A manifest, or part of one, that lies in a folder.
 struct FoundManifest {
@@ -45,11 +47,13 @@ public:
     ManifestRecorder(ManifestJob job, const std::filesystem::path& manifest, const std::optional<FrameRange>& frames);
 
     /// @error OutOfRange: the file does not lie in the manifest's folder; those of contentOf()
-    [[nodiscard]] Status add(const std::filesystem::path& file, std::optional<int> frame, std::span<const std::byte> bytes);
+    [[nodiscard]] Status add(
+        const std::filesystem::path& file, std::optional<int> frame, std::span<const std::byte> bytes);
     /// The same of what is known already.
     [[nodiscard]] Status add(const std::filesystem::path& file, std::optional<int> frame, Content content);
 
-    /// Writes the part, and takes away those of other jobs that name the same files: they are no longer true. Does nothing where nothing was added.
+    /// Writes the part, and takes away those of other jobs that name the same files: they are no longer true. Does
+    /// nothing where nothing was added.
     /// @error those of writeFileAtomically()
     [[nodiscard]] Status write();
 

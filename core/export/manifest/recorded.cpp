@@ -1,13 +1,14 @@
+#include "core/export/sheets/flipbook_files.h"
 #include "core/export/manifest/recorded.h"
 
 #include "core/base/open_file.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
-#include "core/picture_files/picture_notes.h"
-#include "core/picture_files/picture_pixels.h"
+#include "core/image_io/metadata_reader.h"
+#include "core/image_io/picture_pixels.h"
 
 #include <optional>
 #include <sstream>
@@ -17,7 +18,8 @@ namespace fumage {
 namespace {
 
 /// The content of a file, where it is the whole picture of a frame.
-std::optional<Content> contentOfFrame(const std::filesystem::path& file, const Effect& effect, const SequenceOptions& options, int frame)
+std::optional<Content> contentOfFrame(
+    const std::filesystem::path& file, const Effect& effect, const SequenceOptions& options, int frame)
 {
     const Result<OpenFile> open = OpenFile::open(file);
     if (!open) {
@@ -25,8 +27,9 @@ std::optional<Content> contentOfFrame(const std::filesystem::path& file, const E
     }
     const PartReader parts = [&](std::uint64_t at, std::size_t size) { return open.value().readAt(at, size); };
     const Result<PictureHash> picture = pictureHash(parts);
-    const Result<PictureNotes> notes = readPictureNotes(parts);
-    if (!picture || !notes || picture.value().width != effect.output.width || picture.value().height != effect.output.height) {
+    const Result<ImageMetadata> notes = readImageMetadata(parts);
+    if (!picture || !notes || picture.value().width != effect.output.width
+        || picture.value().height != effect.output.height) {
         return {};
     }
     const bool carries = !options.preset.empty() && !notes.value().preset.empty();
@@ -53,7 +56,8 @@ std::string settingOf(const ManifestJob& job, const char* key)
 
 Error cannotBeRendered()
 {
-    return {ErrorCode::WrongType, said("what this manifest is of cannot be rendered again"), {}, said("Only frames and flipbooks can; of others the files are checked")};
+    return {ErrorCode::WrongType, makeMessage("what this manifest is of cannot be rendered again"), {},
+        makeMessage("Only frames and flipbooks can; of others the files are checked")};
 }
 
 /// What a flipbook is packed and played as; each is as on the command line.
@@ -90,13 +94,15 @@ Status readExtras(const ManifestJob& job, FlipbookOptions& options)
 ManifestJob jobOf(const Effect& effect, const SequenceOptions& options)
 {
     return {std::string(kFramesKind),
-        {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)}, {"alpha", alphaOf(options.premultiplied)}, {"step", std::to_string(options.frames.step)}},
+        {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)},
+            {"alpha", alphaOf(options.premultiplied)}, {"step", std::to_string(options.frames.step)}},
         effect};
 }
 
 Result<SequenceOptions> sequenceOf(const ManifestJob& job)
 {
-    const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
+    const std::optional<ImageFormat> format =
+        enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
     const Result<FrameRange> step = parseFrameRange("0:" + settingOf(job, "step"));
     const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
     if (job.kind != kFramesKind || !format || !step || !passes || passes.value() == PassSet()) {
@@ -113,10 +119,12 @@ Result<SequenceOptions> sequenceOf(const ManifestJob& job)
 ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options)
 {
     ManifestJob job{std::string(kFlipbookKind),
-        {{"name", options.output.filename().string()}, {"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)},
-            {"columns", std::to_string(options.columns)}, {"rows", std::to_string(options.rows)}, {"frames", textOf(options.frames)}, {"for", std::string(nameOf(options.engine))},
-            {"layout", std::string(nameOf(options.style.layout))}, {"vectors", std::string(nameOf(options.style.vectors))}, {"normals", std::string(nameOf(options.style.normals))},
-            {"alpha", alphaOf(options.style.premultiplied)}},
+        {{"name", options.output.filename().string()}, {"format", std::string(nameOf(options.format))},
+            {"passes", textOf(options.passes)}, {"columns", std::to_string(options.columns)},
+            {"rows", std::to_string(options.rows)}, {"frames", textOf(options.frames)},
+            {"for", std::string(nameOf(options.engine))}, {"layout", std::string(nameOf(options.style.layout))},
+            {"vectors", std::string(nameOf(options.style.vectors))},
+            {"normals", std::string(nameOf(options.style.normals))}, {"alpha", alphaOf(options.style.premultiplied)}},
         effect};
     std::string packs;
     for (const PackedPicture& pack : options.packs) {
@@ -136,34 +144,42 @@ ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options)
 
 Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
 {
-    const std::optional<ImageFormat> format = enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
+    const std::optional<ImageFormat> format =
+        enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
     const std::optional<Engine> engine = enumeratorNamed<Engine, kEngines>(settingOf(job, "for"));
     const std::optional<SixWayLayout> layout = enumeratorNamed<SixWayLayout, kSixWayLayouts>(settingOf(job, "layout"));
     const std::optional<VectorSigns> vectors = enumeratorNamed<VectorSigns, kVectorSigns>(settingOf(job, "vectors"));
-    const std::string told = settingOf(job, "normals"); // manifests of before there was a choice say nothing: green was up
-    const std::optional<NormalGreen> normals = told.empty() ? NormalGreen::OpenGl : enumeratorNamed<NormalGreen, kNormalGreens>(told);
+    const std::string told =
+        settingOf(job, "normals"); // manifests of before there was a choice say nothing: green was up
+    const std::optional<NormalGreen> normals =
+        told.empty() ? NormalGreen::OpenGl : enumeratorNamed<NormalGreen, kNormalGreens>(told);
     const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
     const Result<FrameRange> frames = parseFrameRange(settingOf(job, "frames"));
     const std::optional<std::int64_t> columns = parseInteger(settingOf(job, "columns"));
     const std::optional<std::int64_t> rows = parseInteger(settingOf(job, "rows"));
-    const auto areCells = [](const std::optional<std::int64_t>& count) { return count && *count >= 1 && *count <= kMaxSheetCells; };
+    const auto areCells = [](const std::optional<std::int64_t>& count) {
+        return count && *count >= 1 && *count <= kMaxSheetCells;
+    };
     const std::filesystem::path name = pathFrom(settingOf(job, "name")).filename();
-    if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !normals || !passes || !frames || !areCells(columns) || !areCells(rows) || name.empty()) {
+    if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !normals || !passes || !frames
+        || !areCells(columns) || !areCells(rows) || name.empty()) {
         return cannotBeRendered();
     }
-    FlipbookOptions options{name, static_cast<int>(*columns), static_cast<int>(*rows), frames.value(), *format, passes.value(), {*layout, *vectors, settingOf(job, "alpha") == kPremultiplied, *normals}, *engine};
+    FlipbookOptions options{name, static_cast<int>(*columns), static_cast<int>(*rows), frames.value(), *format,
+        passes.value(), {*layout, *vectors, settingOf(job, "alpha") == kPremultiplied, *normals}, *engine};
     if (!readExtras(job, options)) {
         return cannotBeRendered();
     }
     return options;
 }
 
-Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options, const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop)
+Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options,
+    const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop)
 {
     std::vector<int> there;
     for (const int frame : numbersOf(options)) {
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
+            return Error{ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
         }
         const std::optional<Content> content = contentOfFrame(framePath(options, frame), effect, options, frame);
         if (!content) {
@@ -177,7 +193,8 @@ Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions
     return there;
 }
 
-Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Progress& progress, const std::stop_token& stop)
+Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording,
+    const Progress& progress, const std::stop_token& stop)
 {
     std::optional<ManifestRecorder> recorder;
     if (!recording.manifest.empty() && !isUtf8(withinFolderOf(recording.manifest, options.output).string())) {
@@ -185,10 +202,14 @@ Status renderRecorded(const Effect& effect, SequenceOptions options, const Recor
     }
     if (!recording.manifest.empty()) {
         recorder.emplace(jobOf(effect, options), recording.manifest, options.frames);
-        options.written = [&recorder, options](int frame, std::span<const std::byte> bytes) { return recorder->add(framePath(options, frame), frame, bytes); };
+        options.written = [&recorder, options](int frame, std::span<const std::byte> bytes) {
+            return recorder->add(framePath(options, frame), frame, bytes);
+        };
     }
     if (recording.skipExisting) {
-        const auto keep = [&](int frame, const Content& content) { return recorder ? recorder->add(framePath(options, frame), frame, content) : Status(Done{}); };
+        const auto keep = [&](int frame, const Content& content) {
+            return recorder ? recorder->add(framePath(options, frame), frame, content) : Status(Done{});
+        };
         Result<std::vector<int>> there = framesThere(effect, options, keep, stop);
         if (!there) {
             return there.error();
@@ -200,7 +221,8 @@ Status renderRecorded(const Effect& effect, SequenceOptions options, const Recor
     return rendered ? recorded : rendered;
 }
 
-Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manifest, const NumberedFiles& files, const std::function<Status(const FrameSink& written)>& write)
+Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manifest, const NumberedFiles& files,
+    const std::function<Status(const FrameSink& written)>& write)
 {
     if (manifest.empty()) {
         return write({});
@@ -209,7 +231,9 @@ Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manif
         return nameNotUtf8(files.output);
     }
     ManifestRecorder recorder(job, manifest, files.frames);
-    const Status written = write([&](int frame, std::span<const std::byte> bytes) { return recorder.add(framePath(files.output, files.frames, files.ending, frame), frame, bytes); });
+    const Status written = write([&](int frame, std::span<const std::byte> bytes) {
+        return recorder.add(framePath(files.output, files.frames, files.ending, frame), frame, bytes);
+    });
     const Status recorded = recorder.write();
     return written ? recorded : written;
 }

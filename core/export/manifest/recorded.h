@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/flipbook.h"
+#include "core/export/sheets/flipbook_options.h"
 #include "core/export/manifest/manifest.h"
 #include "core/export/sequence.h"
 
@@ -34,23 +34,28 @@ inline constexpr std::string_view kFlipbookKind = "flipbook";
 /// @error WrongType: it is no flipbook, or does not say all of it, as those of Fumage before this was known
 [[nodiscard]] Result<FlipbookOptions> flipbookOf(const ManifestJob& job);
 
-/// The frames of which the file is there as a whole: it reads to its end and has the right size, and where it carries a preset and a frame these are
-/// the right ones. O(pixels of those files).
+/// The frames of which the file is there as a whole: it reads to its end and has the right size, and where it carries a
+/// preset and a frame these are the right ones. O(pixels of those files).
 /// @param kept hears of each
 /// @error Cancelled; that of kept
-[[nodiscard]] Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options, const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options,
+    const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop = {});
 
-/// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where the work ends early, of what was done until then.
-[[nodiscard]] Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Progress& progress, const std::stop_token& stop = {});
+/// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where
+/// the work ends early, of what was done until then.
+[[nodiscard]] Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording,
+    const Progress& progress, const std::stop_token& stop = {});
 
 /// Writes numbered files that are no pictures, with a manifest of them. It is written too where the work ends early.
 /// @param manifest empty: none
 /// @param files    how they are named
 /// @param write    writes them, and tells the sink of each, which is empty where nobody hears
-[[nodiscard]] Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manifest, const NumberedFiles& files, const std::function<Status(const FrameSink& written)>& write);
+[[nodiscard]] Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manifest,
+    const NumberedFiles& files, const std::function<Status(const FrameSink& written)>& write);
 
 /// Writes the manifest of a flipbook that has been written.
 /// @error those of readFile() and ManifestRecorder
-[[nodiscard]] Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest);
+[[nodiscard]] Status recordFlipbook(
+    const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest);
 
 } // namespace fumage

@@ -2,7 +2,8 @@
 
 #include "core/base/file.h"
 #include "core/base/path.h"
-#include "core/export/cell_frames.h"
+#include "core/export/sheets/cell_frames.h"
+#include "core/export/sheets/flipbook.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/output_name.h"
 
@@ -74,7 +75,8 @@ std::vector<CheckedFile> extrasOf(const ManifestSet& set, const std::map<std::st
     std::error_code error;
     for (std::filesystem::directory_iterator at(set.folder, error), end; !error && at != end; at.increment(error)) {
         const std::string name = at->path().filename().string();
-        const bool isOfTheKind = endings.contains(endingOf(at->path())) && !name.starts_with('.') && !name.ends_with(".json");
+        const bool isOfTheKind =
+            endings.contains(endingOf(at->path())) && !name.starts_with('.') && !name.ends_with(".json");
         if (isOfTheKind && !expected.contains(name) && at->is_regular_file(error)) {
             extras.push_back({name, {}, FileState::Extra});
         }
@@ -112,7 +114,8 @@ std::map<std::string, Manifest> jobsOf(const ManifestSet& set)
 }
 
 /// Renders the flipbook of a job, where it shows a frame that is wanted.
-Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
+Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked,
+    const Progress& progress, const std::stop_token& stop)
 {
     const Result<FlipbookOptions> options = flipbookOf(job.job);
     if (!options) {
@@ -136,13 +139,15 @@ Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vec
     }
     for (const ManifestEntry& entry : job.files) {
         const auto found = contents.find(pathFrom(entry.file).filename().string());
-        checked.push_back({entry.file, {}, found != contents.end() && found->second == entry.content ? FileState::Same : FileState::Different});
+        checked.push_back({entry.file, {},
+            found != contents.end() && found->second == entry.content ? FileState::Same : FileState::Different});
     }
     return Done{};
 }
 
 /// Renders the frames of a job that are wanted.
-Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Progress& progress, const std::stop_token& stop)
+Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked,
+    const Progress& progress, const std::stop_token& stop)
 {
     Result<SequenceOptions> options = sequenceOf(job.job);
     if (!options) {
@@ -180,7 +185,8 @@ Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<C
     }
     for (const auto& [frame, entry] : entries) {
         const auto found = made.find(frame);
-        checked.push_back({entry->file, frame, found != made.end() && found->second == entry->content ? FileState::Same : FileState::Different});
+        checked.push_back({entry->file, frame,
+            found != made.end() && found->second == entry->content ? FileState::Same : FileState::Different});
     }
     return Done{};
 }
@@ -223,22 +229,24 @@ Result<ManifestSet> openManifests(const std::filesystem::path& folderOrManifest)
         return broken.front();
     }
     if (found.value().empty()) {
-        return Error{ErrorCode::FileNotFound, said("there is no manifest in this folder"), folderOrManifest.string(), said("Write pictures with --manifest")};
+        return Error{ErrorCode::FileNotFound, makeMessage("there is no manifest in this folder"),
+            folderOrManifest.string(), makeMessage("Write pictures with --manifest")};
     }
     return ManifestSet{folderOrManifest, true, std::move(found).value(), std::move(broken)};
 }
 
-Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames,
+    const Progress& progress, const std::stop_token& stop)
 {
     const std::map<std::string, Expectation> expected = expectationsOf(set);
     std::vector<CheckedFile> checked;
     const int total = static_cast<int>(expected.size());
     for (const auto& [file, expectation] : expected) {
         if (stop.stop_requested()) {
-            return Error{ErrorCode::Cancelled, said("interrupted"), {}, {}};
+            return Error{ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
         }
         checked.push_back(checkFile(file, set.folder / pathFrom(file), expectation));
-        progress(Work::Frames, static_cast<int>(checked.size()), total);
+        progress(ProgressPhase::Frames, static_cast<int>(checked.size()), total);
     }
     std::vector<CheckedFile> others = set.whole ? extrasOf(set, expected) : std::vector<CheckedFile>();
     checked.insert(checked.end(), others.begin(), others.end());
@@ -247,7 +255,8 @@ Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::o
     return checked;
 }
 
-Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> renderAgain(
+    const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
 {
     std::vector<CheckedFile> checked;
     for (const auto& [hash, job] : jobsOf(set)) {
@@ -262,7 +271,9 @@ Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const Frame
         }
     }
     if (checked.empty()) {
-        return Error{ErrorCode::OutOfRange, said("the manifests name none of the frames %1 to %2", frames.first, frames.last), set.folder.string(), said("Choose some that have been rendered, as pictures or in a flipbook")};
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("the manifests name none of the frames %1 to %2", frames.first, frames.last),
+            set.folder.string(), makeMessage("Choose some that have been rendered, as pictures or in a flipbook")};
     }
     return checked;
 }

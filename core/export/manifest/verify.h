@@ -53,11 +53,15 @@ struct ManifestSet {
 /// @param frames that must be there; none: those that the manifests name
 /// @return       all files, by name; frames that no manifest names come last
 /// @error        Cancelled, OutOfMemory
-[[nodiscard]] Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set,
+    const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop = {});
 
-/// Renders frames again, and holds what this machine makes of them against the manifests; flipbooks that show one of them as a whole. Files are not looked at.
+/// Renders frames again, and holds what this machine makes of them against the manifests; flipbooks that show one of
+/// them as a whole. Files are not looked at.
 /// @return the frames of the manifests that lie in the range, and the files of flipbooks
-/// @error  OutOfRange where none does; WrongType where a manifest does not say how; those of encodeFrames() and encodeFlipbook()
-[[nodiscard]] Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
+/// @error  OutOfRange where none does; WrongType where a manifest does not say how; those of encodeFrames() and
+/// encodeFlipbook()
+[[nodiscard]] Result<std::vector<CheckedFile>> renderAgain(
+    const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
 
 } // namespace fumage

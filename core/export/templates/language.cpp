@@ -16,10 +16,11 @@ char32_t takeCharacter(std::string_view& text)
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
     const std::uint32_t lead = byte(0);
-    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2
-        : lead >= 0xE0 && lead < 0xF0                                        ? 3
-        : lead >= 0xF0 && lead < 0xF5                                        ? 4
-                                                                             : 0;
+    const std::size_t length = lead < 0x80 ? 1
+        : lead >= 0xC2 && lead < 0xE0      ? 2
+        : lead >= 0xE0 && lead < 0xF0      ? 3
+        : lead >= 0xF0 && lead < 0xF5      ? 4
+                                           : 0;
     char32_t value = length == 1 ? lead : lead & (0x7FU >> length);
     for (std::size_t i = 1; i < length; ++i) {
         value = follows(i) ? value << 6U | (byte(i) & 0x3FU) : 0x110000;
@@ -27,8 +28,8 @@ char32_t takeCharacter(std::string_view& text)
             break;
         }
     }
-    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-    const bool isWhole = length > 0 && value < 0x110000 && value >= kLeast[length] && (value < 0xD800 || value > 0xDFFF);
+    constexpr std::array<char32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
+    const bool isWhole = length > 0 && value < 0x110000 && value >= kMin[length] && (value < 0xD800 || value > 0xDFFF);
     text.remove_prefix(isWhole ? length : 1);
     return isWhole ? value : kReplacement;
 }
@@ -72,16 +73,19 @@ bool isLetterOrDigit(char32_t c)
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// Letters and signs beyond ASCII that stand for themselves: no controls, separators of lines, invisible ones, or ones that turn the direction of writing.
+/// Letters and signs beyond ASCII that stand for themselves: no controls, separators of lines, invisible ones, or ones
+/// that turn the direction of writing.
 bool isSeen(char32_t c)
 {
     struct Range {
         char32_t first, last;
     };
-    constexpr std::array<Range, 18> kSeen{{{0xA1, 0xAC}, {0xAE, 0x34E}, {0x370, 0x5FF}, {0x620, 0x6DC}, {0x900, 0x115E}, {0x1E00, 0x1FFF},
-        {0x2010, 0x2027}, {0x2030, 0x205E}, {0x2070, 0x2FFF}, {0x3001, 0x3163}, {0x3165, 0xD7FF}, {0xF900, 0xFAFF}, {0xFE0F, 0xFE0F},
-        {0xFE30, 0xFE4F}, {0xFF01, 0xFF9F}, {kReplacement, kReplacement}, {0x1F300, 0x1FAFF}, {0x20000, 0x2FFFD}}};
-    return std::any_of(kSeen.begin(), kSeen.end(), [c](const Range& range) { return c >= range.first && c <= range.last; });
+    constexpr std::array<Range, 18> kSeen{{{0xA1, 0xAC}, {0xAE, 0x34E}, {0x370, 0x5FF}, {0x620, 0x6DC}, {0x900, 0x115E},
+        {0x1E00, 0x1FFF}, {0x2010, 0x2027}, {0x2030, 0x205E}, {0x2070, 0x2FFF}, {0x3001, 0x3163}, {0x3165, 0xD7FF},
+        {0xF900, 0xFAFF}, {0xFE0F, 0xFE0F}, {0xFE30, 0xFE4F}, {0xFF01, 0xFF9F}, {kReplacement, kReplacement},
+        {0x1F300, 0x1FAFF}, {0x20000, 0x2FFFD}}};
+    return std::any_of(
+        kSeen.begin(), kSeen.end(), [c](const Range& range) { return c >= range.first && c <= range.last; });
 }
 
 /// "\u00e9", and two of them beyond 16 bits: C#, JSON and JavaScript.
@@ -211,7 +215,8 @@ std::string identifierOf(std::string_view name)
         isSame = isSame && stays;
         out += stays ? c : '_';
     }
-    const bool hasLetterFirst = !out.empty() && isLetterOrDigit(static_cast<unsigned char>(out[0])) && (out[0] < '0' || out[0] > '9');
+    const bool hasLetterFirst =
+        !out.empty() && isLetterOrDigit(static_cast<unsigned char>(out[0])) && (out[0] < '0' || out[0] > '9');
     return (hasLetterFirst ? "" : "sheet_") + out + (isSame && hasLetterFirst ? "" : "_" + digits(sum, 16, 8));
 }
 

@@ -40,7 +40,10 @@ std::string base64(std::span<const std::byte> bytes)
 
 bool isPlainWord(std::string_view word)
 {
-    return std::all_of(word.begin(), word.end(), [](unsigned char c) { return c < 128 && (std::isalnum(c) != 0 || std::string_view(".-+_:").find(static_cast<char>(c)) != std::string_view::npos); });
+    return std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return c < 128
+            && (std::isalnum(c) != 0 || std::string_view(".-+_:").find(static_cast<char>(c)) != std::string_view::npos);
+    });
 }
 
 } // namespace
@@ -112,7 +115,8 @@ void TemplateFacts::bytes(const std::string& key, std::span<const std::byte> val
 std::string TemplateFacts::fill(const EmbeddedFile& file) const
 {
     mustache text{std::string(file.contents)};
-    text.set_custom_escape([](const std::string& value) { return value; }); // what is put in is written as the language has it
+    text.set_custom_escape(
+        [](const std::string& value) { return value; }); // what is put in is written as the language has it
     assert(text.is_valid());
     return text.render(m_data->facts);
 }

@@ -12,8 +12,8 @@
 
 namespace fumage {
 
-/// What fills a template (Mustache) of one language. Nothing reaches the template but through these functions, and each writes what it is given as the
-/// language has it: a template cannot ask for a text that is not escaped.
+/// What fills a template (Mustache) of one language. Nothing reaches the template but through these functions, and each
+/// writes what it is given as the language has it: a template cannot ask for a text that is not escaped.
 class TemplateFacts {
 public:
     explicit TemplateFacts(Language language);

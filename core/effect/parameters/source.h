@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/effect/parameters/row.h"
+
+namespace fumage {
+
+template <>
+inline constexpr Group<Source> kGroup<Source>{&Effect::source, "source", "Source", Scope::Layer};
+
+template <>
+inline constexpr std::array kRows<Source>{
+    row<&Source::raggedness>({
+        .key = "source.raggedness",
+        .formerly = "air.raggedness",
+        .label = "Source noise",
+        .synonyms = "irregular noise source asymmetry breathe flicker raggedness",
+        .hard = kUnit,
+        .step = 0.01,
+        .tip = "How far the rim of the source wanders, and how unevenly it blows. Without it smoke rises as a column "
+               "of one width.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+    }),
+    row<&Source::unevenness>({
+        .key = "source.unevenness",
+        .formerly = "air.unevenness",
+        .label = "Heat noise",
+        .synonyms = "billows cauliflower hot spots noise source asymmetry heterogeneous bald uneven heat",
+        .hard = {0, 3},
+        .soft = {0, 1.5},
+        .step = 0.02,
+        .tip = "How much the heat of the source differs from place to place, as a share of it. What is hotter rises "
+               "ahead of the rest: billows on billows. Without it a cap is bald.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+    }),
+    row<&Source::expansion>({
+        .key = "source.expansion",
+        .formerly = "air.expansion",
+        .label = "Expansion",
+        .synonyms = "explosion blast pressure burst divergence big",
+        .hard = {0, 1000},
+        .soft = {0, 30},
+        .step = 0.5,
+        .unit = Unit::PerSecond,
+        .tip = "Volume that the source adds to the air, as a multiple of its own each second, as long as it emits: a "
+               "burst blows up a ball.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+    }),
+};
+
+} // namespace fumage

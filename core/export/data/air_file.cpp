@@ -1,0 +1,110 @@
+#include "core/export/data/air_file.h"
+
+#include "core/base/text.h"
+#include "core/export/data/byte_writer.h"
+#include "core/simulation/air_plan.h"
+#include "core/simulation/air_cache.h"
+#include "core/simulation/simulation_model.h"
+
+namespace fumage {
+
+namespace {
+
+/// Calls visit(i, j, k) for all places below n, i fastest.
+template <class Visit>
+void inFileOrder(const glm::ivec3& n, const Visit& visit)
+{
+    for (int k = 0; k < n.z; ++k) {
+        for (int j = 0; j < n.y; ++j) {
+            for (int i = 0; i < n.x; ++i) {
+                visit(glm::ivec3(i, j, k));
+            }
+        }
+    }
+}
+
+std::string encodeFga(const AirField& air)
+{
+    constexpr float kCentimetres = 100.0F;
+    const AirGrid& grid = air.grid;
+    std::string out;
+    const auto append = [&](const glm::vec3& ours) {
+        for (const float number : {ours.x, ours.z, ours.y}) {
+            out += formatFloat(number) + ",";
+        }
+    };
+    append(glm::vec3(grid.cells));
+    append(grid.corner * kCentimetres);
+    append(grid.end() * kCentimetres);
+    out += '\n';
+    inFileOrder({grid.cells.x, grid.cells.z, grid.cells.y}, [&](const glm::ivec3& at) {
+        append(glm::vec3(air.at(grid.centre({at.x, at.z, at.y}))) * kCentimetres);
+        out += '\n';
+    });
+    return out;
+}
+
+std::string encodeVf(const AirField& air)
+{
+    const AirGrid& grid = air.grid;
+    std::string out = "VF_V";
+    for (int axis = 0; axis < 3; ++axis) {
+        appendLittleEndian(out, static_cast<std::uint32_t>(grid.cells[axis]), 2);
+    }
+    inFileOrder(grid.cells, [&](const glm::ivec3& at) {
+        const glm::vec4 velocity = air.at(grid.centre({at.x, at.y, grid.cells.z - 1 - at.z}));
+        for (const float number : {velocity.x, velocity.y, -velocity.z}) {
+            appendLittleEndian(out, number);
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+std::string_view fileEnding(AirFormat format)
+{
+    return format == AirFormat::Fga ? ".fga" : ".vf";
+}
+
+std::string encodeAir(const AirField& air, AirFormat format)
+{
+    return format == AirFormat::Fga ? encodeFga(air) : encodeVf(air);
+}
+
+Result<AirGrid> writeAir(
+    const Effect& effect, const AirSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    if (!effect.air.enabled) {
+        return Error{ErrorCode::OutOfRange, makeMessage("no air carries this smoke"), {},
+            makeMessage("Switch it on with air.enabled")};
+    }
+    const SampledEffect smoke = sampled(effect);
+    if (Status status = checkAir(smoke); !status) {
+        return status.error();
+    }
+    AirCache shelf;
+    const SimulationModel model(smoke, shelf.airOf(smoke));
+    constexpr int kPercent = 100;
+    const auto baking = [&](double share) {
+        progress(ProgressPhase::Air, static_cast<int>(kPercent * share), kPercent);
+    };
+    const std::int64_t last = model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1));
+    AirGrid grid;
+    const Status written = writeNumbered(
+        {options.output, options.frames, fileEnding(options.format), options.source, options.written}, progress,
+        [&](int number) -> Result<std::string> {
+            if (Status status = model.air()->bake(last, stop, baking); !status) { // the first time; what is baked stays
+                return status.error();
+            }
+            const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), stop);
+            if (!air) {
+                return air.error();
+            }
+            grid = air.value()->grid;
+            return encodeAir(*air.value(), options.format);
+        });
+    return written ? Result<AirGrid>(grid) : written.error();
+}
+
+} // namespace fumage

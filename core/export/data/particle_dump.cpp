@@ -1,0 +1,190 @@
+#include "core/export/data/particle_dump.h"
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/effect/sampling.h"
+#include "core/export/data/byte_writer.h"
+#include "core/export/output_name.h"
+#include "core/lighting/appearance.h"
+#include "core/rendering/view_transform.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::array<std::string_view, 11> kColumns{
+    "x", "y", "z", "vx", "vy", "vz", "age", "life", "alpha", "radius", "heat"};
+constexpr std::array<std::string_view, 3> kColours{"red", "green", "blue"};
+
+struct Row {
+    std::int32_t id = 0;
+    std::array<float, kColumns.size()> values{};
+    glm::vec3 colour{1.0F};
+};
+
+/// Counts births, so that importers can join the particles of successive frames. Not the key of a particle: where a
+/// loop is shorter than a life, several are alive that have the same. Stays the same through a loop; at its start the
+/// particles that lived through its end count anew.
+std::int32_t idOf(const Frame& frame, std::size_t slot)
+{
+    constexpr std::int64_t kSigned = std::int64_t{1} << 31U; // many programs read no more
+    const auto slots = static_cast<std::int64_t>(frame.particles.capacity);
+    return static_cast<std::int32_t>(
+        frame.model->schedule().birthIndex(frame.step, static_cast<std::int64_t>(slot), slots) % kSigned);
+}
+
+std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect, UpAxis up)
+{
+    Appearance appearance;
+    findAppearance(frame, effect, Axes{}, appearance);
+    const Particles& p = frame.particles;
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < p.capacity; ++i) {
+        const Lifecycle cycle = lifecycle(frame, i);
+        if (cycle.alive) {
+            const glm::vec3 at = turned({p.x[i], p.y[i], p.z[i]}, up);
+            const glm::vec3 velocity = turned({p.vx[i], p.vy[i], p.vz[i]}, up);
+            rows.push_back({idOf(frame, i),
+                {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i],
+                    appearance.radius[i], p.inAir() ? p.heat[i] : 0.0F},
+                effect->look.colour * effect->look.colourGradient.at(cycle.life)});
+        }
+    }
+    return rows;
+}
+
+char inSrgb(float linear)
+{
+    constexpr float kFull = 255.0F;
+    return static_cast<char>(static_cast<unsigned char>(std::clamp(srgbFromLinear(linear), 0.0F, 1.0F) * kFull + 0.5F));
+}
+
+} // namespace
+
+std::string_view fileEnding(ParticleFormat format)
+{
+    switch (format) {
+    case ParticleFormat::Csv: return ".csv";
+    case ParticleFormat::Ply: return ".ply";
+    case ParticleFormat::Pcache: return ".pcache";
+    }
+    return {};
+}
+
+std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up)
+{
+    std::string out = "id";
+    for (const std::string_view column : kColumns) {
+        out += ',';
+        out += column;
+    }
+    for (const std::string_view colour : kColours) {
+        out += ',';
+        out += colour;
+    }
+    out += '\n';
+    for (const Row& row : livingRows(frame, effect, up)) {
+        out += std::to_string(row.id);
+        for (const float value : row.values) {
+            out += ',';
+            out += formatFloat(value);
+        }
+        for (int i = 0; i < 3; ++i) {
+            out += ',';
+            out += formatFloat(row.colour[i]);
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
+{
+    const std::vector<Row> rows = livingRows(frame, effect, up);
+    std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame " + std::to_string(frame.number)
+        + "\nelement vertex " + std::to_string(rows.size()) + "\nproperty int id\n";
+    for (const std::string_view column : kColumns) {
+        out += "property float " + std::string(column) + "\n";
+    }
+    for (const std::string_view colour : kColours) {
+        out += "property uchar " + std::string(colour) + "\n";
+    }
+    out += "end_header\n";
+    for (const Row& row : rows) {
+        appendLittleEndian(out, static_cast<std::uint32_t>(row.id));
+        for (const float value : row.values) {
+            appendLittleEndian(out, value);
+        }
+        for (int i = 0; i < 3; ++i) {
+            out += inSrgb(row.colour[i]);
+        }
+    }
+    return out;
+}
+
+std::string dumpPcache(const Frame& frame, const SampledEffect& effect)
+{
+    constexpr std::array<std::string_view, 14> kProperties{"position.x", "position.y", "position.z", "velocity.x",
+        "velocity.y", "velocity.z", "age", "lifetime", "size", "color.r", "color.g", "color.b", "color.a", "heat"};
+    const std::vector<Row> rows = livingRows(frame, effect, UpAxis::Y);
+    std::string out = "pcache\nformat binary 1.0\ncomment Fumage frame " + std::to_string(frame.number) + "\nelements "
+        + std::to_string(rows.size()) + "\n";
+    for (const std::string_view property : kProperties) {
+        out += "property float " + std::string(property) + "\n";
+    }
+    out += "end_header\n";
+    for (const Row& row : rows) {
+        const auto [x, y, z, vx, vy, vz, age, life, alpha, radius, heat] = row.values;
+        const float lifetime = life > 0.0F ? age / life : age;
+        for (const float value : {x, y, -z, vx, vy, -vz, age, lifetime, 2.0F * radius, row.colour.r, row.colour.g,
+                 row.colour.b, alpha, heat}) {
+            appendLittleEndian(out, value);
+        }
+    }
+    return out;
+}
+
+namespace {
+
+Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up,
+    const std::stop_token& stop, const Progress& progress)
+{
+    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, stop, progress);
+    if (!simulated) {
+        return simulated.error();
+    }
+    const Frame& found = *simulated.value();
+    const SampledEffect& smoke = simulator.model().effect();
+    switch (format) {
+    case ParticleFormat::Csv: return dumpCsv(found, smoke, up);
+    case ParticleFormat::Ply: return dumpPly(found, smoke, up);
+    case ParticleFormat::Pcache: return dumpPcache(found, smoke);
+    }
+    return std::string();
+}
+
+} // namespace
+
+Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop,
+    UpAxis up, const Progress& progress)
+{
+    Simulator simulator(sampled(effect));
+    return dumpFrame(simulator, frame, format, up, stop, progress);
+}
+
+Status dumpSequence(
+    const Effect& effect, const ParticleSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+{
+    Simulator simulator(sampled(effect));
+    return writeNumbered({options.output, options.frames, fileEnding(options.format), options.source, options.written},
+        progress, [&](int number) { return dumpFrame(simulator, number, options.format, options.up, stop, progress); });
+}
+
+} // namespace fumage

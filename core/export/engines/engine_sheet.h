@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/effect/effect.h"
+#include "core/export/image_file.h"
+#include "core/export/pass_picture.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fumage {
+
+/// One picture of a flipbook, as it is written.
+struct EnginePicture {
+    std::optional<Pass> pass; ///< none: it is packed
+    std::filesystem::path file;
+    std::span<const std::byte> bytes;
+    bool isSrgb = false; ///< else its numbers are linear
+    bool isExact = false; ///< vectors and normals are no colours: mixed or compressed as such they point elsewhere
+};
+
+/// All that files for engines tell of a flipbook.
+struct EngineSheet {
+    const Effect& effect; ///< its output is a cell
+    int columns = 1;
+    int rows = 1;
+    double cellsPerSecond = 1.0;
+    bool loops = false; ///< it is played over and over
+    PassStyle style;
+    PassScales scales;
+    std::vector<EnginePicture> pictures; ///< the first is the colour's
+};
+
+} // namespace fumage

@@ -1,0 +1,62 @@
+#include "core/export/sheets/flipbook_files.h"
+
+#include "core/base/path.h"
+#include "core/export/engines/engine_files.h"
+#include "core/export/output_name.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace fumage {
+
+namespace {
+
+/// The picture with a name of its own before the ending.
+std::filesystem::path besides(const std::filesystem::path& picture, const std::string& name)
+{
+    return picture.parent_path() / pathFrom(picture.stem().string() + "_" + name + picture.extension().string());
+}
+
+} // namespace
+
+std::vector<Pass> listOf(PassSet passes)
+{
+    std::vector<Pass> list;
+    std::copy_if(
+        kAllPasses.begin(), kAllPasses.end(), std::back_inserter(list), [&](Pass pass) { return passes.has(pass); });
+    return list;
+}
+
+std::filesystem::path descriptionOf(const std::filesystem::path& picture)
+{
+    return std::filesystem::path(picture).replace_extension(".flipbook.json");
+}
+
+std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass)
+{
+    return pass == Pass::Colour ? picture : besides(picture, fileNameOf(pass));
+}
+
+std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
+{
+    const std::filesystem::path picture = withEnding(options.output, fileEnding(options.format));
+    std::vector<std::filesystem::path> files;
+    for (const Pass pass : listOf(options.passes)) {
+        files.push_back(pictureOf(picture, pass));
+    }
+    for (const PackedPicture& pack : options.packs) {
+        files.push_back(besides(picture, pack.name));
+    }
+    return files;
+}
+
+std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options)
+{
+    std::vector<std::filesystem::path> files = picturesOf(options);
+    const std::vector<std::filesystem::path> more = engineFilesOf(options.engine, files);
+    files.insert(files.end(), more.begin(), more.end());
+    files.push_back(descriptionOf(withEnding(options.output, fileEnding(options.format))));
+    return files;
+}
+
+} // namespace fumage

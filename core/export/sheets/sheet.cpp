@@ -1,0 +1,89 @@
+#include "core/export/sheets/sheet.h"
+
+namespace fumage {
+
+namespace {
+
+void place(const Image& cell, Image& sheet, const SheetCell& at)
+{
+    parallelFor(static_cast<std::size_t>(cell.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4,
+            sheet.row(at.top + y) + static_cast<std::size_t>(at.left) * 4);
+    });
+}
+
+/// Makes room for the cells; what the last row has more is empty.
+void makeRoom(const SheetGrid& grid, Image& sheet)
+{
+    const int rows = (grid.cells + grid.columns - 1) / grid.columns;
+    sheet.resize(grid.columns * grid.cellWidth, rows * grid.cellHeight);
+    for (int number = grid.cells; number < rows * grid.columns; ++number) {
+        const SheetCell cell = grid.cell(number);
+        for (int y = 0; y < cell.height; ++y) {
+            std::fill_n(sheet.row(cell.top + y) + static_cast<std::size_t>(cell.left) * 4,
+                static_cast<std::size_t>(cell.width) * 4, 0.0F);
+        }
+    }
+}
+
+} // namespace
+
+Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet,
+    const CellWatch& watch, const Progress& progress, const std::stop_token& stop,
+    const std::shared_ptr<AirCache>& shelf)
+{
+    const SampledEffect smoke = sampled(effect);
+    const int cells = static_cast<int>(frames.numbers.size());
+    sheet.grid = {columns, cells, effect.output.width, effect.output.height, frames.turn.has_value()};
+    for (std::size_t i = 0; i < kPassTargets; ++i) {
+        if (needsTarget(passes, static_cast<PassTarget>(i))) {
+            makeRoom(sheet.grid, sheet.targets.targets[i]);
+        }
+    }
+    FrameNeighbours neighbours(smoke, frames, passes.has(Pass::Motion), 0, shelf);
+    PassRenderer renderer;
+    PassImages cell;
+    for (int number = 0; number < cells; ++number) {
+        const Result<FrameAmongOthers> frame = neighbours.at(static_cast<std::size_t>(number), stop, progress);
+        if (!frame) {
+            return frame.error();
+        }
+        if (Status status =
+                renderer.render(frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, passes, cell, stop);
+            !status) {
+            return status;
+        }
+        if (watch) {
+            watch(cell, *frame.value().now, renderer.appearance());
+        }
+        for (std::size_t i = 0; i < kPassTargets; ++i) {
+            place(cell.targets[i], sheet.targets.targets[i], sheet.grid.cell(number));
+        }
+        progress(ProgressPhase::Frames, number + 1, cells);
+    }
+    return Done{};
+}
+
+Status joinSheet(const CellFrames& frames, int columns, const FrameSource& source, const glm::ivec2& size,
+    PassSheet& sheet, const Progress& progress, const std::stop_token& stop)
+{
+    const int cells = static_cast<int>(frames.numbers.size());
+    sheet.grid = {columns, cells, size.x, size.y, frames.turn.has_value()};
+    Image& whole = sheet.targets.of(PassTarget::Colour);
+    makeRoom(sheet.grid, whole);
+    Image cell;
+    for (int number = 0; number < cells; ++number) {
+        if (stop.stop_requested()) {
+            return Error{ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
+        }
+        if (Status status = source(frames.numbers[static_cast<std::size_t>(number)], cell); !status) {
+            return status;
+        }
+        place(cell, whole, sheet.grid.cell(number));
+        progress(ProgressPhase::Frames, number + 1, cells);
+    }
+    return Done{};
+}
+
+} // namespace fumage

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/export/frame_neighbours.h"
+#include "core/export/frame_source.h"
+#include "core/export/pass_picture.h"
+#include "core/rendering/pass_renderer.h"
+#include "core/simulation/air_cache.h"
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace fumage {
+
+/// Sees each cell as it is placed: its targets, its frame, and what the look has made of it.
+using CellWatch = std::function<void(const PassImages& cell, const Frame& frame, const Appearance& appearance)>;
+
+/// Renders frames into the cells of a sheet, first at the top left, then along the rows, each of effect.output's size
+/// and without background.
+/// @param frames  of the cells, in any order, but one that rises is quick; for motion one more frame is simulated,
+/// unless they close a loop: as far behind the last as that is behind the one before
+/// @param columns the cells fill rows of as many
+/// @param passes  what the targets must do for
+/// @param shelf   with air that several sheets of one effect share; null: the sheet bakes its own
+/// @error those of Simulator and PassRenderer
+[[nodiscard]] Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes,
+    PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {},
+    const std::shared_ptr<AirCache>& shelf = nullptr);
+
+/// Fills the colour of a sheet with frames that are there already.
+/// @param size of a cell, pixels
+/// @error those of the frames; Cancelled
+[[nodiscard]] Status joinSheet(const CellFrames& frames, int columns, const FrameSource& source, const glm::ivec2& size,
+    PassSheet& sheet, const Progress& progress, const std::stop_token& stop = {});
+
+} // namespace fumage

@@ -1,0 +1,225 @@
+#include "core/export/sheets/sheet_metrics.h"
+
+#include "core/base/math.h"
+#include "core/export/sheets/cell_frames.h"
+#include "core/export/difference.h"
+#include "core/export/sheets/sheet.h"
+#include "core/export/sheets/sheet_playback.h"
+#include "core/rendering/view_transform.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+constexpr int kDirections = 20;
+
+/// Directions on a spiral from pole to pole, each with as much of the sphere around it.
+std::array<glm::vec3, kDirections> lightDirections()
+{
+    std::array<glm::vec3, kDirections> out;
+    const float golden = kPi * (3.0F - std::sqrt(5.0F));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float y = 1.0F - (2.0F * static_cast<float>(i) + 1.0F) / static_cast<float>(kDirections);
+        const float across = std::sqrt(1.0F - y * y);
+        const float turn = std::fmod(golden * static_cast<float>(i), kTau);
+        out[i] = {across * portableCos(turn), y, across * portableSin(turn)};
+    }
+    return out;
+}
+
+/// White smoke under one white light from a direction of the camera's frame, and no other. Flames are as clear as they
+/// are, but give next to nothing: without any glow they would be opaque smoke, which no map shows.
+Effect litFrom(const Effect& effect, const View& view, const glm::vec3& towards)
+{
+    Effect lit = effect;
+    lit.look.colour = glm::vec3(1.0F);
+    lit.look.colourGradient = Gradient{{0.0F, glm::vec3(1.0F)}};
+    lit.light.colour = glm::vec3(1.0F);
+    lit.light.intensity = 1.0F;
+    lit.light.ambient = 0.0F;
+    constexpr float kFaintest = 1e-6F;
+    lit.glow.emission = std::min(effect.glow.emission, kFaintest);
+    lit.glow.fireLight = 0.0F;
+    lit.light.direction = -(view.right * towards.x + view.up * towards.y + view.forward * towards.z);
+    lit.output.background = Background::Transparent;
+    return lit;
+}
+
+/// Relit from Unity's maps: the premultiplied light of a pixel.
+float relit(const DataImage& a, const DataImage& b, std::size_t pixel, const glm::vec3& towards, float scale)
+{
+    float sum = 0.0F;
+    for (int axis = 0; axis < 3; ++axis) {
+        const RawArray<float>& map = towards[axis] >= 0.0F ? a.values : b.values;
+        sum += towards[axis] * towards[axis] * map[pixel * 4 + static_cast<std::size_t>(axis)];
+    }
+    return sum * scale * a.values[pixel * 4 + 3];
+}
+
+Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet,
+    const std::vector<int>& frames, int lit, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
+{
+    const PassPictures pictures(sheet, {Pass::SixWayA, Pass::SixWayB}, {});
+    const PassScales& scales = pictures.scales();
+    const DataImage a = stored(pictures.picture(Pass::SixWayA), options.format);
+    const DataImage b = stored(pictures.picture(Pass::SixWayB), options.format);
+    const std::array<glm::vec3, kDirections> directions = lightDirections();
+    std::array<Difference, kDirections> differences;
+    Renderer renderer;
+    Image truth;
+    for (int i = 0; i < lit; ++i) {
+        const int number = static_cast<int>(
+            (2 * static_cast<std::int64_t>(i) + 1) * static_cast<std::int64_t>(frames.size()) / (2 * lit));
+        const auto frame = simulator.frame(frames[static_cast<std::size_t>(number)], stop);
+        if (!frame) {
+            return frame.error();
+        }
+        const View view = makeView(effect.camera, secondsOf(effect.timeline, frame.value()->number),
+            sheet.grid.cellWidth, sheet.grid.cellHeight);
+        const SheetCell cell = sheet.grid.cell(number);
+        for (std::size_t direction = 0; direction < kDirections; ++direction) {
+            if (Status status = renderer.render(*frame.value(), sampled(litFrom(effect, view, directions[direction])),
+                    cell.width, cell.height, truth, stop);
+                !status) {
+                return status;
+            }
+            for (int y = 0; y < cell.height; ++y) {
+                for (int x = 0; x < cell.width; ++x) {
+                    const std::size_t pixel = static_cast<std::size_t>(cell.top + y) * static_cast<std::size_t>(a.width)
+                        + static_cast<std::size_t>(cell.left + x);
+                    differences[direction].add(
+                        relit(a, b, pixel, directions[direction], scales.light), truth.at(x, y).r);
+                }
+            }
+        }
+    }
+    Difference all;
+    for (const Difference& each : differences) {
+        all.add(each);
+    }
+    score.sixWay.scale = scales.light;
+    score.sixWay.decibels = all.decibels();
+    score.sixWay.worst =
+        std::min_element(differences.begin(), differences.end(), [](const Difference& x, const Difference& y) {
+            return x.decibels() < y.decibels();
+        })->decibels();
+    return Done{};
+}
+
+/// The middle between two cells as an engine shows it, with and without vectors, beside the frame that is there.
+struct Between {
+    Difference rebuilt;
+    Difference faded;
+    int count = 0;
+
+    void compare(const SheetPlayback& playback, int cell, int next, float f, const Image& truth)
+    {
+        for (int y = 0; y < truth.height; ++y) {
+            for (int x = 0; x < truth.width; ++x) {
+                const glm::vec4 there = shown(truth.at(x, y));
+                const glm::vec4 moved = playback.pixel(cell, next, f, x, y, CellBlending::Motion);
+                const glm::vec4 mixed = playback.pixel(cell, next, f, x, y, CellBlending::CrossFade);
+                for (int channel = 0; channel < 4; ++channel) {
+                    rebuilt.add(moved[channel], there[channel]);
+                    faded.add(mixed[channel], there[channel]);
+                }
+            }
+        }
+        ++count;
+    }
+};
+
+Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet,
+    const CellFrames& frames, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
+{
+    const PassPictures pictures(sheet, {Pass::Motion}, {});
+    const SheetPlayback playback(
+        sheet, stored(pictures.picture(Pass::Motion), options.format), pictures.scales().motion);
+    Between between;
+    const SampledEffect smoke = sampled(effect);
+    Renderer renderer;
+    Image truth;
+    const std::vector<int>& numbers = frames.numbers;
+    for (std::size_t i = 0; i + (frames.turn ? 0 : 1) < numbers.size(); ++i) {
+        const std::size_t next = (i + 1) % numbers.size();
+        const int there = numbers[next] + (next == 0 ? *frames.turn : 0);
+        const int middle = (numbers[i] + there) / 2;
+        if (middle == numbers[i]) {
+            continue;
+        }
+        const int length = effect.timeline.length; // of a loop that may be played backwards through its seam
+        const auto frame = simulator.frame(middle < 0 ? middle % length + length : middle, stop);
+        if (!frame) {
+            return frame.error();
+        }
+        if (Status status =
+                renderer.render(*frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, truth, stop);
+            !status) {
+            return status;
+        }
+        const float f = static_cast<float>(middle - numbers[i]) / static_cast<float>(there - numbers[i]);
+        between.compare(playback, static_cast<int>(i), static_cast<int>(next), f, truth);
+    }
+    score.motion = {between.rebuilt.decibels(), between.faded.decibels(), pictures.scales().motion, between.count};
+    return Done{};
+}
+
+void scorePixels(const PassSheet& sheet, const Output& output, SheetScore& score)
+{
+    const float brightest = brightestShown(output);
+    constexpr float kSeen = 0.5F / 255.0F;
+    const Image& colour = sheet.targets.of(PassTarget::Colour);
+    std::size_t smoke = 0;
+    std::size_t clipped = 0;
+    for (int number = 0; number < sheet.grid.cells; ++number) {
+        const SheetCell cell = sheet.grid.cell(number);
+        const std::size_t before = smoke;
+        for (int y = 0; y < cell.height; ++y) {
+            for (int x = 0; x < cell.width; ++x) {
+                const glm::vec4 pixel = colour.at(cell.left + x, cell.top + y);
+                const bool isBorder = x == 0 || y == 0 || x + 1 == cell.width || y + 1 == cell.height;
+                score.edgeAlpha = isBorder ? std::max(score.edgeAlpha, pixel.a) : score.edgeAlpha;
+                smoke += pixel.a >= kSeen ? 1U : 0U;
+                clipped += pixel.a >= kSeen && std::max({pixel.r, pixel.g, pixel.b}) > brightest * pixel.a ? 1U : 0U;
+            }
+        }
+        score.empty += smoke == before ? 1 : 0;
+    }
+    score.clipped = smoke > 0 ? static_cast<double>(clipped) / static_cast<double>(smoke) : 0.0;
+}
+
+} // namespace
+
+Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Progress& progress,
+    const std::stop_token& stop)
+{
+    const CellFrames frames = cellFramesOf(effect, options);
+    Effect seen = effect;
+    seen.output.background = Background::Transparent;
+    PassSheet sheet;
+    const auto shelf = std::make_shared<AirCache>(); // one bake of the air for the sheet and for the truth
+    if (Status status = renderSheet(seen, frames, options.columns,
+            {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, progress, stop, shelf);
+        !status) {
+        return status.error();
+    }
+    Simulator simulator(sampled(seen), Simulator::kDefaultCheckpointBytes, shelf);
+    SheetScore score;
+    scorePixels(sheet, seen.output, score);
+    if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, simulator, score, stop); !status) {
+        return status.error();
+    }
+    if (Status status = scoreMotion(seen, options, sheet, frames, simulator, score, stop); !status) {
+        return status.error();
+    }
+    return score;
+}
+
+} // namespace fumage

@@ -1,0 +1,100 @@
+#include "core/export/sheets/trim.h"
+
+#include "core/rendering/pass_renderer.h"
+#include "core/rendering/view_transform.h"
+#include "core/simulation/simulator.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+/// Looks for smoke in frames.
+class SmokeWatch {
+public:
+    SmokeWatch(const Effect& effect, int total, const Progress& progress, const std::stop_token& stop)
+        : m_smoke(sampled(effect))
+        , m_simulator(m_smoke)
+        , m_total(total)
+        , m_progress(progress)
+        , m_stop(stop)
+    {
+    }
+
+    [[nodiscard]] Result<bool> isEmpty(int number)
+    {
+        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, m_stop, m_progress);
+        if (!frame) {
+            return frame.error();
+        }
+        const Output& cell = m_smoke->output;
+        if (Status status = m_renderer.render(
+                {.now = frame.value().get()}, m_smoke, cell.width, cell.height, {Pass::Alpha}, m_images, m_stop);
+            !status) {
+            return status.error();
+        }
+        m_progress(ProgressPhase::Fitting, ++m_done, m_total);
+        return !showsSmoke(m_images.of(PassTarget::Colour));
+    }
+
+private:
+    [[nodiscard]] bool showsSmoke(const Image& image) const
+    {
+        constexpr float kSeen = 1.0F / 255.0F;
+        const bool byLight = coverOf(m_smoke->glow) == Cover::Light;
+        const float gain = exposureGain(m_smoke->output.exposure);
+        for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+            const float* p = image.pixels.data() + i;
+            if (p[3] >= kSeen || (byLight && gain * std::max({p[0], p[1], p[2]}) >= kSeen)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    SampledEffect m_smoke;
+    Simulator m_simulator;
+    PassRenderer m_renderer;
+    PassImages m_images;
+    int m_done = 0;
+    int m_total;
+    const Progress& m_progress;
+    const std::stop_token& m_stop;
+};
+
+} // namespace
+
+Result<FrameRange> trimmed(
+    const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+{
+    if (effect.timeline.loop) {
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("a loop is not trimmed: without its empty frames it would no longer close"), {},
+            makeMessage("Switch the loop off, or the trimming")};
+    }
+    SmokeWatch watch(effect, frames.count(), progress, stop);
+    const auto firstWithSmoke = [&](int from, int past, int step) -> Result<int> {
+        for (int i = from; i != past; i += step) {
+            const Result<bool> empty = watch.isEmpty(frames.at(i));
+            if (!empty || !empty.value()) {
+                return empty ? Result<int>(i) : empty.error();
+            }
+        }
+        return past;
+    };
+    const Result<int> first = firstWithSmoke(0, frames.count(), 1);
+    if (!first) {
+        return first.error();
+    }
+    if (first.value() == frames.count()) {
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("no visible smoke in frames %1 to %2", frames.first, frames.last), {},
+            makeMessage("Choose other frames, or make the smoke denser")};
+    }
+    const Result<int> last = firstWithSmoke(frames.count() - 1, first.value(), -1);
+    return last ? Result<FrameRange>(FrameRange{frames.at(first.value()), frames.at(last.value()), frames.step})
+                : last.error();
+}
+
+} // namespace fumage

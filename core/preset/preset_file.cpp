@@ -1,0 +1,120 @@
+#include "core/preset/preset_file.h"
+
+#include "core/base/file.h"
+#include "core/base/open_file.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/image_io/metadata_reader.h"
+#include "core/preset/preset_keys.h"
+#include "core/preset/preset_node.h"
+
+#include <algorithm>
+
+namespace fumage {
+
+namespace {
+
+void writeUnknown(const Preset& preset, std::string_view group, std::string_view indent, std::string& out)
+{
+    for (const UnknownMember& member : preset.unknown) {
+        if (member.group == group) {
+            out += ",\n" + std::string(indent) + quoteJson(member.key) + ": " + member.json;
+        }
+    }
+}
+
+/// The groups of a scene or of its layer, and what is unknown beside them.
+void writeGroups(const Preset& preset, Scope scope, std::string_view owner, const std::string& indent, std::string& out)
+{
+    std::string_view group;
+    for (const Parameter& parameter : parameterTable()) {
+        if (parameter.scope != scope) {
+            continue;
+        }
+        if (parameter.group() != group) {
+            if (!group.empty()) {
+                writeUnknown(preset, group, indent + "  ", out);
+                out += "\n" + indent + "},";
+            }
+            group = parameter.group();
+            out += "\n" + indent + quoteJson(group) + ": {\n" + indent + "  ";
+        } else {
+            out += ",\n" + indent + "  ";
+        }
+        out += quoteJson(parameter.name()) + ": " + formatJson(parameter, parameter.get(preset.effect));
+    }
+    writeUnknown(preset, group, indent + "  ", out);
+    out += "\n" + indent + "}";
+    writeUnknown(preset, owner, indent, out);
+}
+
+/// The preset that a picture carries.
+Result<PresetReading> readPicture(const std::filesystem::path& path)
+{
+    const Result<OpenFile> file = OpenFile::open(path);
+    if (!file) {
+        return file.error();
+    }
+    const Result<ImageMetadata> notes =
+        readImageMetadata([&](std::uint64_t at, std::size_t size) { return file.value().readAt(at, size); });
+    if (!notes) {
+        Error error = notes.error();
+        error.place = path.string();
+        return error;
+    }
+    if (notes.value().preset.empty()) {
+        return Error{ErrorCode::WrongType, makeMessage("this picture carries no preset"), path.string(),
+            makeMessage("Choose a PNG or EXR that Fumage has written, or the preset's own file")};
+    }
+    Result<PresetReading> reading = parsePreset(notes.value().preset, path.string());
+    if (!reading) {
+        Error error = reading.error();
+        error.message = makeMessage("the preset that this picture carries cannot be read: %1", error.message);
+        return error;
+    }
+    reading.value().frame = std::max(0, notes.value().frame);
+    reading.value().sheet = notes.value().sheet;
+    return reading;
+}
+
+} // namespace
+
+Result<PresetReading> parsePreset(std::string_view json, const std::string& place)
+{
+    if (json.size() > kMaxPresetBytes) {
+        return presetTooLarge(json.size(), place);
+    }
+    const Result<JsonNode> root = parseJsonOf(place, json);
+    return root ? readPreset(json, root.value(), place) : Result<PresetReading>(root.error());
+}
+
+std::string formatPreset(const Preset& preset)
+{
+    std::string out = "{\n  \"format\": " + quoteJson(kPresetFormat)
+        + ",\n  \"version\": " + std::to_string(kPresetVersion) + ",\n  \"name\": " + quoteJson(preset.name)
+        + ",\n  \"description\": " + quoteJson(preset.description);
+    out += ",\n  " + quoteJson(kScene) + ": {";
+    writeGroups(preset, Scope::Scene, kScene, "    ", out);
+    out += "\n  },\n  " + quoteJson(kLayers) + ": [\n    {";
+    writeGroups(preset, Scope::Layer, kLayer, "      ", out);
+    out += "\n    }\n  ]";
+    writeUnknown(preset, "", "  ", out);
+    return out + "\n}\n";
+}
+
+Result<PresetReading> readPresetFile(const std::filesystem::path& path)
+{
+    constexpr std::size_t kSignature = 8;
+    if (const Result<std::string> begin = readFileHead(path, kSignature); begin && isPicture(begin.value())) {
+        return readPicture(path);
+    }
+    const Result<std::string> text = readFile(path, kMaxPresetBytes);
+    return text ? parsePreset(text.value(), path.string()) : Result<PresetReading>(text.error());
+}
+
+Status writePresetFile(const std::filesystem::path& path, const Preset& preset)
+{
+    return writeFileAtomically(path, formatPreset(preset));
+}
+
+} // namespace fumage

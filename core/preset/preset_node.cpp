@@ -1,0 +1,315 @@
+#include "core/preset/preset_node.h"
+
+#include "core/base/text.h"
+#include "core/effect/parameter_table.h"
+#include "core/effect/value.h"
+#include "core/preset/migration.h"
+#include "core/preset/preset_keys.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fumage {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kHeaderKeys{"format", "version", "name", "description"};
+/// Where editors of text look for the schema; kept, and nothing to warn of.
+constexpr std::string_view kSchemaKey = "$schema";
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& place, std::size_t mostWarnings)
+        : m_text(text)
+        , m_place(place)
+        , m_mostWarnings(mostWarnings)
+    {
+    }
+
+    Result<PresetReading> read(const JsonNode& root)
+    {
+        if (root.end - root.begin > kMaxPresetBytes) {
+            return presetTooLarge(root.end - root.begin, placeInFile(m_place, placeInText(m_text, root.begin)));
+        }
+        if (Status status = readRoot(root); !status) {
+            return status.error();
+        }
+        reportHidden();
+        reportMissing();
+        return std::move(m_reading);
+    }
+
+private:
+    [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
+    {
+        return {code, std::move(message), placeInFile(m_place, placeInText(m_text, node.begin)), std::move(remedy)};
+    }
+
+    /// @param message called only where there is room for it: a place and a suggestion cost far more than reading what
+    /// they are about
+    template <class Say>
+    void warn(const JsonNode& node, const Say& message)
+    {
+        ++m_warnings;
+        if (m_warnings <= m_mostWarnings) {
+            m_reading.warnings.push_back(
+                makeMessage("%1: %2", placeInFile(m_place, placeInText(m_text, node.begin)), message()));
+        }
+    }
+
+    void warnOfFile(const Message& message)
+    {
+        m_reading.warnings.push_back(m_place.empty() ? message : makeMessage("%1: %2", m_place, message));
+    }
+
+    Status readRoot(const JsonNode& root)
+    {
+        if (root.type != JsonNode::Type::Object) {
+            return errorAt(root, ErrorCode::WrongType, makeMessage("a preset is an object in braces { }"), {});
+        }
+        const Result<int> version = readHeader(root);
+        if (!version) {
+            return version.error();
+        }
+        if (version.value() == kPresetVersion) {
+            return readMembers(root);
+        }
+        JsonNode migrated = root;
+        migratePreset(migrated, version.value());
+        return readMembers(migrated);
+    }
+
+    Status readMembers(const JsonNode& root)
+    {
+        for (std::size_t i = 0; i < root.items.size(); ++i) {
+            const std::string& key = root.keys[i];
+            const JsonNode& node = root.items[i];
+            if (std::find(kHeaderKeys.begin(), kHeaderKeys.end(), key) != kHeaderKeys.end()) {
+                continue;
+            }
+            const auto read = [&] {
+                return key == kScene ? readGroups(kScene, Scope::Scene, node)
+                    : key == kLayers ? readLayers(node)
+                                     : keepUnknown("", key, node);
+            };
+            if (Status status = read(); !status) {
+                return status;
+            }
+        }
+        return Done{};
+    }
+
+    Status readLayers(const JsonNode& node)
+    {
+        if (node.type != JsonNode::Type::Array) {
+            return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected a list in brackets [ ]", kLayers), {});
+        }
+        if (node.items.size() != 1) {
+            return errorAt(node, ErrorCode::WrongVersion,
+                makeMessage("the preset has %1 layers, this program reads presets of one", node.items.size()),
+                makeMessage("Open it with a newer Fumage"));
+        }
+        return readGroups(kLayer, Scope::Layer, node.items.front());
+    }
+
+    /// @param owner what the groups belong to
+    Status readGroups(std::string_view owner, Scope scope, const JsonNode& node)
+    {
+        if (node.type != JsonNode::Type::Object) {
+            return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected an object in braces { }", owner), {});
+        }
+        for (std::size_t i = 0; i < node.items.size(); ++i) {
+            const std::string& key = node.keys[i];
+            const JsonNode& group = node.items[i];
+            if (Status status =
+                    groupScope(key) == scope ? readGroup(key, group) : keepUnknown(std::string(owner), key, group);
+                !status) {
+                return status;
+            }
+        }
+        return Done{};
+    }
+
+    /// @return the version of the preset, at most kPresetVersion
+    Result<int> readHeader(const JsonNode& root)
+    {
+        const JsonNode* format = root.find("format");
+        if (format == nullptr || format->string != kPresetFormat) {
+            return errorAt(format == nullptr ? root : *format, ErrorCode::WrongType,
+                makeMessage("this JSON is not a Fumage preset"),
+                makeMessage("A preset begins with \"format\": \"fumage-preset\""));
+        }
+        const JsonNode* version = root.find("version");
+        if (version == nullptr || version->type != JsonNode::Type::Number || !version->isWhole
+            || version->number < 1.0) {
+            return errorAt(version == nullptr ? root : *version, ErrorCode::WrongVersion,
+                makeMessage("the version of the preset is missing or not a whole number from 1"), {});
+        }
+        if (version->number > kPresetVersion) {
+            return errorAt(*version, ErrorCode::WrongVersion,
+                makeMessage("the preset has version %1, this program reads up to %2",
+                    m_text.substr(version->begin, version->end - version->begin), kPresetVersion),
+                makeMessage("Open it with a newer Fumage"));
+        }
+        for (const auto& [key, to] :
+            {std::pair{"name", &m_reading.preset.name}, std::pair{"description", &m_reading.preset.description}}) {
+            const JsonNode* node = root.find(key);
+            if (node != nullptr && node->type != JsonNode::Type::String) {
+                return errorAt(*node, ErrorCode::WrongType, makeMessage("%1: expected a text in quotes", key), {});
+            }
+            *to = node == nullptr ? "" : node->string;
+        }
+        return static_cast<int>(version->number);
+    }
+
+    Status readGroup(const std::string& group, const JsonNode& node)
+    {
+        if (node.type != JsonNode::Type::Object) {
+            return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected an object in braces { }", group), {});
+        }
+        for (std::size_t i = 0; i < node.items.size(); ++i) {
+            const std::string& name = node.keys[i];
+            const JsonNode& value = node.items[i];
+            const Parameter* parameter = findParameter(group + "." + name);
+            if (Status status =
+                    parameter == nullptr ? keepUnknown(group, name, value) : readParameter(*parameter, value);
+                !status) {
+                return status;
+            }
+        }
+        return Done{};
+    }
+
+    Status keepUnknown(const std::string& group, const std::string& key, const JsonNode& node)
+    {
+        const std::string path = group.empty() ? key : group + "." + key;
+        if (path != kSchemaKey) {
+            warn(node, [&] {
+                const std::string_view near = nearestParameterKey(path);
+                return near.empty() ? makeMessage("unknown key %1 is kept but has no effect", inQuotes(path))
+                                    : makeMessage("unknown key %1 is kept but has no effect; did you mean %2?",
+                                        inQuotes(path), inQuotes(near));
+            });
+        }
+        m_reading.preset.unknown.push_back({group, key, std::string(m_text.substr(node.begin, node.end - node.begin))});
+        return Done{};
+    }
+
+    Status readParameter(const Parameter& parameter, const JsonNode& node)
+    {
+        const Result<Clamped> value = valueOf(parameter, node);
+        if (!value) {
+            return errorAt(node, value.error().code, makeMessage("%1: %2", value.error().place, value.error().message),
+                value.error().remedy);
+        }
+        if (setClamped(m_reading.preset.effect, parameter, value.value())) {
+            warn(node, [&] {
+                return makeMessage("%1 was out of range and is now %2", parameter.key,
+                    formatText(parameter, parameter.get(m_reading.preset.effect), true));
+            });
+        }
+        m_seen.push_back(parameter.key);
+        return Done{};
+    }
+
+    [[nodiscard]] Result<Clamped> valueOf(const Parameter& parameter, const JsonNode& node) const
+    {
+        const bool isChoice = isText(node) && parameter.kind == Kind::Choice;
+        const bool isFlag = node.type == JsonNode::Type::Bool && parameter.kind == Kind::Bool;
+        if (isChoice) {
+            return parseValue(parameter, node.string);
+        }
+        if (isFlag) {
+            return Clamped{node.flag};
+        }
+        std::vector<double> numbers;
+        if (!collectNumbers(parameter, node, numbers)) {
+            return Error{ErrorCode::WrongType,
+                makeMessage("expected %1, found %2", kindName(parameter.kind),
+                    inQuotes(isText(node) ? node.string : m_text.substr(node.begin, node.end - node.begin))),
+                std::string(parameter.key), {}};
+        }
+        return valueFromNumbers(parameter, numbers);
+    }
+
+    static bool isText(const JsonNode& node) { return node.type == JsonNode::Type::String; }
+
+    /// A number, a list of three, or a list of lists, just as the kind asks.
+    static bool collectNumbers(const Parameter& parameter, const JsonNode& node, std::vector<double>& numbers)
+    {
+        const auto flat = [&](const JsonNode& list, std::size_t count) {
+            for (const JsonNode& item : list.items) {
+                if (item.type != JsonNode::Type::Number) {
+                    return false;
+                }
+                numbers.push_back(item.number);
+            }
+            return list.type == JsonNode::Type::Array && list.items.size() == count;
+        };
+        switch (parameter.kind) {
+        case Kind::Int:
+        case Kind::Seed:
+        case Kind::Float: numbers.push_back(node.number); return node.type == JsonNode::Type::Number;
+        case Kind::Direction:
+        case Kind::Vector:
+        case Kind::Colour: return flat(node, 3);
+        case Kind::Curve:
+            return node.type == JsonNode::Type::Array
+                && std::all_of(
+                    node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 2); });
+        case Kind::Gradient:
+            return node.type == JsonNode::Type::Array
+                && std::all_of(
+                    node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 4); });
+        case Kind::Bool:
+        case Kind::Choice: return false;
+        }
+        return false;
+    }
+
+    void reportHidden()
+    {
+        if (m_warnings > m_mostWarnings) {
+            warnOfFile(makeMessage("and %1 more warnings", m_warnings - m_mostWarnings));
+        }
+    }
+
+    void reportMissing()
+    {
+        std::size_t missing = 0;
+        std::string first;
+        for (const Parameter& parameter : parameterTable()) {
+            if (std::find(m_seen.begin(), m_seen.end(), parameter.key) == m_seen.end()) {
+                first = missing == 0 ? std::string(parameter.key) : first;
+                ++missing;
+            }
+        }
+        if (missing > 0) {
+            warnOfFile(makeMessage(
+                "%1 parameters are not in the preset and keep their defaults, the first is %2", missing, first));
+        }
+    }
+
+    std::string_view m_text;
+    const std::string& m_place;
+    std::size_t m_mostWarnings;
+    PresetReading m_reading;
+    std::size_t m_warnings = 0; ///< all of them, shown or not
+    std::vector<std::string_view> m_seen;
+};
+
+} // namespace
+
+Error presetTooLarge(std::size_t bytes, const Message& place)
+{
+    return {ErrorCode::TooLarge, makeMessage("a preset of %1 bytes", bytes), place,
+        makeMessage("Presets have at most %1", kMaxPresetBytes)};
+}
+
+Result<PresetReading> readPreset(
+    std::string_view text, const JsonNode& root, const std::string& place, std::size_t mostWarnings)
+{
+    return Reader(text, place, mostWarnings).read(root);
+}
+
+} // namespace fumage

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/lighting/appearance.h"
+#include "core/lighting/glow.h"
+#include "core/lighting/light_field.h"
+#include "core/rendering/sprite_batch.h"
+
+#include <array>
+#include <cstdint>
+
+namespace fumage {
+
+/// Four floats in one register, on every instruction set: light channels or a colour.
+using Float4 = float __attribute__((vector_size(16)));
+
+/// Constants of one pass over the particles.
+struct SpriteJob {
+    const Particles* particles = nullptr;
+    const Appearance* appearance = nullptr;
+    const LightGrid* light = nullptr;
+    const SpriteTexture* texture = nullptr;
+    SpriteBatch* out = nullptr;
+
+    View view;
+    std::array<Float4, kColourTableSize> albedo{}; ///< by life
+    std::array<Float4, kGlowTableSize> emission{}; ///< by heat
+    Float4 sun{};
+    Float4 sky{};
+    Float4 ground{};
+    Float4 fire{}; ///< colour of the light of what glows
+    bool isLitByFire = false;
+    bool glows = false;
+
+    std::int32_t step = 0;
+    float dt = 0.0F;
+    bool bornBetweenSteps = false;
+    float rotationVariance = 0.0F; ///< radians
+    float spin = 0.0F; ///< radians/s
+    float spinVariance = 0.0F;
+    float roll = 0.0F; ///< share of the particle's own turn
+    float textureSlicesPerSecond = 0.0F;
+    GlowTable glow;
+    float hotCore = 0.0F;
+    float erosion = 0.0F;
+    /// What makes a sprite cover as much at each level of its texture, the last that of plain sprites, as it does at
+    /// the finest; by erosion.
+    std::array<std::array<float, TextureRef::kErosionSteps + 1>, SpriteTexture::kMaxLevels + 1> evenness{};
+    float contrast = 1.0F; ///< of texture and shading inside a sprite, up to 1
+    float stretch = 0.0F; ///< s
+    bool deforms = false; ///< particles have a shape that is drawn
+    float deformation = 0.0F; ///< share of it that is drawn
+    float deformationLimit = 1.0F; ///< of an axis, over the radius
+    SpriteStyle style;
+};
+
+/// Sprites that are made at a time.
+inline constexpr std::size_t kSpriteBlock = 128;
+
+} // namespace fumage

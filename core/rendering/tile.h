@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/base/aligned_array.h"
+#include "core/rendering/image.h"
+#include "core/rendering/sprite_batch.h"
+
+#include <array>
+#include <cstddef>
+
+namespace fumage {
+
+/// A picture to compose.
+struct RenderTarget {
+    const SpriteTarget* colours = nullptr; ///< null: the sprites' own
+    Image* image = nullptr; ///< resized; every pixel is written
+};
+
+/// A tile while it is painted: rows of patches of 4 x 4 pixels, which cover a small disc with fewer vectors than rows
+/// of pixels do, and lie on cache lines of their own.
+struct Tile {
+    static constexpr int kWidth = 64; ///< pixels
+    static constexpr int kHeight = 64;
+    static constexpr int kPatch = 4; ///< pixels along an edge of a patch
+    static constexpr int kAcross = kWidth / kPatch; ///< patches
+    static constexpr int kDown = kHeight / kPatch;
+    static constexpr std::size_t kPatchPixels = static_cast<std::size_t>(kPatch) * kPatch;
+    static constexpr std::size_t kPatchFloats = 4 * kPatchPixels;
+
+    static constexpr std::size_t kPatchColours = 3 * kPatchPixels;
+    static constexpr std::size_t kPatches = static_cast<std::size_t>(kAcross) * kDown;
+
+    /// Of each patch: how much still shines through its pixels, row by row, then their premultiplied red, green and
+    /// blue.
+    alignas(64) std::array<float, kPatchFloats * kPatches> patches;
+    RawArray<float> others; ///< of each patch: red, green and blue in the first of the other targets, then in the next
+    int left = 0; ///< pixels of the image
+    int top = 0;
+    int right = 0; ///< exclusive
+    int bottom = 0;
+};
+
+} // namespace fumage

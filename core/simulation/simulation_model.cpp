@@ -1,0 +1,306 @@
+#include "core/simulation/simulation_model.h"
+
+#include "core/base/hash.h"
+#include "core/base/math.h"
+#include "core/base/vector.h"
+#include "core/simulation/air_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace fumage {
+
+namespace {
+
+// Streams of the random numbers that belong to the whole effect and not to a particle.
+enum EffectStream : std::uint32_t {
+    kGustStrength = 101,
+    kGustAngle = 102,
+    kRotation = 103,
+    kTurbulence = 104,
+    kRings = 120
+};
+
+/// Gusts turn the wind by at most this, degrees.
+constexpr float kGustAngleRange = 60.0F;
+
+/// Speed of the swirls below the grid, root mean square, over the root of the sum of the squares of the air's
+/// differences from cell to cell.
+constexpr float kDetailPerShear = 0.5F;
+
+/// Rates of eddies grow with the 2/3 power of their wave number (Kolmogorov 1941).
+constexpr float kTurnoverExponent = 2.0F / 3.0F;
+
+/// Of the first octave, per component, so that all octaves together have the root mean square speed that is asked:
+/// their squares add.
+float firstAmplitude(const Turbulence& turbulence)
+{
+    float squares = 0.0F;
+    float square = 1.0F;
+    for (int octave = 0; octave < turbulence.octaves; ++octave) {
+        squares += square;
+        square *= turbulence.roughness * turbulence.roughness;
+    }
+    constexpr float kComponents = 3.0F;
+    return turbulence.strength / std::sqrt(kComponents * squares);
+}
+
+/// What is left of turbulence below a grid: it begins where the grid ends, goes on changing as fast as its sizes do,
+/// and takes its strength from the air.
+Turbulence belowTheGrid(const Turbulence& whole, float cell, float detail)
+{
+    Turbulence part = whole;
+    part.scale = 2.0F * cell;
+    part.strength = detail > 0.0F ? 1.0F : 0.0F;
+    part.evolution = whole.evolution * portablePow(whole.scale / part.scale, kTurnoverExponent);
+    part.onset = 0.0F;
+    part.growth = 0.0F;
+    return part;
+}
+
+/// Below this the differences of exponentials would cancel, and series of six terms leave less than a float sees.
+constexpr float kSmallDrag = 0.1F;
+
+/// (dt - tau) / (D dt) with tau as below: what drag takes of the way of a step's acceleration.
+float lackingOfTau(float drag, float dt)
+{
+    const float x = drag * dt;
+    if (x > kSmallDrag) {
+        return (1.0F - (1.0F - portableExp(-x)) / x) / drag;
+    }
+    return dt * 0.5F * (1.0F - x / 3.0F * (1.0F - x / 4.0F * (1.0F - x / 5.0F * (1.0F - x / 6.0F))));
+}
+
+/// tau = (1 - e^(-D dt)) / D, by which a step's acceleration is multiplied: the exact solution of V' = a - D V is V +
+/// (a - D V) tau.
+float draggedTime(float drag, float dt)
+{
+    const float x = drag * dt;
+    if (x > kSmallDrag) {
+        return (1.0F - portableExp(-x)) / drag;
+    }
+    return dt * (1.0F - x / 2.0F * (1.0F - x / 3.0F * (1.0F - x / 4.0F * (1.0F - x / 5.0F * (1.0F - x / 6.0F)))));
+}
+
+/// @param tau draggedTime()
+void setDrag(float drag, float dt, float tau, StepConstants& out)
+{
+    out.drag = drag * tau;
+    if (drag > 0.0F) {
+        // V tau + a (dt - tau) / D, with a from the velocities at either end.
+        out.dragOfStep = drag * dt;
+        out.flightAfter = lackingOfTau(drag, dt) / tau;
+        out.flightBefore = tau / dt - out.flightAfter * (1.0F - out.drag);
+    }
+}
+
+} // namespace
+
+SimulationModel::SimulationModel(const SampledEffect& effect, std::shared_ptr<BakedAir> air)
+    : m_effect(effect)
+    , m_schedule(makeSchedule(m_effect))
+    , m_air(std::move(air))
+    , m_turbulence(effect->turbulence)
+{
+    if (m_air) {
+        m_grid = m_air->plan().grid;
+        m_turbulence = belowTheGrid(effect->turbulence, m_grid->cell, effect->turbulence.detail);
+    }
+}
+
+SimulationModel::SimulationModel(const SampledEffect& effect, const AirGrid& grid)
+    : m_effect(effect)
+    , m_schedule(makeSchedule(m_effect))
+    , m_grid(grid)
+    , m_turbulence(belowTheGrid(effect->turbulence, grid.cell, effect->turbulence.detail))
+{
+}
+
+float SimulationModel::wander(double step, float rate, std::uint32_t stream) const
+{
+    const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
+    const std::uint32_t seed = streamBits(m_effect->emitter.seed, stream);
+    const float a = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.before)));
+    const float b = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.after)));
+    return a + (b - a) * smoothStep(row.fraction);
+}
+
+glm::vec3 SimulationModel::windAt(double step) const
+{
+    const Wind& wind = m_effect->wind;
+    const float strength = wind.strength * (1.0F + wind.gust * wander(step, wind.gustRate, kGustStrength));
+    const float angle = radians(wind.angle + wind.gust * kGustAngleRange * wander(step, wind.gustRate, kGustAngle));
+    return {strength * portableCos(angle), 0.0F, strength * portableSin(angle)};
+}
+
+float SimulationModel::drawScale() const
+{
+    return std::sqrt(static_cast<float>(m_schedule.stepsPerFrame));
+}
+
+float SimulationModel::rotationAt(std::int64_t step) const
+{
+    const std::uint32_t bits =
+        streamBits(stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step))), kRotation);
+    return radians(m_effect->motion.rotation + m_effect->motion.rotationJitter * drawScale() * signedFloat(bits))
+        * m_schedule.dt;
+}
+
+OctaveAtStep SimulationModel::octaveAt(std::int64_t step, int octave) const
+{
+    const Turbulence& turbulence = m_turbulence;
+    const auto order = static_cast<float>(octave);
+    OctaveAtStep out;
+    out.frequency = portablePow(turbulence.lacunarity, order);
+    const float amplitude = firstAmplitude(turbulence) * portablePow(turbulence.roughness, order) * kCurlNormalisation;
+    const std::uint32_t seed = streamBits(m_effect->emitter.seed, kTurbulence + static_cast<std::uint32_t>(octave));
+    const float latticePerMetre = out.frequency / turbulence.scale;
+    constexpr int kLarge = 2; // smaller swirls shear a particle rather than turn it
+    out.turns = octave < kLarge;
+    const double cellsPerStep =
+        static_cast<double>(turbulence.evolution * portablePow(out.frequency, kTurnoverExponent) * m_schedule.dt);
+    const RowPosition row = rowPosition(static_cast<double>(step), m_schedule, cellsPerStep);
+
+    // In a loop the smoke drifts by whole units of the lattice, or the slice that lives through its end would jump.
+    // Whole numbers are multiplied before they are divided, so that a quotient is exact where it is whole.
+    const double driftPerStep = static_cast<double>(turbulence.drift) * static_cast<double>(latticePerMetre)
+        * static_cast<double>(m_schedule.dt);
+    const auto loop = static_cast<double>(m_schedule.loopSteps);
+    const double driftInLoop = std::round(driftPerStep * loop);
+    const auto now = static_cast<double>(m_schedule.randomStep(step));
+    const double drifted = row.cells == 0 ? driftPerStep * now : driftInLoop * now / loop;
+    const double whole = std::floor(drifted);
+    // Random, or a corner of every octave's lattice would stand in the emitter's centre, where all gradients are 0: as
+    // one body it would move.
+    out.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
+    out.shift.y += static_cast<float>(whole - drifted);
+
+    const bool evolves = turbulence.evolution > 0.0F || (row.cells != 0 && turbulence.drift != 0.0F);
+    if (!evolves) {
+        out.slices.key[0] = streamBits(seed, 0);
+        out.slices.weight[0] = amplitude;
+        out.slices.shift[0] = latticeShift(static_cast<std::int64_t>(whole));
+        return out;
+    }
+    // Counted from where a slice begins, and on through the end of a loop.
+    const auto shiftOf = [&](std::int64_t slice) {
+        const auto cell = static_cast<double>(slice);
+        const double before =
+            row.cells == 0 ? driftPerStep / cellsPerStep * cell : driftInLoop * cell / static_cast<double>(row.cells);
+        return latticeShift(static_cast<std::int64_t>(whole - std::floor(before)));
+    };
+    const float blend = 0.5F * kPi * smoothStep(row.fraction);
+    out.slices.key = {
+        keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
+    // Sine and cosine keep the variance of the sum constant while the slices cross-fade.
+    out.slices.weight = {amplitude * portableCos(blend), amplitude * portableSin(blend)};
+    out.slices.shift = {shiftOf(row.before), shiftOf(row.before + 1)};
+    return out;
+}
+
+void SimulationModel::placeRings(std::int64_t step, StepConstants& out) const
+{
+    const Rings& rings = m_effect->rings;
+    const auto spacing = static_cast<double>(rings.spacing);
+    double passed = static_cast<double>(rings.speed) * static_cast<double>(m_schedule.dt) / spacing; // rings a step
+    if (m_schedule.loopSteps != 0) {
+        const auto loop = static_cast<double>(m_schedule.loopSteps);
+        const double inLoop = std::round(passed * loop);
+        passed = inLoop / loop;
+        out.ringsInLoop = static_cast<float>(std::max(1.0, inLoop));
+    }
+    passed *= static_cast<double>(m_schedule.randomStep(step));
+    out.ringStrength = rings.strength;
+    out.ringRadius = rings.radius;
+    out.ringWidening = rings.widening;
+    out.ringsPerMetre = 1.0F / rings.spacing;
+    out.ringCentre = static_cast<float>((passed - std::floor(passed)) * spacing);
+    out.ringNumber = static_cast<float>(std::floor(passed));
+    // Warm smoke has rings all the way up; otherwise the first one leaves at step 0.
+    out.ringsLead = m_schedule.firstStep == 0;
+    out.ringFollowers = rings.followers;
+    out.ringVariance = rings.variance;
+    out.ringKey = streamBits(m_effect->emitter.seed, kRings);
+    out.ringAxis = glm::normalize(m_effect->emitter.normal);
+    const PlaneBasis plane = planeBasis(out.ringAxis);
+    out.ringSides = {-plane.along, -plane.across};
+}
+
+StepConstants SimulationModel::constants(std::int64_t step, float share) const
+{
+    const Motion& motion = m_effect->motion;
+    const Turbulence& turbulence = m_turbulence;
+    const float dt = m_schedule.dt * share;
+    const float r = motion.randomness;
+    const float tau = draggedTime(motion.drag, dt);
+
+    StepConstants out;
+    out.key = stepKey(m_effect->emitter.seed, static_cast<std::uint64_t>(m_schedule.randomStep(step)));
+    out.dt = dt;
+    out.step = static_cast<std::int32_t>(step);
+    out.share = share;
+    out.betweenSteps = m_schedule.betweenSteps;
+    const glm::vec3 gravity{0.0F, motion.gravity / motion.mass, 0.0F};
+    const glm::vec3 acceleration = inAir()
+        ? -gravity
+        : windAt(static_cast<double>(step)) - gravity; // where there is air, it is what the wind moves
+    out.steady = acceleration * ((1.0F - r) * tau);
+    out.random = acceleration * (r * drawScale() * tau * 0x1p-31F);
+    out.steadyShare = 1.0F - r;
+    out.randomShare = r * drawScale() * 0x1p-31F;
+    out.buoyancy =
+        (inAir() ? m_effect->air.buoyancy : motion.buoyancy) * tau; // of air: its share of a particle's own heat
+    out.cooling = motion.cooling;
+    out.heatVariance = motion.heatVariance;
+    out.pull = motion.pull * tau;
+    setDrag(motion.drag, dt, tau, out);
+    out.pivot = m_effect->emitter.position;
+    if (motion.rotation != 0.0F || motion.rotationJitter != 0.0F) {
+        out.rotation = rotationAt(step) * share;
+        out.rotationSin = portableSin(out.rotation);
+        out.rotationCos = portableCos(out.rotation);
+    }
+    out.vortexStrength = m_effect->vortex.strength;
+    out.vortexRadius = m_effect->vortex.radius;
+    out.vortexWidening = m_effect->vortex.widening;
+    out.vortexAxis = m_effect->vortex.axis;
+    if (m_effect->rings.strength > 0.0F && !inAir()) {
+        placeRings(step, out); // air makes its own
+    }
+    out.octaves = turbulence.strength > 0.0F ? turbulence.octaves : 0;
+    out.turbulenceFrequency = 1.0F / turbulence.scale;
+    out.onset = turbulence.onset;
+    out.growth = turbulence.growth;
+    for (int octave = 0; octave < out.octaves; ++octave) {
+        out.octave[static_cast<std::size_t>(octave)] = octaveAt(step, octave);
+    }
+    out.plain = motion.buoyancy == 0.0F && motion.pull == 0.0F && motion.drag == 0.0F && motion.rotation == 0.0F
+        && motion.rotationJitter == 0.0F && out.vortexStrength == 0.0F && out.ringStrength == 0.0F && out.octaves == 0
+        && !inAir();
+    if (inAir()) {
+        placeAir(out);
+    }
+    return out;
+}
+
+void SimulationModel::placeAir(StepConstants& out) const
+{
+    const Air& air = m_effect->air;
+    const AirGrid& grid = *m_grid;
+    constexpr float kShareOfBox = 0.25F;
+    out.air.reach = kShareOfBox * grid.cell * static_cast<float>(std::max({grid.cells.x, grid.cells.y, grid.cells.z}));
+    out.air.detail = m_effect->turbulence.detail * kDetailPerShear;
+    out.air.sourceDepth = sourceDepth(m_effect->emitter, grid);
+    out.air.sourceSides = sourceSides(m_effect->emitter);
+    out.air.sourceVelocity = sourceVelocity(m_effect->emitter);
+    out.air.hasGround = air.ground;
+    out.air.groundHeight = air.groundHeight;
+    out.air.obstacle = air.obstacle;
+    out.air.obstaclePosition = air.obstaclePosition;
+    out.air.obstacleHalf = 0.5F * air.obstacleSize;
+    out.air.shapeLost = 1.0F - portableExp(-out.dt / m_effect->look.deformationTime);
+}
+
+} // namespace fumage

@@ -1,0 +1,157 @@
+#pragma once
+
+#include "core/effect/effect.h"
+#include "core/flow/air.h"
+#include "core/noise/curl_slices.h"
+#include "core/simulation/schedule.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+namespace fumage {
+
+/// Fastest that a particle may be in each component, m/s: forces that grow with distance would else end in infinity,
+/// and then in no number.
+inline constexpr float kMaxSpeed = 1e6F;
+
+/// One octave of turbulence at one step: two slices of time that cross-fade and drift together.
+struct OctaveAtStep {
+    float frequency = 1.0F; ///< relative to the first octave
+    glm::vec3 shift{0.0F}; ///< of places against its lattice, in units of it; along y less the part of the drift that
+                           ///< is no whole number of them
+    CurlSlices slices; ///< weights in m/s, with the normalisation of the noise
+    bool turns = false; ///< whether its swirls turn particles
+};
+
+/// The air of a step, and what stands in it.
+struct AirConstants {
+    const AirField* field = nullptr; ///< null: no air carries the particles
+    float reach = 1.0F; ///< beyond the box the air goes over into the wind within this, m
+    float detail = 0.0F; ///< speed of the swirls below the grid, for each m/s that the air differs from cell to cell
+    glm::vec3 sourceDepth{0.0F}; ///< along it particles are born, as far as this in its middle, m
+    std::array<glm::vec3, 2> sourceSides{}; ///< at right angles to it, over the source's reach along them: 1/m
+    glm::vec3 sourceVelocity{0.0F}; ///< of the air that particles are born in, m/s
+    bool hasGround = false;
+    float groundHeight = 0.0F;
+    Obstacle obstacle = Obstacle::None;
+    glm::vec3 obstaclePosition{0.0F};
+    glm::vec3 obstacleHalf{0.0F}; ///< half its edges, or its radius in x
+    float shapeLost = 0.0F; ///< how much of a particle's deformation goes in a step
+};
+
+/// Everything about a step that is the same for all particles.
+struct StepConstants {
+    std::uint32_t key = 0;
+    float dt = 0.0F;
+    std::int32_t step = 0;
+    float share = 1.0F; ///< of the step's time that dt is
+    float rest = 0.0F; ///< share of it that is left to other parts afterwards
+    bool betweenSteps = false; ///< whether particles are born between steps, see Schedule
+
+    bool plain = true; ///< nothing but the terms of the 2012 model without rotation
+    glm::vec3 steady{0.0F}; ///< a (1 - r) tau of wind and gravity, m/s, with tau the time for which acceleration lasts,
+                            ///< see draggedTime()
+    glm::vec3 random{0.0F}; ///< a r tau, times sqrt(steps a frame) 2^-31: multiplies a random int32
+
+    float steadyShare = 1.0F; ///< 1 - r
+    float randomShare = 0.0F; ///< r, times sqrt(steps a frame) 2^-31
+    float buoyancy = 0.0F; ///< times tau, m/s
+    float cooling = 0.0F;
+    float heatVariance = 0.0F;
+    float pull = 0.0F; ///< times tau, 1/s
+    float drag = 0.0F; ///< times tau: the share of its velocity that a particle loses
+    float dragOfStep = 0.0F; ///< times dt
+    float flightBefore = 0.0F; ///< what the velocities before and after a step have in the way of it
+    float flightAfter = 1.0F;
+    glm::vec3 pivot{0.0F}; ///< the emitter
+    float rotation = 0.0F; ///< of the whole cloud, radians
+    float rotationSin = 0.0F;
+    float rotationCos = 1.0F;
+
+    float vortexStrength = 0.0F;
+    float vortexRadius = 1.0F; ///< at the pivot, m
+    float vortexWidening = 0.0F; ///< of the radius, m for each along the axis
+    glm::vec3 vortexAxis{0.0F, 1.0F, 0.0F};
+
+    float ringStrength = 0.0F;
+    float ringRadius = 1.0F;
+    float ringWidening = 0.0F;
+    float ringsPerMetre = 1.0F;
+    float ringCentre = 0.0F; ///< distance of a ring from the emitter, m
+    float ringNumber = 0.0F; ///< of that ring, counted from the first that left
+    float ringsInLoop = 0.0F; ///< after which their numbers come again; 0: never
+    bool ringsLead = false; ///< whether ring 0 is the first, with still air before it
+    float ringFollowers = 1.0F; ///< strength of all but ring 0
+    float ringVariance = 0.0F;
+    std::uint32_t ringKey = 0;
+    glm::vec3 ringAxis{0.0F, 1.0F, 0.0F};
+    std::array<glm::vec3, 2> ringSides{}; ///< at right angles to the axis
+
+    int octaves = 0;
+    float turbulenceFrequency = 1.0F; ///< 1/m, of the first octave
+    float onset = 0.0F;
+    float growth = 0.0F;
+    std::array<OctaveAtStep, kMaxTurbulenceOctaves> octave{};
+
+    AirConstants air;
+};
+
+/// An effect as the simulation sees it: schedule and constants in base units.
+class SimulationModel {
+public:
+    /// @param air that carries the particles, of the same effect; null where none does
+    explicit SimulationModel(const SampledEffect& effect, std::shared_ptr<BakedAir> air = nullptr);
+
+    /// An effect whose air somebody else computes, step by step, on a grid of his own; air() is then nullptr.
+    SimulationModel(const SampledEffect& effect, const AirGrid& grid);
+
+    [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
+    /// Puts the emitter elsewhere, and turns it. Where air is baked it is that of the place before: for models whose
+    /// air is computed step by step, or none. Costs nothing: when particles are born and how noise moves does not
+    /// depend on it.
+    void placeEmitter(const glm::vec3& position, const glm::vec3& normal) { m_effect.placeEmitter(position, normal); }
+
+    /// Whether air carries the particles, baked or not.
+    [[nodiscard]] bool inAir() const { return m_grid.has_value(); }
+
+    /// When particles are born and for how long they live.
+    [[nodiscard]] const Schedule& schedule() const { return m_schedule; }
+
+    /// The baked air that carries the particles, or nullptr.
+    [[nodiscard]] BakedAir* air() const { return m_air.get(); }
+
+    /// What moves particles from step - 1 to step; without the air's field, which has to be computed first.
+    /// @param share of the step's time, for a part of it
+    [[nodiscard]] StepConstants constants(std::int64_t step, float share = 1.0F) const;
+
+    /// Wind acceleration with its gusts at a step, m/s^2: (Vw cos theta, 0, Vw sin theta), eq. III and V.
+    /// @param step 0 or more; parts of steps too
+    [[nodiscard]] glm::vec3 windAt(double step) const;
+
+    /// Angle by which the whole cloud turns in one step, radians: particles and their velocities, not the emitter. The
+    /// emitter is the ground that smoke rises from; and its angle would be the sum of all draws since step 0, so that
+    /// no frame could be had without those before it.
+    [[nodiscard]] float rotationAt(std::int64_t step) const;
+
+private:
+    /// Smooth random value in [-1, 1] of time; whole in a loop.
+    [[nodiscard]] float wander(double step, float rate, std::uint32_t stream) const;
+    /// What random numbers that are drawn anew every step are multiplied by. The source draws once a frame; the sum of
+    /// n draws in a frame spreads as far as one of them times sqrt(n), and n steps of a frame are each n times shorter.
+    [[nodiscard]] float drawScale() const;
+    [[nodiscard]] OctaveAtStep octaveAt(std::int64_t step, int octave) const;
+    void placeRings(std::int64_t step, StepConstants& out) const;
+    void placeAir(StepConstants& out) const;
+
+    SampledEffect m_effect;
+    Schedule m_schedule;
+    std::shared_ptr<BakedAir> m_air;
+    std::optional<AirGrid> m_grid; ///< of the air that carries the particles; none where none does
+    Turbulence m_turbulence; ///< the effect's, or in air the part of it that is below the grid
+};
+
+} // namespace fumage

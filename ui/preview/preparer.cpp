@@ -1,0 +1,95 @@
+#include "ui/preview/preparer.h"
+
+#include <algorithm>
+
+namespace fumage::ui {
+
+Preparer::Preparer(std::shared_ptr<AirCache> shelf, QObject* parent)
+    : QObject(parent)
+    , m_shelf(std::move(shelf))
+    , m_job([this](const Task& task, const std::stop_token& stop) { work(task, stop); },
+          [this](const Task& task, const Error&) { finish(task, nullptr); }) // what plays goes on without
+{
+}
+
+void Preparer::prepare(std::shared_ptr<const Effect> effect, quint64 simulation, int frame)
+{
+    setFrame(frame);
+    if (m_busy && simulation == m_simulation) {
+        return;
+    }
+    m_busy = true;
+    m_simulation = simulation;
+    m_job.post({std::move(effect), simulation});
+}
+
+void Preparer::stop()
+{
+    if (m_busy) {
+        m_busy = false;
+        m_job.post({}); // which stops what is being done
+    }
+}
+
+void Preparer::report(Phase phase, double share)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, phase, share] {
+            if (m_busy) {
+                emit working(phase, share);
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+void Preparer::work(const Task& task, const std::stop_token& stop)
+{
+    if (task.effect) {
+        std::shared_ptr<Simulator> simulator = simulatorAtFrame(task, stop);
+        if (!stop.stop_requested()) {
+            finish(task, std::move(simulator));
+        }
+    }
+}
+
+std::shared_ptr<Simulator> Preparer::simulatorAtFrame(const Task& task, const std::stop_token& stop)
+{
+    Effect effect = *task.effect;
+    effect.output.quality = std::min(effect.output.quality, Quality::Good); // as pictures that are played have it
+    const auto simulator = std::make_shared<Simulator>(sampled(effect), Simulator::kDefaultCheckpointBytes, m_shelf);
+    constexpr int kBehind = 2; // frames that whoever plays takes no notice of
+    while (true) {
+        const int frame = m_frame.load();
+        const Progress progress([this](ProgressPhase work, int done, int total) {
+            report(
+                work == ProgressPhase::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total));
+        });
+        if (!simulator->frame(frame, stop, progress)) {
+            return nullptr;
+        }
+        const int ahead = m_frame.load() - frame;
+        if (ahead >= 0 && ahead <= kBehind) {
+            return simulator;
+        }
+    }
+}
+
+void Preparer::finish(const Task& task, std::shared_ptr<Simulator> simulator)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, simulation = task.simulation, simulator = std::move(simulator)] {
+            if (!m_busy || simulation != m_simulation) {
+                return; // something else is wanted by now
+            }
+            m_busy = false;
+            if (simulator) {
+                emit prepared(simulator, simulation);
+            }
+            emit ended();
+        },
+        Qt::QueuedConnection);
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,357 @@
+#include "ui/preview/preview_renderer.h"
+
+#include "ui/preview/air_arrows.h"
+#include "ui/preview/trails.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QElapsedTimer>
+
+namespace fumage::ui {
+
+namespace {
+
+/// Time for a picture while the hand moves: 30 frames/s, less what the screen needs.
+constexpr qint64 kBudgetNs = 28'000'000;
+/// Share of it that particles may take; the rest is for pixels.
+constexpr qint64 kParticleBudgetNs = kBudgetNs * 3 / 4;
+
+/// In which a picture that needs a pre-roll is still said to come at once.
+constexpr qint64 kSoonNs = 400'000'000;
+
+constexpr double kUnknownShare = -1.0;
+
+constexpr int kCoarseAir = 20; ///< cells: some tens of milliseconds for two hundred steps
+
+constexpr int kCheckerPixels = 16;
+
+/// What is seen behind the smoke in the window.
+Backing backingOf(const Backdrop& backdrop, const Output& output)
+{
+    if (output.background == Background::Colour) {
+        return {output.backgroundColour};
+    }
+    constexpr glm::vec3 kDark(0.10F);
+    constexpr glm::vec3 kLight(0.16F);
+    return backdrop.kind == Backdrop::Kind::Colour ? Backing{backdrop.colour} : Backing{kDark, kLight, kCheckerPixels};
+}
+
+QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
+{
+    const QImage view(encoded.pixels.data(), encoded.width, encoded.height, encoded.width * 4, QImage::Format_RGBX8888);
+    return view.convertToFormat(QImage::Format_RGB32);
+}
+
+} // namespace
+
+PreviewRenderer::PreviewRenderer(std::shared_ptr<AirCache> shelf, WorkListener listener)
+    : m_shelf(std::move(shelf))
+    , m_listener(std::move(listener))
+{
+}
+
+int PreviewRenderer::particlesWhileDragging(const Plan& plan, double preRoll) const
+{
+    const int all = plan.effect->emitter.count;
+    if (all <= m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach)) {
+        return all;
+    }
+    // A drag of the look keeps the particles that its first picture has chosen.
+    if (m_thinned && m_thinned->simulation == plan.simulation && m_thinned->particles < all) {
+        return m_thinned->particles;
+    }
+    return CostEstimate::halvedInto(all, m_costs.particlesWithin(kParticleBudgetNs, preRoll));
+}
+
+int PreviewRenderer::particlesToSettle(int all, double preRoll) const
+{
+    const int affordable = m_costs.particlesWithin(kSoonNs, preRoll);
+    // Where the whole is not far off, it comes at once.
+    constexpr int kNear = 3;
+    if (all / kNear <= affordable) {
+        return all;
+    }
+    return CostEstimate::halvedInto(all, affordable);
+}
+
+int PreviewRenderer::particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const
+{
+    // Those that have begun go on: a new pre-roll for others would be seen.
+    if (m_settling && m_settling->simulation == plan.simulation && m_settling->coarseAir == plan.coarseAir
+        && m_settling->particles <= plan.effect->emitter.count) {
+        return m_settling->particles;
+    }
+    const int soon = m_costs.particlesWithin(kSoonNs, preRoll);
+    return CostEstimate::halvedInto(
+        plan.effect->emitter.count, std::min(soon, m_costs.particlesWithin(kParticleBudgetNs, stepsAFrame)));
+}
+
+bool PreviewRenderer::lacksAir(const RenderRequest& request, const Plan& plan, const Schedule& schedule) const
+{
+    const Air& air = plan.effect->air;
+    if (!air.enabled || air.resolution <= kCoarseAir
+        || (request.previewQuality != PreviewQuality::Interactive && request.previewQuality != PreviewQuality::Playback
+            && request.mayBake)) {
+        return false;
+    }
+    const std::int64_t missing = m_shelf->missingSteps(plan.effect, schedule.stepOfFrame(request.frame));
+    // The steps of one frame come with it.
+    const bool areFew = request.previewQuality == PreviewQuality::Playback && request.mayBake
+        && missing <= 2 * schedule.stepsPerFrame + 1;
+    return missing > 0 && !areFew;
+}
+
+double PreviewRenderer::stepsTo(
+    int frame, const std::optional<Running>& running, const Plan& plan, const Schedule& schedule, double preRoll)
+{
+    const bool isWarm = running && running->isFor(plan) && running->lastFrame;
+    const int ahead = isWarm ? frame - *running->lastFrame : -1;
+    return ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame))
+                      : preRoll;
+}
+
+bool PreviewRenderer::isSlowToBegin(const RenderRequest& request, const Plan& plan, double preRoll) const
+{
+    const bool hasBegun = (m_complete && m_complete->isFor(plan)) || request.prepared;
+    return request.previewQuality == PreviewQuality::Playback && !hasBegun
+        && m_costs.particlesWithin(kSoonNs, preRoll) < plan.effect->emitter.count;
+}
+
+void PreviewRenderer::scaleDown(const RenderRequest& request, Quality quality, Plan& plan) const
+{
+    const double pixels = static_cast<double>(request.width) * request.height;
+    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
+    plan.complete = plan.keepsAll && plan.scale == 1.0 && quality == request.effect->output.quality;
+}
+
+PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) const
+{
+    Plan plan;
+    plan.simulation = request.simulation;
+    Effect asked = *request.effect;
+    if (request.previewQuality != PreviewQuality::Full) {
+        // What the final quality adds would cost the motion more than it gives.
+        asked.output.quality = std::min(asked.output.quality, Quality::Good);
+    }
+    plan.effect = sampled(asked);
+    const Schedule schedule = makeSchedule(plan.effect);
+    plan.coarseAir = lacksAir(request, plan, schedule);
+    if (plan.coarseAir) {
+        asked.air.resolution = kCoarseAir;
+        plan.effect = sampled(asked);
+    }
+    // Particles are of all ages: a pre-roll takes half a life each.
+    const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
+    const int all = plan.effect->emitter.count;
+    const auto thinTo = [&](int count) {
+        plan.keepsAll = count == all && !plan.coarseAir;
+        plan.effect = thinned(plan.effect, count);
+    };
+    plan.stepsEach = stepsTo(request.frame, m_complete, plan, schedule, preRoll);
+    switch (request.previewQuality) {
+    case PreviewQuality::Full:
+        plan.settles = plan.coarseAir;
+        plan.keepsAll = !plan.coarseAir;
+        plan.complete = plan.keepsAll;
+        break;
+    case PreviewQuality::Intermediate:
+        plan.settles = true;
+        thinTo(particlesToSettle(all, preRoll));
+        plan.complete = plan.keepsAll && asked.output.quality == request.effect->output.quality;
+        break;
+    case PreviewQuality::Interactive:
+        thinTo(particlesWhileDragging(plan, preRoll));
+        scaleDown(request, asked.output.quality, plan);
+        break;
+    case PreviewQuality::Playback:
+        if (plan.coarseAir || isSlowToBegin(request, plan, preRoll)) {
+            plan.settles = true;
+            thinTo(particlesToPlay(plan, preRoll, static_cast<double>(schedule.stepsPerFrame)));
+            plan.stepsEach = stepsTo(request.frame, m_settling, plan, schedule, preRoll);
+        }
+        scaleDown(request, asked.output.quality, plan);
+        break;
+    }
+    return plan;
+}
+
+void PreviewRenderer::takePrepared(const RenderRequest& request, const Plan& plan)
+{
+    if (request.prepared && request.previewQuality == PreviewQuality::Playback && plan.keepsAll
+        && !(m_complete && m_complete->isFor(plan))) {
+        m_complete.emplace(Running{
+            plan.simulation, plan.effect->emitter.count, plan.coarseAir, std::move(*request.prepared), std::nullopt});
+        m_settling.reset();
+    }
+}
+
+PreviewRenderer::Running& PreviewRenderer::runningFor(const Plan& plan)
+{
+    std::optional<Running>& running = plan.keepsAll ? m_complete : plan.settles ? m_settling : m_thinned;
+    if (!running || !running->isFor(plan)) {
+        running.reset();
+        // What cannot be seen needs no checkpoints to come back to.
+        const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
+        running.emplace(Running{plan.simulation, plan.effect->emitter.count, plan.coarseAir,
+            Simulator(plan.effect, checkpoints, m_shelf), std::nullopt});
+    }
+    return *running;
+}
+
+void PreviewRenderer::noteTrouble(const Error& error)
+{
+    if (error.code != ErrorCode::Cancelled) {
+        m_trouble = error;
+    }
+}
+
+/// Before particles are timed: what they cost does not depend on whether their air is there.
+bool PreviewRenderer::bakeAir(const Plan& plan, int frame, Picture& picture, const std::stop_token& stop)
+{
+    const SimulationModel& model = runningFor(plan).simulator.model();
+    const std::int64_t last = model.schedule().stepOfFrame(frame);
+    if (model.air() == nullptr || model.air()->isBaked(last)) {
+        return true;
+    }
+    QElapsedTimer timer;
+    timer.start();
+    const Status status = model.air()->bake(last, stop, [this](double share) { m_listener(Phase::Air, share); });
+    picture.bakeNs = timer.nsecsElapsed();
+    return status.ok();
+}
+
+/// What is drawn over the smoke where it was asked for.
+void PreviewRenderer::addOverlays(
+    const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
+{
+    if (request.trails) {
+        Effect effect = *request.effect;
+        effect.air.resolution = plan.effect->air.resolution; // of the stand-in, where there is one
+        picture.trails = findTrails(effect, request.frame, m_shelf);
+    }
+    const SimulationModel& model = runningFor(plan).simulator.model();
+    if (request.air && model.air() != nullptr) {
+        if (const auto field = model.air()->field(model.schedule().stepOfFrame(request.frame), stop)) {
+            picture.air = findAirArrows(*field.value(), request.effect->emitter.position,
+                windowView(plan.effect, request.frame, request.width, request.height).forward);
+        }
+    }
+}
+
+std::shared_ptr<const Frame> PreviewRenderer::simulate(const Plan& plan, int frame, const std::stop_token& stop)
+{
+    Running& running = runningFor(plan);
+    const Progress progress([this](ProgressPhase work, int done, int total) {
+        m_listener(
+            work == ProgressPhase::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total));
+    });
+    m_listener(Phase::Steps, kUnknownShare);
+    Result<std::shared_ptr<const Frame>> result = running.simulator.frame(frame, stop, progress);
+    if (!result) {
+        noteTrouble(result.error());
+        return nullptr;
+    }
+    running.lastFrame = frame;
+    return result.value();
+}
+
+std::shared_ptr<const SpriteBatchSnapshot> PreviewRenderer::collectSprites() const
+{
+    const SpriteBatch& batch = m_renderer.batch();
+    AlignedArray<DepthEntry> entries;
+    AlignedArray<DepthEntry> scratch;
+    entries.resize(batch.sprites.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < batch.sprites.size(); ++i) {
+        if (batch.depth[i] != SpriteBatch::kHidden) {
+            entries[count++] = depthEntry(batch.depth[i], static_cast<std::uint32_t>(i));
+        }
+    }
+    sortByDepth({entries.data(), count}, scratch);
+    auto scene = std::make_shared<SpriteBatchSnapshot>();
+    scene->sprites.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        scene->sprites[i] = batch.sprites[entryIndex(entries[count - 1 - i])];
+    }
+    scene->style = batch.style;
+    scene->view = batch.view;
+    scene->texture = m_renderer.texture();
+    return scene;
+}
+
+bool PreviewRenderer::paint(
+    const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
+{
+    if (request.sprites) {
+        picture.scene = collectSprites();
+        return true;
+    }
+    if (const Status status = m_renderer.composite(m_image, stop); !status) {
+        noteTrouble(status.error());
+        return false;
+    }
+    encodeOver(m_image, plan.effect->output, backingOf(request.backdrop, plan.effect->output), m_encoded);
+    picture.image = toScreen(m_encoded);
+    return true;
+}
+
+PicturePtr PreviewRenderer::make(const RenderRequest& request, const std::stop_token& stop)
+{
+    PicturePtr picture = makePicture(request, stop);
+    m_listener(Phase::Idle, 1.0);
+    return picture;
+}
+
+PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std::stop_token& stop)
+{
+    const Plan plan = planFor(request);
+    takePrepared(request, plan);
+    auto picture = std::make_shared<Picture>();
+    m_trouble.reset();
+    if (!bakeAir(plan, request.frame, *picture, stop)) {
+        return nullptr;
+    }
+    QElapsedTimer timer;
+    timer.start();
+    const std::shared_ptr<const Frame> frame = simulate(plan, request.frame, stop);
+    if (!frame) {
+        return nullptr;
+    }
+    picture->stepNs = timer.nsecsElapsed();
+    const int particles = plan.effect->emitter.count;
+    m_costs.noteSteps(particles * plan.stepsEach, picture->stepNs);
+
+    const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
+    const int width = scaled(request.width);
+    const int height = scaled(request.height);
+    timer.restart();
+    m_listener(Phase::Light, kUnknownShare);
+    if (const Status status =
+            m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop);
+        !status) {
+        noteTrouble(status.error());
+        return nullptr;
+    }
+    m_costs.noteSprites(particles, timer.nsecsElapsed());
+    timer.restart();
+    m_listener(Phase::Paint, kUnknownShare);
+    if (!paint(request, plan, *picture, stop)) {
+        return nullptr;
+    }
+    m_costs.notePixels(static_cast<double>(width) * height, timer.nsecsElapsed());
+
+    addOverlays(request, plan, *picture, stop);
+    picture->output = plan.effect->output;
+    picture->backdrop = request.backdrop;
+    picture->revision = request.revision;
+    picture->frame = request.frame;
+    picture->complete = plan.complete;
+    picture->thinned = !plan.keepsAll;
+    picture->coarseAir = plan.coarseAir;
+    picture->particles = particles;
+    picture->times = m_renderer.times();
+    return picture;
+}
+
+} // namespace fumage::ui

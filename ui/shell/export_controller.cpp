@@ -1,0 +1,144 @@
+#include "ui/shell/export_controller.h"
+
+#include "ui/document/text.h"
+#include "ui/export/export_dialog.h"
+#include "ui/widgets/window_keeper.h"
+#include "ui/shell/action_table.h"
+#include "ui/shell/settings.h"
+
+#include "core/export/jobs/job_file.h"
+
+namespace fumage::ui {
+
+namespace {
+
+const QString kChoices = QStringLiteral("exports/choices");
+
+} // namespace
+
+ExportController::ExportController(ExportQueue& queue, Document& document, Player& player, Locks& locks,
+    const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, Settings& settings,
+    QWidget* window)
+    : m_queue(queue)
+    , m_document(document)
+    , m_player(player)
+    , m_locks(locks)
+    , m_actions(actions)
+    , m_frame(actions.get("view.frame"))
+    , m_askForFile(askForFile)
+    , m_askForChoice(askForChoice)
+    , m_settings(settings)
+    , m_window(window)
+    , m_again(queue, askForChoice, window)
+{
+    actions.on("file.export", this, [this] { openDialog(); });
+    actions.on("file.exportAgain", this, &ExportController::exportLastAgain);
+    connect(&queue, &ExportQueue::changed, this, &ExportController::report);
+    connect(&m_again, &ExportSubmission::refused, this, [this](const QString& message) { emit news(message, 0); });
+    connect(&m_again, &ExportSubmission::entered, this,
+        [this](quint64, const ExportPlan& plan, std::optional<ConflictPolicy> answered) {
+            m_againOnConflict = answered;
+            m_last = plan;
+            emit added();
+        });
+    connect(&m_again, &ExportSubmission::ended, this, &ExportController::rest);
+    connect(&queue, &ExportQueue::notKept, this, [this](const QString& message) {
+        emit news(tr("The queue of exports cannot be kept safe: %1").arg(message), 0);
+    });
+}
+
+ExportController::~ExportController() = default;
+
+void ExportController::makeDialog()
+{
+    m_dialog =
+        std::make_unique<ExportDialog>(m_document, m_player, m_locks, m_queue, m_askForFile, m_askForChoice, m_window);
+    std::vector<ExportPlan> choices;
+    for (const QString& text : m_settings.list(kChoices, {})) {
+        if (const std::optional<ExportPlan> plan = parsePlan(text.toStdString())) {
+            choices.push_back(*plan);
+        }
+    }
+    m_dialog->take(choices);
+    // A window of its own has the keys of its actions alone.
+    for (const char* id : {"file.quit", "file.save", "edit.undo", "edit.redo"}) {
+        m_dialog->addAction(&m_actions.get(id));
+    }
+    connect(m_dialog.get(), &ExportDialog::shownChanged, this, [this] { m_againOnConflict.reset(); });
+    connect(m_dialog.get(), &ExportDialog::shownChanged, &m_frame, &QAction::setChecked);
+    connect(m_dialog.get(), &ExportDialog::entryEnded, this, &ExportController::rest);
+    connect(m_dialog.get(), &ExportDialog::chosen, this, &ExportController::rememberChoices);
+    connect(m_dialog.get(), &ExportDialog::added, this, [this](const ExportPlan& plan) {
+        m_last = plan;
+        emit added();
+    });
+}
+
+void ExportController::rememberChoices()
+{
+    QStringList texts;
+    for (const ExportPlan& plan : m_dialog->choices()) {
+        texts << toQString(formatPlan(plan));
+    }
+    m_settings.setList(kChoices, texts);
+}
+
+ExportDialog& ExportController::openDialog()
+{
+    if (m_dialog == nullptr) {
+        makeDialog();
+    }
+    const bool wasOpen = m_dialog->isVisible();
+    m_dialog->show();
+    if (!wasOpen) {
+        placeBeside(*m_window, *m_dialog);
+    }
+    m_dialog->raise();
+    return *m_dialog;
+}
+
+void ExportController::exportLastAgain()
+{
+    if (m_last) {
+        exportAgain(ExportPlan(*m_last)); // a copy: it becomes the last
+    } else {
+        openDialog();
+    }
+}
+
+void ExportController::exportAgain(const ExportPlan& plan)
+{
+    ExportJob job{m_document.displayName().toStdString(), m_document.preset(), plan};
+    job.plan.source = toPath(m_document.filePath());
+    m_again.enter(std::move(job), m_againOnConflict);
+}
+
+bool ExportController::isBusy() const
+{
+    return m_again.isBusy() || (m_dialog != nullptr && m_dialog->isEntering());
+}
+
+void ExportController::rest()
+{
+    if (!isBusy()) {
+        emit rested();
+    }
+}
+
+void ExportController::report(quint64 id)
+{
+    constexpr int kShownMs = 8000;
+    const QueuedExport& one = *m_queue.find(id);
+    const QString name = toQString(one.job->name);
+    switch (one.state) {
+    case ExportState::Running: emit news(tr("Exporting “%1”: %2").arg(name, one.told), 0); break;
+    case ExportState::Done: emit news(tr("Exported %1").arg(fromPath(firstFile(one.job->plan))), kShownMs); break;
+    case ExportState::Cancelled: emit news(tr("Export cancelled"), kShownMs); break;
+    case ExportState::Failed: emit news(tr("Export failed: %1").arg(one.told), 0); break;
+    case ExportState::Held:
+    case ExportState::Starting:
+    case ExportState::Waiting: break;
+    }
+}
+
+} // namespace fumage::ui

@@ -1,0 +1,195 @@
+#include "ui/viewport/viewport_input.h"
+
+#include "ui/widgets/input_guard.h"
+
+#include "core/effect/value.h"
+
+#include <QContextMenuEvent>
+#include <QLineF>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QWidget>
+
+namespace fumage::ui {
+
+ViewportInput::ViewportInput(
+    Document& document, SplitView& split, QWidget& surface, std::function<View()> view, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_split(split)
+    , m_surface(surface)
+    , m_view(std::move(view))
+{
+    surface.setFocusPolicy(Qt::StrongFocus);
+    surface.setMouseTracking(true);
+    InputGuard::leaveAllButtons(surface);
+    surface.installEventFilter(this);
+    connect(&m_wheelTimer, &GestureTimer::ended, this, [this] { m_wheelGesture = {}; });
+}
+
+std::optional<GizmoId> ViewportInput::gizmo() const
+{
+    if (!m_drag) {
+        return m_hot;
+    }
+    const GizmoId* dragged = std::get_if<GizmoId>(&m_drag->grip);
+    return dragged != nullptr ? std::optional(*dragged) : std::nullopt;
+}
+
+bool ViewportInput::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != &m_surface) {
+        return false;
+    }
+    if (event->type() == DragCancel::type() && m_drag) {
+        takeBack();
+        event->accept();
+        return true;
+    }
+    switch (event->type()) {
+    case QEvent::MouseButtonPress: press(static_cast<const QMouseEvent&>(*event)); return true;
+    case QEvent::MouseMove: move(static_cast<const QMouseEvent&>(*event)); return true;
+    case QEvent::MouseButtonRelease: release(static_cast<const QMouseEvent&>(*event)); return true;
+    case QEvent::Wheel: wheel(static_cast<const QWheelEvent&>(*event)); return true;
+    case QEvent::Enter: setInside(true); return false;
+    case QEvent::Leave:
+        setHot(std::nullopt);
+        setInside(false);
+        return false;
+    case QEvent::ContextMenu:
+        if (const auto& menu = static_cast<const QContextMenuEvent&>(*event);
+            menu.reason() == QContextMenuEvent::Keyboard) {
+            emit menuRequested(m_surface.mapToGlobal(m_surface.rect().center()));
+        }
+        return true; // that of the mouse comes before it is known whether it will drag
+    default: return false;
+    }
+}
+
+std::optional<ViewportInput::Grip> ViewportInput::gripFor(const QMouseEvent& event) const
+{
+    if (event.button() == Qt::LeftButton) {
+        if (m_split.isAtLine(event.position().x(), m_surface.width())) {
+            return DividingLine();
+        }
+        // With Alt the left button moves the camera wherever it is.
+        if (m_gizmos && !event.modifiers().testFlag(Qt::AltModifier)) {
+            if (const std::optional<GizmoId> gizmo = gizmoAt(m_document.effect(), m_view(), event.position())) {
+                return *gizmo;
+            }
+        }
+    }
+    if (const std::optional<CameraMove> move = cameraMoveFor(m_style, event.button(), event.modifiers())) {
+        return *move;
+    }
+    return std::nullopt;
+}
+
+void ViewportInput::press(const QMouseEvent& event)
+{
+    m_surface.setFocus(Qt::MouseFocusReason);
+    if (event.button() == Qt::RightButton) {
+        m_rightPress = event.globalPosition();
+    }
+    if (m_drag) {
+        return; // a second button
+    }
+    if (const std::optional<Grip> grip = gripFor(event)) {
+        m_drag = Drag{*grip, event.button(), EndlessWay(), m_document.effect(), m_view(), m_document.beginGesture()};
+        m_drag->way.begin(event);
+    }
+}
+
+void ViewportInput::release(const QMouseEvent& event)
+{
+    const bool isFree = !m_drag || event.button() == m_drag->button;
+    if (m_drag && event.button() == m_drag->button) {
+        m_drag.reset();
+    }
+    constexpr double kClick = 4.0; // pixels
+    if (event.button() == Qt::RightButton && isFree && QLineF(event.globalPosition(), m_rightPress).length() < kClick) {
+        emit menuRequested(event.globalPosition().toPoint());
+    }
+}
+
+void ViewportInput::takeBack()
+{
+    m_document.moveCamera(m_drag->before.camera, m_drag->gesture);
+    std::vector<Assignment> assignments;
+    for (const Parameter* parameter : differences(m_drag->before, m_document.effect())) {
+        assignments.push_back({parameter, parameter->get(m_drag->before)});
+    }
+    if (!assignments.empty()) {
+        m_document.edit(assignments, {}, m_drag->gesture);
+    }
+    m_drag.reset();
+}
+
+void ViewportInput::move(const QMouseEvent& event)
+{
+    setInside(m_surface.rect().contains(event.position().toPoint()));
+    if (m_drag) {
+        std::visit([&](auto grip) { drag(grip, event); }, m_drag->grip);
+    } else {
+        setHot(m_gizmos ? gizmoAt(m_document.effect(), m_view(), event.position()) : std::nullopt);
+    }
+}
+
+void ViewportInput::drag(DividingLine, const QMouseEvent& event)
+{
+    m_split.moveLine(event.position().x(), m_surface.width());
+    m_surface.update();
+}
+
+void ViewportInput::drag(GizmoId gizmo, const QMouseEvent& event)
+{
+    const bool snap = event.modifiers().testFlag(Qt::ControlModifier);
+    m_document.edit(dragGizmo(gizmo, m_drag->before, m_drag->view, event.position(), snap), {}, m_drag->gesture);
+}
+
+void ViewportInput::drag(CameraMove move, const QMouseEvent& event)
+{
+    const QPointF way = m_drag->way.to(event);
+    const Camera& before = m_drag->before.camera;
+    const auto apply = [this](const Camera& camera) { m_document.moveCamera(camera, m_drag->gesture); };
+    switch (move) {
+    case CameraMove::Orbit: apply(orbited(before, way, m_drag->view)); break;
+    case CameraMove::Pan: apply(panned(before, way, m_drag->view)); break;
+    case CameraMove::Look: apply(lookedAround(before, way, m_drag->view)); break;
+    case CameraMove::Zoom:
+        constexpr double kNotchesAPixel = 0.03;
+        apply(zoomed(before, -way.y() * kNotchesAPixel, m_drag->view));
+        break;
+    }
+}
+
+void ViewportInput::wheel(const QWheelEvent& event)
+{
+    if (m_drag || event.angleDelta().y() == 0) {
+        return;
+    }
+    if (m_wheelGesture.id == 0) {
+        m_wheelGesture = m_document.beginGesture();
+    }
+    m_wheelTimer.start();
+    m_document.moveCamera(zoomed(m_document.effect().camera, wheelSteps(event), m_view()), m_wheelGesture);
+}
+
+void ViewportInput::setInside(bool inside)
+{
+    if (inside != m_isInside) {
+        m_isInside = inside;
+        m_surface.update();
+    }
+}
+
+void ViewportInput::setHot(std::optional<GizmoId> gizmo)
+{
+    if (gizmo != m_hot) {
+        m_hot = gizmo;
+        m_surface.setCursor(gizmo ? Qt::OpenHandCursor : Qt::ArrowCursor);
+        m_surface.update();
+    }
+}
+
+} // namespace fumage::ui

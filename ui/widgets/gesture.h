@@ -1,0 +1,76 @@
+#pragma once
+
+#include <QEvent>
+#include <QPointF>
+#include <QTimer>
+#include <QWheelEvent>
+
+namespace fumage::ui {
+
+/// Turns of a wheel in notches, away from the hand positive; touchpads send parts of one.
+[[nodiscard]] inline double wheelSteps(const QWheelEvent& event)
+{
+    return event.angleDelta().y() / static_cast<double>(QWheelEvent::DefaultDeltasPerStep);
+}
+
+/// Tells what is dragged, and then what is around it, that the drag is taken back; whoever accepts it puts back what
+/// was there at the press. The release comes after it.
+class DragCancel : public QEvent {
+public:
+    DragCancel()
+        : QEvent(type())
+    {
+        ignore();
+    }
+    [[nodiscard]] static Type type();
+};
+
+/// The way of a mouse that is dragged, as if the screen had no edges: where it ends, the pointer comes in again at the
+/// other side.
+class EndlessWay {
+public:
+    /// @param along the ways that are of interest
+    explicit EndlessWay(Qt::Orientations along = Qt::Horizontal | Qt::Vertical)
+        : m_along(along)
+    {
+    }
+    void begin(const QMouseEvent& press);
+    /// @return pixels since the press
+    [[nodiscard]] QPointF to(const QMouseEvent& move);
+
+private:
+    QPointF m_last; ///< on the screen
+    QPointF m_way;
+    Qt::Orientations m_along;
+};
+
+/// Steps of the wheel or of a key that follow closely on one another are one gesture, and so one step of undo. start()
+/// at each step; the gesture has ended when ended() comes.
+class GestureTimer : public QTimer {
+    Q_OBJECT
+
+public:
+    static constexpr int kRestMs = 500;
+
+    explicit GestureTimer(QObject* parent = nullptr)
+        : QTimer(parent)
+    {
+        setSingleShot(true);
+        setInterval(kRestMs);
+        connect(this, &QTimer::timeout, this, &GestureTimer::ended);
+    }
+
+    /// The hand does something else: the gesture ends now.
+    void end()
+    {
+        if (isActive()) {
+            stop();
+            emit ended();
+        }
+    }
+
+signals:
+    void ended();
+};
+
+} // namespace fumage::ui
