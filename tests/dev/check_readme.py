@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Does what the README tells a newcomer to do, smaller:  check_readme.py <source tree> <fumage-cli>
+"""Does what the README and the pages that it hands over to tell a newcomer to do, smaller:  check_readme.py <source tree> <fumage-cli>
 
-Every command of its blocks names a program that ./dev leaves where the command says; those of the command line run, in an empty folder, with few
-particles, small pictures and two frames. A block of JSON that is a list of exports is the file that a command names. What `./dev` is asked for is
-what `./dev` knows.
+Every command of their blocks names a program that ./dev leaves where the command says; those of the command line run, once each and in the order in
+which they stand, in a folder that was empty, with few particles, small pictures and few frames. A block of JSON that is a list of exports is the file
+that a command names. What `./dev` is asked for is what `./dev` knows. The README stays short, text as wide as people read it; every built-in preset
+has its row among the pictures, with its own description.
 """
 import json
 import pathlib
@@ -15,12 +16,36 @@ import sys
 import tempfile
 
 SMALL = ["emitter.count=300", "air.resolution=16", "noise.slices=2", "noise.resolution=16", "light.resolution=8", "timeline.length=64"]
+PAGES = ("README.md", "resources/docs/command-line.md", "resources/docs/exporting.md")
+LINES, PROSE, ROW = 119, 100, 160  # the README's at most; the width of its text, and of a row of a table
 NO_SETTINGS = ("presets", "farm")  # commands that take no --set, or for which it makes nothing cheaper
 
 
 def blocks(text):
     """The blocks between fences: their language, and their lines."""
     return [(match[1], match[2].splitlines()) for match in re.finditer(r"^```(\w*)\n(.*?)^```$", text, re.M | re.S)]
+
+
+def shape_faults(text):
+    """What is too long or too wide. Blocks are as wide as they must be, as is a line that is one picture or one link."""
+    lines = text.splitlines()
+    faults = [f"{len(lines)} lines: {LINES} at most"] if len(lines) > LINES else []
+    fenced = False
+    for number, line in enumerate(lines, 1):
+        fenced ^= line.startswith("```")
+        most = ROW if line.startswith("|") else PROSE
+        if not fenced and len(line) > most and not re.fullmatch(r"\s*!?\[[^\]]*\]\([^)]*\)\S?", line):
+            faults.append(f"line {number} has {len(line)} columns: {most} at most")
+    return faults
+
+
+def check_gallery(source):
+    page = (source / "resources/docs/presets.md").read_text(encoding="utf-8")
+    for path in sorted((source / "resources/presets").glob("*.json")):
+        row = re.search(rf"^\| !\[.*\]\(\.\./pictures/{path.stem}\.png\) \| `{path.stem}` \| (.*) \|$", page, re.M)
+        assert row, f"resources/docs/presets.md has no row of {path.stem}"
+        description = json.loads(path.read_text(encoding="utf-8"))["description"]
+        assert row[1] == description, f"resources/docs/presets.md does not describe {path.stem} as the preset does: {description}"
 
 
 def smaller(words):
@@ -42,7 +67,7 @@ def smaller(words):
 
 
 def write_jobs(jobs, cli, folder):
-    """The list of exports under the name that the README has for it, of a small preset and of few frames."""
+    """The list of exports under the name that the pages have for it, of a small preset and of few frames."""
     preset = json.loads(subprocess.run([cli, "presets", "--show", "thesis-2012"], check=True, capture_output=True, text=True).stdout)
     preset["scene"]["output"].update(width=16, height=16)
     preset["layers"][0]["emitter"]["count"] = 300
@@ -57,13 +82,14 @@ def write_jobs(jobs, cli, folder):
 def run(cli, words, folder):
     if words[0] == "video" and not shutil.which("ffmpeg"):
         return "left out: there is no ffmpeg"
+    output = words[words.index("--output") + 1] if "--output" in words and words[0] != "farm" else None
+    pattern = re.sub("#+", "*", output or "")
+    pattern += "*" if pattern.endswith("/") else ""
+    for old in filter(pathlib.Path.is_file, folder.glob(pattern) if output else []):
+        old.unlink()  # of a command before, which this one's file has the name of
     done = subprocess.run([cli, *smaller(words)], cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, f"{shlex.join(words)} ended with {done.returncode}: {done.stderr}"
-    output = words[words.index("--output") + 1] if "--output" in words else None
-    if output and words[0] != "farm":
-        pattern = re.sub("#+", "*", output)
-        made = list(folder.glob(pattern + "*" if pattern.endswith("/") else pattern))
-        assert made, f"{shlex.join(words)} wrote no {output}"
+    assert not output or list(folder.glob(pattern)), f"{shlex.join(words)} wrote no {output}"
     return "ran"
 
 
@@ -81,21 +107,26 @@ def check_command(words, source, cli, folder):
 
 def main():
     source, cli = pathlib.Path(sys.argv[1]), str(pathlib.Path(sys.argv[2]).resolve())
-    commands = 0
+    texts = {page: (source / page).read_text(encoding="utf-8") for page in PAGES}
+    faults = shape_faults(texts["README.md"])
+    assert not faults, "README.md: " + "; ".join(faults)
+    check_gallery(source)
+    done = set()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        text = (source / "README.md").read_text(encoding="utf-8")
-        lists = [json.loads("\n".join(lines)) for language, lines in blocks(text) if language == "json"]
-        for each in lists:
-            if each.get("format") == "fumage-jobs":
-                write_jobs(each, cli, folder)
-        for language, lines in blocks(text):
-            for line in lines if language in ("", "sh", "bash") else []:
+        for language, lines in (block for text in texts.values() for block in blocks(text)):
+            jobs = json.loads("\n".join(lines)) if language == "json" else {}
+            if jobs.get("format") == "fumage-jobs":
+                write_jobs(jobs, cli, folder)
+        for page, text in texts.items():
+            commands = 0
+            for line in (line for language, lines in blocks(text) if language in ("", "sh", "bash") for line in lines):
                 words = shlex.split(re.sub(r"\s# .*", "", line))
-                if words:
+                commands += bool(words)
+                if words and line not in done:
                     print(f"{line}\n    {check_command(words, source, cli, folder)}")
-                    commands += 1
-    assert commands > 10, "the README has no commands"
+                    done.add(line)
+            assert commands > 5, f"{page} has no commands"
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1"
 leaves='(?<![|\\])\|&? *(?:[A-Z_]+=\S* )*(?:head\b|(?:z|e|f)?grep (?:[^|;]* )?-(?:[a-zA-Z]*[qm]|-quiet|-silent|-max-count)|sed [^|]*[0-9$/ ;{\x27"]q(?:[\x27"};]|$)|awk [^|]*\bexit\b)'
-texts=(dev .ci/run README.md)
+texts=(dev .ci/run README.md .github/CONTRIBUTING.md)
 while IFS= read -r text; do
     texts+=("$text")
 done < <(find app core ui cmake resources tests -type f \( -name '*.sh' -o -name '*.zsh' -o -name '*.mustache' -o -name '*.md' -o -name '*.cmake' -o -name CMakeLists.txt -o -name '*.py' \) |

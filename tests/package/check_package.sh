@@ -29,7 +29,7 @@ for name in fumage fumage-cli "$library" libfumage-dev; do
     done
     zcat "$root/usr/share/doc/$name/changelog.gz" | dpkg-parsechangelog --file - --all > /dev/null || fail "the changelog of $name is none"
 done
-for page in fumage/farm.md fumage/games.md fumage-cli/farm.md fumage-cli/parameters.md libfumage-dev/games.md; do
+for page in fumage/farm.md fumage/games.md fumage/editor.md fumage/exporting.md fumage/presets.md fumage-cli/command-line.md fumage-cli/exporting.md fumage-cli/farm.md fumage-cli/parameters.md libfumage-dev/games.md; do
     [ -s "$root/usr/share/doc/$page" ] || fail "there is no $page"
 done
 # A game needs no headers where it runs, and finds the library by the name that it was linked with.
