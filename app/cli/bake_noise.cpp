@@ -13,7 +13,7 @@ struct BakeOptions {
     EffectOptions effect;
     std::string output;
     int size = 512;
-    float depth = 0.0F;
+    ExportArguments options;
     bool wide = false;
 };
 
@@ -22,8 +22,10 @@ Status bakeOne(const BakeOptions& options, const NamedPreset& named)
     PictureJob job{named.preset.effect, {}};
     job.plan.kind = ExportKind::NoiseTexture;
     job.plan.source = named.file;
-    job.plan.noiseSize = options.size;
-    job.plan.noiseDepth = options.depth;
+    job.plan.noise.size = options.size;
+    if (Status status = options.options.applyTo(job.plan); !status) {
+        return status;
+    }
     if (Status status = chooseOutput(options.output, "", named.name + "_noise", job.plan); !status) {
         return status;
     }
@@ -51,7 +53,7 @@ void addBakeNoise(CLI::App& program, Action& action)
         ->required()
         ->type_name("FILE");
     addWhole(*command, "--size", options->size, 1, kMaxTextureSize, "Edge in pixels, any from 1 to 4096");
-    addNumber(*command, "--depth", options->depth, 0.0F, 1.0F, "Where to cut the third axis, 0 to 1");
+    options->options.addTo(*command, "noise_depth");
     command->add_flag("--wide", options->wide, "16-bit PNG or 32-bit EXR");
     command->callback([options, &action] { action = [options] { return bake(*options); }; });
 }

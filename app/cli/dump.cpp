@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/export_arguments.h"
 #include "app/cli/file_choice.h"
 #include "app/cli/manifest_option.h"
 #include "app/cli/progress.h"
@@ -19,7 +20,7 @@ struct DumpOptions {
     std::string output{kStandardStream};
     std::string frames;
     std::string format;
-    std::string up = "y";
+    ExportArguments options;
     ManifestOption manifest;
 };
 
@@ -39,8 +40,9 @@ Status dumpToStandardOutput(
 Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, ParticleSequenceOptions sequence)
 {
     const std::string_view ending = fileEnding(sequence.format);
-    const ManifestJob job{
-        "particles", {{"format", std::string(ending.substr(1))}, {"up", options.up}}, named.preset.effect};
+    const ManifestJob job{"particles",
+        {{"format", std::string(ending.substr(1))}, {"up", std::string(options.options.textOf("up"))}},
+        named.preset.effect};
     const auto write = [&](const FrameSink& written) {
         sequence.written = written;
         ProgressBar bar("Writing");
@@ -63,7 +65,7 @@ Status dumpOne(const DumpOptions& options, const NamedPreset& named)
         return frames.error();
     }
     sequence.frames = frames.value();
-    sequence.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
+    sequence.up = options.options.textOf("up") == nameOf(UpAxis::Z) ? UpAxis::Z : UpAxis::Y;
     if (options.output == kStandardStream) {
         return withinMemory([&] { return dumpToStandardOutput(options, named, sequence); });
     }
@@ -95,9 +97,7 @@ void addDump(CLI::App& program, Action& action)
         ->add_option("--format", options->format,
             "csv, ply (binary), or pcache (Unity's point cache, in Unity's axes). Default: by the ending of the file")
         ->check(CLI::IsMember({"csv", "ply", "pcache"}));
-    command->add_option("--up", options->up, "Axis that points up: y, or z as in Blender, 3ds Max and Unreal")
-        ->check(CLI::IsMember({"y", "z"}))
-        ->capture_default_str();
+    options->options.addTo(*command, "up", "Axis that points up: y, or z as in Blender, 3ds Max and Unreal", "y");
     command
         ->add_option(
             "-o,--output", options->output, "File to write; #### stands for the frame number, - is standard output")

@@ -1,6 +1,5 @@
 #include "app/cli/command.h"
 #include "app/cli/number_options.h"
-#include "app/cli/pass_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
 
@@ -22,7 +21,6 @@ namespace {
 
 struct FarmOptions {
     PictureOptions picture;
-    PassOptions passes;
     std::string farm;
     int chunk = 0; ///< 0: chosen
     std::string then;
@@ -32,11 +30,10 @@ struct FarmOptions {
 std::vector<std::string> renderWordsOf(const FarmOptions& options, const Effect& seen, const ExportPlan& plan)
 {
     std::vector<std::string> words{"--format", std::string(nameOf(plan.format))};
-    if (!options.passes.passes.empty()) {
-        words.insert(words.end(), {"--passes", options.passes.passes});
-    }
-    if (!options.passes.alpha.empty()) {
-        words.insert(words.end(), {"--alpha", options.passes.alpha});
+    for (const char* key : {"passes", "alpha"}) {
+        if (options.picture.options.has(key)) {
+            words.insert(words.end(), {flagOf(exportOption(key)), std::string(options.picture.options.textOf(key))});
+        }
     }
     if (!options.picture.carriesPreset) {
         words.emplace_back("--no-preset");
@@ -77,9 +74,6 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
     }
     ExportPlan& plan = job.value().plan;
     plan.kind = ExportKind::Sequence;
-    if (Status status = options.passes.applyTo(plan); !status) {
-        return status.error();
-    }
     if (plan.output == kStandardStream) {
         return Error{ErrorCode::OutOfRange, makeMessage("a farm writes no frames to standard output"),
             std::string("--output"), makeMessage("Name a file in a folder that all machines see")};
@@ -179,7 +173,7 @@ void addFarm(CLI::App& program, Action& action)
         "default, the preset's name",
         "Picture size: 512 or 640x360. Default: the preset's");
     options->picture.addFormat(*command);
-    options->passes.addTargetsTo(*command);
+    options->picture.options.addTargetsTo(*command);
     std::vector<std::string> farms;
     std::ranges::transform(kAllFarms, std::back_inserter(farms), [](Farm each) { return std::string(nameOf(each)); });
     command

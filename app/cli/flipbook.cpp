@@ -1,10 +1,8 @@
 #include "app/cli/command.h"
 #include "app/cli/optimise.h"
-#include "app/cli/pass_options.h"
 #include "app/cli/picture_options.h"
 
 #include "core/base/text.h"
-#include "core/export/sheets/cell_frames.h"
 
 #include <iomanip>
 #include <memory>
@@ -18,10 +16,6 @@ namespace {
 struct FlipbookArguments {
     PictureOptions picture;
     std::string grid; ///< empty: see gridFor()
-    PassOptions passes;
-    bool powerOfTwo = false;
-    bool trim = false;
-    std::string retime;
     std::string budget;
 };
 
@@ -53,7 +47,7 @@ NamedPreset namedForItsGrid(const FlipbookArguments& arguments, NamedPreset name
 {
     int columns = 0;
     int rows = 0;
-    if (arguments.passes.isForAnEngine() && gridFor(arguments.grid, kUsualGrid, named, columns, rows)) {
+    if (arguments.picture.options.isForAnEngine() && gridFor(arguments.grid, kUsualGrid, named, columns, rows)) {
         named.name += "_" + std::to_string(columns) + "x" + std::to_string(rows);
     }
     return named;
@@ -70,7 +64,8 @@ Status tellSize(const PictureJob& job)
     const int height = output.value().height;
     if (width != job.effect.output.width || height != job.effect.output.height) {
         report("cells are " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and the sheet "
-            + std::to_string(width * job.plan.columns) + " x " + std::to_string(height * job.plan.rows));
+            + std::to_string(width * job.plan.flipbook.columns) + " x "
+            + std::to_string(height * job.plan.flipbook.rows));
     }
     return Done{};
 }
@@ -82,25 +77,12 @@ Result<PictureJob> jobOf(const FlipbookArguments& arguments, const NamedPreset& 
         return job.error();
     }
     ExportPlan& plan = job.value().plan;
-    if (Status status = gridFor(arguments.grid, kUsualGrid, named, plan.columns, plan.rows); !status) {
+    if (Status status = gridFor(arguments.grid, kUsualGrid, named, plan.flipbook.columns, plan.flipbook.rows);
+        !status) {
         return status.error();
     }
-    if (Status status = arguments.passes.applyTo(plan); !status) {
-        return status.error();
-    }
-    plan.powerOfTwo = arguments.powerOfTwo;
-    plan.trim = arguments.trim;
-    if (named.shown.sheet && arguments.picture.frames.empty()) {
-        plan.retime = named.shown.sheet->retime;
-    }
-    if (!arguments.retime.empty()) {
-        const Result<Curve> curve = parseRetime(arguments.retime);
-        if (!curve) {
-            Error error = curve.error();
-            error.place = std::string("--retime");
-            return error;
-        }
-        plan.retime = curve.value();
+    if (named.shown.sheet && arguments.picture.frames.empty() && !arguments.picture.options.has("retime")) {
+        plan.flipbook.retime = named.shown.sheet->retime;
     }
     return job;
 }
@@ -169,9 +151,6 @@ void addFlipbook(CLI::App& program, Action& action)
             ->add_option("--grid", arguments->grid,
                 "Columns and rows: 8 or 8x4. Default: 8x8, or of a sheet that carries its preset its own")
             ->type_name("GRID");
-    command->add_flag("--power-of-two", arguments->powerOfTwo,
-        "Make each side of a cell the nearest power of two, so that those of the sheet are. For 1, 2, 4 to 64 columns "
-        "and rows");
     command
         ->add_option("--optimise", arguments->budget,
             "Memory that the pictures may take as BC7, such as 4MB: tries grids with cells as large as fits, at most "
@@ -179,17 +158,7 @@ void addFlipbook(CLI::App& program, Action& action)
         ->type_name("BUDGET")
         ->option_text("BUDGET")
         ->excludes(grid);
-    command->add_flag("--trim", arguments->trim,
-        "Leave out frames without smoke at the beginning and the end; not of a loop, which would no longer close");
-    command
-        ->add_option("--retime", arguments->retime,
-            "Which frames the cells show: points of a curve from the share of the cells to the share of the frames, "
-            "such as [[0,0],[0.3,0.6],[1,1]] for a quick "
-            "beginning. Level is still, falling is backwards; the whole takes the same time")
-        ->type_name("CURVE")
-        ->option_text("CURVE");
-    arguments->passes.addTo(*command);
-    arguments->passes.addPackTo(*command);
+    arguments->picture.options.addAllTo(*command, ExportKind::Flipbook);
     command->footer(
         "The frames are spread evenly over the cells, first at the top left, then along the rows. Beside smoke.png a "
         "file smoke.flipbook.json says\n"

@@ -1,7 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/file_choice.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/playing_options.h"
+#include "app/cli/export_arguments.h"
 #include "app/cli/progress.h"
 
 #include "core/base/file.h"
@@ -24,7 +24,7 @@ struct JoinOptions {
     std::string frames;
     std::string output;
     std::string grid;
-    PlayingOptions playing;
+    ExportArguments playing;
 };
 
 /// What is written may be neither the preset nor one of the frames.
@@ -57,7 +57,7 @@ Status joinToVideo(
     ExportPlan plan;
     plan.kind = ExportKind::Video;
     plan.output = choice.value().file;
-    plan.video = choice.value().format;
+    plan.video.format = choice.value().format;
     plan.frames = frames;
     if (Status status = options.playing.applyTo(plan); !status) {
         return status;
@@ -79,7 +79,7 @@ Status joinToFlipbook(
     ExportPlan plan;
     plan.kind = ExportKind::Flipbook;
     plan.frames = frames;
-    if (Status status = parseGrid(options.grid, plan.columns, plan.rows); !status) {
+    if (Status status = parseGrid(options.grid, plan.flipbook.columns, plan.flipbook.rows); !status) {
         return status;
     }
     if (Status status = chooseOutput(options.output, {}, named.name, plan); !status) {
@@ -168,7 +168,8 @@ void addJoin(CLI::App& program, Action& action)
         ->type_name("GRID");
     command->add_option("-o,--output", options->output, "File to write. In a folder, and by default, the preset's name")
         ->type_name("FILE");
-    options->playing.addTo(*command);
+    options->playing.addTo(*command, "frame_rate");
+    options->playing.addTo(*command, "repeat");
     command->footer("The preset is the one that the frames were rendered of: it has their size and rate, the exposure, "
                     "the view and the background.\n"
                     "What comes out is what video and flipbook render, but for the rounding of half floats. Farms join "

@@ -75,8 +75,7 @@ void PictureOptions::addTo(
         "draft, good or final: a quarter of the particles, all, or eight times as many. Default: the preset's");
     addWhole(command, "--supersample", supersample, 1, kMaxSupersample,
         "Render this many times larger and average. Default: the preset's");
-    command.add_flag(
-        "--fit", fit, "Move the camera so that all smoke of the frames asked for is in the picture, and fills it");
+    options.addTo(command, "fit_camera");
 }
 
 void PictureOptions::addFormat(CLI::App& command)
@@ -89,13 +88,6 @@ void PictureOptions::addFormat(CLI::App& command)
         ->check(CLI::IsMember({"png", "png16", "exr", "exr32", "tga"}));
 }
 
-void PictureOptions::addSkipping(CLI::App& command)
-{
-    command.add_flag("--skip-existing", skipExisting,
-        "Leave frames alone whose file is there as a whole, in this size, and made of this preset as far as it says "
-        "so");
-}
-
 Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named, ExportKind kind) const
 {
     Result<PictureJob> job = jobWithoutOutput(named, kind);
@@ -104,7 +96,9 @@ Result<PictureJob> PictureOptions::jobFor(const NamedPreset& named, ExportKind k
             return status.error();
         }
         ExportPlan& plan = job.value().plan;
-        plan.recording.skipExisting = skipExisting;
+        if (Status status = options.applyTo(plan); !status) {
+            return status.error();
+        }
         plan.recording.manifest = manifest.fileFor(plan.output);
     }
     return job;
@@ -128,7 +122,6 @@ Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named, Ex
         return range.error();
     }
     job.plan.frames = range.value();
-    job.plan.fitCamera = fit;
     if (carriesPreset) {
         job.plan.project = named.preset;
     }

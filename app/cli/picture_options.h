@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/command.h"
+#include "app/cli/export_arguments.h"
 #include "app/cli/manifest_option.h"
 
 #include "core/export/plan.h"
@@ -35,21 +36,18 @@ struct PictureOptions {
     std::string size;
     int supersample = 0;
     std::string format;
-    bool fit = false;
     bool carriesPreset = true;
     ManifestOption manifest;
-    bool skipExisting = false;
+    ExportArguments options;
 
     void addTo(CLI::App& command, const std::string& outputHelp, const std::string& sizeHelp,
         const std::string& framesHelp = kFramesHelp);
     /// Adds what only pictures have.
     void addFormat(CLI::App& command);
-    /// Adds what only frames have, of which some may be there already.
-    void addSkipping(CLI::App& command);
     /// What is to be done with one of the presets.
     /// @param kind decides about the frames where none are named; see framesOf()
     [[nodiscard]] Result<PictureJob> jobFor(const NamedPreset& named, ExportKind kind) const;
-    /// The same, but for what it is to be written to.
+    /// The same, but for what it is to be written to, and for the options.
     [[nodiscard]] Result<PictureJob> jobWithoutOutput(const NamedPreset& named, ExportKind kind) const;
 };
 

@@ -1,6 +1,5 @@
 #include "app/cli/command.h"
 #include "app/cli/jobs.h"
-#include "app/cli/pass_options.h"
 #include "app/cli/picture_options.h"
 
 #include <memory>
@@ -11,7 +10,6 @@ namespace {
 
 struct RenderArguments {
     PictureOptions picture;
-    PassOptions passes;
     std::string jobs; ///< file of a list of them, in place of all of the above; empty: none
     bool asJson = false;
 };
@@ -39,9 +37,9 @@ Status makeSheetAgain(const RenderArguments& arguments, const FlipbookOptions& s
 {
     const ExportPlan asked = job.plan;
     takeSheet(sheet, job.plan);
-    job.plan.passes = arguments.passes.passes.empty() ? job.plan.passes : asked.passes;
+    job.plan.passes = arguments.picture.options.has("passes") ? asked.passes : job.plan.passes;
     job.plan.style.premultiplied =
-        arguments.passes.alpha.empty() ? job.plan.style.premultiplied : asked.style.premultiplied;
+        arguments.picture.options.has("alpha") ? asked.style.premultiplied : job.plan.style.premultiplied;
     job.plan.recording.skipExisting = false;
     Output& output = job.effect.output;
     if (!arguments.picture.size.empty()) { // it is that of the picture, as everywhere in this command
@@ -64,9 +62,6 @@ Status renderOne(const RenderArguments& arguments, const NamedPreset& named)
     Result<PictureJob> job = arguments.picture.jobFor(named, ExportKind::Sequence);
     if (!job) {
         return job.error();
-    }
-    if (Status status = arguments.passes.applyTo(job.value().plan); !status) {
-        return status;
     }
     if (named.shown.sheet && arguments.picture.frames.empty()) {
         if (Status status = makeSheetAgain(arguments, *named.shown.sheet, job.value()); !status) {
@@ -100,8 +95,8 @@ void addRender(CLI::App& program, Action& action)
         "it shows, and a sheet is made again");
     arguments->picture.addFormat(*command);
     arguments->picture.manifest.addTo(*command);
-    arguments->picture.addSkipping(*command);
-    arguments->passes.addTargetsTo(*command);
+    arguments->picture.options.addTargetsTo(*command);
+    arguments->picture.options.addAllTo(*command, ExportKind::Sequence);
     addJobsTo(*command, *arguments);
     command->footer(
         "PNG is sRGB with straight alpha, after exposure and view transform; EXR is linear with premultiplied alpha, "

@@ -1,6 +1,5 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/playing_options.h"
 
 #include "core/base/path.h"
 #include "core/export/output_name.h"
@@ -20,11 +19,6 @@ std::vector<std::string> formatNames()
     }
     return names;
 }
-
-struct VideoArguments {
-    PictureOptions picture;
-    PlayingOptions playing;
-};
 
 /// Fills in the file of a plan for a video, and what it is.
 Status chooseVideo(const PictureOptions& options, const std::string& name, ExportPlan& plan)
@@ -46,20 +40,19 @@ Status chooseVideo(const PictureOptions& options, const std::string& name, Expor
     const std::string ending = endingOf(path.value());
     const auto* const format = std::ranges::find(kAllVideoFormats,
         ending.empty() ? endings.front() : std::string_view(ending), [](VideoFormat each) { return fileEnding(each); });
-    plan.video = *format;
-    plan.output = withEnding(path.value(), fileEnding(plan.video));
+    plan.video.format = *format;
+    plan.output = withEnding(path.value(), fileEnding(plan.video.format));
     return Done{};
 }
 
-Status video(const VideoArguments& arguments)
+Status video(const PictureOptions& options)
 {
-    const PictureOptions& options = arguments.picture;
     return options.effect.forEach(options.output, [&](const NamedPreset& named) -> Status {
         Result<PictureJob> job = options.jobWithoutOutput(named, ExportKind::Video);
         if (!job) {
             return job.error();
         }
-        if (Status status = arguments.playing.applyTo(job.value().plan); !status) {
+        if (Status status = options.options.applyTo(job.value().plan); !status) {
             return status;
         }
         if (Status status = chooseVideo(options, named.name, job.value().plan); !status) {
@@ -74,8 +67,7 @@ Status video(const VideoArguments& arguments)
 
 void addVideo(CLI::App& program, Action& action)
 {
-    auto arguments = std::make_shared<VideoArguments>();
-    PictureOptions* const options = &arguments->picture;
+    auto options = std::make_shared<PictureOptions>();
     CLI::App* command = program.add_subcommand("video", "Render frames of a preset into a video, with ffmpeg");
     options->addTo(*command, "File to write. In a folder, and by default, the preset's name",
         "Picture size: 512 or 640x360. Default: the preset's");
@@ -84,7 +76,7 @@ void addVideo(CLI::App& program, Action& action)
             "mp4 (H.264), webm (VP9 with alpha), mov (ProRes 4444 with alpha), gif, apng (with alpha). Default: by the "
             "ending of the file")
         ->check(CLI::IsMember(formatNames()));
-    arguments->playing.addTo(*command);
+    options->options.addAllTo(*command, ExportKind::Video);
     command->footer("Needs ffmpeg on the search path; FUMAGE_FFMPEG names another program. mp4 and gif have no "
                     "transparency: the smoke is in front of output.background_colour.\n"
                     "gif has no more than 50 pictures a second: of more, one of two or three frames is in it. mp4 has "
@@ -93,7 +85,7 @@ void addVideo(CLI::App& program, Action& action)
                     "  fumage-cli video campfire --size 720 --output fire.mp4\n"
                     "  fumage-cli video explosion --set timeline.frame_rate=24 --rate 23.976 --output boom.mov\n"
                     "  fumage-cli video chimney --set timeline.loop=true --output smoke.webm");
-    command->callback([arguments, &action] { action = [arguments] { return video(*arguments); }; });
+    command->callback([options, &action] { action = [options] { return video(*options); }; });
 }
 
 } // namespace fumage::cli

@@ -1,6 +1,6 @@
 #include "app/cli/command.h"
+#include "app/cli/export_arguments.h"
 #include "app/cli/manifest_option.h"
-#include "app/cli/number_options.h"
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
@@ -20,9 +20,7 @@ struct VolumeArguments {
     EffectOptions effect;
     std::string output;
     std::string frames;
-    std::string up = "z";
-    int cells = VolumeSequenceOptions().longest;
-    float voxel = 0.0F; ///< 0: not named
+    ExportArguments options;
     ManifestOption manifest;
 };
 
@@ -40,16 +38,21 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
     }
     options.output = withEnding(path.value(), kEndings.front());
     options.frames = frames.value();
-    options.longest = arguments.cells;
-    options.voxel = arguments.voxel > 0.0F ? std::optional(arguments.voxel) : std::nullopt;
-    options.up = arguments.up == "z" ? UpAxis::Z : UpAxis::Y;
+    ExportPlan plan;
+    plan.kind = ExportKind::Volumes;
+    if (Status status = arguments.options.applyTo(plan); !status) {
+        return status;
+    }
+    options.longest = plan.volume.cells;
+    options.voxel = plan.volume.voxel;
+    options.up = plan.up.value_or(options.up);
     options.source = named.file;
     float voxel = 0.0F;
     {
         ProgressBar bar("Writing");
-        const std::string size = options.voxel ? formatFloat(*options.voxel) + " m" : std::to_string(arguments.cells);
-        const ManifestJob job{
-            "volumes", {{options.voxel ? "voxel" : "cells", size}, {"up", arguments.up}}, named.preset.effect};
+        const std::string size = options.voxel ? formatFloat(*options.voxel) + " m" : std::to_string(options.longest);
+        const ManifestJob job{"volumes",
+            {{options.voxel ? "voxel" : "cells", size}, {"up", std::string(nameOf(options.up))}}, named.preset.effect};
         const auto write = [&](const FrameSink& written) -> Status {
             options.written = written;
             const Result<float> used = withinMemory(
@@ -76,14 +79,9 @@ void addVolume(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand("volume", "Write the smoke of frames as OpenVDB volumes");
     arguments->effect.addTo(*command);
     command->add_option("-f,--frame,--frames", arguments->frames, kOneFrameHelp)->type_name("RANGE");
-    CLI::Option* cells = addWhole(*command, "--cells", arguments->cells, kMinVolumeCells, kMaxVolumeCells,
-        "Voxels along the longest edge of the smoke of the whole timeline. Default: 128");
-    addNumber(*command, "--voxel", arguments->voxel, kMinVoxel, kMaxVoxel,
-        "Edge of a voxel in metres, in place of --cells; the timeline is not looked at then")
-        ->excludes(cells);
-    command->add_option("--up", arguments->up, "Axis that points up: z as in Blender, or y as in Houdini and Maya")
-        ->check(CLI::IsMember({"y", "z"}))
-        ->capture_default_str();
+    arguments->options.addTo(*command, "up", "Axis that points up: z as in Blender, or y as in Houdini and Maya", "z");
+    arguments->options.addAllTo(*command, ExportKind::Volumes);
+    command->get_option("--voxel")->excludes(command->get_option("--cells"));
     command
         ->add_option("-o,--output", arguments->output,
             "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")

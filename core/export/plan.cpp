@@ -1,4 +1,3 @@
-#include "core/export/sheets/flipbook_files.h"
 #include "core/export/plan.h"
 
 #include "core/base/file.h"
@@ -7,12 +6,13 @@
 #include "core/export/fit_camera.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
+#include "core/export/manifest/recorded.h"
+#include "core/export/sheets/flipbook_files.h"
 #include "core/export/sheets/trim.h"
 #include "core/noise/texture.h"
 #include "core/preset/preset_file.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <span>
 
@@ -53,8 +53,8 @@ std::string projectOf(const Effect& effect, const ExportPlan& plan)
 
 Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
 {
-    const int size = plan.noiseSize > 0 ? plan.noiseSize : effect.noise.resolution;
-    const Result<NoiseTile> tile = bakeNoise(effect.noise, size, plan.noiseDepth, stop);
+    const int size = plan.noise.size > 0 ? plan.noise.size : effect.noise.resolution;
+    const Result<NoiseTile> tile = bakeNoise(effect.noise, size, plan.noise.depth, stop);
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
@@ -132,35 +132,6 @@ Result<std::optional<Flipbook>> exportFlipbook(
 
 } // namespace
 
-std::string_view nameOf(ExportKind kind)
-{
-    constexpr std::array<std::string_view, kExportKinds> kNames{
-        "sequence", "flipbook", "video", "picture", "noise", "particles", "volumes", "air"};
-    return kNames[static_cast<std::size_t>(kind)];
-}
-
-bool isPicture(ExportKind kind)
-{
-    return kind == ExportKind::Sequence || kind == ExportKind::Flipbook || kind == ExportKind::Video
-        || kind == ExportKind::Picture;
-}
-
-bool isImage(ExportKind kind)
-{
-    return kind == ExportKind::NoiseTexture || (isPicture(kind) && kind != ExportKind::Video);
-}
-
-bool isNumbered(ExportKind kind)
-{
-    return kind == ExportKind::Sequence || kind == ExportKind::Particles || kind == ExportKind::Volumes
-        || kind == ExportKind::Air;
-}
-
-bool canBeRecorded(ExportKind kind)
-{
-    return kind == ExportKind::Sequence || kind == ExportKind::Picture || kind == ExportKind::Flipbook;
-}
-
 std::filesystem::path manifestOf(const ExportPlan& plan)
 {
     if (plan.recording.manifest.empty() || !canBeRecorded(plan.kind)) {
@@ -168,17 +139,6 @@ std::filesystem::path manifestOf(const ExportPlan& plan)
     }
     return partOf(
         plan.recording.manifest, plan.kind == ExportKind::Flipbook ? std::nullopt : std::optional(framesOf(plan)));
-}
-
-std::string_view fileEnding(const ExportPlan& plan)
-{
-    switch (plan.kind) {
-    case ExportKind::Video: return fileEnding(plan.video);
-    case ExportKind::Particles: return fileEnding(plan.particles);
-    case ExportKind::Volumes: return kVdbEnding;
-    case ExportKind::Air: return fileEnding(plan.air);
-    default: return fileEnding(plan.format);
-    }
 }
 
 std::vector<std::filesystem::path> filesOf(const ExportPlan& plan)
@@ -204,25 +164,11 @@ std::filesystem::path firstFile(const ExportPlan& plan)
     }
 }
 
-FlipbookOptions flipbookOf(const ExportPlan& plan)
-{
-    FlipbookOptions options{
-        plan.output, plan.columns, plan.rows, plan.frames, plan.format, plan.passes, plan.style, plan.engine};
-    options.packs = plan.packs;
-    options.retime = plan.retime;
-    return options;
-}
-
-VideoOptions videoOf(const ExportPlan& plan)
-{
-    return {plan.output, plan.frames, plan.video, plan.repeat, plan.rate};
-}
-
 Result<FlipbookOptions> flipbookSeenBy(
     const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
 {
     FlipbookOptions options = flipbookOf(plan);
-    if (plan.trim) {
+    if (plan.flipbook.trim) {
         const Result<FrameRange> left = trimmed(seen, plan.frames, progress, stop);
         if (!left) {
             return left.error();
@@ -241,14 +187,15 @@ std::filesystem::path lastFile(const ExportPlan& plan)
 Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
 {
     Output output = effect.output;
-    if (plan.kind != ExportKind::Flipbook || !plan.powerOfTwo) {
+    if (plan.kind != ExportKind::Flipbook || !plan.flipbook.powerOfTwo) {
         return output;
     }
     const auto isPower = [](int number) { return number > 0 && std::has_single_bit(static_cast<unsigned>(number)); };
-    if (!isPower(plan.columns) || !isPower(plan.rows)) {
+    if (!isPower(plan.flipbook.columns) || !isPower(plan.flipbook.rows)) {
         return Error{ErrorCode::OutOfRange,
-            makeMessage("%1 x %2 cells fill no sheet whose sides are powers of two", plan.columns, plan.rows), {},
-            makeMessage("Choose columns and rows from 1, 2, 4, 8, 16, 32 and 64")};
+            makeMessage(
+                "%1 x %2 cells fill no sheet whose sides are powers of two", plan.flipbook.columns, plan.flipbook.rows),
+            {}, makeMessage("Choose columns and rows from 1, 2, 4, 8, 16, 32 and 64")};
     }
     output.width = nearestPowerOfTwo(output.width);
     output.height = nearestPowerOfTwo(output.height);
@@ -295,8 +242,8 @@ Result<std::optional<Flipbook>> writeFiles(
             {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
     case ExportKind::Volumes: {
         const Result<float> voxel = writeVolumes(effect,
-            {plan.output, plan.frames, plan.cells, plan.voxel, plan.up.value_or(UpAxis::Z), plan.source}, progress,
-            stop);
+            {plan.output, plan.frames, plan.volume.cells, plan.volume.voxel, plan.up.value_or(UpAxis::Z), plan.source},
+            progress, stop);
         return plainly(voxel ? Status(Done{}) : Status(voxel.error()));
     }
     case ExportKind::Air: {

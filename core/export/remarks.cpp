@@ -13,13 +13,14 @@ namespace {
 void addLoop(const Timeline& timeline, const ExportPlan& plan, std::vector<Message>& remarks)
 {
     const bool isFlipbook = plan.kind == ExportKind::Flipbook;
-    const bool isVideo = plan.kind == ExportKind::Video && saysHowOften(plan.video) && plan.repeat == Repeat::Auto;
+    const bool isVideo =
+        plan.kind == ExportKind::Video && saysHowOften(plan.video.format) && plan.video.repeat == Repeat::Auto;
     if (!timeline.loop || !(isFlipbook || isVideo)) {
         return;
     }
     const std::string asked = textOf(plan.frames);
     if (const std::optional<FrameRange> whole =
-            closedInstead(timeline, plan.frames, isFlipbook ? plan.columns * plan.rows : 1)) {
+            closedInstead(timeline, plan.frames, isFlipbook ? plan.flipbook.columns * plan.flipbook.rows : 1)) {
         remarks.push_back(makeMessage(
             "frames %1 are no whole turn of the loop of %2 frames, so they are played once: frames %3 close it", asked,
             timeline.length, textOf(*whole)));
@@ -38,7 +39,7 @@ void addVideo(const Effect& effect, const ExportPlan& plan, std::vector<Message>
         remarks.push_back(
             makeMessage("one frame of %1 is in the GIF: more than 50 pictures a second play slowly in browsers", left));
     }
-    const auto [width, height] = sizeOf(effect.output, plan.video);
+    const auto [width, height] = sizeOf(effect.output, plan.video.format);
     if (width != effect.output.width || height != effect.output.height) {
         remarks.push_back(makeMessage(
             "H.264 has even edges: the video is %1 x %2 pixels, the last column or row twice", width, height));

@@ -24,15 +24,15 @@ FrameRange framesOf(ExportKind kind, const Timeline& timeline, const Shown& show
 void takeSheet(const FlipbookOptions& sheet, ExportPlan& plan)
 {
     plan.kind = ExportKind::Flipbook;
-    plan.columns = sheet.columns;
-    plan.rows = sheet.rows;
+    plan.flipbook.columns = sheet.columns;
+    plan.flipbook.rows = sheet.rows;
     plan.frames = sheet.untrimmed.value_or(sheet.frames);
-    plan.trim = sheet.untrimmed.has_value();
-    plan.retime = sheet.retime;
+    plan.flipbook.trim = sheet.untrimmed.has_value();
+    plan.flipbook.retime = sheet.retime;
     plan.passes = sheet.passes;
     plan.style = sheet.style;
-    plan.packs = sheet.packs;
-    plan.engine = sheet.engine;
+    plan.flipbook.packs = sheet.packs;
+    plan.flipbook.engine = sheet.engine;
 }
 
 } // namespace fumage

@@ -2198,10 +2198,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>en lista med högst %1 texter som &quot;masks=shadow,alpha&quot; väntades</translation>
     </message>
     <message>
-        <source>expected a number from 0 to 1</source>
-        <translation>ett tal från 0 till 1 väntades</translation>
-    </message>
-    <message>
         <source>a list of jobs of %1 bytes</source>
         <translation>en jobblista på %1 byte</translation>
     </message>

@@ -2198,10 +2198,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>此处应为最多 %1 个文本的列表，例如 &quot;masks=shadow,alpha&quot;</translation>
     </message>
     <message>
-        <source>expected a number from 0 to 1</source>
-        <translation>此处应为 0 到 1 的数</translation>
-    </message>
-    <message>
         <source>a list of jobs of %1 bytes</source>
         <translation>任务列表有 %1 字节</translation>
     </message>

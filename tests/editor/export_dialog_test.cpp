@@ -88,11 +88,11 @@ private slots:
     {
         m_dialog->setKind(ExportKind::Flipbook);
         auto* engine = child<QComboBox>(u"export.engine"_q);
-        QCOMPARE(m_dialog->plan().engine, Engine::Generic);
+        QCOMPARE(m_dialog->plan().flipbook.engine, Engine::Generic);
         QVERIFY(m_dialog->plan().passes == PassSet{Pass::Colour});
         engine->setCurrentIndex(engine->findText(u"Unreal Engine"_q));
         const ExportPlan unreal = m_dialog->plan();
-        QCOMPARE(unreal.engine, Engine::Unreal);
+        QCOMPARE(unreal.flipbook.engine, Engine::Unreal);
         QVERIFY(unreal.passes == passesFor(Engine::Unreal));
         QCOMPARE(unreal.style.vectors, VectorSigns::Unreal);
         QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"5 more"_q));
@@ -129,7 +129,8 @@ private slots:
         auto* curve = child<CurveArea>(u"export.retime"_q);
         QVERIFY(!trim->isVisible());
         const ExportPlan plain = m_dialog->plan();
-        QVERIFY(!plain.trim && !plain.powerOfTwo && !plain.retime && plain.packs.empty());
+        QVERIFY(!plain.flipbook.trim && !plain.flipbook.powerOfTwo && !plain.flipbook.retime
+            && plain.flipbook.packs.empty());
         child<QToolButton>(u"export.more"_q)->click();
         QVERIFY(trim->isVisible() && !curve->isVisible());
         trim->click();
@@ -138,12 +139,12 @@ private slots:
         QVERIFY(curve->isVisible());
         QTest::mouseClick(curve, Qt::LeftButton, {}, curve->toScreen({0.25F, 0.75F}).toPoint());
         const ExportPlan plan = m_dialog->plan();
-        QVERIFY(plan.trim && plan.powerOfTwo);
-        QCOMPARE(plan.retime->count, 3);
-        QVERIFY(std::abs(plan.retime->at(0.25F) - 0.75F) < 0.05F);
+        QVERIFY(plan.flipbook.trim && plan.flipbook.powerOfTwo);
+        QCOMPARE(plan.flipbook.retime->count, 3);
+        QVERIFY(std::abs(plan.flipbook.retime->at(0.25F) - 0.75F) < 0.05F);
         child<QToolButton>(u"export.more"_q)->click();
         QVERIFY(!trim->isVisible());
-        QVERIFY(m_dialog->plan().trim); // out of sight is not out of the plan
+        QVERIFY(m_dialog->plan().flipbook.trim); // out of sight is not out of the plan
     }
 
     void framesAndFlipbooksHaveAManifestWhereThatIsAskedFor()
@@ -191,9 +192,9 @@ private slots:
         trim->setChecked(true);
         m_document->edit(knownParameter("timeline.loop"), true);
         QVERIFY(!trim->isEnabled());
-        QVERIFY(!m_dialog->plan().trim);
+        QVERIFY(!m_dialog->plan().flipbook.trim);
         m_document->edit(knownParameter("timeline.loop"), false);
-        QVERIFY(m_dialog->plan().trim);
+        QVERIFY(m_dialog->plan().flipbook.trim);
     }
 
     void sidesOfPowersOfTwoAreTold()
@@ -218,13 +219,13 @@ private slots:
         auto* add = child<QPushButton>(u"export.addPack"_q);
         add->click();
         nothingIsCutOffAtItsSide();
-        QCOMPARE(m_dialog->plan().packs.size(), std::size_t{1});
-        QVERIFY(m_dialog->plan().packs[0] == parsePack("masks1=shadow,temperature,alpha").value());
+        QCOMPARE(m_dialog->plan().flipbook.packs.size(), std::size_t{1});
+        QVERIFY(m_dialog->plan().flipbook.packs[0] == parsePack("masks1=shadow,temperature,alpha").value());
         child<QLineEdit>(u"export.pack1.name"_q)->setText(u"own"_q);
         child<QComboBox>(u"export.pack1.channel1"_q)->setCurrentIndex(0);
         child<QComboBox>(u"export.pack1.channel2"_q)->setCurrentText(u"motion.r"_q);
         child<QComboBox>(u"export.pack1.size"_q)->setCurrentIndex(1);
-        QVERIFY(m_dialog->plan().packs[0] == parsePack("own=shadow,0,motion.r@1/2").value());
+        QVERIFY(m_dialog->plan().flipbook.packs[0] == parsePack("own=shadow,0,motion.r@1/2").value());
         // A sheet of 2048 x 2048 is 4 MiB as BC7, and one of 1024 x 1024 another.
         QVERIFY2(child<QLabel>(u"export.files"_q)->text().contains(u"5.0 MiB"_q),
             qPrintable(child<QLabel>(u"export.files"_q)->text()));
@@ -240,7 +241,7 @@ private slots:
         child<QPushButton>(u"export.pack2.remove"_q)->click();
         add->click();
         QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled()); // all five have names of their own
-        QCOMPARE(m_dialog->plan().packs.size(), std::size_t{5});
+        QCOMPARE(m_dialog->plan().flipbook.packs.size(), std::size_t{5});
     }
 
     void thePreviewPlaysTheCellsWhileItIsOpen()
@@ -325,12 +326,12 @@ private slots:
         auto* cells = child<QSpinBox>(u"export.cells"_q);
         auto* up = child<QComboBox>(u"export.up"_q);
         QVERIFY(cells->isVisible() && up->isVisible() && !child<QSpinBox>(u"export.noiseSize"_q)->isVisible());
-        QVERIFY(m_dialog->plan().cells == VolumeSequenceOptions().longest && !m_dialog->plan().up);
+        QVERIFY(m_dialog->plan().volume.cells == VolumeSequenceOptions().longest && !m_dialog->plan().up);
         cells->setValue(64);
         up->setCurrentIndex(2);
         typePath(u"v_##"_q);
         const ExportPlan plan = m_dialog->plan();
-        QVERIFY(plan.kind == ExportKind::Volumes && plan.cells == 64 && plan.up == UpAxis::Z);
+        QVERIFY(plan.kind == ExportKind::Volumes && plan.volume.cells == 64 && plan.up == UpAxis::Z);
         QCOMPARE(plan.output.string(), std::string("v_##.vdb"));
         QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"v_99.vdb"_q));
         m_dialog->setKind(ExportKind::Particles);
@@ -366,9 +367,10 @@ private slots:
         QVERIFY2(said.contains(u"dB"_q), qPrintable(said));
         const ExportPlan plan = m_dialog->plan();
         const Output cell = m_document->effect().output;
-        QVERIFY2(
-            said.startsWith(
-                u"%1 × %2 cells of %3 × %4 pixels"_q.arg(plan.columns).arg(plan.rows).arg(cell.width).arg(cell.height)),
+        QVERIFY2(said.startsWith(u"%1 × %2 cells of %3 × %4 pixels"_q.arg(plan.flipbook.columns)
+                                     .arg(plan.flipbook.rows)
+                                     .arg(cell.width)
+                                     .arg(cell.height)),
             qPrintable(said));
         QVERIFY(memoryOf(flipbookOf(plan), cell.width, cell.height).compressed <= 104'858
             && cell.width < before.output.width);
@@ -417,7 +419,7 @@ private slots:
         QVERIFY(path->text().endsWith(u".webm"_q));
         QVERIFY(!hasColourBehind());
         typePath(u"/tmp/smoke.GIF"_q);
-        QCOMPARE(m_dialog->plan().video, VideoFormat::Gif);
+        QCOMPARE(m_dialog->plan().video.format, VideoFormat::Gif);
         QCOMPARE(m_dialog->plan().output.string(), std::string("/tmp/smoke.GIF"));
         QVERIFY(child<QSpinBox>(u"export.last"_q)->isEnabled());
         QVERIFY(child<QCheckBox>(u"export.carries"_q)->isHidden());
@@ -481,9 +483,9 @@ private slots:
         QVERIFY(!size->isVisible());
         m_dialog->setKind(ExportKind::NoiseTexture);
         QVERIFY(size->isVisible());
-        QCOMPARE(m_dialog->plan().noiseSize, 0); // the effect's
+        QCOMPARE(m_dialog->plan().noise.size, 0); // the effect's
         size->setValue(512);
-        QCOMPARE(m_dialog->plan().noiseSize, 512);
+        QCOMPARE(m_dialog->plan().noise.size, 512);
     }
 
     void returnBeginsAnExportOrDoesNothing()
@@ -589,7 +591,7 @@ private slots:
         }
         again.take(plans);
         QCOMPARE(remembered(again), before);
-        QCOMPARE(again.plan().engine, Engine::Unity);
+        QCOMPARE(again.plan().flipbook.engine, Engine::Unity);
         QVERIFY(!again.plan().passes.has(Pass::SixWayA) && again.plan().passes.has(Pass::Motion));
     }
 
@@ -599,7 +601,7 @@ private slots:
             {"", "[]", "nonsense", "{\"kind\": 3}", "{\"kind\": \"flipbook\", \"columns\": -5, \"later\": [1]}"}) {
             if (const std::optional<ExportPlan> plan = parsePlan(text)) {
                 m_dialog->take(std::array{*plan});
-                QCOMPARE(m_dialog->plan().columns, ExportPlan().columns);
+                QCOMPARE(m_dialog->plan().flipbook.columns, ExportPlan().flipbook.columns);
             }
         }
     }
@@ -617,7 +619,8 @@ private slots:
             offer->click();
             QVERIFY(!offer->isVisible() && child<QPushButton>(u"export.begin"_q)->isEnabled());
             const ExportPlan plan = m_dialog->plan();
-            QVERIFY(plan.columns * plan.rows <= frames && plan.columns * plan.rows > frames - 8);
+            QVERIFY(plan.flipbook.columns * plan.flipbook.rows <= frames
+                && plan.flipbook.columns * plan.flipbook.rows > frames - 8);
         }
         QCOMPARE((gridWithin(60, 8, 8)), (std::array{7, 8}));
         QCOMPARE((gridWithin(60, 8, 8, true)), (std::array{4, 8}));

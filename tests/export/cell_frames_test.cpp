@@ -145,9 +145,9 @@ private slots:
         plan.kind = ExportKind::Flipbook;
         plan.output = folder.path().toStdString() + "/a.png";
         plan.frames = {0, 60, 1};
-        plan.columns = 4;
-        plan.rows = 2;
-        plan.trim = true;
+        plan.flipbook.columns = 4;
+        plan.flipbook.rows = 2;
+        plan.flipbook.trim = true;
         const Effect effect = passingBy();
         const FrameRange left = trimmed(effect, plan.frames, {}).value();
         const auto done = runExport(effect, plan, {});
@@ -161,7 +161,7 @@ private slots:
         QCOMPARE(json["seconds"].toDouble(), left.count() / static_cast<double>(effect.timeline.frameRate));
         const auto preview = previewFlipbook(effect, plan, 64, 1 << 20, {});
         QVERIFY(near(preview.value()->cellsPerSecond, json["cells_per_second"].toDouble(), 1e-9));
-        plan.columns = plan.rows = 7; // 49 of the 61 frames are asked for, and fewer are left
+        plan.flipbook.columns = plan.flipbook.rows = 7; // 49 of the 61 frames are asked for, and fewer are left
         QVERIFY(left.count() < 49);
         const auto tooMany = runExport(effect, plan, {});
         QVERIFY(!tooMany.ok());

@@ -131,7 +131,7 @@ private slots:
         plan.kind = ExportKind::Flipbook;
         plan.output = folder.path().toStdString() + "/book.png";
         plan.frames = {0, kFrames - 1, 1};
-        plan.columns = plan.rows = 3;
+        plan.flipbook.columns = plan.flipbook.rows = 3;
         QVERIFY(runExport(effect, plan, [](int, int) {}).value()->cutOff.has_value());
         plan.fitCamera = true;
         QVERIFY(!runExport(effect, plan, [](int, int) {}).value()->cutOff);

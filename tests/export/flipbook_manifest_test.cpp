@@ -21,13 +21,14 @@ ExportPlan fullPlan(const std::filesystem::path& folder)
     plan.kind = ExportKind::Flipbook;
     plan.output = folder / "smoke 2x2.png";
     plan.frames = {4, 27, 2};
-    plan.columns = plan.rows = 2;
+    plan.flipbook.columns = plan.flipbook.rows = 2;
     plan.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Normal};
-    plan.engine = Engine::Unity;
-    plan.style = styleFor(plan.engine, plan.format);
-    plan.packs = {parsePack("masks=shadow,alpha@1/2").value(), parsePack("light=six-way-a.r,0,1,alpha").value()};
-    plan.retime = parseRetime("[[0, 0], [0.5, 0.8], [1, 1]]").value();
-    plan.trim = true;
+    plan.flipbook.engine = Engine::Unity;
+    plan.style = styleFor(plan.flipbook.engine, plan.format);
+    plan.flipbook.packs = {
+        parsePack("masks=shadow,alpha@1/2").value(), parsePack("light=six-way-a.r,0,1,alpha").value()};
+    plan.flipbook.retime = parseRetime("[[0, 0], [0.5, 0.8], [1, 1]]").value();
+    plan.flipbook.trim = true;
     plan.project = Preset{};
     plan.recording.manifest = manifestBeside(plan.output);
     return plan;
@@ -91,8 +92,8 @@ private slots:
     {
         const QTemporaryDir folder;
         ExportPlan plan = fullPlan(pathOf(folder));
-        plan.trim = false;
-        plan.retime = {}; // frames 4, 10, 16 and 22
+        plan.flipbook.trim = false;
+        plan.flipbook.retime = {}; // frames 4, 10, 16 and 22
         const ManifestSet set = written(plan);
         QVERIFY(renderAgain(set, {10, 10, 1}, {}).ok());
         QCOMPARE(renderAgain(set, {11, 15, 1}, {}).error().code, ErrorCode::OutOfRange);

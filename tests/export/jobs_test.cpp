@@ -51,32 +51,32 @@ private slots:
             jobs.push_back(jobFor(static_cast<ExportKind>(kind), "a.b/smoke-" + std::to_string(kind)));
         }
         ExportPlan& book = jobs[1].plan;
-        book.columns = 3;
-        book.rows = 5;
-        book.engine = Engine::Unreal;
+        book.flipbook.columns = 3;
+        book.flipbook.rows = 5;
+        book.flipbook.engine = Engine::Unreal;
         book.passes = {Pass::SixWayA, Pass::SixWayB, Pass::Motion};
         book.style = {SixWayLayout::RltBbf, VectorSigns::Unreal, true, NormalGreen::DirectX};
-        book.packs = {parsePack("masks=shadow,0,motion.r@1/4").value(), parsePack("own=depth").value()};
-        book.trim = true;
-        book.powerOfTwo = true;
+        book.flipbook.packs = {parsePack("masks=shadow,0,motion.r@1/4").value(), parsePack("own=depth").value()};
+        book.flipbook.trim = true;
+        book.flipbook.powerOfTwo = true;
         book.recording.manifest = "a.b/röd";
-        book.retime = parseRetime("[[0, 0], [0.3, 0.7], [1, 0.1]]").value();
+        book.flipbook.retime = parseRetime("[[0, 0], [0.3, 0.7], [1, 0.1]]").value();
         jobs[0].plan.passes = {Pass::Colour, Pass::Depth};
         jobs[0].plan.format = ImageFormat::ExrFloat;
         jobs[0].plan.project.reset();
         jobs[0].plan.recording = {"a.b/kept.manifest.json", true};
         jobs[2].plan.recording.manifest = "films.manifest.json"; // none is written of them
-        jobs[2].plan.video = VideoFormat::WebM;
+        jobs[2].plan.video.format = VideoFormat::WebM;
         jobs[2].plan.fitCamera = true;
-        jobs[2].plan.repeat = Repeat::Once;
-        jobs[2].plan.rate = FrameRate{24000, 1001};
-        jobs[4].plan.noiseSize = 48;
-        jobs[4].plan.noiseDepth = 0.3F;
+        jobs[2].plan.video.repeat = Repeat::Once;
+        jobs[2].plan.video.rate = FrameRate{24000, 1001};
+        jobs[4].plan.noise.size = 48;
+        jobs[4].plan.noise.depth = 0.3F;
         jobs[4].plan.format = ImageFormat::Tga;
         jobs[5].plan.particles = ParticleFormat::Ply;
         jobs[5].plan.up = UpAxis::Z;
-        jobs[6].plan.cells = 200;
-        jobs[6].plan.voxel = 0.02F;
+        jobs[6].plan.volume.cells = 200;
+        jobs[6].plan.volume.voxel = 0.02F;
         jobs[6].plan.up = UpAxis::Y;
         jobs[7].plan.air = AirFormat::Vf;
 
@@ -100,8 +100,9 @@ private slots:
             QCOMPARE(formatPreset(read[i].preset), formatPreset(jobs[i].preset));
         }
         const ExportPlan& again = read[1].plan;
-        QVERIFY(again.columns == 3 && again.rows == 5 && again.engine == Engine::Unreal && again.passes == book.passes
-            && again.packs == book.packs && again.retime == book.retime && again.trim && again.powerOfTwo);
+        QVERIFY(again.flipbook.columns == 3 && again.flipbook.rows == 5 && again.flipbook.engine == Engine::Unreal
+            && again.passes == book.passes && again.flipbook.packs == book.flipbook.packs
+            && again.flipbook.retime == book.flipbook.retime && again.flipbook.trim && again.flipbook.powerOfTwo);
         QVERIFY(again.style.layout == SixWayLayout::RltBbf && again.style.vectors == VectorSigns::Unreal
             && again.style.premultiplied && again.style.normals == NormalGreen::DirectX);
         QVERIFY(again.frames.first == 2 && again.frames.last == 9 && again.frames.step == 3);
@@ -111,12 +112,13 @@ private slots:
         QVERIFY(read[0].plan.recording.skipExisting && !again.recording.skipExisting);
         QCOMPARE(again.recording.manifest, book.recording.manifest);
         QVERIFY(read[2].plan.recording.manifest.empty());
-        QVERIFY(read[2].plan.video == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
-        QVERIFY(
-            read[4].plan.noiseSize == 48 && read[4].plan.noiseDepth == 0.3F && read[4].plan.format == ImageFormat::Tga);
+        QVERIFY(read[2].plan.video.format == VideoFormat::WebM && read[2].plan.fitCamera && read[2].plan.project);
+        QVERIFY(read[4].plan.noise.size == 48 && read[4].plan.noise.depth == 0.3F
+            && read[4].plan.format == ImageFormat::Tga);
         QVERIFY(read[5].plan.particles == ParticleFormat::Ply && read[5].plan.up == UpAxis::Z);
-        QVERIFY(read[2].plan.repeat == Repeat::Once && read[2].plan.rate == jobs[2].plan.rate && !read[0].plan.rate);
-        QVERIFY(read[6].plan.cells == 200 && read[6].plan.voxel == 0.02F && read[6].plan.up == UpAxis::Y
+        QVERIFY(read[2].plan.video.repeat == Repeat::Once && read[2].plan.video.rate == jobs[2].plan.video.rate
+            && !read[0].plan.video.rate);
+        QVERIFY(read[6].plan.volume.cells == 200 && read[6].plan.volume.voxel == 0.02F && read[6].plan.up == UpAxis::Y
             && !read[6].plan.project);
         QVERIFY(read[7].plan.air == AirFormat::Vf && !read[7].plan.up);
     }
@@ -124,8 +126,8 @@ private slots:
     void aJobThatWasReadWritesTheSameFiles()
     {
         ExportJob job = jobFor(ExportKind::Flipbook, at("a/book"));
-        job.plan.columns = 2;
-        job.plan.rows = 1;
+        job.plan.flipbook.columns = 2;
+        job.plan.flipbook.rows = 1;
         job.plan.frames = {0, 5, 1};
         const Result<JobsReading> reading = parseJobs(formatJobs(std::span(&job, 1)));
         QVERIFY(reading.ok());
@@ -160,7 +162,7 @@ private slots:
         QVERIFY(unreal.ok());
         QVERIFY(unreal.value().jobs.front().plan.passes == passesFor(Engine::Unreal));
         QCOMPARE(unreal.value().jobs.front().plan.style.vectors, VectorSigns::Unreal);
-        QCOMPARE(parseJobs(listOf(R"("output": "a.webm", "kind": "video")")).value().jobs.front().plan.video,
+        QCOMPARE(parseJobs(listOf(R"("output": "a.webm", "kind": "video")")).value().jobs.front().plan.video.format,
             VideoFormat::WebM);
         QCOMPARE(parseJobs(listOf(R"("output": "a.ply", "kind": "particles")")).value().jobs.front().plan.particles,
             ParticleFormat::Ply);

@@ -273,8 +273,8 @@ private slots:
             plan.kind = ExportKind::Flipbook;
             plan.output = "a.png";
             plan.frames = {0, last, 1};
-            plan.columns = plan.rows = 2;
-            plan.engine = engine;
+            plan.flipbook.columns = plan.flipbook.rows = 2;
+            plan.flipbook.engine = engine;
             plan.passes = passesFor(engine);
             // A sheet that does not loop says what one says of smoke that never does.
             Effect once = effect;

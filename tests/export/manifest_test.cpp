@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/base/sha256.h"
+#include "core/export/manifest/recorded.h"
 #include "core/export/manifest/verify.h"
 #include "core/export/plan.h"
 
@@ -280,7 +281,7 @@ private slots:
             plan.kind = static_cast<ExportKind>(i);
             plan.output = folder.path("b\xff") += std::string(fileEnding(plan));
             plan.frames = {0, 3, 1};
-            plan.columns = plan.rows = 2;
+            plan.flipbook.columns = plan.flipbook.rows = 2;
             plan.recording.manifest =
                 canBeRecorded(plan.kind) ? folder.path("b.manifest.json") : std::filesystem::path();
             if (!canBeRecorded(plan.kind)) {

@@ -52,8 +52,10 @@ private slots:
             .output = at("one.exr"),
             .frames = {4, 9, 1},
             .format = ImageFormat::ExrHalf});
-        const ExportPlan book = recorded(
-            {.kind = ExportKind::Flipbook, .output = at("book.png"), .frames = {0, 3, 1}, .columns = 2, .rows = 2});
+        const ExportPlan book = recorded({.kind = ExportKind::Flipbook,
+            .output = at("book.png"),
+            .frames = {0, 3, 1},
+            .flipbook = {.columns = 2, .rows = 2}});
         QCOMPARE(manifestOf(frames).filename().string(), std::string("a.1-5x2.manifest.json"));
         QCOMPARE(manifestOf(one).filename().string(), std::string("one.4-4.manifest.json"));
         QCOMPARE(manifestOf(book).filename().string(), std::string("book.manifest.json"));

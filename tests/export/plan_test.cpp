@@ -94,8 +94,8 @@ private slots:
         QFETCH(QStringList, files);
         ExportPlan plan = planFor(static_cast<ExportKind>(kind), output);
         plan.frames = {3, 8, 2};
-        plan.columns = 3;
-        plan.rows = 1;
+        plan.flipbook.columns = 3;
+        plan.flipbook.rows = 1;
         QCOMPARE(firstFile(plan).string(), pathOf(files[0]));
         QCOMPARE(lastFile(plan).string(), pathOf(files[1]));
         Effect effect = smallEffect();
@@ -140,7 +140,7 @@ private slots:
         effect.noise.resolution = 48;
         ExportPlan plan = planFor(ExportKind::NoiseTexture, u"noise"_qs);
         plan.format = static_cast<ImageFormat>(format);
-        plan.noiseDepth = 0.25F;
+        plan.noise.depth = 0.25F;
         QVERIFY(runExport(effect, plan, {}).ok());
         const bool png = plan.format != ImageFormat::ExrFloat;
         const Grey grey = png ? readGreyPng(plan.output.string()) : readGreyExr(plan.output.string());
@@ -166,10 +166,10 @@ private slots:
     void aNoiseTextureHasTheSizeThatIsAskedFor()
     {
         ExportPlan plan = planFor(ExportKind::NoiseTexture, u"noise.png"_qs);
-        plan.noiseSize = 20;
+        plan.noise.size = 20;
         QVERIFY(runExport(smallEffect(), plan, {}).ok());
         QCOMPARE(readGreyPng(plan.output.string()).width, 20);
-        plan.noiseSize = kMaxTextureSize + 1;
+        plan.noise.size = kMaxTextureSize + 1;
         QCOMPARE(runExport(smallEffect(), plan, {}).error().code, ErrorCode::TooLarge);
     }
 
@@ -192,10 +192,10 @@ private slots:
         effect.output.height = 16;
         ExportPlan plan = planFor(ExportKind::Flipbook, u"a.png"_qs);
         QCOMPARE(outputFor(effect, plan).value().width, edge);
-        plan.powerOfTwo = true;
+        plan.flipbook.powerOfTwo = true;
         QCOMPARE(outputFor(effect, plan).value().width, nearest);
         QCOMPARE(outputFor(effect, plan).value().height, 16);
-        plan.rows = 6;
+        plan.flipbook.rows = 6;
         QCOMPARE(outputFor(effect, plan).error().code, ErrorCode::OutOfRange);
         plan.kind = ExportKind::Sequence; // which has no sheet
         QCOMPARE(outputFor(effect, plan).value().width, edge);
@@ -208,10 +208,10 @@ private slots:
         effect.output.height = 12;
         ExportPlan plan = planFor(ExportKind::Flipbook, u"a.png"_qs);
         plan.frames = {0, 7, 1};
-        plan.columns = 4;
-        plan.rows = 2;
-        plan.engine = Engine::Pixi;
-        plan.powerOfTwo = true;
+        plan.flipbook.columns = 4;
+        plan.flipbook.rows = 2;
+        plan.flipbook.engine = Engine::Pixi;
+        plan.flipbook.powerOfTwo = true;
         plan.fitCamera = true;
         const auto done = runExport(effect, plan, {});
         QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
@@ -245,7 +245,7 @@ private slots:
         const Effect effect = smallEffect();
         ExportPlan plan = planFor(ExportKind::Volumes, u"v.vdb"_qs);
         plan.frames = {6, 6, 1};
-        plan.voxel = 0.125F;
+        plan.volume.voxel = 0.125F;
         const auto bytes = [&](UpAxis up) {
             return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 0.125F).value(), up);
         };
@@ -255,7 +255,7 @@ private slots:
         plan.up = UpAxis::Y;
         QVERIFY(runExport(effect, plan, {}).ok());
         QVERIFY(readFile(plan.output, kMax).value() == bytes(UpAxis::Y));
-        plan.cells = kMaxVolumeCells + 1;
+        plan.volume.cells = kMaxVolumeCells + 1;
         QCOMPARE(runExport(effect, plan, {}).error().code, ErrorCode::OutOfRange);
     }
 
@@ -273,8 +273,8 @@ private slots:
                  ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
             ExportPlan plan = planFor(kind, u"a.png"_qs);
             plan.frames = {3, 5, 1};
-            plan.columns = 3;
-            plan.rows = 1;
+            plan.flipbook.columns = 3;
+            plan.flipbook.rows = 1;
             plan.source = lastFile(plan);
             QVERIFY(writeFileAtomically(plan.source, std::string_view("precious")).ok());
             const auto done = runExport(smallEffect(), plan, [](int, int) {});
@@ -374,9 +374,9 @@ private slots:
         stop.request_stop();
         for (const Engine engine : kAllEngines) {
             ExportPlan plan = planFor(ExportKind::Flipbook, u"a.png"_qs);
-            plan.engine = engine;
+            plan.flipbook.engine = engine;
             plan.passes = passesFor(engine);
-            plan.columns = plan.rows = 1;
+            plan.flipbook.columns = plan.flipbook.rows = 1;
             QCOMPARE(runExport(smallEffect(), plan, {}, stop.get_token()).error().code, ErrorCode::Cancelled);
             QVERIFY(std::filesystem::is_empty(plan.output.parent_path()));
         }
@@ -389,7 +389,7 @@ private slots:
         effect.air.resolution = 16;
         for (std::size_t i = 0; i < kExportKinds; ++i) {
             ExportPlan plan = planFor(static_cast<ExportKind>(i), u"a%1"_qs.arg(i));
-            plan.columns = plan.rows = 1;
+            plan.flipbook.columns = plan.flipbook.rows = 1;
             const std::filesystem::path left = plan.output.parent_path() / ".fumage-999999999-0";
             QVERIFY(writeFileAtomically(left, std::string_view("half")).ok());
             static_cast<void>(runExport(effect, plan, {})); // not all kinds can be done here

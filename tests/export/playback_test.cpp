@@ -55,8 +55,8 @@ ExportPlan planFor(int columns, int rows)
     ExportPlan plan;
     plan.kind = ExportKind::Flipbook;
     plan.output = "unwritten.png";
-    plan.columns = columns;
-    plan.rows = rows;
+    plan.flipbook.columns = columns;
+    plan.flipbook.rows = rows;
     plan.frames = {10, 10 + 2 * (columns * rows - 1), 2};
     return plan;
 }

@@ -44,8 +44,8 @@ private slots:
             for (const VideoFormat video : kAllVideoFormats) {
                 ExportPlan plan;
                 plan.kind = static_cast<ExportKind>(kind);
-                plan.video = video;
-                plan.columns = plan.rows = 3;
+                plan.video.format = video;
+                plan.flipbook.columns = plan.flipbook.rows = 3;
                 plan.frames = frames;
                 const bool isPlayed =
                     plan.kind == ExportKind::Flipbook || (plan.kind == ExportKind::Video && saysHowOften(video));
@@ -53,7 +53,7 @@ private slots:
                 plan.frames = {0, 89, 1};
                 QCOMPARE(saidOf(effect, plan), std::string());
                 plan.frames = frames;
-                plan.repeat = Repeat::Once;
+                plan.video.repeat = Repeat::Once;
                 QCOMPARE(saidOf(effect, plan).empty(), plan.kind != ExportKind::Flipbook);
                 Effect once = effect;
                 once.timeline.loop = false;
@@ -70,9 +70,9 @@ private slots:
         ExportPlan plan;
         plan.kind = ExportKind::Flipbook;
         plan.frames = {0, 89, 1};
-        plan.retime = Curve({{0.0F, 0.0F}, {1.0F, 0.5F}});
+        plan.flipbook.retime = Curve({{0.0F, 0.0F}, {1.0F, 0.5F}});
         QVERIFY(saidOf(effect, plan).find("the curve of the frames") != std::string::npos);
-        plan.retime = Curve({{0.0F, 0.0F}, {0.5F, 1.0F}, {1.0F, 0.0F}});
+        plan.flipbook.retime = Curve({{0.0F, 0.0F}, {0.5F, 1.0F}, {1.0F, 0.0F}});
         QCOMPARE(saidOf(effect, plan), std::string());
     }
 
@@ -85,7 +85,7 @@ private slots:
         for (const int rate : {24, 25, 30, 50, 60, 120, 240}) {
             effect.timeline.frameRate = rate;
             for (const VideoFormat video : kAllVideoFormats) {
-                plan.video = video;
+                plan.video.format = video;
                 QCOMPARE(saidOf(effect, plan).find("is in the GIF") != std::string::npos,
                     video == VideoFormat::Gif && rate > 50);
             }
@@ -99,7 +99,7 @@ private slots:
         ExportPlan plan;
         plan.kind = ExportKind::Video;
         for (const VideoFormat video : kAllVideoFormats) {
-            plan.video = video;
+            plan.video.format = video;
             QCOMPARE(saidOf(effect, plan).find("66 x 24") != std::string::npos, video == VideoFormat::Mp4);
         }
     }

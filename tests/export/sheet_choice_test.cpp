@@ -53,7 +53,7 @@ private slots:
     {
         ExportPlan plan = planOf(1000);
         plan.passes.add(Pass::Motion);
-        plan.packs.push_back(parsePack("m=alpha@1/3").value());
+        plan.flipbook.packs.push_back(parsePack("m=alpha@1/3").value());
         constexpr std::int64_t kBudget = 1 << 20;
         const std::vector<SheetCandidate> all = sheetsWithin(kBudget, outputOf(480, 240), plan);
         QCOMPARE(all.size(), std::size_t{9});
@@ -76,7 +76,7 @@ private slots:
         // At 16 x 16 pixels the packed picture has 4 x 2: a block of 16 bytes, where its share of the largest sheet
         // would be 8.
         ExportPlan plan = planOf(8);
-        plan.packs.push_back(parsePack("m=alpha@1/16").value());
+        plan.flipbook.packs.push_back(parsePack("m=alpha@1/16").value());
         QVERIFY(sheetsWithin(4 * 2 * 16 * 16 + 8, outputOf(64, 64), plan).empty());
         QCOMPARE(sheetsWithin(4 * 2 * 16 * 16 + 16, outputOf(64, 64), plan)[0].width, 16);
     }
@@ -100,7 +100,7 @@ private slots:
     void powersOfTwoAreKept()
     {
         ExportPlan plan = planOf(300);
-        plan.powerOfTwo = true;
+        plan.flipbook.powerOfTwo = true;
         const std::vector<SheetCandidate> all = sheetsWithin(1 << 19, outputOf(300, 200), plan);
         QVERIFY(!all.empty());
         for (const SheetCandidate& each : all) {
@@ -109,8 +109,8 @@ private slots:
             }
             Effect effect;
             effect.output = outputOf(each.width, each.height);
-            plan.columns = each.columns;
-            plan.rows = each.rows;
+            plan.flipbook.columns = each.columns;
+            plan.flipbook.rows = each.rows;
             QCOMPARE(outputFor(effect, plan).value().width, each.width); // as it will be made
         }
     }

@@ -208,7 +208,7 @@ private slots:
         pretend("for last; do :; done; cat > \"${last#file:}\"");
         ExportPlan plan;
         plan.kind = ExportKind::Video;
-        plan.video = VideoFormat::Apng;
+        plan.video.format = VideoFormat::Apng;
         plan.output = output(".apng");
         plan.frames = {0, 3, 1};
         QVERIFY(runExport(smallSmoke(), plan, {}).ok());

@@ -180,7 +180,7 @@ private slots:
         const QTemporaryDir folder;
         ExportPlan plan = planFor(std::filesystem::path(folder.path().toStdString()) / "sheet.png", ImageFormat::Png8);
         plan.kind = ExportKind::Flipbook;
-        plan.columns = plan.rows = 2;
+        plan.flipbook.columns = plan.flipbook.rows = 2;
         plan.frames = {5, 8, 1};
         plan.passes.add(Pass::Motion);
         plan.fitCamera = true;
@@ -214,12 +214,12 @@ private slots:
                 std::filesystem::path(folder.path().toStdString()) / ("sheet" + std::string(fileEnding(format))),
                 format);
             plan.kind = ExportKind::Flipbook;
-            plan.columns = 2;
-            plan.rows = 1;
+            plan.flipbook.columns = 2;
+            plan.flipbook.rows = 1;
             plan.frames = {5, 9, 2};
             plan.passes.add(Pass::Alpha);
-            plan.packs.push_back(parsePack("masks=alpha,colour.r").value());
-            plan.retime = parseRetime("[[0,0.5],[1,1]]").value();
+            plan.flipbook.packs.push_back(parsePack("masks=alpha,colour.r").value());
+            plan.flipbook.retime = parseRetime("[[0,0.5],[1,1]]").value();
             QVERIFY(runExport(ownPreset().effect, plan, {}).ok());
             const PresetReading reading = readPresetFile(picturesOf(flipbookOf(plan)).front()).value();
             const std::optional<FlipbookOptions> sheet = readSheetNote(reading.sheet);

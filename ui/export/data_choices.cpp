@@ -84,7 +84,7 @@ void DataChoices::buildVideo()
 void DataChoices::buildVolumes()
 {
     constexpr int kDecimals = 4;
-    m_cells->setValue(ExportPlan().cells);
+    m_cells->setValue(VolumePlan().cells);
     m_voxel->setObjectName(QStringLiteral("export.voxel"));
     m_voxel->setAccessibleName(tr("Voxel size"));
     m_voxel->setToolTip(tr("Edge of a voxel; all frames have the same"));
@@ -105,10 +105,10 @@ void DataChoices::follow(const ExportPlan& plan)
 {
     const bool isVideo = plan.kind == ExportKind::Video;
     showRow(m_rate, isVideo);
-    showRow(m_repeat, isVideo && saysHowOften(plan.video));
+    showRow(m_repeat, isVideo && saysHowOften(plan.video.format));
     showRow(m_noiseSize, plan.kind == ExportKind::NoiseTexture);
     showRow(m_cells, plan.kind == ExportKind::Volumes);
-    m_cells->setEnabled(!plan.voxel);
+    m_cells->setEnabled(!plan.volume.voxel);
     showRow(m_voxel, plan.kind == ExportKind::Volumes);
     showRow(m_up, hasUpAxis(plan));
     setVisible(isVideo || plan.kind == ExportKind::NoiseTexture || hasUpAxis(plan));
@@ -116,12 +116,13 @@ void DataChoices::follow(const ExportPlan& plan)
 
 void DataChoices::applyTo(ExportPlan& plan) const
 {
-    plan.noiseSize = m_noiseSize->value();
-    plan.cells = m_cells->value();
-    plan.voxel = m_voxel->value() > 0.0 ? std::optional(static_cast<float>(m_voxel->value())) : std::nullopt;
-    plan.rate = m_rate->currentIndex() > 0 ? std::optional(kRates[static_cast<std::size_t>(m_rate->currentIndex()) - 1])
-                                           : std::nullopt;
-    plan.repeat = static_cast<Repeat>(m_repeat->currentIndex());
+    plan.noise.size = m_noiseSize->value();
+    plan.volume.cells = m_cells->value();
+    plan.volume.voxel = m_voxel->value() > 0.0 ? std::optional(static_cast<float>(m_voxel->value())) : std::nullopt;
+    plan.video.rate = m_rate->currentIndex() > 0
+        ? std::optional(kRates[static_cast<std::size_t>(m_rate->currentIndex()) - 1])
+        : std::nullopt;
+    plan.video.repeat = static_cast<Repeat>(m_repeat->currentIndex());
     plan.up = m_up->currentIndex() == 0 ? std::nullopt
                                         : std::optional(kAllUpAxes[static_cast<std::size_t>(m_up->currentIndex()) - 1]);
 }
@@ -129,14 +130,15 @@ void DataChoices::applyTo(ExportPlan& plan) const
 void DataChoices::take(const ExportPlan& plan)
 {
     switch (plan.kind) {
-    case ExportKind::NoiseTexture: m_noiseSize->setValue(plan.noiseSize); break;
+    case ExportKind::NoiseTexture: m_noiseSize->setValue(plan.noise.size); break;
     case ExportKind::Video:
-        m_rate->setCurrentIndex(plan.rate ? std::max(0, m_rate->findData(toQString(textOf(*plan.rate)))) : 0);
-        m_repeat->setCurrentIndex(static_cast<int>(plan.repeat));
+        m_rate->setCurrentIndex(
+            plan.video.rate ? std::max(0, m_rate->findData(toQString(textOf(*plan.video.rate)))) : 0);
+        m_repeat->setCurrentIndex(static_cast<int>(plan.video.repeat));
         break;
     case ExportKind::Volumes:
-        m_cells->setValue(plan.cells);
-        m_voxel->setValue(static_cast<double>(plan.voxel.value_or(0.0F)));
+        m_cells->setValue(plan.volume.cells);
+        m_voxel->setValue(static_cast<double>(plan.volume.voxel.value_or(0.0F)));
         m_up->setCurrentIndex(plan.up ? 1 + static_cast<int>(*plan.up) : 0);
         break;
     default: break;

@@ -183,16 +183,6 @@ void ExportDialog::connectButtons()
     });
 }
 
-ExportKind ExportDialog::kind() const
-{
-    return static_cast<ExportKind>(m_kind->currentIndex());
-}
-
-void ExportDialog::setKind(ExportKind kind)
-{
-    m_kind->setCurrentIndex(static_cast<int>(kind));
-}
-
 std::vector<ExportPlan> ExportDialog::choices() const
 {
     std::vector<ExportPlan> all{choiceOf(kind())};
@@ -235,11 +225,16 @@ ExportPlan ExportDialog::choiceOf(ExportKind kind) const
 ExportPlan ExportDialog::plan() const
 {
     ExportPlan plan = choiceOf(kind());
+    addPath(plan);
+    return plan;
+}
+
+void ExportDialog::addPath(ExportPlan& plan) const
+{
     if (!m_path->text().trimmed().isEmpty()) {
         plan.output = withEnding(toPath(m_path->text()), fileEnding(plan));
         m_pictures->applyTo(plan, m_document.preset()); // the manifest is named after it
     }
-    return plan;
 }
 
 void ExportDialog::followKind()
@@ -279,12 +274,13 @@ void ExportDialog::followPlan()
         return;
     }
     m_flipbook->follow(m_document.effect());
-    showRowsOf(plan());
+    ExportPlan now = choiceOf(kind());
+    showRowsOf(now);
     if (m_pathIsSuggested) {
         const QSignalBlocker blocker(m_path);
-        m_path->setText(suggestedPath(plan(), m_document));
+        m_path->setText(suggestedPath(now, m_document));
     }
-    const ExportPlan now = plan();
+    addPath(now);
     m_summary->follow(now, m_document.effect());
     if (kind() == ExportKind::Flipbook) {
         m_flipbook->followPlan(m_document.effect(), now);

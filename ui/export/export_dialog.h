@@ -7,13 +7,13 @@
 #include "ui/widgets/file_question.h"
 #include "ui/timeline/player.h"
 
+#include <QComboBox>
 #include <QDialog>
 
 #include <array>
 #include <span>
 #include <vector>
 
-class QComboBox;
 class QFormLayout;
 class QHBoxLayout;
 class QLabel;
@@ -44,7 +44,7 @@ public:
         AskForChoice askForChoice, QWidget* parent);
 
     [[nodiscard]] ExportPlan plan() const;
-    void setKind(ExportKind kind);
+    void setKind(ExportKind kind) { m_kind->setCurrentIndex(static_cast<int>(kind)); }
     /// What is chosen, for each kind; that of the kind that is shown is the first.
     [[nodiscard]] std::vector<ExportPlan> choices() const;
     /// Shows choices that are remembered, but for frames and files.
@@ -91,9 +91,11 @@ private:
     /// It is in the queue.
     void followEntered(quint64 id, const ExportPlan& plan, std::optional<ConflictPolicy> answered);
     void browse();
-    [[nodiscard]] ExportKind kind() const;
+    [[nodiscard]] ExportKind kind() const { return static_cast<ExportKind>(m_kind->currentIndex()); }
     /// What is chosen for a kind, without its file.
     [[nodiscard]] ExportPlan choiceOf(ExportKind kind) const;
+    /// Adds the file that is named, and what is named after it.
+    void addPath(ExportPlan& plan) const;
 
     Document& m_document;
     Player& m_player;

@@ -72,7 +72,7 @@ int formatOf(const ExportPlan& plan)
 {
     switch (plan.kind) {
     case ExportKind::Particles: return static_cast<int>(plan.particles);
-    case ExportKind::Video: return static_cast<int>(plan.video);
+    case ExportKind::Video: return static_cast<int>(plan.video.format);
     case ExportKind::Air: return static_cast<int>(plan.air);
     case ExportKind::Volumes: return 0; // there is one
     default: return static_cast<int>(plan.format);
@@ -83,7 +83,7 @@ void setFormat(ExportPlan& plan, int format)
 {
     switch (plan.kind) {
     case ExportKind::Particles: plan.particles = static_cast<ParticleFormat>(format); break;
-    case ExportKind::Video: plan.video = static_cast<VideoFormat>(format); break;
+    case ExportKind::Video: plan.video.format = static_cast<VideoFormat>(format); break;
     case ExportKind::Air: plan.air = static_cast<AirFormat>(format); break;
     case ExportKind::Volumes: break;
     default: plan.format = static_cast<ImageFormat>(format); break;

@@ -22,18 +22,18 @@ namespace {
 /// What stands in the way of a flipbook, but for too few frames.
 Status checkFlipbook(const ExportPlan& plan, const Effect& effect)
 {
-    if (Status status = checkEngine(plan.engine, plan.passes, plan.format); !status) {
+    if (Status status = checkEngine(plan.flipbook.engine, plan.passes, plan.format); !status) {
         return status;
     }
     const Result<Output> cell = outputFor(effect, plan);
-    return cell ? checkPacks(plan.packs, cell.value().width, cell.value().height) : Status(cell.error());
+    return cell ? checkPacks(plan.flipbook.packs, cell.value().width, cell.value().height) : Status(cell.error());
 }
 
 QString flipbookSummary(const ExportPlan& plan, const Output& cell)
 {
     const QString first = fromPath(firstFile(plan).filename());
-    const int width = cell.width * plan.columns;
-    const int height = cell.height * plan.rows;
+    const int width = cell.width * plan.flipbook.columns;
+    const int height = cell.height * plan.flipbook.rows;
     const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
     const QString files = more > 1 ? QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, and %4 more files")
                                          .arg(first)
@@ -62,8 +62,8 @@ QString filesTold(const ExportPlan& plan, const Effect& effect)
             .arg(first, fromPath(lastFile(plan).filename()));
     }
     if (plan.kind == ExportKind::Video) {
-        const std::array<int, 2> size = sizeOf(effect.output, plan.video);
-        const double rate = plan.rate.value_or(FrameRate{effect.timeline.frameRate, 1}).perSecond();
+        const std::array<int, 2> size = sizeOf(effect.output, plan.video.format);
+        const double rate = plan.video.rate.value_or(FrameRate{effect.timeline.frameRate, 1}).perSecond();
         const double seconds = static_cast<double>(plan.frames.count()) * plan.frames.step / rate;
         return QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, %4 s")
             .arg(first)
@@ -82,7 +82,7 @@ QString filesTold(const ExportPlan& plan, const Effect& effect)
 bool isPossible(const ExportPlan& plan, const Effect& effect)
 {
     const bool flipbook = plan.kind != ExportKind::Flipbook
-        || (plan.frames.count() >= plan.columns * plan.rows && checkFlipbook(plan, effect).ok());
+        || (plan.frames.count() >= plan.flipbook.columns * plan.flipbook.rows && checkFlipbook(plan, effect).ok());
     const bool carried = plan.kind != ExportKind::Air || effect.air.enabled;
     return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook && carried;
 }
@@ -104,7 +104,7 @@ QString summaryOf(const ExportPlan& plan, const Effect& effect)
         return QCoreApplication::translate(
             "Exports", "%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.")
             .arg(plan.frames.count())
-            .arg(plan.columns * plan.rows);
+            .arg(plan.flipbook.columns * plan.flipbook.rows);
     }
     QString summary = filesTold(plan, effect);
     for (const Message& remark : remarksOn(effect, plan)) {
@@ -119,9 +119,10 @@ std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect
     if (plan.frames.first > plan.frames.last) {
         return std::nullopt;
     }
-    const int cells = plan.kind == ExportKind::Flipbook ? plan.columns * plan.rows : 1;
+    const int cells = plan.kind == ExportKind::Flipbook ? plan.flipbook.columns * plan.flipbook.rows : 1;
     if (plan.frames.count() < cells) {
-        const auto [columns, rows] = gridWithin(plan.frames.count(), plan.columns, plan.rows, plan.powerOfTwo);
+        const auto [columns, rows] =
+            gridWithin(plan.frames.count(), plan.flipbook.columns, plan.flipbook.rows, plan.flipbook.powerOfTwo);
         return ExportOffer{QCoreApplication::translate("Exports", "Use %1 × %2 cells").arg(columns).arg(rows),
             plan.frames, columns, rows};
     }
@@ -130,14 +131,15 @@ std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect
         return std::nullopt;
     }
     return ExportOffer{QCoreApplication::translate("Exports", "Use frames %1").arg(toQString(textOf(*whole))), *whole,
-        plan.columns, plan.rows};
+        plan.flipbook.columns, plan.flipbook.rows};
 }
 
 bool haveSameCells(const ExportPlan& a, const ExportPlan& b)
 {
     const auto ofCells = [](const ExportPlan& plan) {
-        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.columns, plan.rows, plan.format,
-            plan.fitCamera, plan.powerOfTwo, plan.trim, plan.retime, plan.passes.has(Pass::Motion));
+        return std::tuple(plan.frames.first, plan.frames.last, plan.frames.step, plan.flipbook.columns,
+            plan.flipbook.rows, plan.format, plan.fitCamera, plan.flipbook.powerOfTwo, plan.flipbook.trim,
+            plan.flipbook.retime, plan.passes.has(Pass::Motion));
     };
     return ofCells(a) == ofCells(b);
 }
@@ -150,7 +152,9 @@ QString suggestedPath(const ExportPlan& plan, const Document& document)
     QString name = fileNameOf(document.displayName()).toLower().replace(QLatin1Char(' '), QLatin1Char('-'));
     switch (plan.kind) {
     case ExportKind::Sequence: name += QStringLiteral("/") + name + QStringLiteral("_####"); break;
-    case ExportKind::Flipbook: name += QStringLiteral("_%1x%2").arg(plan.columns).arg(plan.rows); break;
+    case ExportKind::Flipbook:
+        name += QStringLiteral("_%1x%2").arg(plan.flipbook.columns).arg(plan.flipbook.rows);
+        break;
     case ExportKind::Video:
     case ExportKind::Picture: break;
     case ExportKind::NoiseTexture: name += QStringLiteral("-noise"); break;

@@ -53,7 +53,7 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
         tr("Two pictures with light from six sides, so that an engine lights the smoke with its own lights"));
     m_motion->setObjectName(QStringLiteral("export.motion"));
     m_motion->setToolTip(tr("A picture of where the smoke goes, so that an engine moves it between the cells"));
-    const ExportPlan usual;
+    const FlipbookPlan usual;
     m_columns->setValue(usual.columns);
     m_rows->setValue(usual.rows);
     auto* form = new LabelledForm(this);
@@ -91,7 +91,7 @@ void FlipbookChoices::followEngine()
 
 void FlipbookChoices::applyTo(ExportPlan& plan) const
 {
-    plan.engine = engine();
+    plan.flipbook.engine = engine();
     plan.passes = {Pass::Colour};
     if (m_sixWay->isChecked()) {
         plan.passes.add(Pass::SixWayA);
@@ -100,9 +100,9 @@ void FlipbookChoices::applyTo(ExportPlan& plan) const
     if (m_motion->isChecked()) {
         plan.passes.add(Pass::Motion);
     }
-    plan.style = styleFor(plan.engine, plan.format);
-    plan.columns = m_columns->value();
-    plan.rows = m_rows->value();
+    plan.style = styleFor(plan.flipbook.engine, plan.format);
+    plan.flipbook.columns = m_columns->value();
+    plan.flipbook.rows = m_rows->value();
     m_extras->applyTo(plan);
 }
 
@@ -128,11 +128,12 @@ void FlipbookChoices::take(const ExportPlan& plan)
     if (plan.kind != ExportKind::Flipbook) {
         return;
     }
-    m_engine->setCurrentIndex(static_cast<int>(std::ranges::find(kAllEngines, plan.engine) - kAllEngines.begin()));
+    m_engine->setCurrentIndex(
+        static_cast<int>(std::ranges::find(kAllEngines, plan.flipbook.engine) - kAllEngines.begin()));
     m_sixWay->setChecked(plan.passes.has(Pass::SixWayA));
     m_motion->setChecked(plan.passes.has(Pass::Motion));
     m_extras->take(plan);
-    setGrid(plan.columns, plan.rows);
+    setGrid(plan.flipbook.columns, plan.flipbook.rows);
 }
 
 void FlipbookChoices::follow(const Effect& effect)

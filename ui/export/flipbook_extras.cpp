@@ -101,16 +101,16 @@ PackRow* FlipbookExtras::addPack()
 
 void FlipbookExtras::take(const ExportPlan& plan)
 {
-    m_trim->setChecked(plan.trim);
-    m_powerOfTwo->setChecked(plan.powerOfTwo);
-    if (plan.retime) {
-        m_curve->setCurve(*plan.retime);
+    m_trim->setChecked(plan.flipbook.trim);
+    m_powerOfTwo->setChecked(plan.flipbook.powerOfTwo);
+    if (plan.flipbook.retime) {
+        m_curve->setCurve(*plan.flipbook.retime);
     }
-    m_retimes->setChecked(plan.retime.has_value());
+    m_retimes->setChecked(plan.flipbook.retime.has_value());
     while (!m_packs.empty()) {
         removePack(m_packs.back());
     }
-    for (const PackedPicture& pack : plan.packs) {
+    for (const PackedPicture& pack : plan.flipbook.packs) {
         addPack()->take(pack);
     }
 }
@@ -140,13 +140,13 @@ void FlipbookExtras::follow(const Effect& effect)
 
 void FlipbookExtras::applyTo(ExportPlan& plan) const
 {
-    plan.trim = m_trim->isEnabled() && m_trim->isChecked();
-    plan.powerOfTwo = m_powerOfTwo->isChecked();
+    plan.flipbook.trim = m_trim->isEnabled() && m_trim->isChecked();
+    plan.flipbook.powerOfTwo = m_powerOfTwo->isChecked();
     if (m_retimes->isChecked()) {
-        plan.retime = m_curve->curve();
+        plan.flipbook.retime = m_curve->curve();
     }
     for (const PackRow* row : m_packs) {
-        plan.packs.push_back(row->pack());
+        plan.flipbook.packs.push_back(row->pack());
     }
 }
 

@@ -37,7 +37,7 @@ bool OutputRows::isAsked(const Parameter& parameter, const ExportPlan& plan) con
 {
     const bool asked = fumage::isVisible(parameter, m_document.effect());
     // What has no transparency is on the colour, whatever the background is.
-    const bool onColour = plan.kind == ExportKind::Video && !hasAlpha(plan.video);
+    const bool onColour = plan.kind == ExportKind::Video && !hasAlpha(plan.video.format);
     return &parameter == &kColour ? asked || onColour : asked && !(onColour && &parameter == &kBackground);
 }
 

@@ -66,7 +66,7 @@ void SheetFinder::follow(const Effect& effect, const ExportPlan& plan)
 {
     const bool isSame = !m_isSearching
         || (effect == m_wanted->effect && haveSameCells(m_wanted->plan, plan) && m_wanted->plan.passes == plan.passes
-            && m_wanted->plan.packs == plan.packs);
+            && m_wanted->plan.flipbook.packs == plan.flipbook.packs);
     if (!isSame) {
         end(tr("Cancelled: the flipbook has changed."));
     }

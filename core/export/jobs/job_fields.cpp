@@ -1,17 +1,22 @@
 #include "core/export/jobs/job_fields.h"
 
+#include "core/base/joined.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
-#include "core/export/sheets/cell_frames.h"
-#include "core/noise/texture.h"
+#include "core/export/export_option_table.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace fumage {
 
 namespace {
 
 using Written = std::optional<std::string>;
+
+constexpr std::size_t kMaxPathBytes = 4096;
+constexpr std::size_t kMaxOptionBytes = 1000;
 
 // --- what stands in JSON ---
 
@@ -34,30 +39,11 @@ Status readText(const JsonNode& value, std::size_t longest, std::string& out)
 
 Status readPath(const JsonNode& value, std::filesystem::path& out)
 {
-    constexpr std::size_t kLongestPath = 4096;
     std::string text;
-    if (Status status = readText(value, kLongestPath, text); !status) {
+    if (Status status = readText(value, kMaxPathBytes, text); !status) {
         return status;
     }
     out = pathFrom(text);
-    return Done{};
-}
-
-Status readFlag(const JsonNode& value, bool& out)
-{
-    if (value.type != JsonNode::Type::Bool) {
-        return Error{ErrorCode::WrongType, makeMessage("expected true or false"), {}, {}};
-    }
-    out = value.flag;
-    return Done{};
-}
-
-Status readWhole(const JsonNode& value, int low, int high, int& out)
-{
-    if (value.type != JsonNode::Type::Number || !value.isWhole || value.number < low || value.number > high) {
-        return Error{ErrorCode::OutOfRange, makeMessage("expected a whole number from %1 to %2", low, high), {}, {}};
-    }
-    out = static_cast<int>(value.number);
     return Done{};
 }
 
@@ -65,9 +51,8 @@ Status readWhole(const JsonNode& value, int low, int high, int& out)
 template <class Parsed, class Parse>
 Status readAs(const JsonNode& value, const Parse& parse, Parsed& out)
 {
-    constexpr std::size_t kLongest = 1000;
     std::string text;
-    if (Status status = readText(value, kLongest, text); !status) {
+    if (Status status = readText(value, kMaxOptionBytes, text); !status) {
         return status;
     }
     const Result<std::decay_t<decltype(parse(text).value())>> parsed = parse(text);
@@ -85,27 +70,27 @@ Result<Enum> named(std::string_view name)
     if (const std::optional<Enum> found = enumeratorNamed<Enum, kCount>(name)) {
         return *found;
     }
-    std::string all;
+    std::vector<std::string_view> all;
     for (std::size_t i = 0; i < kCount; ++i) {
-        all += (i == 0 ? "" : ", ") + std::string(nameOf(static_cast<Enum>(i)));
+        all.push_back(nameOf(static_cast<Enum>(i)));
     }
     return Error{ErrorCode::UnknownName, makeMessage("%1 is not known here", inQuotes(name)), {},
-        makeMessage("Choose from %1", all)};
+        makeMessage("Choose from %1", joined(all))};
 }
 
 /// A format that has no name but its ending.
 template <class Format, std::size_t kCount>
 Result<Format> formatNamed(const std::array<Format, kCount>& formats, std::string_view name)
 {
-    std::string all;
+    std::vector<std::string_view> all;
     for (const Format format : formats) {
         if (fileEnding(format).substr(1) == name) {
             return format;
         }
-        all += (all.empty() ? "" : ", ") + std::string(fileEnding(format).substr(1));
+        all.push_back(fileEnding(format).substr(1));
     }
     return Error{ErrorCode::UnknownName, makeMessage("%1 is not known here", inQuotes(name)), {},
-        makeMessage("Choose from %1", all)};
+        makeMessage("Choose from %1", joined(all))};
 }
 
 std::string_view formatOf(const ExportPlan& plan)
@@ -131,7 +116,7 @@ Status readFormat(const JsonNode& value, ExportPlan& plan)
     switch (plan.kind) {
     case ExportKind::Video:
         return readAs(
-            value, [](std::string_view name) { return formatNamed(kAllVideoFormats, name); }, plan.video);
+            value, [](std::string_view name) { return formatNamed(kAllVideoFormats, name); }, plan.video.format);
     case ExportKind::Particles:
         return readAs(
             value, [](std::string_view name) { return formatNamed(kAllParticleFormats, name); }, plan.particles);
@@ -143,51 +128,28 @@ Status readFormat(const JsonNode& value, ExportPlan& plan)
     }
 }
 
-// --- who asks for what ---
+// --- options of the export ---
 
-Written jsonText(std::string_view text)
+/// The text of an option as it stands in JSON.
+std::string written(const ExportOption& option, const std::string& text)
 {
-    return quoteJson(text);
+    switch (option.form) {
+    case OptionForm::Text:
+    case OptionForm::Path: return quoteJson(text);
+    case OptionForm::List: {
+        std::vector<std::string> quoted = splitList(text);
+        std::ranges::transform(quoted, quoted.begin(), [](const std::string& each) { return quoteJson(each); });
+        return "[" + joined(quoted) + "]";
+    }
+    case OptionForm::Whole:
+    case OptionForm::Number:
+    case OptionForm::Flag:
+    case OptionForm::Points: break;
+    }
+    return text;
 }
 
-Written flagIf(bool asked, bool flag)
-{
-    return asked ? Written(flag ? "true" : "false") : std::nullopt;
-}
-
-bool isFlipbook(const ExportJob& job)
-{
-    return job.plan.kind == ExportKind::Flipbook;
-}
-
-bool isNoise(const ExportJob& job)
-{
-    return job.plan.kind == ExportKind::NoiseTexture;
-}
-
-bool isVolume(const ExportJob& job)
-{
-    return job.plan.kind == ExportKind::Volumes;
-}
-
-bool isVideo(const ExportJob& job)
-{
-    return job.plan.kind == ExportKind::Video;
-}
-
-/// Whether its files are frames as pictures.
-bool isOfFrames(const ExportJob& job)
-{
-    return job.plan.kind == ExportKind::Sequence || job.plan.kind == ExportKind::Picture;
-}
-
-/// Whether there may be others than the colour.
-bool hasPasses(const ExportJob& job)
-{
-    return isFlipbook(job) || isOfFrames(job);
-}
-
-Status readPacks(const JsonNode& value, ExportPlan& plan)
+Status readList(const ExportOption& option, const JsonNode& value, ExportPlan& plan)
 {
     if (value.type != JsonNode::Type::Array || value.items.size() > kMaxPackedPictures) {
         return Error{ErrorCode::WrongType,
@@ -195,192 +157,118 @@ Status readPacks(const JsonNode& value, ExportPlan& plan)
             {}};
     }
     for (const JsonNode& item : value.items) {
-        plan.packs.emplace_back();
-        if (Status status = readAs(item, parsePack, plan.packs.back()); !status) {
+        std::string text;
+        if (Status status = readText(item, kMaxOptionBytes, text); !status) {
+            return status;
+        }
+        if (Status status = option.read(text, plan); !status) {
             return status;
         }
     }
     return Done{};
 }
 
-std::string writtenPacks(const ExportPlan& plan)
+/// A number as its option reads it; what is none becomes what no option takes.
+std::string numberText(const ExportOption& option, const JsonNode& value, std::string_view source)
 {
-    std::string list;
-    for (const PackedPicture& pack : plan.packs) {
-        list += (list.empty() ? "" : ", ") + quoteJson(textOf(pack));
+    constexpr double kLargestWhole = 1e9; // of any option
+    const bool isWhole = value.isWhole && std::abs(value.number) <= kLargestWhole;
+    if (value.type != JsonNode::Type::Number || (option.form == OptionForm::Whole && !isWhole)) {
+        return "?";
     }
-    return "[" + list + "]";
+    return option.form == OptionForm::Whole ? std::to_string(static_cast<std::int64_t>(value.number))
+                                            : std::string(source);
 }
 
-Status readRetime(const JsonNode& value, std::string_view text, ExportPlan& plan)
+Status readOption(const ExportOption& option, const JsonNode& value, std::string_view source, ExportPlan& plan)
 {
-    const Result<Curve> curve = parseRetime(text.substr(value.begin, value.end - value.begin));
-    if (!curve) {
-        return curve.error();
+    switch (option.form) {
+    case OptionForm::Text:
+    case OptionForm::Path: {
+        std::string text;
+        const std::size_t most = option.form == OptionForm::Path ? kMaxPathBytes : kMaxOptionBytes;
+        const Status status = readText(value, most, text);
+        return status ? option.read(text, plan) : status;
     }
-    plan.retime = curve.value();
-    return Done{};
+    case OptionForm::Flag:
+        if (value.type != JsonNode::Type::Bool) {
+            return Error{ErrorCode::WrongType, makeMessage("expected true or false"), {}, {}};
+        }
+        return option.read(value.flag ? "true" : "false", plan);
+    case OptionForm::Whole:
+    case OptionForm::Number: return option.read(numberText(option, value, source), plan);
+    case OptionForm::Points: return option.read(source, plan);
+    case OptionForm::List: break;
+    }
+    return readList(option, value, plan);
 }
 
-Status readEngine(const JsonNode& value, ExportPlan& plan)
-{
-    if (Status status = readAs(value, named<Engine, kEngines>, plan.engine); !status) {
-        return status;
-    }
-    plan.passes = passesFor(plan.engine);
-    plan.style = styleFor(plan.engine, plan.format);
-    return Done{};
-}
+// --- what only a job has, or reads in a way of its own ---
 
-Status readCarries(const JsonNode& value, ExportPlan& plan)
-{
-    bool carries = true;
-    if (Status status = readFlag(value, carries); !status) {
-        return status;
-    }
-    plan.project = carries ? std::optional(Preset()) : std::nullopt;
-    return Done{};
-}
-
-Status readUp(const JsonNode& value, ExportPlan& plan)
-{
-    UpAxis up = UpAxis::Y;
-    Status status = readAs(value, named<UpAxis, kAllUpAxes.size()>, up);
-    plan.up = status ? std::optional(up) : plan.up;
-    return status;
-}
-
-Status readRate(const JsonNode& value, ExportPlan& plan)
-{
-    FrameRate rate;
-    Status status = readAs(value, parseFrameRate, rate);
-    plan.rate = status ? std::optional(rate) : plan.rate;
-    return status;
-}
-
-Status readVoxel(const JsonNode& value, ExportPlan& plan)
-{
-    if (value.type != JsonNode::Type::Number || value.number < static_cast<double>(kMinVoxel)
-        || value.number > static_cast<double>(kMaxVoxel)) {
-        return Error{ErrorCode::OutOfRange,
-            makeMessage("expected a number from %1 to %2", formatFloat(kMinVoxel), formatFloat(kMaxVoxel)), {}, {}};
-    }
-    plan.voxel = static_cast<float>(value.number);
-    return Done{};
-}
-
-Status readDepth(const JsonNode& value, ExportPlan& plan)
-{
-    if (value.type != JsonNode::Type::Number || value.number < 0.0 || value.number > 1.0) {
-        return Error{ErrorCode::OutOfRange, makeMessage("expected a number from 0 to 1"), {}, {}};
-    }
-    plan.noiseDepth = static_cast<float>(value.number);
-    return Done{};
-}
-
-Status readAlpha(const JsonNode& value, ExportPlan& plan)
-{
-    std::string alpha;
-    if (Status status = readText(value, kMaxJobName, alpha); !status) {
-        return status;
-    }
-    if (alpha != "straight" && alpha != "premultiplied") {
-        return Error{ErrorCode::UnknownName, makeMessage("%1 is not known here", inQuotes(alpha)), {},
-            makeMessage("Choose from %1", "straight, premultiplied")};
-    }
-    plan.style.premultiplied = alpha == "premultiplied";
-    return Done{};
-}
+struct JobField {
+    std::string_view key;
+    Written (*written)(const ExportJob& job);
+    Status (*read)(const JsonNode& value, ExportJob& job);
+};
 
 using Json = const JsonNode&;
-using Text = std::string_view;
 using From = const ExportJob&;
 using To = ExportJob&;
 
-constexpr JobField kFields[] = {
-    {"name", [](From job) { return jsonText(job.name); },
-        [](Json value, Text, To job) { return readText(value, kMaxJobName, job.name); }},
-    {"kind", [](From job) { return jsonText(nameOf(job.plan.kind)); },
-        [](Json value, Text, To job) { return readAs(value, named<ExportKind, kExportKinds>, job.plan.kind); }},
-    {"output", [](From job) { return jsonText(job.plan.output.string()); },
-        [](Json value, Text, To job) { return readPath(value, job.plan.output); }},
-    {"source", [](From job) { return job.plan.source.empty() ? Written() : jsonText(job.plan.source.string()); },
-        [](Json value, Text, To job) { return readPath(value, job.plan.source); }},
-    {"frames", [](From job) { return isNoise(job) ? Written() : jsonText(textOf(job.plan.frames)); },
-        [](Json value, Text, To job) { return readAs(value, parseFrameRange, job.plan.frames); }},
-    {"format", [](From job) { return jsonText(formatOf(job.plan)); },
-        [](Json value, Text, To job) { return readFormat(value, job.plan); }},
-    {"frame_rate",
-        [](From job) { return isVideo(job) && job.plan.rate ? jsonText(textOf(*job.plan.rate)) : Written(); },
-        [](Json value, Text, To job) { return readRate(value, job.plan); }},
-    {"repeat", [](From job) { return isVideo(job) ? jsonText(nameOf(job.plan.repeat)) : Written(); },
-        [](Json value, Text, To job) { return readAs(value, named<Repeat, kRepeats>, job.plan.repeat); }},
-    {"columns", [](From job) { return isFlipbook(job) ? Written(std::to_string(job.plan.columns)) : Written(); },
-        [](Json value, Text, To job) { return readWhole(value, 1, kMaxSheetCells, job.plan.columns); }},
-    {"rows", [](From job) { return isFlipbook(job) ? Written(std::to_string(job.plan.rows)) : Written(); },
-        [](Json value, Text, To job) { return readWhole(value, 1, kMaxSheetCells, job.plan.rows); }},
-    {"engine", [](From job) { return isFlipbook(job) ? jsonText(nameOf(job.plan.engine)) : Written(); },
-        [](Json value, Text, To job) { return readEngine(value, job.plan); }},
-    {"passes", [](From job) { return hasPasses(job) ? jsonText(textOf(job.plan.passes)) : Written(); },
-        [](Json value, Text, To job) { return readAs(value, parsePasses, job.plan.passes); }},
-    {"layout", [](From job) { return isFlipbook(job) ? jsonText(nameOf(job.plan.style.layout)) : Written(); },
-        [](Json value, Text, To job) {
-            return readAs(value, named<SixWayLayout, kSixWayLayouts>, job.plan.style.layout);
-        }},
-    {"vectors", [](From job) { return isFlipbook(job) ? jsonText(nameOf(job.plan.style.vectors)) : Written(); },
-        [](Json value, Text, To job) {
-            return readAs(value, named<VectorSigns, kVectorSigns>, job.plan.style.vectors);
-        }},
-    {"normals", [](From job) { return isFlipbook(job) ? jsonText(nameOf(job.plan.style.normals)) : Written(); },
-        [](Json value, Text, To job) {
-            return readAs(value, named<NormalGreen, kNormalGreens>, job.plan.style.normals);
-        }},
-    {"alpha",
+constexpr auto kFields = std::to_array<JobField>({
+    {"name", [](From job) -> Written { return quoteJson(job.name); },
+        [](Json value, To job) { return readText(value, kMaxJobName, job.name); }},
+    {"kind", [](From job) -> Written { return quoteJson(nameOf(job.plan.kind)); },
+        [](Json value, To job) { return readAs(value, named<ExportKind, kExportKinds>, job.plan.kind); }},
+    {"output", [](From job) -> Written { return quoteJson(job.plan.output.string()); },
+        [](Json value, To job) { return readPath(value, job.plan.output); }},
+    {"source", [](From job) { return job.plan.source.empty() ? Written() : quoteJson(job.plan.source.string()); },
+        [](Json value, To job) { return readPath(value, job.plan.source); }},
+    {"frames",
         [](From job) {
-            return hasPasses(job) ? jsonText(job.plan.style.premultiplied ? "premultiplied" : "straight") : Written();
+            return job.plan.kind == ExportKind::NoiseTexture ? Written() : quoteJson(textOf(job.plan.frames));
         },
-        [](Json value, Text, To job) { return readAlpha(value, job.plan); }},
-    {"packs", [](From job) { return isFlipbook(job) ? Written(writtenPacks(job.plan)) : Written(); },
-        [](Json value, Text, To job) { return readPacks(value, job.plan); }},
-    {"trim", [](From job) { return flagIf(isFlipbook(job), job.plan.trim); },
-        [](Json value, Text, To job) { return readFlag(value, job.plan.trim); }},
-    {"retime",
-        [](From job) {
-            return isFlipbook(job) && job.plan.retime ? Written(textOfRetime(*job.plan.retime)) : Written();
-        },
-        [](Json value, Text text, To job) { return readRetime(value, text, job.plan); }},
-    {"power_of_two", [](From job) { return flagIf(isFlipbook(job), job.plan.powerOfTwo); },
-        [](Json value, Text, To job) { return readFlag(value, job.plan.powerOfTwo); }},
-    {"fit_camera", [](From job) { return flagIf(isPicture(job.plan.kind), job.plan.fitCamera); },
-        [](Json value, Text, To job) { return readFlag(value, job.plan.fitCamera); }},
-    {"carries_preset", [](From job) { return flagIf(isPicture(job.plan.kind), job.plan.project.has_value()); },
-        [](Json value, Text, To job) { return readCarries(value, job.plan); }},
-    {"manifest",
-        [](From job) {
-            return manifestOf(job.plan).empty() ? Written() : jsonText(job.plan.recording.manifest.string());
-        },
-        [](Json value, Text, To job) { return readPath(value, job.plan.recording.manifest); }},
-    {"skip_existing", [](From job) { return flagIf(isOfFrames(job), job.plan.recording.skipExisting); },
-        [](Json value, Text, To job) { return readFlag(value, job.plan.recording.skipExisting); }},
-    {"cells", [](From job) { return isVolume(job) ? Written(std::to_string(job.plan.cells)) : Written(); },
-        [](Json value, Text, To job) { return readWhole(value, kMinVolumeCells, kMaxVolumeCells, job.plan.cells); }},
-    {"voxel",
-        [](From job) { return isVolume(job) && job.plan.voxel ? Written(formatFloat(*job.plan.voxel)) : Written(); },
-        [](Json value, Text, To job) { return readVoxel(value, job.plan); }},
-    {"up",
-        [](From job) { return job.plan.up && !isPicture(job.plan.kind) ? jsonText(nameOf(*job.plan.up)) : Written(); },
-        [](Json value, Text, To job) { return readUp(value, job.plan); }},
-    {"noise_size", [](From job) { return isNoise(job) ? Written(std::to_string(job.plan.noiseSize)) : Written(); },
-        [](Json value, Text, To job) { return readWhole(value, 0, kMaxTextureSize, job.plan.noiseSize); }},
-    {"noise_depth", [](From job) { return isNoise(job) ? Written(formatFloat(job.plan.noiseDepth)) : Written(); },
-        [](Json value, Text, To job) { return readDepth(value, job.plan); }},
-};
+        [](Json value, To job) { return readAs(value, parseFrameRange, job.plan.frames); }},
+    {"format", [](From job) -> Written { return quoteJson(formatOf(job.plan)); },
+        [](Json value, To job) { return readFormat(value, job.plan); }},
+});
+
+std::vector<std::string_view> allKeys()
+{
+    std::vector<std::string_view> keys;
+    for (const JobField& field : kFields) {
+        keys.push_back(field.key);
+    }
+    for (const ExportOption& option : exportOptions()) {
+        keys.push_back(option.key);
+    }
+    return keys;
+}
 
 } // namespace
 
-std::span<const JobField> jobFields()
+std::span<const std::string_view> jobKeys()
 {
-    return kFields;
+    static const std::vector<std::string_view> keys = allKeys();
+    return keys;
+}
+
+std::optional<std::string> writtenField(std::string_view key, const ExportJob& job)
+{
+    if (const auto* field = std::ranges::find(kFields, key, &JobField::key); field != kFields.end()) {
+        return field->written(job);
+    }
+    const ExportOption& option = exportOption(key);
+    const std::optional<std::string> text = option.applies(job.plan) ? option.text(job.plan) : std::nullopt;
+    return text ? Written(written(option, *text)) : std::nullopt;
+}
+
+Status readField(std::string_view key, const JsonNode& value, std::string_view text, ExportJob& job)
+{
+    if (const auto* field = std::ranges::find(kFields, key, &JobField::key); field != kFields.end()) {
+        return field->read(value, job);
+    }
+    return readOption(exportOption(key), value, text.substr(value.begin, value.end - value.begin), job.plan);
 }
 
 } // namespace fumage

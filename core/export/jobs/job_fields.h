@@ -7,17 +7,16 @@
 
 namespace fumage {
 
-/// One line of a job in a file of them: how it is written, and how it is read.
-struct JobField {
-    std::string_view key;
-    /// Its value as JSON; none where the job's kind does not ask for it.
-    std::optional<std::string> (*written)(const ExportJob& job);
-    /// @param text the whole file
-    /// @error without place
-    Status (*read)(const JsonNode& value, std::string_view text, ExportJob& job);
-};
+/// Keys of all lines of a job but the preset, in the order in which they are written and read: later ones may look at
+/// those before.
+[[nodiscard]] std::span<const std::string_view> jobKeys();
 
-/// All but the preset, in the order in which they are written and read: later ones may look at those before.
-[[nodiscard]] std::span<const JobField> jobFields();
+/// The value of a line as JSON; none where the job's kind does not ask for it.
+/// @param key of one of jobKeys()
+[[nodiscard]] std::optional<std::string> writtenField(std::string_view key, const ExportJob& job);
+
+/// @param text the whole file
+/// @error without place
+[[nodiscard]] Status readField(std::string_view key, const JsonNode& value, std::string_view text, ExportJob& job);
 
 } // namespace fumage

@@ -104,13 +104,13 @@ private:
         }
         ExportJob job;
         job.plan.project = Preset();
-        for (const JobField& field : jobFields()) {
-            const JsonNode* value = node.find(field.key);
-            if (Status status = value == nullptr ? Status(Done{}) : field.read(*value, m_text, job); !status) {
+        for (const std::string_view key : jobKeys()) {
+            const JsonNode* value = node.find(key);
+            if (Status status = value == nullptr ? Status(Done{}) : readField(key, *value, m_text, job); !status) {
                 return errorAt(*value, status.error().code,
-                    makeMessage("%1: %2", std::string(field.key), status.error().message), status.error().remedy);
+                    makeMessage("%1: %2", std::string(key), status.error().message), status.error().remedy);
             }
-            if (field.key == "format" && value == nullptr) {
+            if (key == "format" && value == nullptr) {
                 takeFormatOfOutput(job.plan);
             }
         }
@@ -138,8 +138,7 @@ private:
     [[nodiscard]] Status checkKeys(const JsonNode& node) const
     {
         std::vector<std::string_view> known{kPreset};
-        std::transform(jobFields().begin(), jobFields().end(), std::back_inserter(known),
-            [](const JobField& field) { return field.key; });
+        known.insert(known.end(), jobKeys().begin(), jobKeys().end());
         for (std::size_t i = 0; i < node.keys.size(); ++i) {
             if (std::find(known.begin(), known.end(), node.keys[i]) == known.end()) {
                 const std::string_view near = nearestName(node.keys[i], known);
@@ -240,7 +239,7 @@ private:
 
     static void takeFormatOfOutput(ExportPlan& plan)
     {
-        takeEnding(plan.output, kAllVideoFormats, plan.video);
+        takeEnding(plan.output, kAllVideoFormats, plan.video.format);
         takeEnding(plan.output, kAllParticleFormats, plan.particles);
         takeEnding(plan.output, kAllAirFormats, plan.air);
         plan.format = formatOf(plan.output);
@@ -255,8 +254,8 @@ private:
             job.plan.frames = framesOf(job.plan.kind, job.preset.effect.timeline, m_shown);
         }
         if (m_shown.sheet && node.find("columns") == nullptr && node.find("rows") == nullptr) {
-            job.plan.columns = m_shown.sheet->columns;
-            job.plan.rows = m_shown.sheet->rows;
+            job.plan.flipbook.columns = m_shown.sheet->columns;
+            job.plan.flipbook.rows = m_shown.sheet->rows;
         }
         if (job.plan.project) {
             job.plan.project = isPicture(job.plan.kind) ? std::optional(job.preset) : std::nullopt;
@@ -273,9 +272,9 @@ private:
 std::string formatJob(const ExportJob& job)
 {
     std::string out = "    {";
-    for (const JobField& field : jobFields()) {
-        if (const std::optional<std::string> value = field.written(job)) {
-            out += "\n      " + quoteJson(field.key) + ": " + *value + ",";
+    for (const std::string_view key : jobKeys()) {
+        if (const std::optional<std::string> value = writtenField(key, job)) {
+            out += "\n      " + quoteJson(key) + ": " + *value + ",";
         }
     }
     if (job.refusal) {
@@ -304,9 +303,9 @@ std::string formatPlan(const ExportPlan& plan)
 {
     const ExportJob job{{}, {}, plan};
     std::string out;
-    for (const JobField& field : jobFields()) {
-        if (const std::optional<std::string> value = field.written(job)) {
-            out += (out.empty() ? "{" : ", ") + quoteJson(field.key) + ": " + *value;
+    for (const std::string_view key : jobKeys()) {
+        if (const std::optional<std::string> value = writtenField(key, job)) {
+            out += (out.empty() ? "{" : ", ") + quoteJson(key) + ": " + *value;
         }
     }
     return out + "}";
@@ -320,10 +319,10 @@ std::optional<ExportPlan> parsePlan(std::string_view json)
     }
     ExportJob job;
     job.plan.project = Preset();
-    for (const JobField& field : jobFields()) {
-        if (const JsonNode* value = root.value().find(field.key)) {
+    for (const std::string_view key : jobKeys()) {
+        if (const JsonNode* value = root.value().find(key)) {
             ExportJob with = job;
-            job = field.read(*value, json, with) ? with : job;
+            job = readField(key, *value, json, with) ? with : job;
         }
     }
     return job.plan;

@@ -1,17 +1,16 @@
-#include "core/export/sheets/flipbook_files.h"
 #include "core/export/manifest/recorded.h"
 
 #include "core/base/open_file.h"
 #include "core/base/path.h"
 #include "core/base/text.h"
-#include "core/export/sheets/cell_frames.h"
+#include "core/export/export_option_table.h"
 #include "core/export/manifest/manifest_parts.h"
 #include "core/export/output_name.h"
+#include "core/export/sheets/flipbook_files.h"
 #include "core/image_io/metadata_reader.h"
 #include "core/image_io/picture_pixels.h"
 
 #include <optional>
-#include <sstream>
 
 namespace fumage {
 
@@ -39,14 +38,6 @@ std::optional<Content> contentOfFrame(
     return Content{true, picture.value().hash};
 }
 
-constexpr const char* kPremultiplied = "premultiplied";
-constexpr char kBetweenPacks = ';'; // no name of one has it
-
-std::string alphaOf(bool premultiplied)
-{
-    return premultiplied ? kPremultiplied : "straight";
-}
-
 /// Empty where the job does not say.
 std::string settingOf(const ManifestJob& job, const char* key)
 {
@@ -60,43 +51,37 @@ Error cannotBeRendered()
         makeMessage("Only frames and flipbooks can; of others the files are checked")};
 }
 
-/// What a flipbook is packed and played as; each is as on the command line.
-/// @error that of the first that is not understood
-Status readExtras(const ManifestJob& job, FlipbookOptions& options)
+ExportPlan planOf(const SequenceOptions& options)
 {
-    std::istringstream packs(settingOf(job, "packs"));
-    for (std::string text; std::getline(packs, text, kBetweenPacks);) {
-        Result<PackedPicture> pack = parsePack(text);
-        if (!pack) {
-            return pack.error();
-        }
-        options.packs.push_back(std::move(pack).value());
-    }
-    if (const std::string text = settingOf(job, "retime"); !text.empty()) {
-        Result<Curve> retime = parseRetime(text);
-        if (!retime) {
-            return retime.error();
-        }
-        options.retime = std::move(retime).value();
-    }
-    if (const std::string text = settingOf(job, "untrimmed"); !text.empty()) {
-        const Result<FrameRange> untrimmed = parseFrameRange(text);
-        if (!untrimmed) {
-            return untrimmed.error();
-        }
-        options.untrimmed = untrimmed.value();
-    }
-    return Done{};
+    ExportPlan plan;
+    plan.kind = ExportKind::Sequence;
+    plan.format = options.format;
+    plan.passes = options.passes;
+    plan.style.premultiplied = options.premultiplied;
+    return plan;
+}
+
+ExportPlan planOf(const FlipbookOptions& options)
+{
+    ExportPlan plan;
+    plan.kind = ExportKind::Flipbook;
+    plan.output = options.output;
+    plan.frames = options.frames;
+    plan.format = options.format;
+    plan.passes = options.passes;
+    plan.style = options.style;
+    plan.flipbook = {options.columns, options.rows, options.engine, options.packs, false, options.retime};
+    return plan;
 }
 
 } // namespace
 
 ManifestJob jobOf(const Effect& effect, const SequenceOptions& options)
 {
-    return {std::string(kFramesKind),
-        {{"format", std::string(nameOf(options.format))}, {"passes", textOf(options.passes)},
-            {"alpha", alphaOf(options.premultiplied)}, {"step", std::to_string(options.frames.step)}},
-        effect};
+    ManifestJob job{std::string(kFramesKind), settingsOf(planOf(options)), effect};
+    job.settings["format"] = nameOf(options.format);
+    job.settings["step"] = std::to_string(options.frames.step);
+    return job;
 }
 
 Result<SequenceOptions> sequenceOf(const ManifestJob& job)
@@ -104,38 +89,29 @@ Result<SequenceOptions> sequenceOf(const ManifestJob& job)
     const std::optional<ImageFormat> format =
         enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
     const Result<FrameRange> step = parseFrameRange("0:" + settingOf(job, "step"));
-    const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
-    if (job.kind != kFramesKind || !format || !step || !passes || passes.value() == PassSet()) {
+    if (job.kind != kFramesKind || !format || !step) {
+        return cannotBeRendered();
+    }
+    ExportPlan plan;
+    plan.kind = ExportKind::Sequence;
+    plan.format = *format;
+    if (!readSettings(job.settings, plan) || plan.passes == PassSet()) {
         return cannotBeRendered();
     }
     SequenceOptions options;
-    options.format = *format;
-    options.passes = passes.value();
-    options.premultiplied = settingOf(job, "alpha") == kPremultiplied;
+    options.format = plan.format;
+    options.passes = plan.passes;
+    options.premultiplied = plan.style.premultiplied;
     options.frames.step = step.value().step;
     return options;
 }
 
 ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options)
 {
-    ManifestJob job{std::string(kFlipbookKind),
-        {{"name", options.output.filename().string()}, {"format", std::string(nameOf(options.format))},
-            {"passes", textOf(options.passes)}, {"columns", std::to_string(options.columns)},
-            {"rows", std::to_string(options.rows)}, {"frames", textOf(options.frames)},
-            {"for", std::string(nameOf(options.engine))}, {"layout", std::string(nameOf(options.style.layout))},
-            {"vectors", std::string(nameOf(options.style.vectors))},
-            {"normals", std::string(nameOf(options.style.normals))}, {"alpha", alphaOf(options.style.premultiplied)}},
-        effect};
-    std::string packs;
-    for (const PackedPicture& pack : options.packs) {
-        packs += (packs.empty() ? "" : std::string(1, kBetweenPacks)) + textOf(pack);
-    }
-    if (!packs.empty()) {
-        job.settings["packs"] = packs;
-    }
-    if (options.retime) {
-        job.settings["retime"] = textOfRetime(*options.retime);
-    }
+    ManifestJob job{std::string(kFlipbookKind), settingsOf(planOf(options)), effect};
+    job.settings["name"] = options.output.filename().string();
+    job.settings["format"] = nameOf(options.format);
+    job.settings["frames"] = textOf(options.frames);
     if (options.untrimmed) {
         job.settings["untrimmed"] = textOf(*options.untrimmed);
     }
@@ -146,29 +122,24 @@ Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
 {
     const std::optional<ImageFormat> format =
         enumeratorNamed<ImageFormat, kAllImageFormats.size()>(settingOf(job, "format"));
-    const std::optional<Engine> engine = enumeratorNamed<Engine, kEngines>(settingOf(job, "for"));
-    const std::optional<SixWayLayout> layout = enumeratorNamed<SixWayLayout, kSixWayLayouts>(settingOf(job, "layout"));
-    const std::optional<VectorSigns> vectors = enumeratorNamed<VectorSigns, kVectorSigns>(settingOf(job, "vectors"));
-    const std::string told =
-        settingOf(job, "normals"); // manifests of before there was a choice say nothing: green was up
-    const std::optional<NormalGreen> normals =
-        told.empty() ? NormalGreen::OpenGl : enumeratorNamed<NormalGreen, kNormalGreens>(told);
-    const Result<PassSet> passes = parsePasses(settingOf(job, "passes"));
     const Result<FrameRange> frames = parseFrameRange(settingOf(job, "frames"));
-    const std::optional<std::int64_t> columns = parseInteger(settingOf(job, "columns"));
-    const std::optional<std::int64_t> rows = parseInteger(settingOf(job, "rows"));
-    const auto areCells = [](const std::optional<std::int64_t>& count) {
-        return count && *count >= 1 && *count <= kMaxSheetCells;
-    };
+    const std::string before = settingOf(job, "untrimmed");
+    const Result<FrameRange> untrimmed = before.empty() ? FrameRange() : parseFrameRange(before);
     const std::filesystem::path name = pathFrom(settingOf(job, "name")).filename();
-    if (job.kind != kFlipbookKind || !format || !engine || !layout || !vectors || !normals || !passes || !frames
-        || !areCells(columns) || !areCells(rows) || name.empty()) {
+    if (job.kind != kFlipbookKind || !format || !frames || !untrimmed || name.empty()) {
         return cannotBeRendered();
     }
-    FlipbookOptions options{name, static_cast<int>(*columns), static_cast<int>(*rows), frames.value(), *format,
-        passes.value(), {*layout, *vectors, settingOf(job, "alpha") == kPremultiplied, *normals}, *engine};
-    if (!readExtras(job, options)) {
+    ExportPlan plan;
+    plan.kind = ExportKind::Flipbook;
+    plan.output = name;
+    plan.frames = frames.value();
+    plan.format = *format;
+    if (!readSettings(job.settings, plan)) {
         return cannotBeRendered();
+    }
+    FlipbookOptions options = flipbookOf(plan);
+    if (!before.empty()) {
+        options.untrimmed = untrimmed.value();
     }
     return options;
 }

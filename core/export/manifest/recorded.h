@@ -2,17 +2,12 @@
 
 #include "core/export/sheets/flipbook_options.h"
 #include "core/export/manifest/manifest.h"
+#include "core/export/manifest/recording.h"
 #include "core/export/sequence.h"
 
 #include <filesystem>
 
 namespace fumage {
-
-/// What is done about files beside writing them.
-struct Recording {
-    std::filesystem::path manifest; ///< that is written of them, see partOf(); empty: none
-    bool skipExisting = false; ///< frames whose whole file is there stay as they are
-};
 
 /// The kind of jobs that are of frames.
 inline constexpr std::string_view kFramesKind = "frames";

@@ -33,7 +33,7 @@ int stepOf(const ExportPlan& plan)
 {
     constexpr int kBlock = 4;
     int step = kBlock;
-    for (const PackedPicture& pack : plan.packs) {
+    for (const PackedPicture& pack : plan.flipbook.packs) {
         step = std::lcm(step, pack.divisor);
     }
     return step;
@@ -42,7 +42,7 @@ int stepOf(const ExportPlan& plan)
 int fitted(int edge, double scale, const ExportPlan& plan)
 {
     const int shrunk = static_cast<int>(edge * scale);
-    if (plan.powerOfTwo) {
+    if (plan.flipbook.powerOfTwo) {
         return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, shrunk))));
     }
     return scale < 1.0 ? shrunk - shrunk % stepOf(plan) : edge;
@@ -171,7 +171,7 @@ std::vector<SheetCandidate> sheetsWithin(std::int64_t budget, const Output& larg
     std::vector<SheetCandidate> candidates;
     for (const auto& [columns, rows] : kGrids) {
         if (plan.frames.count() < columns * rows
-            || (plan.powerOfTwo && (!isPowerOfTwo(columns) || !isPowerOfTwo(rows)))) {
+            || (plan.flipbook.powerOfTwo && (!isPowerOfTwo(columns) || !isPowerOfTwo(rows)))) {
             continue;
         }
         FlipbookOptions options = flipbookOf(plan);
@@ -204,7 +204,7 @@ Result<std::vector<SheetCandidate>> rateSheets(const Effect& effect, const Expor
 {
     return withinMemory([&]() -> Result<std::vector<SheetCandidate>> {
         ExportPlan anyGrid = plan;
-        anyGrid.powerOfTwo = false;
+        anyGrid.flipbook.powerOfTwo = false;
         Result<Effect> seen = effectSeenBy(effect, anyGrid, progress, stop);
         if (!seen) {
             return seen.error();
@@ -214,7 +214,7 @@ Result<std::vector<SheetCandidate>> rateSheets(const Effect& effect, const Expor
         if (!options) {
             return options.error();
         }
-        anyGrid.powerOfTwo = plan.powerOfTwo;
+        anyGrid.flipbook.powerOfTwo = plan.flipbook.powerOfTwo;
         anyGrid.frames = options.value().frames;
         const std::vector<SheetCandidate> candidates = sheetsWithin(budget, seen.value().output, anyGrid);
         if (candidates.empty()) {
