@@ -19,7 +19,7 @@ constexpr float kGradientScale = 1.8F * 0x1p-31F;
 
 HWY_INLINE V mix(V a, V b, V t)
 {
-    return mulAdd(t, hn::Sub(b, a), a);
+    return t * (b - a) + a;
 }
 
 void gradientRow(
@@ -36,14 +36,14 @@ void gradientRow(
         if (flat) {
             hn::StoreU(component(bits0), d, row.x + i);
             hn::StoreU(component(hn::ShiftLeft<11>(bits0)), d, row.y + i);
-            hn::StoreU(hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz)), d, row.z + i);
+            hn::StoreU(component(hn::ShiftLeft<22>(bits0)) * fz, d, row.z + i);
             continue;
         }
         const auto bits1 = rowBits(octave, i, latticeRow(y, planes[1]));
         hn::StoreU(mix(component(bits0), component(bits1), t), d, row.x + i);
         hn::StoreU(mix(component(hn::ShiftLeft<11>(bits0)), component(hn::ShiftLeft<11>(bits1)), t), d, row.y + i);
-        const V z0 = hn::Mul(component(hn::ShiftLeft<22>(bits0)), hn::Set(d, fz));
-        const V z1 = hn::Mul(component(hn::ShiftLeft<22>(bits1)), hn::Set(d, fz - 1.0F));
+        const V z0 = component(hn::ShiftLeft<22>(bits0)) * fz;
+        const V z1 = component(hn::ShiftLeft<22>(bits1)) * (fz - 1.0F);
         hn::StoreU(mix(z0, z1, t), d, row.z + i);
     }
     for (float* values : {row.x, row.y, row.z}) {
@@ -72,16 +72,16 @@ void gradientCoefficients(const GradientRow& below, const GradientRow& above, fl
     const auto count = static_cast<std::size_t>(cells);
     for (std::size_t i = 0; i <= count; i += hn::Lanes(d)) {
         const V slope = mix(hn::Load(d, belowX + i), hn::Load(d, aboveX + i), t);
-        const V low = mulAdd(hn::Load(d, belowY + i), up, hn::Load(d, belowZ + i));
-        const V high = mulAdd(hn::Load(d, aboveY + i), down, hn::Load(d, aboveZ + i));
-        hn::StoreU(hn::Mul(slope, scale), d, c1 + i);
-        hn::StoreU(hn::Mul(mix(low, high, t), scale), d, c0 + i);
+        const V low = hn::Load(d, belowY + i) * up + hn::Load(d, belowZ + i);
+        const V high = hn::Load(d, aboveY + i) * down + hn::Load(d, aboveZ + i);
+        hn::StoreU(slope * scale, d, c1 + i);
+        hn::StoreU(mix(low, high, t) * scale, d, c0 + i);
     }
     // The upper column of a cell is the lower one of the next, seen from the other side: d0 and d1 are the differences.
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
         const V nextC1 = hn::LoadU(d, c1 + i + 1);
-        hn::StoreU(hn::Sub(hn::Sub(hn::LoadU(d, c0 + i + 1), nextC1), hn::LoadU(d, c0 + i)), d, d0 + i);
-        hn::StoreU(hn::Sub(nextC1, hn::LoadU(d, c1 + i)), d, d1 + i);
+        hn::StoreU((hn::LoadU(d, c0 + i + 1) - nextC1) - hn::LoadU(d, c0 + i), d, d0 + i);
+        hn::StoreU(nextC1 - hn::LoadU(d, c1 + i), d, d1 + i);
     }
 }
 
@@ -92,7 +92,7 @@ void valueRow(const Octave& octave, int y, int z, float* HWY_RESTRICT values)
     const auto points = static_cast<std::size_t>(octave.period.x);
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
         const auto bits = hn::ShiftRight<8>(rowBits(octave, i, latticeRow(y, z)));
-        hn::Store(hn::Mul(hn::ConvertTo(d, hn::BitCast(di, bits)), hn::Set(d, 0x1p-24F)), d, values + i);
+        hn::Store(hn::ConvertTo(d, hn::BitCast(di, bits)) * 0x1p-24F, d, values + i);
     }
     repeatEnds(values, points);
 }
@@ -104,12 +104,11 @@ void smoothRow(const std::array<const float*, 3>& rows, float amount, int cells,
         V mean = hn::Zero(d);
         for (std::size_t row = 0; row < 3; ++row) {
             for (std::size_t column = 0; column < 3; ++column) {
-                mean = mulAdd(hn::Set(d, kSmoothKernel[row] * kSmoothKernel[column]),
-                    hn::LoadU(d, rows[row] + i + column - 1), mean);
+                mean = (kSmoothKernel[row] * kSmoothKernel[column]) * hn::LoadU(d, rows[row] + i + column - 1) + mean;
             }
         }
         const V plain = hn::Load(d, rows[1] + i);
-        hn::Store(mulAdd(hn::Set(d, amount), hn::Sub(mean, plain), plain), d, values + i);
+        hn::Store(amount * (mean - plain) + plain, d, values + i);
     }
 }
 
@@ -118,11 +117,11 @@ template <bool kCubic>
 HWY_INLINE V interpolate(const V* values, V t)
 {
     if constexpr (kCubic) {
-        const V drop = hn::Sub(values[0], values[1]);
-        const V p = hn::Sub(hn::Sub(values[3], values[2]), drop);
-        const V q = hn::Sub(drop, p);
-        const V r = hn::Sub(values[2], values[0]);
-        return mulAdd(mulAdd(mulAdd(p, t, q), t, r), t, values[1]);
+        const V drop = values[0] - values[1];
+        const V p = (values[3] - values[2]) - drop;
+        const V q = drop - p;
+        const V r = values[2] - values[0];
+        return ((p * t + q) * t + r) * t + values[1];
     } else {
         return mix(values[0], values[1], t);
     }
@@ -149,8 +148,7 @@ HWY_INLINE void valuesAtColumns(const ValueRows& in, float amplitude, std::size_
             planes[k] = interpolate<kCubic>(values, alongY);
         }
         const V value = kFlat ? planes[0] : interpolate<kCubic>(planes, alongZ);
-        hn::Store(hn::Mul(hn::Sub(hn::Mul(hn::Set(d, 2.0F), value), hn::Set(d, 1.0F)), hn::Set(d, amplitude)), d,
-            columns + i);
+        hn::Store((2.0F * value - 1.0F) * amplitude, d, columns + i);
     }
     repeatEnds(columns, points);
 }
@@ -169,13 +167,13 @@ HWY_INLINE void valuePolynomials(std::size_t cells, const RowCoefficients& out)
         const V above = hn::LoadU(d, values + i + 1);
         if constexpr (kCubic) {
             const V before = hn::LoadU(d, values + i - 1);
-            const V drop = hn::Sub(before, below);
-            const V p = hn::Sub(hn::Sub(hn::LoadU(d, values + i + 2), above), drop);
-            hn::Store(hn::Sub(above, before), d, c1 + i);
-            hn::Store(hn::Sub(drop, p), d, d0 + i);
+            const V drop = before - below;
+            const V p = (hn::LoadU(d, values + i + 2) - above) - drop;
+            hn::Store(above - before, d, c1 + i);
+            hn::Store(drop - p, d, d0 + i);
             hn::Store(p, d, d1 + i);
         } else {
-            hn::Store(hn::Sub(above, below), d, d0 + i);
+            hn::Store(above - below, d, d0 + i);
         }
     }
 }
@@ -208,9 +206,9 @@ void addPixelRow(const RowPositions& positions, const RowCoefficients& coefficie
         return Place{hn::Load(d, fraction + j), hn::Load(d, weight + j)};
     };
     addCells(positions, columns, values, place, [](const Place& at, const V* c) HWY_ATTR {
-        const V low = mulAdd(c[1], at.fraction, c[0]);
-        const V rise = mulAdd(c[3], at.fraction, c[2]);
-        return mulAdd(at.weight, rise, low);
+        const V low = c[1] * at.fraction + c[0];
+        const V rise = c[3] * at.fraction + c[2];
+        return at.weight * rise + low;
     });
 }
 
@@ -220,7 +218,7 @@ void addFlatPixelRow(const RowPositions& positions, const RowCoefficients& coeff
     const std::array<const float*, 2> columns{coefficients.c0, coefficients.d0};
     const float* HWY_RESTRICT weight = positions.weight.data();
     const auto place = [=](std::size_t j) HWY_ATTR { return hn::Load(d, weight + j); };
-    addCells(positions, columns, values, place, [](V w, const V* c) HWY_ATTR { return mulAdd(w, c[1], c[0]); });
+    addCells(positions, columns, values, place, [](V w, const V* c) HWY_ATTR { return w * c[1] + c[0]; });
 }
 
 } // namespace fumage::HWY_NAMESPACE

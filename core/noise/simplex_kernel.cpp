@@ -25,10 +25,10 @@ void simplexLine(const Octave& octave, const SimplexLine& line, const GradientRo
     const V scale = hn::Set(d, octave.amplitude * kSimplexScale);
     const auto points = static_cast<std::size_t>(octave.period.x);
     const std::uint32_t start = latticeRow(line.y, line.z) + latticeColumn(line.between ? 1 : 0);
-    const auto component = [&](auto bits) HWY_ATTR { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, bits)), scale); };
+    const auto component = [&](auto bits) HWY_ATTR { return hn::ConvertTo(d, hn::BitCast(di, bits)) * scale; };
     for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
-        const auto columns = hn::Add(hn::Iota(du, 0U), hn::Set(du, static_cast<std::uint32_t>(i)));
-        const auto linear = hn::Add(hn::Mul(columns, hn::Set(du, 2 * kColumnPrime)), hn::Set(du, start));
+        const auto columns = hn::Iota(du, 0U) + hn::Set(du, static_cast<std::uint32_t>(i));
+        const auto linear = columns * hn::Set(du, 2 * kColumnPrime) + hn::Set(du, start);
         const auto bits = latticeBits(linear, hn::Set(du, octave.seed));
         hn::Store(component(bits), d, out.x + i);
         hn::Store(component(hn::ShiftLeft<11>(bits)), d, out.y + i);
@@ -43,8 +43,7 @@ void simplexHeights(const GradientRow& line, float dy, float dz, int points, flo
     const float* HWY_RESTRICT y = line.y;
     const float* HWY_RESTRICT z = line.z;
     for (std::size_t i = 0; i < static_cast<std::size_t>(points); i += hn::Lanes(d)) {
-        hn::Store(
-            mulAdd(hn::Load(d, y + i), hn::Set(d, dy), hn::Mul(hn::Load(d, z + i), hn::Set(d, dz))), d, heights + i);
+        hn::Store(hn::Load(d, y + i) * dy + hn::Load(d, z + i) * dz, d, heights + i);
     }
     repeatEnds(heights, static_cast<std::size_t>(points));
 }
@@ -58,15 +57,15 @@ struct Way {
 HWY_INLINE Way wayTo(V dx, V reach)
 {
     const D d;
-    const V t = hn::Max(hn::Zero(d), hn::Sub(reach, hn::Mul(dx, dx)));
-    const V t2 = hn::Mul(t, t);
-    return {dx, hn::Mul(t2, t2)};
+    const V t = hn::Max(hn::Zero(d), reach - dx * dx);
+    const V t2 = t * t;
+    return {dx, t2 * t2};
 }
 
 /// t^4 (slope dx + height)
 HWY_INLINE V pointNoise(const Way& way, V slope, V height)
 {
-    return hn::Mul(way.fourth, mulAdd(slope, way.dx, height));
+    return way.fourth * (slope * way.dx + height);
 }
 
 void addPairRow(
@@ -81,10 +80,10 @@ void addPairRow(
     const float* HWY_RESTRICT fraction = positions.fraction.data();
     const auto ways = [=](std::size_t j) HWY_ATTR {
         const V dx = hn::Load(d, fraction + j);
-        return Ways{wayTo(dx, hn::Set(d, reach)), wayTo(hn::Sub(dx, hn::Set(d, 1.0F)), hn::Set(d, reach))};
+        return Ways{wayTo(dx, hn::Set(d, reach)), wayTo(dx - 1.0F, hn::Set(d, reach))};
     };
     addCells(positions, columns, values, ways, [](const Ways& at, const V* c) HWY_ATTR {
-        return hn::Add(pointNoise(at.below, c[0], c[1]), pointNoise(at.above, c[2], c[3]));
+        return pointNoise(at.below, c[0], c[1]) + pointNoise(at.above, c[2], c[3]);
     });
 }
 
@@ -94,9 +93,7 @@ void addNearestRow(
     const D d;
     const std::array<const float*, 2> columns{slopes, heights};
     const float* HWY_RESTRICT fraction = positions.fraction.data();
-    const auto way = [=](std::size_t j) HWY_ATTR {
-        return wayTo(hn::Sub(hn::Load(d, fraction + j), hn::Set(d, 0.5F)), hn::Set(d, reach));
-    };
+    const auto way = [=](std::size_t j) HWY_ATTR { return wayTo(hn::Load(d, fraction + j) - 0.5F, hn::Set(d, reach)); };
     addCells(
         positions, columns, values, way, [](const Way& at, const V* c) HWY_ATTR { return pointNoise(at, c[0], c[1]); });
 }

@@ -135,8 +135,7 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
         for (int column = box.left; column <= box.right; ++column) {
             const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
             const V dx = fromCentre(d, kColumns + part, tile.left + column * Tile::kPatch, sprite.x);
-            const auto store = [&](float* HWY_RESTRICT to, float slope)
-                                   HWY_ATTR { hn::Store(hn::Mul(hn::Set(d, slope), dx), d, to + at); };
+            const auto store = [&](float* HWY_RESTRICT to, float slope) HWY_ATTR { hn::Store(slope * dx, d, to + at); };
             store(lines.across.u, sprite.m00 * look.texelsAcross);
             store(lines.across.v, sprite.m10 * look.texelsAcross);
             for (std::size_t i = 0; i < kLights; ++i) {
@@ -147,15 +146,14 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
                 store(lines.across.q, sprite.m10 * edges.q);
             } else {
                 hn::Store(dx, d, lines.across.dx + at);
-                hn::Store(hn::Mul(bend, dx), d, lines.across.bend + at);
+                hn::Store(bend * dx, d, lines.across.bend + at);
             }
         }
         for (int row = box.top; row <= box.bottom; ++row) {
             const std::size_t at = static_cast<std::size_t>(row) * Tile::kPatchPixels + part;
             const V dy = fromCentre(d, kRows + part, tile.top + row * Tile::kPatch, sprite.y);
-            const auto store = [&](float* HWY_RESTRICT to, float slope, float constant) HWY_ATTR {
-                hn::Store(mulAdd(hn::Set(d, slope), dy, hn::Set(d, constant)), d, to + at);
-            };
+            const auto store = [&](float* HWY_RESTRICT to, float slope, float constant)
+                                   HWY_ATTR { hn::Store(slope * dy + constant, d, to + at); };
             store(lines.down.u, sprite.m01 * look.texelsAcross, kToFixed + look.u);
             store(lines.down.v, sprite.m11 * look.texelsAcross, kToFixed + look.v);
             for (std::size_t i = 0; i < kLights; ++i) {
@@ -166,8 +164,7 @@ HWY_INLINE void fillLines(const SpriteStyle& style, const Sprite& sprite, const 
                 store(lines.down.q, sprite.m11 * edges.q, 0.0F);
             } else {
                 store(lines.down.slope, 2.0F * rim.xy * style.hardness, 0.0F);
-                hn::Store(hn::Mul(hardness, hn::Sub(hn::Set(d, 1.0F), hn::Mul(hn::Mul(hn::Set(d, rim.yy), dy), dy))), d,
-                    lines.down.rest + at);
+                hn::Store(hardness * (1.0F - rim.yy * dy * dy), d, lines.down.rest + at);
             }
         }
     }
@@ -220,7 +217,7 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
     const auto paintVector = [&](std::size_t across, std::size_t down, float* HWY_RESTRICT at,
                                  float* HWY_RESTRICT more) HWY_ATTR {
         const auto sum = [&](const float* x, const float* y)
-                             HWY_ATTR { return hn::Add(hn::Load(d, x + across), hn::Load(d, y + down)); };
+                             HWY_ATTR { return hn::Load(d, x + across) + hn::Load(d, y + down); };
         const I u = hn::BitCast(di, sum(lines.across.u, lines.down.u));
         const I v = hn::BitCast(di, sum(lines.across.v, lines.down.v));
         const I line = hn::ShiftLeftSame(hn::And(hn::ShiftRight<kFractionBits>(v), wrap), look.shift);
@@ -232,36 +229,34 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
             const V p = sum(lines.across.p, lines.down.p);
             const V q = sum(lines.across.q, lines.down.q);
             // A product, so that a square of few pixels covers what a large one does: 4 r^2.
-            mask = hn::Mul(clamp01(d, hn::Sub(insideP, hn::Abs(p))), clamp01(d, hn::Sub(insideQ, hn::Abs(q))));
+            mask = clamp01(d, insideP - hn::Abs(p)) * clamp01(d, insideQ - hn::Abs(q));
         } else {
-            const V fall = hn::Mul(hn::Load(d, lines.across.dx + across), sum(lines.across.bend, lines.down.slope));
-            const V inside = clamp01(d, hn::Sub(hn::Load(d, lines.down.rest + down), fall));
-            mask = hn::Mul(inside, inside);
+            const V fall = hn::Load(d, lines.across.dx + across) * sum(lines.across.bend, lines.down.slope);
+            const V inside = clamp01(d, hn::Load(d, lines.down.rest + down) - fall);
+            mask = inside * inside;
         }
         const auto dot = [&](I x, I y) HWY_ATTR { return hn::ConvertTo(d, dotHalves(di, x, y)); };
         const I pairs = dotBytes(di, footprint, alongU);
-        const V a =
-            hn::Mul(mask, hn::Min(hn::Max(mulAdd(dot(pairs, alongV), alphaScale, alphaShift), leastAlpha), mostAlpha));
+        const V a = mask * hn::Min(hn::Max(dot(pairs, alongV) * alphaScale + alphaShift, leastAlpha), mostAlpha);
         if constexpr (kShaded) {
             const V slopeU = dot(dotBytes(di, footprint, rise), alongV);
             const V slopeV = dot(pairs, riseOfHalves);
             const auto shadeBy = [&](std::size_t i) HWY_ATTR {
                 return hn::Max(zero,
-                    mulAdd(hn::Set(d, lights[i].reliefV), slopeV,
-                        mulAdd(
-                            hn::Set(d, lights[i].reliefU), slopeU, sum(lines.across.round[i], lines.down.round[i]))));
+                    lights[i].reliefV * slopeV
+                        + (lights[i].reliefU * slopeU + sum(lines.across.round[i], lines.down.round[i])));
             };
             const V shade = shadeBy(0);
-            const V weight = under(d, at, a, mulAdd(shade, directRed, ambientRed),
-                mulAdd(shade, directGreen, ambientGreen), mulAdd(shade, directBlue, ambientBlue));
+            const V weight = under(d, at, a, shade * directRed + ambientRed, shade * directGreen + ambientGreen,
+                shade * directBlue + ambientBlue);
             if constexpr (kManyTargets) {
                 const V shades[kTargetLights] = {hn::Set(d, 1.0F), shadeBy(kFromRight), shadeBy(kFromTop),
                     shadeBy(kFromLeft), shadeBy(kFromBottom)}; // NOLINT(cppcoreguidelines-avoid-c-arrays)
                 others.under<true>(d, more, weight, shades);
             }
         } else {
-            const V weight = under(d, at, a, hn::Add(directRed, ambientRed), hn::Add(directGreen, ambientGreen),
-                hn::Add(directBlue, ambientBlue));
+            const V weight =
+                under(d, at, a, directRed + ambientRed, directGreen + ambientGreen, directBlue + ambientBlue);
             if constexpr (kManyTargets) {
                 others.under<false>(d, more, weight, nullptr);
             }

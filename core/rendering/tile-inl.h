@@ -77,11 +77,11 @@ HWY_INLINE V under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue
     float* HWY_RESTRICT toGreen = through + 2 * Tile::kPatchPixels;
     float* HWY_RESTRICT toBlue = through + 3 * Tile::kPatchPixels;
     const V before = hn::Load(d, through);
-    const V weight = hn::Mul(a, before);
-    hn::Store(mulAdd(weight, red, hn::Load(d, toRed)), d, toRed);
-    hn::Store(mulAdd(weight, green, hn::Load(d, toGreen)), d, toGreen);
-    hn::Store(mulAdd(weight, blue, hn::Load(d, toBlue)), d, toBlue);
-    hn::Store(hn::Sub(before, weight), d, through);
+    const V weight = a * before;
+    hn::Store(weight * red + hn::Load(d, toRed), d, toRed);
+    hn::Store(weight * green + hn::Load(d, toGreen), d, toGreen);
+    hn::Store(weight * blue + hn::Load(d, toBlue), d, toBlue);
+    hn::Store(before - weight, d, through);
     return weight;
 }
 
@@ -152,12 +152,12 @@ struct SpriteInTargets {
             const float* HWY_RESTRICT colour = target.colours + sprite * SpriteTarget::kStride;
             const auto put = [&](std::size_t channel, V value) HWY_ATTR {
                 float* HWY_RESTRICT at = to + channel * Tile::kPatchPixels;
-                hn::Store(mulAdd(weight, value, hn::Load(d, at)), d, at);
+                hn::Store(weight * value + hn::Load(d, at), d, at);
             };
             const auto lit = [&](std::size_t channel, std::size_t light) HWY_ATTR {
                 const V value = hn::Set(d, colour[channel]);
                 if constexpr (kLit) {
-                    return hn::Mul(lights[light], value);
+                    return lights[light] * value;
                 } else {
                     return value;
                 }
@@ -181,7 +181,7 @@ alignas(kAlignment) constexpr float kRows[Tile::kPatchPixels] = {
 /// image
 HWY_INLINE V fromCentre(D d, const float* places, int start, float centre)
 {
-    return hn::Sub(hn::Add(hn::Load(d, places), hn::Set(d, static_cast<float>(start))), hn::Set(d, centre));
+    return (hn::Load(d, places) + hn::Set(d, static_cast<float>(start))) - centre;
 }
 
 /// Room for one value of each pixel of a row or a column of patches, the same in all the others.
@@ -209,24 +209,21 @@ struct Ends {
         const V toPatches = hn::Set(d, 1.0F / static_cast<float>(Tile::kPatch));
         const V nearEnd = hn::Set(d, static_cast<float>(box.left));
         const V farEnd = hn::Set(d, static_cast<float>(box.right));
-        const V rows = hn::Mul(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(Tile::kPatch)));
+        const V rows = hn::Iota(d, 0.0F) * hn::Set(d, static_cast<float>(Tile::kPatch));
         for (int i = 0; i <= box.bottom - box.top; i += static_cast<int>(hn::Lanes(d))) {
-            const V dy = hn::Add(
-                rows, hn::Set(d, static_cast<float>(tile.top + (box.top + i) * Tile::kPatch) + 0.5F - sprite.y));
+            const V dy =
+                rows + hn::Set(d, static_cast<float>(tile.top + (box.top + i) * Tile::kPatch) + 0.5F - sprite.y);
             // The rows of a patch are as wide together as the widest, and the lean of the ellipse moves one against the
             // other.
-            const V nearest = hn::IfThenElse(hn::Gt(dy, zero), dy, hn::Min(zero, hn::Add(dy, hn::Set(d, kReach))));
-            const V root = hn::Sqrt(hn::Max(zero, hn::Sub(one, hn::Mul(height, hn::Mul(nearest, nearest)))));
-            const V half = mulAdd(halfRoot, root, lean);
+            const V nearest = hn::IfThenElse(hn::Gt(dy, zero), dy, hn::Min(zero, dy + kReach));
+            const V root = hn::Sqrt(hn::Max(zero, one - height * (nearest * nearest)));
+            const V half = halfRoot * root + lean;
             // Counted in pixels, the centre of the tile's first being 0.
-            const V middle = mulAdd(hn::Set(d, slant), hn::Add(dy, hn::Set(d, 0.5F * kReach)),
-                hn::Set(d, sprite.x - 0.5F - static_cast<float>(tile.left)));
+            const V middle = slant * (dy + 0.5F * kReach) + hn::Set(d, sprite.x - 0.5F - static_cast<float>(tile.left));
             hn::Store(
-                hn::ConvertTo(di, hn::Max(nearEnd, hn::Floor(hn::Mul(hn::Ceil(hn::Sub(middle, half)), toPatches)))), di,
-                first + i);
+                hn::ConvertTo(di, hn::Max(nearEnd, hn::Floor(hn::Ceil(middle - half) * toPatches))), di, first + i);
             hn::Store(
-                hn::ConvertTo(di, hn::Min(farEnd, hn::Floor(hn::Mul(hn::Floor(hn::Add(middle, half)), toPatches)))), di,
-                last + i);
+                hn::ConvertTo(di, hn::Min(farEnd, hn::Floor(hn::Floor(middle + half) * toPatches))), di, last + i);
         }
     }
 };
