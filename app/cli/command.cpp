@@ -1,6 +1,6 @@
 #include "app/cli/command.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"

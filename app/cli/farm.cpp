@@ -3,9 +3,9 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/memory.h"
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/farm/chunk.h"
 #include "core/export/farm/farm.h"

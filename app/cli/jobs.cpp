@@ -5,7 +5,7 @@
 #include "app/cli/json_answer.h"
 #include "app/cli/picture_options.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/jobs/job_file.h"
 #include "core/export/remarks.h"

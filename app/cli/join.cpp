@@ -4,9 +4,9 @@
 #include "app/cli/export_arguments.h"
 #include "app/cli/progress.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/memory.h"
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/sheets/flipbook_files.h"
 #include "core/export/video/video.h"
 #include "core/preset/preset_file.h"

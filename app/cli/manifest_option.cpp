@@ -1,6 +1,6 @@
 #include "app/cli/manifest_option.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/manifest/manifest_parts.h"
 
 namespace fumage::cli {

@@ -3,7 +3,7 @@
 #include "app/cli/number_options.h"
 #include "app/cli/progress.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/output_name.h"
 #include "core/export/remarks.h"

@@ -1,8 +1,8 @@
 #include "app/cli/command.h"
 #include "app/cli/json_answer.h"
 
-#include "core/base/file.h"
-#include "core/base/path.h"
+#include "core/system/file.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/output_name.h"
 #include "core/preset/library.h"

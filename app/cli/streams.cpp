@@ -2,8 +2,8 @@
 
 #include "app/cli/system.h"
 
-#include "core/base/file.h"
-#include "core/base/path.h"
+#include "core/system/file.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 
 #include <array>

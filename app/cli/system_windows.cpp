@@ -2,8 +2,8 @@
 
 #include "app/cli/interruption.h"
 
-#include "core/base/descriptor.h"
-#include "core/base/system_text.h"
+#include "core/system/descriptor.h"
+#include "core/system/system_text.h"
 #include "core/base/windows_api.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "app/cli/progress.h"
 
 #include "core/base/memory.h"
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/manifest/verify.h"
 #include "core/version.h"

@@ -1,7 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/output_name.h"
 
 #include <algorithm>

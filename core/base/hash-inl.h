@@ -36,11 +36,18 @@ HWY_INLINE hn::VFromD<D> signedValue(D d, VU bits)
     return hn::ConvertTo(d, hn::BitCast(hn::RebindToSigned<D>(), bits));
 }
 
-/// The vector form of unitFloat(streamBits(key, stream)).
+/// The vector form of unitFloat(bits).
+template <class D, SimdVector VU>
+HWY_INLINE hn::VFromD<D> unitFloat(D d, VU bits)
+{
+    return signedValue(d, hn::ShiftRight<8>(bits)) * 0x1p-24F;
+}
+
+/// That of unitFloat(streamBits(key, stream)).
 template <class D, SimdVector VU>
 HWY_INLINE hn::VFromD<D> unitStream(D d, VU key, std::uint32_t stream)
 {
-    return signedValue(d, hn::ShiftRight<8>(mixedBits(key + (stream + 1U) * kGoldenStep))) * 0x1p-24F;
+    return unitFloat(d, mixedBits(key + (stream + 1U) * kGoldenStep));
 }
 
 /// The same in [-1, 1).

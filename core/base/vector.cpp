@@ -1,8 +1,16 @@
 #include "core/base/vector.h"
 
+#include "core/base/math.h"
+
 #include <cmath>
 
 namespace fumage {
+
+glm::vec3 horizontalDirection(float degrees)
+{
+    const float angle = radians(degrees);
+    return {portableCos(angle), 0.0F, portableSin(angle)};
+}
 
 PlaneBasis planeBasis(const glm::vec3& normal)
 {

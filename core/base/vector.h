@@ -12,6 +12,9 @@ struct PlaneBasis {
     glm::vec3 along{0.0F, 0.0F, 1.0F};
 };
 
+/// The horizontal direction at an angle from +x towards +z, as that of the wind. The same bits on every machine.
+[[nodiscard]] glm::vec3 horizontalDirection(float degrees);
+
 /// @param normal unit vector
 [[nodiscard]] PlaneBasis planeBasis(const glm::vec3& normal);
 

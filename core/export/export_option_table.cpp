@@ -1,6 +1,6 @@
 #include "core/export/export_option_table.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/option_kinds.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/noise/texture.h"

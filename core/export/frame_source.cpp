@@ -1,6 +1,6 @@
 #include "core/export/frame_source.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/manifest/manifest.h"
 #include "core/image_io/exr_file.h"
 

@@ -1,6 +1,6 @@
 #include "core/export/image_file.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/sheets/bleed.h"
 #include "core/export/output_name.h"
 #include "core/image_io/exr_file.h"

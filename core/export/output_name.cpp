@@ -1,6 +1,6 @@
 #include "core/export/output_name.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/export/plan.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/export/fit_camera.h"

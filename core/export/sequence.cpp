@@ -1,7 +1,7 @@
 #include "core/export/sequence.h"
 
-#include "core/base/file.h"
-#include "core/base/path.h"
+#include "core/system/file.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/pass_frames.h"
 #include "core/export/frame_neighbours.h"

@@ -64,7 +64,7 @@ HWY_INLINE void placeBlock(const Particles& particles, const Appearance& appeara
         const V front = mass - back;
         const V frontTop = front * cell.fraction.y;
         const V backTop = back * cell.fraction.y;
-        SharedRounding rounding{signedValue(d, hn::ShiftRight<8>(key)) * 0x1p-24F};
+        SharedRounding rounding{unitFloat(d, key)};
         const auto share = [&](std::size_t pair, V amount) HWY_ATTR {
             const V right = amount * cell.fraction.x;
             const auto units = rounding.take(amount - right);

@@ -1,8 +1,8 @@
 #include "core/preset/library.h"
 
 #include "core/base/embedded_file.h"
-#include "core/base/environment.h"
-#include "core/base/path.h"
+#include "core/system/environment.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/preset/preset_file.h"
 

@@ -1,7 +1,7 @@
 #include "core/preset/preset_file.h"
 
-#include "core/base/file.h"
-#include "core/base/open_file.h"
+#include "core/system/file.h"
+#include "core/system/open_file.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/image_io/metadata_reader.h"

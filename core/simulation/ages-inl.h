@@ -23,7 +23,7 @@ HWY_INLINE hn::VFromD<D> agesInSteps(
 {
     const hn::RebindToSigned<D> di;
     const auto age = hn::ConvertTo(d, step - hn::Load(di, particles.birthStep.data() + i));
-    return betweenSteps ? age + signedValue(d, hn::ShiftRight<8>(key)) * 0x1p-24F : age;
+    return betweenSteps ? age + unitFloat(d, key) : age;
 }
 
 } // namespace fumage::HWY_NAMESPACE

@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/base/vector.h"
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
 #include "core/simulation/simulation_model.h"
@@ -65,9 +66,7 @@ Box fittedBox(const SampledEffect& effect)
         emitter.normal * (emitter.speed + 0.01F) + up * std::sqrt(std::abs(effect->air.buoyancy) * rise + 0.01F);
     constexpr float kNoWay = 1e-3F; // m/s: they cancel
     const glm::vec3 way = glm::length(both) > kNoWay ? glm::normalize(both) : up;
-    const float angle = radians(effect->wind.angle);
-    const glm::vec3 wind =
-        windSpeed(effect->wind.strength * glm::vec3(portableCos(angle), 0.0F, portableSin(angle)), effect->air);
+    const glm::vec3 wind = windSpeed(effect->wind.strength * horizontalDirection(effect->wind.angle), effect->air);
     constexpr float kBlown = 0.7F; // of its life that smoke is high enough for the wind
     const glm::vec3 end = emitter.position + rise * way + kBlown * seconds * wind;
     Box box{glm::min(emitter.position, end) - side, glm::max(emitter.position, end) + side};

@@ -72,7 +72,7 @@ struct Start {
 HWY_INLINE Start onTheWay(D d, const Spawner& place, VU key, const Start& born)
 {
     const EmitterTravel& travel = place.travel;
-    const V lived = travel.betweenSteps ? signedValue(d, hn::ShiftRight<8>(key)) * 0x1p-24F : hn::Zero(d);
+    const V lived = travel.betweenSteps ? unitFloat(d, key) : hn::Zero(d);
     Vec3<V> away = born.position - place.emitter.position;
     Vec3<V> velocity = born.velocity;
     if (travel.normalBefore != place.emitter.normal) {

@@ -131,8 +131,8 @@ glm::vec3 SimulationModel::windAt(double step) const
 {
     const Wind& wind = m_effect->wind;
     const float strength = wind.strength * (1.0F + wind.gust * wander(step, wind.gustRate, kGustStrength));
-    const float angle = radians(wind.angle + wind.gust * kGustAngleRange * wander(step, wind.gustRate, kGustAngle));
-    return {strength * portableCos(angle), 0.0F, strength * portableSin(angle)};
+    const float angle = wind.angle + wind.gust * kGustAngleRange * wander(step, wind.gustRate, kGustAngle);
+    return strength * horizontalDirection(angle);
 }
 
 float SimulationModel::drawScale() const

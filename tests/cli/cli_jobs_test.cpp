@@ -3,7 +3,7 @@
 #include "tests/cli/run.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/preset/preset_file.h"
 
 #include <QJsonArray>

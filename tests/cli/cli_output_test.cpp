@@ -3,7 +3,7 @@
 #include "tests/cli/refusals.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/preset/preset_file.h"
 
 #include <QDirIterator>

@@ -2,7 +2,7 @@
 
 #include "tests/cli/run.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

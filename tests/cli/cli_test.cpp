@@ -3,7 +3,7 @@
 #include "tests/cli/refusals.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/preset/preset_file.h"
 

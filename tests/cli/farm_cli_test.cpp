@@ -4,7 +4,7 @@
 #include "tests/cli/refusals.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

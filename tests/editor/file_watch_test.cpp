@@ -3,7 +3,7 @@
 
 #include "ui/document/file_watch.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/known_parameter.h"
 #include "core/preset/preset_file.h"
 

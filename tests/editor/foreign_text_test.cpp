@@ -10,7 +10,7 @@
 #include "ui/shell/main_window.h"
 #include "ui/shell/session.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/known_parameter.h"
 #include "core/preset/preset_file.h"
 

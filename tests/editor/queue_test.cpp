@@ -5,7 +5,7 @@
 #include "ui/export/queue_panel.h"
 #include "ui/theme/theme.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/jobs/job_file.h"
 
 #include <QAction>

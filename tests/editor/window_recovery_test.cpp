@@ -4,7 +4,7 @@
 #include "ui/document/recovery.h"
 #include "ui/widgets/message_bar.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/known_parameter.h"
 #include "core/preset/preset_file.h"
 

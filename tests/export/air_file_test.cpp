@@ -1,7 +1,7 @@
 // The air as engines read it, against the field that it was written from.
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/data/air_file.h"
 #include "core/simulation/air_cache.h"
 

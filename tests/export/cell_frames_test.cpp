@@ -3,7 +3,7 @@
 #include "core/export/sheets/cell_frames.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/plan.h"
 #include "core/export/sheets/sheet.h"
 #include "core/export/sheets/sheet_preview.h"

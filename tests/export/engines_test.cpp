@@ -3,7 +3,7 @@
 
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/sheets/flipbook_files.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/sheets/flipbook.h"

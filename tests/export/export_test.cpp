@@ -2,7 +2,7 @@
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/sheets/bleed.h"
 #include "core/export/sheets/flipbook.h"
 #include "core/export/data/particle_dump.h"

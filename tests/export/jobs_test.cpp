@@ -2,8 +2,8 @@
 #include "core/export/sheets/cell_frames.h"
 #include "tests/helpers.h"
 
-#include "core/base/environment.h"
-#include "core/base/file.h"
+#include "core/system/environment.h"
+#include "core/system/file.h"
 #include "core/export/jobs/job_file.h"
 #include "core/preset/preset_file.h"
 

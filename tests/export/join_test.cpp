@@ -2,7 +2,7 @@
 #include "tests/export/small_smoke.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/plan.h"
 #include "core/image_io/picture_pixels.h"
 

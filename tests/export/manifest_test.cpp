@@ -2,7 +2,7 @@
 #include "tests/export/small_smoke.h"
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/sha256.h"
 #include "core/export/manifest/recorded.h"
 #include "core/export/manifest/verify.h"

@@ -4,8 +4,8 @@
 #include "tests/effects.h"
 #include "tests/export/hostile_names.h"
 
-#include "core/base/file.h"
-#include "core/base/path.h"
+#include "core/system/file.h"
+#include "core/system/path.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/farm/farm.h"
 #include "core/export/templates/language.h"

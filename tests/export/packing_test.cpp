@@ -6,7 +6,7 @@
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/sheets/flipbook.h"
 #include "core/export/sheets/sheet.h"
 

@@ -3,7 +3,7 @@
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/parallel.h"
 #include "core/export/sequence.h"
 #include "core/export/sheets/sheet.h"

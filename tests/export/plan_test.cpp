@@ -2,7 +2,7 @@
 #include "tests/helpers.h"
 #include "tests/png_file.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/output_name.h"
 #include "core/export/plan.h"
 #include "core/noise/texture.h"

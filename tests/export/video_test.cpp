@@ -2,7 +2,7 @@
 
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/plan.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/view_transform.h"

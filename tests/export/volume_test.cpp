@@ -3,7 +3,7 @@
 #include "tests/helpers.h"
 #include "tests/lighting/clouds.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/data/vdb_file.h"
 #include "core/preset/library.h"
 

@@ -3,7 +3,7 @@
 
 #include "tests/fuzz/expect.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/farm/farm.h"
 #include "core/export/templates/language.h"

@@ -1,6 +1,6 @@
 #include "tests/golden/golden_pictures.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/image_io/png_file.h"
 #include "core/rendering/view_transform.h"
 

@@ -1,6 +1,6 @@
 // Pictures carry the preset that they were made of, and say no more than they hold when somebody has broken them.
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/sheets/flipbook_files.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/export/image_file.h"

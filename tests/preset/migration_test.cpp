@@ -1,6 +1,6 @@
 // What version 1 of the format has left behind: presets, and what they stand in. It opens for ever.
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/assignment.h"
 #include "core/effect/value.h"

@@ -1,6 +1,6 @@
 #include "tests/helpers.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/noise/texture.h"

@@ -3,14 +3,14 @@
 // hold|copy|fail|sleep ...
 
 #include "core/base/aligned_array.h"
-#include "core/base/child_process.h"
-#include "core/base/environment.h"
-#include "core/base/file.h"
-#include "core/base/file_draft.h"
-#include "core/base/file_lock.h"
+#include "core/system/child_process.h"
+#include "core/system/environment.h"
+#include "core/system/file.h"
+#include "core/system/file_draft.h"
+#include "core/system/file_lock.h"
 #include "core/base/parallel.h"
-#include "core/base/path.h"
-#include "core/base/system_text.h"
+#include "core/system/path.h"
+#include "core/system/system_text.h"
 #include "core/base/windows_api.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
 #include "core/effect/value.h"

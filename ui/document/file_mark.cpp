@@ -2,7 +2,7 @@
 
 #include "ui/document/text.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/sha256.h"
 #include "core/preset/preset.h"
 

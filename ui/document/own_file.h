@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/file_lock.h"
+#include "core/system/file_lock.h"
 
 #include <QDir>
 #include <QString>

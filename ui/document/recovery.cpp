@@ -2,7 +2,7 @@
 
 #include "ui/document/text.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/preset/preset_file.h"
 
 #include <QFile>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/result.h"
 
 #include <filesystem>

@@ -43,12 +43,6 @@ float metres(const View& view, const glm::vec3& at, float pixels)
     return pixels * std::max(kNearest, project(view, at).depth) / view.focal;
 }
 
-glm::vec3 windDirection(const Effect& effect)
-{
-    const float angle = glm::radians(effect.wind.angle);
-    return {std::cos(angle), 0.0F, std::sin(angle)};
-}
-
 /// Where the light's handle stands: around the middle of the picture.
 glm::vec3 lightAnchor(const Effect& effect, const View& view)
 {
@@ -227,7 +221,7 @@ std::vector<Gizmo> gizmosOf(const Effect& effect, const View& view)
                                   gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Emitter"))},
         {GizmoId::EmitterNormal, emitter, tip(glm::normalize(effect.emitter.normal), kNormalPixels),
             QColor(0xa8, 0xe8, 0x50), gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Normal"))},
-        {GizmoId::Wind, emitter, tip(windDirection(effect), kWindPixels), QColor(0x4c, 0xb8, 0xe8),
+        {GizmoId::Wind, emitter, tip(horizontalDirection(effect.wind.angle), kWindPixels), QColor(0x4c, 0xb8, 0xe8),
             gizmoText(QT_TRANSLATE_NOOP("Gizmos", "Wind"))
                 + QStringLiteral(" θ %1°").arg(std::lround(effect.wind.angle))},
         {GizmoId::Light, middle, middle - glm::normalize(effect.light.direction) * lightReach(effect, view),

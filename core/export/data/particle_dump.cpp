@@ -1,6 +1,6 @@
 #include "core/export/data/particle_dump.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/text.h"
 #include "core/effect/sampling.h"
 #include "core/export/data/byte_writer.h"

@@ -1,6 +1,6 @@
 #include "core/export/engines/engine_files.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/export/engines/texture_packer.h"
 #include "core/export/engines/template_text.h"
 

@@ -1,6 +1,6 @@
 #include "core/export/farm/farm.h"
 
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/farm/chunk.h"
 #include "core/export/templates/template_facts.h"

@@ -1,7 +1,7 @@
 #include "core/export/jobs/job_fields.h"
 
 #include "core/base/joined.h"
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/export_option_table.h"
 

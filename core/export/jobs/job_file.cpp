@@ -1,8 +1,8 @@
 #include "core/export/jobs/job_file.h"
 
-#include "core/base/environment.h"
+#include "core/system/environment.h"
 #include "core/base/memory.h"
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/jobs/job_fields.h"
 #include "core/export/output_name.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/export/jobs/jobs.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "core/export/manifest/manifest.h"
 
-#include "core/base/open_file.h"
-#include "core/base/path.h"
+#include "core/system/open_file.h"
+#include "core/system/path.h"
 #include "core/base/sha256.h"
 #include "core/base/text.h"
 #include "core/export/sequence.h"

@@ -1,7 +1,7 @@
 #include "core/export/manifest/manifest_parts.h"
 
-#include "core/base/file.h"
-#include "core/base/path.h"
+#include "core/system/file.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/output_name.h"
 

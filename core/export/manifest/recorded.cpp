@@ -1,7 +1,7 @@
 #include "core/export/manifest/recorded.h"
 
-#include "core/base/open_file.h"
-#include "core/base/path.h"
+#include "core/system/open_file.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/export_option_table.h"
 #include "core/export/manifest/manifest_parts.h"

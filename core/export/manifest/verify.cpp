@@ -1,7 +1,7 @@
 #include "core/export/manifest/verify.h"
 
-#include "core/base/file.h"
-#include "core/base/path.h"
+#include "core/system/file.h"
+#include "core/system/path.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/export/sheets/flipbook.h"
 #include "core/export/manifest/recorded.h"

@@ -1,8 +1,8 @@
 #include "core/export/sheets/flipbook.h"
 
-#include "core/base/file.h"
+#include "core/system/file.h"
 #include "core/base/parallel.h"
-#include "core/base/path.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/export/engines/engine_files.h"

@@ -1,9 +1,9 @@
 #include "core/export/video/video.h"
 
-#include "core/base/child_process.h"
-#include "core/base/environment.h"
-#include "core/base/file.h"
-#include "core/base/file_draft.h"
+#include "core/system/child_process.h"
+#include "core/system/environment.h"
+#include "core/system/file.h"
+#include "core/system/file_draft.h"
 #include "core/export/loop.h"
 #include "core/rendering/renderer.h"
 #include "core/rendering/view_transform.h"

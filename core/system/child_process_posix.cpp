@@ -1,7 +1,7 @@
-#include "core/base/child_process.h"
+#include "core/system/child_process.h"
 
-#include "core/base/child_errors.h"
-#include "core/base/descriptor.h"
+#include "core/system/child_errors.h"
+#include "core/system/descriptor.h"
 
 #include <array>
 #include <cerrno>

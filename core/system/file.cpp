@@ -1,8 +1,8 @@
-#include "core/base/file.h"
+#include "core/system/file.h"
 
-#include "core/base/file_draft.h"
-#include "core/base/file_error.h"
-#include "core/base/open_file.h"
+#include "core/system/file_draft.h"
+#include "core/system/file_error.h"
+#include "core/system/open_file.h"
 
 #include <algorithm>
 #include <utility>

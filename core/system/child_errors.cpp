@@ -1,7 +1,7 @@
-#include "core/base/child_errors.h"
+#include "core/system/child_errors.h"
 
-#include "core/base/file_error.h"
-#include "core/base/path.h"
+#include "core/system/file_error.h"
+#include "core/system/path.h"
 #include "core/base/text.h"
 
 #include <algorithm>

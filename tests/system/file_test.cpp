@@ -1,12 +1,12 @@
 #include "tests/helpers.h"
 
-#include "core/base/child_errors.h"
-#include "core/base/file.h"
-#include "core/base/file_draft.h"
-#include "core/base/file_error.h"
+#include "core/system/child_errors.h"
+#include "core/system/file.h"
+#include "core/system/file_draft.h"
+#include "core/system/file_error.h"
 #include "core/base/memory.h"
-#include "core/base/open_file.h"
-#include "core/base/path.h"
+#include "core/system/open_file.h"
+#include "core/system/path.h"
 
 #include <QTemporaryDir>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/file_access.h"
+#include "core/system/file_access.h"
 #include "core/base/result.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-#include "core/base/file_error.h"
+#include "core/system/file_error.h"
 
-#include "core/base/system_text.h"
+#include "core/system/system_text.h"
 #include "core/base/windows_api.h"
 
 namespace fumage {

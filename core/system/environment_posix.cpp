@@ -1,5 +1,5 @@
-#include "core/base/environment.h"
-#include "core/base/path.h"
+#include "core/system/environment.h"
+#include "core/system/path.h"
 
 #include <cstdlib>
 

@@ -1,12 +1,10 @@
-#include "core/base/path.h"
-
-#include "core/base/system_text.h"
+#include "core/system/path.h"
 
 namespace fumage {
 
 std::filesystem::path pathFrom(std::string_view utf8)
 {
-    return wideFrom(utf8);
+    return utf8;
 }
 
 } // namespace fumage

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/base/descriptor.h"
-#include "core/base/file_access.h"
-#include "core/base/file_error.h"
+#include "core/system/descriptor.h"
+#include "core/system/file_access.h"
+#include "core/system/file_error.h"
 #include "core/base/result.h"
 
 #include <filesystem>

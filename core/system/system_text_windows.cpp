@@ -1,4 +1,4 @@
-#include "core/base/system_text.h"
+#include "core/system/system_text.h"
 
 #include "core/base/text.h"
 #include "core/base/windows_api.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/descriptor.h"
+#include "core/system/descriptor.h"
 #include "core/base/result.h"
 
 #include <cstddef>

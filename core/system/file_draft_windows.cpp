@@ -1,8 +1,8 @@
-#include "core/base/file_draft.h"
-#include "core/base/path.h"
+#include "core/system/file_draft.h"
+#include "core/system/path.h"
 
 #include "core/base/sha256.h"
-#include "core/base/system_text.h"
+#include "core/system/system_text.h"
 #include "core/base/windows_api.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "core/base/child_process.h"
+#include "core/system/child_process.h"
 
-#include "core/base/child_errors.h"
-#include "core/base/descriptor.h"
-#include "core/base/system_text.h"
+#include "core/system/child_errors.h"
+#include "core/system/descriptor.h"
+#include "core/system/system_text.h"
 #include "core/base/windows_api.h"
 
 #include <algorithm>

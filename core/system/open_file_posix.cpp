@@ -1,6 +1,6 @@
-#include "core/base/open_file.h"
+#include "core/system/open_file.h"
 
-#include "core/base/file_error.h"
+#include "core/system/file_error.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "core/base/file_error.h"
+#include "core/system/file_error.h"
 
 namespace fumage {
 

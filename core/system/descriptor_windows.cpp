@@ -1,4 +1,4 @@
-#include "core/base/descriptor.h"
+#include "core/system/descriptor.h"
 
 #include "core/base/windows_api.h"
 

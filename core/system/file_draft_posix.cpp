@@ -1,4 +1,4 @@
-#include "core/base/file_draft.h"
+#include "core/system/file_draft.h"
 
 #include <cerrno>
 

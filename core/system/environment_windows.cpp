@@ -1,7 +1,7 @@
-#include "core/base/environment.h"
-#include "core/base/path.h"
+#include "core/system/environment.h"
+#include "core/system/path.h"
 
-#include "core/base/system_text.h"
+#include "core/system/system_text.h"
 #include "core/base/windows_api.h"
 
 namespace fumage {
