@@ -5001,6 +5001,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Presets</source>
         <translation>Förinställningar</translation>
     </message>
+    <message>
+        <source>Files that you open or save will be here</source>
+        <translation>Filer som du öppnar eller sparar kommer att finnas här</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineBar</name>

@@ -5001,6 +5001,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Presets</source>
         <translation>预设</translation>
     </message>
+    <message>
+        <source>Files that you open or save will be here</source>
+        <translation>您打开或保存的文件将显示在这里</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::TimelineBar</name>

@@ -66,6 +66,18 @@ private slots:
         QVERIFY(!shown.dialog.isVisible());
     }
 
+    void withoutFilesOfLastTimeThereIsAWordInTheirPlace()
+    {
+        StartDialog dialog({}, nullptr);
+        QSignalSpy chosen(&dialog, &StartDialog::fileChosen);
+        dialog.show();
+        auto& list = *dialog.findChild<QListWidget*>(u"startRecent"_q);
+        QCOMPARE(list.count(), 1);
+        QVERIFY(!list.item(0)->text().isEmpty());
+        click(list, list.item(0)); // it is no file
+        QVERIFY(chosen.isEmpty() && dialog.isVisible());
+    }
+
     void aFileIsAskedForOnceTheDialogIsGone()
     {
         const Shown shown;

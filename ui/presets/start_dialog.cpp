@@ -14,6 +14,7 @@ namespace fumage::ui {
 namespace {
 
 constexpr int kThumbnail = 128;
+constexpr int kRecentWidth = 184;
 
 /// The files of last time, by their names.
 QListWidget* makeRecent(const QStringList& paths, QWidget* parent)
@@ -26,6 +27,13 @@ QListWidget* makeRecent(const QStringList& paths, QWidget* parent)
         item->setToolTip(plainToolTip(path));
         item->setData(Qt::UserRole, path);
     }
+    if (paths.isEmpty()) {
+        auto* hint = new QListWidgetItem(StartDialog::tr("Files that you open or save will be here"), files);
+        hint->setFlags(Qt::NoItemFlags);
+    }
+    files->setWordWrap(true);
+    files->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    files->setFixedWidth(kRecentWidth);
     return files;
 }
 
@@ -64,14 +72,14 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     right->addWidget(empty);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(16);
-    columns->addLayout(left, 3);
-    columns->addLayout(right, 1);
+    columns->addLayout(left, 1);
+    columns->addLayout(right);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
     layout->addLayout(columns, 1);
     layout->addWidget(m_again);
-    constexpr QSize kUsual(960, 620);
+    constexpr QSize kUsual(984, 620); // five pictures side by side
     resize(kUsual);
 
     connect(list, &PresetList::chosen, this, [this](const Preset& preset) {
@@ -81,6 +89,9 @@ StartDialog::StartDialog(const QStringList& recentFiles, QWidget* parent)
     // One click is enough here: there is nothing else that one could want of a picture.
     connect(list, &QListWidget::itemClicked, list, &QListWidget::itemActivated);
     connect(files, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        if ((item->flags() & Qt::ItemIsEnabled) == 0) {
+            return; // it is a word in place of files
+        }
         accept();
         emit fileChosen(item->data(Qt::UserRole).toString());
     });
