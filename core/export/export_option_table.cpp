@@ -1,5 +1,6 @@
 #include "core/export/export_option_table.h"
 
+#include "core/base/joined.h"
 #include "core/system/path.h"
 #include "core/export/option_kinds.h"
 #include "core/export/sheets/cell_frames.h"
@@ -90,11 +91,11 @@ Status readAlpha(std::string_view text, ExportPlan& plan)
 
 Text textOfPacks(Plan plan)
 {
-    std::string list;
+    Texts texts;
     for (const PackedPicture& pack : plan.flipbook.packs) {
-        list += (list.empty() ? "" : std::string(1, kBetween)) + textOf(pack);
+        texts.push_back(textOf(pack));
     }
-    return list;
+    return joined(texts, std::string_view(&kBetween, 1));
 }
 
 Status readPack(std::string_view text, ExportPlan& plan)
@@ -333,13 +334,14 @@ Status readSettings(const std::map<std::string, std::string>& settings, ExportPl
             continue;
         }
         const auto found = settings.find(std::string(option.setting));
-        if (found == settings.end() && !option.unsaid) {
+        const bool isSaid = found != settings.end() && !found->second.empty();
+        if (!isSaid && !option.unsaid) {
             return Error{
                 ErrorCode::WrongType, makeMessage("what this manifest is of cannot be rendered again"), {}, {}};
         }
-        const std::string text = found == settings.end() ? std::string(*option.unsaid) : found->second;
-        for (const std::string& part :
-            option.form == OptionForm::List || text.empty() ? splitList(text) : Texts{text}) {
+        const std::string text = isSaid ? found->second : std::string(*option.unsaid);
+        const Texts parts = option.form == OptionForm::List ? splitList(text) : Texts{text};
+        for (const std::string& part : text.empty() ? Texts() : parts) {
             if (Status status = option.read(part, plan); !status) {
                 return status;
             }

@@ -157,9 +157,14 @@ private slots:
             if (settings.erase(std::string(option.setting)) == 0) {
                 continue;
             }
-            ExportPlan plan = planOf(ExportKind::Flipbook);
-            QCOMPARE(readSettings(settings, plan).ok(), option.unsaid.has_value());
-            QVERIFY(!option.unsaid || option.text(plan).value_or(std::string()) == *option.unsaid);
+            for (const bool isEmpty : {false, true}) {
+                if (isEmpty) {
+                    settings[std::string(option.setting)]; // a setting without a text says no more
+                }
+                ExportPlan plan = planOf(ExportKind::Flipbook);
+                QCOMPARE(readSettings(settings, plan).ok(), option.unsaid.has_value());
+                QVERIFY(!option.unsaid || option.text(plan).value_or(std::string()) == *option.unsaid);
+            }
         }
     }
 };
