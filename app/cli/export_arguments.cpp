@@ -2,7 +2,7 @@
 
 #include "core/base/text.h"
 
-#include <algorithm>
+#include <cstdint>
 
 namespace fumage::cli {
 
@@ -11,14 +11,11 @@ namespace {
 /// What the library says of a text that is no number within the range; empty: it is one.
 std::string complaintOf(const ExportOption& option, const std::string& text)
 {
-    const std::optional<std::int64_t> whole = parseInteger(text);
-    const std::optional<float> number = parseFloat(text);
-    const auto isWithin = [&](double value) { return value >= option.low && value <= option.high; };
-    const bool isGood = option.form == OptionForm::Whole ? whole && isWithin(static_cast<double>(*whole))
-                                                         : number && isWithin(static_cast<double>(*number));
+    ExportPlan any;
     const auto bound = [](double value) { return formatFloat(static_cast<float>(value)); };
-    return isGood ? std::string()
-                  : inQuotes(text) + " is not a number from " + bound(option.low) + " to " + bound(option.high);
+    return option.read(text, any)
+        ? std::string()
+        : inQuotes(text) + " is not a number from " + bound(option.low) + " to " + bound(option.high);
 }
 
 CLI::Option* addList(CLI::App& command, const ExportOption& option, std::vector<std::string>& texts)
@@ -43,7 +40,8 @@ CLI::Option* ExportArguments::addTo(
     texts.push_back(initial.empty() ? std::string(option.initial) : initial);
     const std::string said = help.empty() ? std::string(option.help) : help;
     if (option.form == OptionForm::Flag) {
-        return command.add_flag(flagOf(option), texts.front(), said);
+        return command.add_flag_function(
+            flagOf(option), [&texts](std::int64_t count) { texts.front() = count > 0 ? "true" : "false"; }, said);
     }
     CLI::Option* added = command.add_option(flagOf(option), texts.front(), said);
     if (option.form == OptionForm::Whole || option.form == OptionForm::Number) {
@@ -95,7 +93,7 @@ bool ExportArguments::isForAnEngine() const
 
 Status ExportArguments::applyTo(ExportPlan& plan) const
 {
-    if (m_texts.contains("passes")) {
+    if (m_texts.contains("passes")) { // frames have no engine that would choose for them
         plan.passes = passesFor(plan.flipbook.engine);
         plan.style = styleFor(plan.flipbook.engine, plan.format);
     }

@@ -12,8 +12,4 @@ namespace fumage::cli {
 CLI::Option* addWhole(
     CLI::App& command, const std::string& name, int& value, int low, int high, const std::string& help);
 
-/// An option whose value is a number; not NaN.
-CLI::Option* addNumber(
-    CLI::App& command, const std::string& name, float& value, float low, float high, const std::string& help);
-
 } // namespace fumage::cli

@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json_answer.h"
 
+#include "core/base/joined.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
@@ -16,11 +17,7 @@ namespace {
 std::string rangeText(const Parameter& parameter)
 {
     if (parameter.kind == Kind::Choice) {
-        std::string all;
-        for (const std::string_view choice : parameter.choices) {
-            all += (all.empty() ? "" : ", ") + std::string(choice);
-        }
-        return all;
+        return joined(parameter.choices);
     }
     if (parameter.kind == Kind::Bool) {
         return "true, false";

@@ -1,5 +1,6 @@
 #include "core/base/simd.h"
 
+#include "core/base/joined.h"
 #include "core/base/text.h"
 
 #include <array>
@@ -53,12 +54,8 @@ Status forceSimdTarget(std::string_view name)
         }
     }
     if (chosen == 0 && !name.empty()) {
-        std::string all;
-        for (const std::string& each : availableSimdTargets()) {
-            all += (all.empty() ? "" : ", ") + each;
-        }
         return Error{ErrorCode::UnknownName, makeMessage("this machine has no instruction set %1", inQuotes(name)), {},
-            makeMessage("Choose one of %1", all)};
+            makeMessage("Choose one of %1", joined(availableSimdTargets()))};
     }
     hwy::SetSupportedTargetsForTest(chosen);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());

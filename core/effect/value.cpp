@@ -1,5 +1,6 @@
 #include "core/effect/value.h"
 
+#include "core/base/joined.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 
@@ -55,12 +56,8 @@ Result<Clamped> parseChoice(const Parameter& parameter, std::string_view text)
             return Clamped{static_cast<int>(i)};
         }
     }
-    std::string all;
-    for (const std::string_view choice : parameter.choices) {
-        all += (all.empty() ? "" : ", ") + std::string(choice);
-    }
     return Error{ErrorCode::UnknownName, makeMessage("there is no %1", inQuotes(text)), std::string(parameter.key),
-        makeMessage("Choose one of %1", all)};
+        makeMessage("Choose one of %1", joined(parameter.choices))};
 }
 
 Result<Clamped> parseBool(const Parameter& parameter, std::string_view text)

@@ -4,6 +4,7 @@
 #include "core/system/path.h"
 #include "core/base/text.h"
 #include "core/export/export_option_table.h"
+#include "core/export/option_kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -70,27 +71,21 @@ Result<Enum> named(std::string_view name)
     if (const std::optional<Enum> found = enumeratorNamed<Enum, kCount>(name)) {
         return *found;
     }
-    std::vector<std::string_view> all;
-    for (std::size_t i = 0; i < kCount; ++i) {
-        all.push_back(nameOf(static_cast<Enum>(i)));
-    }
-    return Error{ErrorCode::UnknownName, makeMessage("%1 is not known here", inQuotes(name)), {},
-        makeMessage("Choose from %1", joined(all))};
+    return unknownName(name, namesOf<Enum, kCount>());
 }
 
 /// A format that has no name but its ending.
 template <class Format, std::size_t kCount>
 Result<Format> formatNamed(const std::array<Format, kCount>& formats, std::string_view name)
 {
-    std::vector<std::string_view> all;
+    std::vector<std::string> all;
     for (const Format format : formats) {
         if (fileEnding(format).substr(1) == name) {
             return format;
         }
-        all.push_back(fileEnding(format).substr(1));
+        all.emplace_back(fileEnding(format).substr(1));
     }
-    return Error{ErrorCode::UnknownName, makeMessage("%1 is not known here", inQuotes(name)), {},
-        makeMessage("Choose from %1", joined(all))};
+    return unknownName(name, all);
 }
 
 std::string_view formatOf(const ExportPlan& plan)
@@ -106,9 +101,7 @@ Status readVolumeFormat(const JsonNode& value)
     if (Status status = readText(value, kMaxJobName, name); !status) {
         return status;
     }
-    return name == kOnly ? Status(Done{})
-                         : Error{ErrorCode::UnknownName, makeMessage("%1 is not known here", inQuotes(name)), {},
-                             makeMessage("Choose from %1", std::string(kOnly))};
+    return name == kOnly ? Status(Done{}) : unknownName(name, {std::string(kOnly)});
 }
 
 Status readFormat(const JsonNode& value, ExportPlan& plan)
