@@ -67,8 +67,8 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
     if (!options.then.empty() && picture.format.empty() && endingOf(pathFrom(picture.output)).empty()) {
         picture.format = nameOf(ImageFormat::ExrHalf);
     }
-    Result<PictureJob> job =
-        picture.jobFor(named, ExportKind::Video); // all frames, also of a preset that one picture carries
+    // all frames, also of a preset that one picture carries
+    Result<PictureJob> job = picture.jobFor(named, ExportKind::Video);
     if (!job) {
         return job;
     }

@@ -39,8 +39,8 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
 Status fit(const PictureOptions& options)
 {
     return options.effect.forEach([&](const NamedPreset& named) -> Status {
-        const Result<PictureJob> job =
-            options.jobWithoutOutput(named, ExportKind::Video); // all frames, also of a preset that one picture carries
+        // all frames, also of a preset that one picture carries
+        const Result<PictureJob> job = options.jobWithoutOutput(named, ExportKind::Video);
         if (!job) {
             return job.error();
         }

@@ -112,8 +112,8 @@ struct Parameter {
     VisibleWhen visible;
     DirtyStage dirties = DirtyStage::Simulate;
     Animates animates = Animates::Never;
-    bool varies =
-        true; ///< part of the smoke's character: variations change it, as far as its kind can be moved a little
+    /// Part of the smoke's character: variations change it, as far as its kind can be moved a little
+    bool varies = true;
     int essential = 0; ///< place among the essentials at the top of the panel, from 1; 0: not one of them
     Live live = Live::Changes;
     bool atExport = false; ///< asked for in the export dialog, too

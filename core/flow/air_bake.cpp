@@ -45,8 +45,8 @@ std::size_t leastBudget(const AirPlan& plan)
 
 std::size_t airRoom(const AirPlan& plan)
 {
-    constexpr std::size_t kColumns =
-        16; // of AirCells, of the levels of the pressure together, and of the curl around a few threads
+    // of AirCells, of the levels of the pressure together, and of the curl around a few threads
+    constexpr std::size_t kColumns = 16;
     return stateBytes(plan.grid) + kColumns * ColumnLayout(plan.grid.cells).size * sizeof(float) + leastBudget(plan);
 }
 

@@ -65,8 +65,8 @@ private:
     bool fetch()
     {
         constexpr std::size_t kPart = std::size_t{1} << 16U;
-        Result<std::string> part =
-            withinMemory([&] { return m_file(m_at, kPart); }); // no exception may cross the library
+        // no exception may cross the library
+        Result<std::string> part = withinMemory([&] { return m_file(m_at, kPart); });
         if (!part) {
             m_failure = part.error();
             return false;

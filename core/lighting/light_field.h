@@ -28,8 +28,8 @@ struct GridShape {
 struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
-    AlignedArray<float>
-        light; ///< four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+    /// Four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
+    AlignedArray<float> light;
     AlignedArray<float> fire; ///< one float a cell: light of what glows in the smoke; empty: there is none
     glm::vec3 fireColour{0.0F};
 };

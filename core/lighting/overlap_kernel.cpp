@@ -94,8 +94,8 @@ void grow(const Particles& particles, const GridShape& shape, const float* aroun
     constexpr float kThird = 1.0F / 3.0F;
     constexpr float kNoAlpha = 1e-12F;
     const float perVolume = kPi * appearance.cover.mean / (shape.cell * shape.cell * shape.cell);
-    const float ballsADisc =
-        4.0F * (Coverage::kSoftDisc / appearance.cover.mean); // 4/3 pi r^3 over what the particle covers, by r
+    // 4/3 pi r^3 over what the particle covers, by r
+    const float ballsADisc = 4.0F * (Coverage::kSoftDisc / appearance.cover.mean);
     const std::size_t begin = chunk * Particles::kChunk;
     for (std::size_t i = begin; i < begin + Particles::kChunk; i += hn::Lanes(d)) {
         const V radius = hn::Load(d, appearance.radius.data() + i);

@@ -152,8 +152,8 @@ Result<int> LiveSimulation::step(double seconds)
     const double due = (before + seconds) / m_stepSeconds;
     const double whole = std::floor(due + kRoundingOfFloats);
     const int steps = static_cast<int>(std::min(whole, static_cast<double>(m_options.mostStepsAtOnce)));
-    const double stretch =
-        steps > 0 ? whole / steps : 1.0; // time that is let go takes its part of the emitter's way with it
+    // time that is let go takes its part of the emitter's way with it
+    const double stretch = steps > 0 ? whole / steps : 1.0;
     for (int i = 1; i <= steps; ++i) {
         const double share = seconds > 0.0 ? (i * stretch * m_stepSeconds - before) / seconds : 1.0;
         const bool isNow = share > 1.0 - kRoundingOfFloats;

@@ -21,12 +21,12 @@ namespace fumage {
 
 /// What is fixed when a simulation starts.
 struct LiveOptions {
-    int stepsPerSecond =
-        0; ///< in place of the effect's, 1 to 240, best as many as the game has; 0: those of the effect
+    /// In place of the effect's, 1 to 240, best as many as the game has; 0: those of the effect
+    int stepsPerSecond = 0;
     int mostParticles = 0; ///< alive at once, up to kMaxParticles; memory is taken for all of them, and births are
                            ///< thinned so that they suffice. 0: as many as the effect has at the start
-    double budgetMs =
-        0.0; ///< that a step of the simulation may take, kept by thinning births; 0: none. With one, two runs differ
+    /// Milliseconds that a step of the simulation may take, kept by thinning births; 0: none. With one, two runs differ
+    double budgetMs = 0.0;
     int mostStepsAtOnce = 8; ///< in one call of step(), 1 or more: time beyond it is let go, so that a game that has
                              ///< stood still does not race
     std::function<double()> clock{}; ///< that the budget is measured with, s from any start on, asked three times a

@@ -13,8 +13,8 @@ namespace fumage {
 struct RowPositions {
     AlignedArray<float> fraction; ///< f, the place of each pixel of a repeat in its cell, in [0, 1)
     AlignedArray<float> weight; ///< w(f); see weighByInterpolation() and weighBySquare()
-    AlignedArray<std::int32_t>
-        lane; ///< cell of each pixel of a repeat, counted from that of the first pixel of its block of kBlock
+    /// Cell of each pixel of a repeat, counted from that of the first pixel of its block of kBlock
+    AlignedArray<std::int32_t> lane;
     std::vector<std::int32_t> cell; ///< cell of the first pixel of each block of kBlock pixels
     bool uniform = false; ///< every block of kBlock pixels lies in one cell
 

@@ -146,8 +146,8 @@ struct SpriteTarget {
     static constexpr std::size_t kStride = 4;
 
     TargetLight light = TargetLight::Flat;
-    AlignedArray<float>
-        colours; ///< kStride floats a sprite: three channels, of any sign, and one that is not looked at
+    /// kStride floats a sprite: three channels, of any sign, and one that is not looked at
+    AlignedArray<float> colours;
 };
 
 } // namespace fumage

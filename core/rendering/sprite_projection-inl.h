@@ -32,8 +32,8 @@ struct SpriteBlock {
     alignas(64) float slice[kSpriteBlock];
     alignas(64) float stretchX[kSpriteBlock]; ///< velocity on the screen, pixels/s
     alignas(64) float stretchY[kSpriteBlock];
-    alignas(
-        64) float shapeXX[kSpriteBlock]; ///< what makes a disc of the particle: inverse axes on the screen, symmetric
+    /// What makes a disc of the particle: inverse axes on the screen, symmetric
+    alignas(64) float shapeXX[kSpriteBlock];
     alignas(64) float shapeXY[kSpriteBlock];
     alignas(64) float shapeYY[kSpriteBlock];
     alignas(64) float area[kSpriteBlock]; ///< over that of a disc

@@ -201,8 +201,8 @@ struct Ends {
         const float slant = -rim.xy / rim.xx; // the centre of a row moves by this for each dy
         const V zero = hn::Zero(d);
         const V one = hn::Set(d, 1.0F);
-        constexpr auto kReach =
-            static_cast<float>(Tile::kPatch - 1); // from the first row of pixels in a patch to its last
+        // from the first row of pixels in a patch to its last
+        constexpr auto kReach = static_cast<float>(Tile::kPatch - 1);
         const V height = hn::Set(d, rim.yy + rim.xy * slant);
         const V halfRoot = hn::Set(d, 1.0F / std::sqrt(rim.xx));
         const V lean = hn::Set(d, 0.5F * kReach * std::abs(slant));

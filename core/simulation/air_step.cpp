@@ -71,8 +71,8 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
 AirOctave octaveAt(double step, const Schedule& schedule, std::uint32_t seed, float frequency, float rate, float weight)
 {
     const RowPosition row = rowPosition(step, schedule, static_cast<double>(rate * schedule.dt));
-    const float turn =
-        0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction); // keeps the variance of the sum
+    // keeps the variance of the sum
+    const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction);
     AirOctave octave;
     octave.frequency = frequency;
     octave.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};

@@ -18,8 +18,8 @@ struct EmitterTravel {
     glm::vec3 way{0.0F}; ///< from where the emitter was a step before, m
     glm::vec3 normalBefore{0.0F, 1.0F, 0.0F}; ///< unit vector, a step before; not opposite to the normal now
     glm::vec3 velocity{0.0F}; ///< that particles take along from it, m/s
-    bool betweenSteps =
-        false; ///< whether particles are born between steps, see Schedule; otherwise all are born at its place now
+    /// Whether particles are born between steps, see Schedule; otherwise all are born at its place now
+    bool betweenSteps = false;
 };
 
 /// Where and how fast particles start: eq. I and II of the 2012 model, with cone and shapes beside.

@@ -18,8 +18,8 @@ struct Schedule {
     std::int64_t birthsPerPeriod = 1;
     std::int64_t periodSteps = 1;
     std::int64_t windowSteps = 1; ///< at most periodSteps
-    double emittingSteps =
-        1.0; ///< for which the source acts on the air in each period: windowSteps before they are made whole
+    /// Steps for which the source acts on the air in each period: windowSteps before they are made whole
+    double emittingSteps = 1.0;
     std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it
     std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;

@@ -250,8 +250,8 @@ StepConstants SimulationModel::constants(std::int64_t step, float share) const
     out.random = acceleration * (r * drawScale() * tau * 0x1p-31F);
     out.steadyShare = 1.0F - r;
     out.randomShare = r * drawScale() * 0x1p-31F;
-    out.buoyancy =
-        (inAir() ? m_effect->air.buoyancy : motion.buoyancy) * tau; // of air: its share of a particle's own heat
+    // of air: its share of a particle's own heat
+    out.buoyancy = (inAir() ? m_effect->air.buoyancy : motion.buoyancy) * tau;
     out.cooling = motion.cooling;
     out.heatVariance = motion.heatVariance;
     out.pull = motion.pull * tau;

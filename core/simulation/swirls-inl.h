@@ -77,8 +77,8 @@ HWY_INLINE void addTurbulence(
     const Vec3<V> q{
         away.x * frequency * shrink, (logHeight + (away.y - above)) * frequency, away.z * frequency * shrink};
     Swirl<V> sum = sumOfOctaves<kTurns, true>(d, constants, q);
-    const V growth =
-        hn::IfThenElseZero(hn::Gt(away.y, hn::Zero(d)), hn::Set(d, constants.growth)); // below the pivot nothing grows
+    // below the pivot nothing grows
+    const V growth = hn::IfThenElseZero(hn::Gt(away.y, hn::Zero(d)), hn::Set(d, constants.growth));
     const V spread = growth * shrink * sum.velocity.y;
     const V twist = growth * (2.0F / frequency);
     sum.velocity.x = sum.velocity.x + (spread * away.x + twist * sum.potential.z);

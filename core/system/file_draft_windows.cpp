@@ -16,8 +16,8 @@ namespace fumage {
 
 namespace {
 
-constexpr auto kRenameInfoEx =
-    static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); ///< FileRenameInfoEx, which mingw-w64's headers lack
+/// FileRenameInfoEx, which mingw-w64's headers lack
+constexpr auto kRenameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22);
 constexpr DWORD kShareAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 int lastError()

@@ -80,8 +80,8 @@ private slots:
                         QVERIFY(std::abs(numbers.values[static_cast<std::size_t>(channel)] - shown) < 1.0F / full);
                     }
                 }
-                const DataImage light =
-                    sheetNumbers(ramp(), effect, ImageFormat::ExrFloat, 20, 15); // before exposure and view transform
+                // before exposure and view transform
+                const DataImage light = sheetNumbers(ramp(), effect, ImageFormat::ExrFloat, 20, 15);
                 QCOMPARE(light.values[0], effect.output.backgroundColour.r);
                 QCOMPARE(light.values[3], 1.0F);
             }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kMargin = 8;
 constexpr int kGap = 3;
-constexpr int kBar =
-    4; ///< height of the bar, which only one has that runs or is verified; others keep its place, so that nothing jumps
+/// Height of the bar, which only one has that runs or is verified; others keep its place, so that nothing jumps
+constexpr int kBar = 4;
 
 /// Where the parts of a row lie.
 struct Places {

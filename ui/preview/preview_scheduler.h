@@ -111,8 +111,8 @@ private:
 
     PictureCache m_cache; ///< of this revision
     PicturePtr m_picture;
-    std::shared_ptr<AirCache> m_shelf =
-        std::make_shared<AirCache>(3); ///< for the effect, its stand-in, and the other effect
+    /// For the effect, its stand-in, and the other effect
+    std::shared_ptr<AirCache> m_shelf = std::make_shared<AirCache>(3);
     PictureWorker m_worker;
     Preparer m_preparer;
 

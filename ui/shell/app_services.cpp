@@ -21,8 +21,8 @@ AppServices::AppServices(AskForFile askForFile, AskForChoice askForChoice, QObje
     , m_glSupport(probeOpenGl())
     , m_exports(QDir(Settings::queueFolder()))
 {
-    constexpr int kThriftMs =
-        2000; // after a burst of changes: what is given back in the middle of one is asked for again at once
+    // after a burst of changes: what is given back in the middle of one is asked for again at once
+    constexpr int kThriftMs = 2000;
     m_thrift.setSingleShot(true);
     m_thrift.setInterval(kThriftMs);
     connect(&m_thrift, &QTimer::timeout, this, [this] {

@@ -25,10 +25,10 @@ inline constexpr std::string_view kVdbEnding = ".vdb";
 struct VolumeSequenceOptions {
     std::filesystem::path output; ///< ## becomes the frame number; see framePath()
     FrameRange frames;
-    int longest =
-        128; ///< cells along the longest edge of the smoke of the whole timeline, kMinVolumeCells to kMaxVolumeCells
-    std::optional<float>
-        voxel; ///< edge of a cell, kMinVoxel to kMaxVoxel, m, in place of the one that longest comes to
+    /// Cells along the longest edge of the smoke of the whole timeline, kMinVolumeCells to kMaxVolumeCells
+    int longest = 128;
+    /// Edge of a cell, kMinVoxel to kMaxVoxel, m, in place of the one that longest comes to
+    std::optional<float> voxel;
     UpAxis up = UpAxis::Z;
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
     FrameSink written{}; ///< hears of each file that is in its place, if there is anybody

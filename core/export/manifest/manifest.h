@@ -24,8 +24,8 @@ inline constexpr std::size_t kMaxManifestBytes = std::size_t{32} << 20U;
 
 /// What a file is known by.
 struct Content {
-    bool ofPixels =
-        false; ///< whether it is the hash of what a picture shows, see pictureHash(); else of the file's bytes
+    /// Whether it is the hash of what a picture shows, see pictureHash(); else of the file's bytes
+    bool ofPixels = false;
     std::string hash; ///< SHA-256
     friend bool operator==(const Content&, const Content&) = default;
 };
