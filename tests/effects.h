@@ -10,6 +10,8 @@ inline Effect everythingOn()
     Effect e;
     e.emitter.count = 1500;
     e.emitter.velocityRandomness = 0.3F;
+    e.source.surge = 0.5F;
+    e.source.surgeRate = 3.0F;
     e.wind.strength = 0.6F;
     e.motion.gravity = 0.2F;
     e.motion.randomness = 0.4F;
@@ -25,6 +27,8 @@ inline Effect everythingOn()
     e.look.spin = 10.0F;
     e.look.roll = 0.5F;
     e.look.stretch = 0.05F;
+    e.look.detail = 1.0F;
+    e.look.detailSize = 0.8F;
     e.glow.emission = 2.0F;
     e.glow.hotCore = 0.3F;
     e.glow.flameOpacity = 0.5F;

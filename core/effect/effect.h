@@ -128,6 +128,8 @@ struct Source {
     float raggedness = 0.35F;
     float unevenness = 0.4F;
     float expansion = 0.0F;
+    float surge = 0.0F;
+    float surgeRate = 1.0F;
     friend bool operator==(const Source&, const Source&) = default;
 };
 
@@ -200,6 +202,12 @@ struct Look {
     float relief = 0.0F;
     float roundness = 0.0F;
     float heatOpacity = 0.0F;
+    float detail = 0.0F;
+    float detailSize = 0.6F;
+    float detailLife = 0.33F;
+    float detailRelief = 1.0F;
+    float detailEdge = 0.2F;
+    float detailShadow = 1.0F;
     friend bool operator==(const Look&, const Look&) = default;
 };
 

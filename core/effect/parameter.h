@@ -97,6 +97,7 @@ struct Range {
 struct Parameter {
     std::string_view key; ///< "group.name": JSON path, --set key, objectName of the editor, anchor in the help
     std::string_view formerly; ///< the key that earlier versions of files have; empty: the same
+    int since = 1; ///< first version of presets that has it: those of earlier ones do not lack it
     std::string_view label; ///< key for tr()
     std::string_view synonyms; ///< other words that it is looked for by, with spaces between: those of other programs,
                                ///< of other spellings, plain ones

@@ -28,10 +28,15 @@ struct GridShape {
 struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
+    AlignedArray<float> plain; ///< the same without the detail that is in it; empty: there is none
+    AlignedArray<float> body; ///< how deep in smoke a cell is, 0 to 1, where there is detail; see findBody()
     /// Four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
     AlignedArray<float> light;
     AlignedArray<float> fire; ///< one float a cell: light of what glows in the smoke; empty: there is none
     glm::vec3 fireColour{0.0F};
+
+    /// Extinction as the particles have it, 1/m.
+    [[nodiscard]] const AlignedArray<float>& densityOfParticles() const { return plain.empty() ? density : plain; }
 };
 
 /// What lightSmoke() needs while it works; kept, so that its memory is allocated once.

@@ -3,6 +3,7 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/base/vector.h"
+#include "core/lighting/detail_light.h"
 #include "core/lighting/light_kernel.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ bool needsDensity(const Effect& effect)
     const bool shadows = light.intensity > 0.0F && light.shadow > 0.0F;
     const bool glowsByOpenness = effect.glow.emission > 0.0F && effect.glow.hotCore > 0.0F;
     const bool occludes = light.occlusion > 0.0F && (light.ambient > 0.0F || glowsByOpenness);
-    return shadows || occludes || effect.look.overlap > 1.0F;
+    return shadows || occludes || effect.look.overlap > 1.0F || hasDetail(effect);
 }
 
 /// The most cells that the longest edge of the cloud is worth.
@@ -168,7 +169,7 @@ void splatParticles(const Frame& frame, const Appearance& appearance, const Grid
 }
 
 void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    LightWorkspace& room, LightGrid& out)
+    const DetailField* detail, LightWorkspace& room, LightGrid& out)
 {
     const bool dense = needsDensity(effect);
     out.shape = gridShape(appearance, effect->light, axes, finestResolution(effect->light, dense));
@@ -177,17 +178,25 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
     } else {
         out.density.assign(out.shape.cells() + kPadding, 0.0F);
     }
+    out.plain.clear();
+    if (detail != nullptr) {
+        putDetailIntoDensity(*detail, out);
+    }
 }
 
 void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye,
-    LightWorkspace& room, LightGrid& out)
+    const DetailField* detail, LightWorkspace& room, LightGrid& out)
 {
     if (appearance.count == 0) {
         out.shape = {};
         out.light.assign(4, 0.0F);
+        out.body.assign(1, 0.0F);
         return;
     }
-    fillDensity(frame, effect, appearance, lightAxes(effect->light.direction), room, out);
+    fillDensity(frame, effect, appearance, lightAxes(effect->light.direction), detail, room, out);
+    if (detail != nullptr) {
+        findBody(*detail, out);
+    }
     const std::size_t cells = out.shape.cells();
     out.light.resize(cells * 4);
     room.air.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);

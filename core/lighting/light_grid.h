@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lighting/detail_field.h"
 #include "core/lighting/light_field.h"
 #include "core/simulation/frame.h"
 
@@ -17,9 +18,10 @@ void splatParticles(const Frame& frame, const Appearance& appearance, const Grid
 
 /// Splats the particles into a grid along given axes: the first half of lightSmoke(), which says how.
 /// @param appearance of the same frame, with bounds in these axes and one visible particle or more
-/// @param out        gets shape and density; the light stays as it is
+/// @param detail     that is put into the density; null: none
+/// @param out        gets shape and densities; the light stays as it is
 void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    LightWorkspace& room, LightGrid& out);
+    const DetailField* detail, LightWorkspace& room, LightGrid& out);
 
 /// Splats the particles into a grid and lets light through it.
 ///
@@ -32,9 +34,10 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
 /// up or down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
 /// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
 /// @param eye        the camera, m
+/// @param detail     that the smoke has, and that throws shadow on itself; null: none
 /// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.
 /// Where nothing shadows, occludes or asks how many overlap, no particle is looked at.
 void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye,
-    LightWorkspace& room, LightGrid& out);
+    const DetailField* detail, LightWorkspace& room, LightGrid& out);
 
 } // namespace fumage

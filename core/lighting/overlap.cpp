@@ -40,7 +40,7 @@ void gatherPlane(const LightGrid& from, int factor, int plane, OverlapWorkspace&
     const float share = 1.0F / static_cast<float>(factor * factor * factor);
     for (int w = plane * factor; w < std::min((plane + 1) * factor, fine.nw); ++w) {
         for (int v = 0; v < fine.nv; ++v) {
-            const float* row = from.density.data()
+            const float* row = from.densityOfParticles().data()
                 + (static_cast<std::size_t>(w) * static_cast<std::size_t>(fine.nv) + static_cast<std::size_t>(v))
                     * static_cast<std::size_t>(fine.nu);
             float* sums = out + static_cast<std::size_t>(v / factor) * static_cast<std::size_t>(coarse.nu);

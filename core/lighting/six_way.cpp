@@ -31,7 +31,7 @@ void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>&
 } // namespace
 
 void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    const glm::vec3& eye, LightWorkspace& room, SixWayLight& out)
+    const glm::vec3& eye, const DetailField* detail, LightWorkspace& room, SixWayLight& out)
 {
     if (appearance.count == 0) {
         out.grid.shape = {};
@@ -41,7 +41,7 @@ void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appeara
     }
     Effect lit = effect;
     lit.light.intensity = 1.0F;
-    fillDensity(frame, sampled(lit), appearance, axes, room, out.grid);
+    fillDensity(frame, sampled(lit), appearance, axes, detail, room, out.grid);
     const SunJob sun = sunJob(lit.light, axes, eye);
     const std::size_t cells = out.grid.shape.cells();
     parallelFor(SixWayLight::kDirections, [&](std::size_t direction) {

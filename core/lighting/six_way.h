@@ -22,8 +22,9 @@ struct SixWayLight {
 /// there, but for cells that are those of one grid for all of them, so that the particles are splatted once.
 /// @param appearance of the same frame, with bounds in these axes
 /// @param eye        the camera, m
+/// @param detail     as in lightSmoke()
 /// O(particles + cells). The same bits for any thread count and instruction set.
 void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    const glm::vec3& eye, LightWorkspace& room, SixWayLight& out);
+    const glm::vec3& eye, const DetailField* detail, LightWorkspace& room, SixWayLight& out);
 
 } // namespace fumage

@@ -71,11 +71,12 @@ private:
         if (!version) {
             return version.error();
         }
-        if (version.value() == kPresetVersion) {
+        m_version = version.value();
+        if (m_version == kPresetVersion) {
             return readMembers(root);
         }
         JsonNode migrated = root;
-        migratePreset(migrated, version.value());
+        migratePreset(migrated, m_version);
         return readMembers(migrated);
     }
 
@@ -279,7 +280,8 @@ private:
         std::size_t missing = 0;
         std::string first;
         for (const Parameter& parameter : parameterTable()) {
-            if (std::find(m_seen.begin(), m_seen.end(), parameter.key) == m_seen.end()) {
+            const bool isSeen = std::find(m_seen.begin(), m_seen.end(), parameter.key) != m_seen.end();
+            if (!isSeen && parameter.since <= m_version) {
                 first = missing == 0 ? std::string(parameter.key) : first;
                 ++missing;
             }
@@ -293,6 +295,7 @@ private:
     std::string_view m_text;
     const std::string& m_place;
     std::size_t m_mostWarnings;
+    int m_version = kPresetVersion; ///< that the preset was written in
     PresetReading m_reading;
     std::size_t m_warnings = 0; ///< all of them, shown or not
     std::vector<std::string_view> m_seen;

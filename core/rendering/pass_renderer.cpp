@@ -113,8 +113,8 @@ OtherMoment momentOf(
 
 void PassRenderer::makeOtherSprites(const Frame& frame, const Effect& other, const LightGrid& light)
 {
-    makeSprites(
-        frame, sampled(other), m_renderer.appearance(), light, *m_renderer.texture(), m_renderer.batch().view, m_other);
+    makeSprites(frame, sampled(other), m_renderer.appearance(), light, *m_renderer.texture(), nullptr,
+        m_renderer.batch().view, m_other);
 }
 
 void PassRenderer::take(const float (Sprite::*colour)[3], SpriteTarget& to)
@@ -145,7 +145,8 @@ void PassRenderer::makeTargets(const FrameAmongOthers& frames, const SampledEffe
     if (needsTarget(passes, PassTarget::RightTopBack)) {
         const Axes axes{batch.view.right, batch.view.up, batch.view.forward};
         findAppearance(*frames.now, effect, axes, m_inView, m_renderer.texture()->greys(0));
-        lightSixWays(*frames.now, effect, m_inView, axes, batch.view.eye, m_lightWorkspace, m_sixWay);
+        lightSixWays(
+            *frames.now, effect, m_inView, axes, batch.view.eye, m_renderer.detail(), m_lightWorkspace, m_sixWay);
     }
     if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)) {
         m_even = m_renderer.light();

@@ -40,11 +40,30 @@ Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
     return Done{};
 }
 
+Status Renderer::updateDetail(const Frame& frame, const Effect& effect, const std::stop_token& stop)
+{
+    m_detail.reset();
+    if (!hasDetail(effect) || frame.model->air() == nullptr) {
+        return Done{};
+    }
+    if (!m_coordinates) {
+        m_coordinates = std::make_unique<AdvectedCoordinates>();
+    }
+    if (Status status = m_coordinates->moveTo(frame.model, frame.step, effect.look.detailLife, stop); !status) {
+        return status;
+    }
+    m_detail.emplace(effect, *m_coordinates);
+    return Done{};
+}
+
 Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop)
 {
     {
         const Stopwatch stopwatch(m_times.texture);
         if (Status status = updateTexture(effect->noise, stop); !status) {
+            return status;
+        }
+        if (Status status = updateDetail(frame, effect, stop); !status) {
             return status;
         }
     }
@@ -54,13 +73,13 @@ Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const 
         if (Status status = checkBounds(m_appearance); !status) {
             return status;
         }
-        lightSmoke(frame, effect, m_appearance, view.eye, m_lightWorkspace, m_light);
+        lightSmoke(frame, effect, m_appearance, view.eye, detail(), m_lightWorkspace, m_light);
         softenLight(m_light, m_lightWorkspace);
         lightByFire(frame, effect, m_appearance, m_fireWorkspace, m_lightWorkspace, m_light);
         inflateSparseParticles(frame, effect, m_light, m_overlapWorkspace, m_appearance);
     }
     const Stopwatch stopwatch(m_times.sprites);
-    makeSprites(frame, effect, m_appearance, m_light, *m_texture, view, m_batch);
+    makeSprites(frame, effect, m_appearance, m_light, *m_texture, detail(), view, m_batch);
     return Done{};
 }
 

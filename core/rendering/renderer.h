@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/lighting/detail_field.h"
 #include "core/lighting/fire_light.h"
 #include "core/lighting/overlap.h"
 #include "core/rendering/compositor.h"
@@ -8,6 +9,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace fumage {
@@ -52,14 +54,19 @@ public:
     [[nodiscard]] const Appearance& appearance() const { return m_appearance; }
     /// The light that the sprites of batch() are in; valid as batch() is.
     [[nodiscard]] const LightGrid& light() const { return m_light; }
+    /// The detail that the smoke of batch() has; null: none. Valid as batch() is.
+    [[nodiscard]] const DetailField* detail() const { return m_detail ? &*m_detail : nullptr; }
     /// How long the parts of the last picture took.
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 
 private:
     [[nodiscard]] Status updateTexture(const Noise& noise, const std::stop_token& stop);
+    [[nodiscard]] Status updateDetail(const Frame& frame, const Effect& effect, const std::stop_token& stop);
 
     Noise m_noise;
     std::shared_ptr<const SpriteTexture> m_texture;
+    std::unique_ptr<AdvectedCoordinates> m_coordinates; ///< where m_detail finds it, wherever the renderer is moved
+    std::optional<DetailField> m_detail;
     Appearance m_appearance;
     LightGrid m_light;
     LightWorkspace m_lightWorkspace;

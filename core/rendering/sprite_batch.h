@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/base/aligned_array.h"
+#include "core/noise/detail_texture.h"
 #include "core/rendering/camera.h"
 #include "core/rendering/sprite_texture.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace fumage {
@@ -76,6 +79,49 @@ static_assert(SpriteTexture::kMaxLevels <= TextureRef::kPlain);
     return ref;
 }
 
+/// A way through the texels of the detail as three bytes, for relief.
+struct LightBytes {
+    static constexpr int kLongest = 63; ///< of a component; each is stored with this added
+
+    std::uint32_t packed = 0; ///< from the second byte on: x, y, z
+    float scale = 0.0F; ///< what one is worth, texels
+
+    LightBytes(float x, float y, float z)
+    {
+        const float longest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+        constexpr float kNone = 1e-20F;
+        scale = longest / static_cast<float>(kLongest);
+        const float perUnit = static_cast<float>(kLongest) / std::max(longest, kNone);
+        const auto byte = [&](float component) {
+            return static_cast<std::uint32_t>(component * perUnit + static_cast<float>(kLongest) + 0.5F);
+        };
+        packed = byte(x) << 8U | byte(y) << 16U | byte(z) << 24U;
+    }
+};
+
+/// Where a sprite reads the noise that its air carries, see DetailTexture; two cache lines long. The noise is linear
+/// about the particle: at (dx, dy) pixels from the centre it is read at `at + u dx + v dy`.
+struct alignas(64) SpriteDetail {
+    /// One of the two maps of coordinates; all in texels of a level.
+    struct Phase {
+        std::array<float, 3> at{}; ///< at the centre, 0 to the size of the level
+        std::array<float, 3> u{}; ///< a pixel to the right
+        std::array<float, 3> v{}; ///< a pixel down
+        std::uint32_t light = 0; ///< LightBytes of the way that light takes from where relief looks
+        float relief = 0.0F; ///< what the slope along that way is worth
+        float weight = 0.0F;
+    };
+    std::array<Phase, 2> phases;
+    float strength = 0.0F; ///< alpha is multiplied by 1 + strength * noise, bent so that it stays above 0
+    float perMean = 1.0F; ///< over the mean of that
+    float gain = 1.0F, flat = 2.0F, bend = 0.0F; ///< of a PhaseBlend
+    float screenRelief = 0.0F; ///< what a slope a pixel is worth for lights from the sides of the picture
+    float around = 0.0F; ///< what does not come from the sun is multiplied by 1 + around * noise
+    std::array<std::uint8_t, 2> levels{};
+    std::array<std::uint8_t, 2> shown{}; ///< whether each phase is; they stand last
+};
+static_assert(sizeof(SpriteDetail) == 128);
+
 /// What all sprites of a frame share.
 struct SpriteStyle {
     bool square = false;
@@ -116,6 +162,7 @@ struct SpriteBox {
 /// Everything that is drawn of a frame. Sprite i belongs to slot i of the particles.
 struct SpriteBatch {
     AlignedArray<Sprite> sprites;
+    AlignedArray<SpriteDetail> details; ///< of each sprite; empty: the smoke has none that its air carries
     AlignedArray<SpriteBox> boxes;
     AlignedArray<std::uint32_t> depth; ///< sort key: greater is farther; kHidden where nothing is drawn
     SpriteStyle style;

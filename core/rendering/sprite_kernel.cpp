@@ -149,7 +149,8 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     sprite.texture = packTexture(0, TextureRef::kPlain, 0, 0, 0);
 }
 
-HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float life, Sprite& sprite)
+/// @return the share of what it gives off in all that does not come from the sun
+HWY_INLINE float lightSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float life, Sprite& sprite)
 {
     const Float4 light = lightAt(*job.light, block, i);
     const Float4 albedo = job.albedo[static_cast<std::size_t>(life * static_cast<float>(kColourTableSize - 1))];
@@ -160,15 +161,19 @@ HWY_INLINE void lightSprite(const SpriteJob& job, const SpriteBlock& block, std:
             * trilinear<float>(
                 job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
     }
+    Float4 glow{};
     if (job.glows) {
         // Sky and ground together tell how open a place is.
         const float open = std::min(1.0F, light[1] + light[2]);
         const float heat = std::clamp(block.heat[i] * (1.0F - job.hotCore * open), 0.0F, 1.0F);
-        ambient +=
+        glow =
             job.emission[static_cast<std::size_t>(heat * static_cast<float>(kGlowTableSize - 1))] * block.emission[i];
+        ambient += glow;
     }
     std::memcpy(sprite.direct, &direct, sizeof(sprite.direct));
     std::memcpy(sprite.ambient, &ambient, sizeof(sprite.ambient));
+    constexpr float kNone = 1e-12F;
+    return glow[0] / std::max(ambient[0], kNone); // red: all that glows does in it
 }
 
 void spriteBlock(const SpriteJob& job, std::size_t begin)
@@ -189,7 +194,10 @@ void spriteBlock(const SpriteJob& job, std::size_t begin)
         const float life = job.appearance->life[at];
         const float radius = std::max(exact, kSmallestRadius);
         const float thinner = exact / radius;
-        lightSprite(job, block, i, life, sprite);
+        const float glowing = lightSprite(job, block, i, life, sprite);
+        if (!job.out->details.empty()) {
+            job.out->details[at].around = glowing; // findSpriteDetail() makes of it what is drawn
+        }
         sprite.x = block.x[i];
         sprite.y = block.y[i];
         sprite.opacity = job.appearance->alpha[at] * (thinner * thinner);

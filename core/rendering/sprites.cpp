@@ -3,8 +3,9 @@
 #include "core/base/math.h"
 #include "core/base/parallel.h"
 #include "core/lighting/fire_light.h"
-#include "core/rendering/sprite_kernel.h"
 #include "core/lighting/sprite_mask.h"
+#include "core/rendering/sprite_detail.h"
+#include "core/rendering/sprite_kernel.h"
 
 #include <algorithm>
 
@@ -95,7 +96,7 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
 } // namespace
 
 void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light,
-    const SpriteTexture& texture, const View& view, SpriteBatch& out)
+    const SpriteTexture& texture, const DetailField* detail, const View& view, SpriteBatch& out)
 {
     SpriteJob job = makeJob(frame, effect, texture.slices(), view);
     job.particles = &frame.particles;
@@ -105,6 +106,9 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     job.isLitByFire = isLitByFire(effect->glow) && !light.fire.empty();
     job.fire = colour4(light.fireColour * effect->glow.fireLight);
     job.texture = &texture;
+    if (detail != nullptr) {
+        job.contrast = 0.0F; // a picture in each sprite would blur what all show together
+    }
     if (effect->look.texture > 0.0F) {
         fillEvenness(effect->look, texture, job);
     }
@@ -113,11 +117,16 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     out.sprites.resize(padded);
     out.boxes.resize(padded);
     out.depth.resize(padded);
+    out.details.resize(detail != nullptr ? padded : 0);
     out.style = job.style;
     out.view = view;
+    const SpriteDetailJob of{detail, &frame.particles, &light, effect->light.direction, &out};
     parallelFor(frame.particles.chunks(), [&](std::size_t chunk) {
         for (std::size_t block = 0; block < Particles::kChunk; block += kSpriteBlock) {
             makeSpriteBlock(job, chunk * Particles::kChunk + block);
+            if (detail != nullptr) {
+                findSpriteDetail(of, chunk * Particles::kChunk + block);
+            }
         }
     });
 }

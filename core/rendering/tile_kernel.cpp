@@ -5,6 +5,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "core/rendering/coherent_sprite-inl.h"
 #include "core/rendering/plain_sprite-inl.h"
 #include "core/rendering/textured_sprite-inl.h"
 #include "core/rendering/tile_kernel.h"
@@ -226,6 +227,10 @@ HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherTargets& others,
             // calls.
             const std::size_t next = entryIndex(entries[i + kAhead]);
             hwy::Prefetch(&batch.sprites[next]);
+            if (!batch.details.empty()) {
+                hwy::Prefetch(&batch.details[next].phases[0]);
+                hwy::Prefetch(&batch.details[next].strength);
+            }
             for (std::size_t target = 0; target < others.count; ++target) {
                 hwy::Prefetch(others.targets[target].colours + next * SpriteTarget::kStride);
             }
@@ -240,10 +245,13 @@ void paintAll(const SpriteBatch& batch, const SpriteTexture& texture, const Othe
     std::span<const DepthEntry> entries, Tile& tile)
 {
     const PaintTextured paintWithTexture = painterOf<kManyTargets>(batch.style);
+    const DetailTexture* const detail = batch.details.empty() ? nullptr : &DetailTexture::instance();
     forEntries(batch, others, entries, tile, [&](std::uint32_t index) HWY_ATTR {
         const Sprite& sprite = batch.sprites[index];
         const SpriteInTargets inTargets{others, index};
-        if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
+        if (isCoherent(batch, index)) {
+            paintCoherentSprite<kManyTargets>(batch, *detail, index, inTargets, tile);
+        } else if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
             paintPlainSprite<kManyTargets>(batch.style, sprite, inTargets, tile);
         } else {
             paintWithTexture(batch.style, texture, sprite, inTargets, tile);

@@ -18,6 +18,7 @@ namespace {
 
 /// Streams of the random numbers of the air.
 enum AirStream : std::uint32_t {
+    kSurge = 130,
     kRim = 140,
     kForcing = 150
 };
@@ -125,6 +126,27 @@ void moveSource(AirSource& source, const Schedule& schedule, std::uint32_t seed,
     }
 }
 
+/// How strong a source that surges is at a step, 1 in the mean: in each puff it swells soon and falls slowly, as
+/// 27/4 f (1 - f)^2 of the share f of the puff that has passed, and each is as strong as chance has it.
+float surgeAt(const SampledEffect& effect, const Schedule& schedule, double step)
+{
+    constexpr float kPeak = 27.0F / 4.0F; // f (1 - f)^2 is 4/27 at most
+    constexpr float kMean = kPeak / 12.0F;
+    constexpr float kChance = 0.4F;
+    const RowPosition puff =
+        rowPosition(step, schedule, static_cast<double>(effect->source.surgeRate) * static_cast<double>(schedule.dt));
+    const std::uint32_t key = keyOf(streamBits(effect->emitter.seed, kSurge), static_cast<std::uint64_t>(puff.before));
+    const float f = puff.fraction;
+    const float swell = (1.0F + kChance * signedFloat(key)) * kPeak * f * (1.0F - f) * (1.0F - f);
+    return 1.0F + effect->source.surge * (swell - kMean);
+}
+
+/// A burst has one surge, which is itself.
+bool surges(const SampledEffect& effect)
+{
+    return effect->source.surge > 0.0F && effect->emitter.mode != EmissionMode::Burst;
+}
+
 /// What stirs the air at a step. Each octave has swirls half as large as the one before and 0.7 of its strength, and
 /// becomes another about as often as its swirls turn around.
 TurbulenceForcing forcingAt(const SampledEffect& effect, const AirGrid& grid, const Schedule& schedule, double step)
@@ -190,7 +212,8 @@ struct Division {
 Division divisionOf(const SampledEffect& effect, float seconds, bool acts)
 {
     constexpr float kRounding = 1e-4F;
-    const float growth = acts ? effect->source.expansion * seconds : 0.0F;
+    const float most = 1.0F + (surges(effect) ? effect->source.surge : 0.0F);
+    const float growth = acts ? effect->source.expansion * most * seconds : 0.0F;
     const float least = std::ceil(std::max(seconds / kLongestPiece, growth / kMaxGrowth) - kRounding);
     const int pieces = std::max(1, static_cast<int>(least));
     const int parts = std::min(pieces, kMaxParts);
@@ -246,6 +269,12 @@ AirStep airPartOfStep(const SimulationModel& model, const AirGrid& grid, const M
         const float radius = std::max(step.source.reach.x, step.source.reach.y);
         const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(air.buoyancy) * radius)) / radius;
         moveSource(step.source, schedule, effect->emitter.seed, rate, moment.end);
+    }
+    if (moment.acts && surges(effect)) {
+        const float strength = surgeAt(effect, schedule, 0.5 * (moment.begin + moment.end));
+        step.source.heat *= strength;
+        step.source.speed *= strength;
+        step.source.expansion *= strength;
     }
     return step;
 }

@@ -1,6 +1,8 @@
 #version 330 core
-// The profile, texture, erosion and shading of core/rendering/tile_kernel.cpp.
+// The profile, texture, erosion, shading and detail of core/rendering/tile_kernel.cpp.
 uniform sampler2DArray noise; // one layer a slice, one mip level a resolution
+uniform sampler3D billows; // value and slopes, as fumage::DetailTexture; its finest level is mip level 0
+uniform bool hasDetail; // else what `detail` holds means nothing
 uniform bool square;
 uniform float hardness;
 uniform float textureAmount;
@@ -14,6 +16,7 @@ flat in vec4 rows;
 flat in vec4 sun;
 flat in vec3 around;
 flat in uint look;
+flat in uvec4 detail[8];
 in vec2 offset;
 
 out vec4 colour; // premultiplied
@@ -36,11 +39,82 @@ float texel(ivec2 at, int edge, int layer, int level)
     return texelFetch(noise, ivec3(at & (edge - 1), layer), level).r;
 }
 
+uint word(int index)
+{
+    return detail[index >> 2][index & 3];
+}
+
+float number(int index)
+{
+    return uintBitsToFloat(word(index));
+}
+
+vec3 way(int index)
+{
+    return vec3(number(index), number(index + 1), number(index + 2));
+}
+
+const int kPhaseWords = 12;
+const int kCoarsest = 3; // mip level of it
+const float kMostAlpha = 0.995;
+
+uint byteOf(int which)
+{
+    return word(2 * kPhaseWords + 7) >> uint(8 * which) & 255u;
+}
+
+// The noise of one phase, and what its slope along the way of the light is worth.
+vec2 phaseAt(int which)
+{
+    int first = which * kPhaseWords;
+    int mip = kCoarsest - int(byteOf(which));
+    int size = textureSize(billows, mip).x;
+    vec3 at = way(first) + way(first + 3) * offset.x + way(first + 6) * offset.y;
+    vec3 whole = floor(at);
+    vec4 texel = texelFetch(billows, ivec3(whole) & (size - 1), mip);
+    uint light = word(first + 9);
+    vec3 towards = vec3(light >> 8u & 255u, light >> 16u & 255u, light >> 24u) - 63.0;
+    float noiseHere = texel.r + dot(texel.gba, at - whole);
+    return vec2(noiseHere * number(first + 11), dot(texel.gba, towards) * number(first + 10));
+}
+
+// As paintCoherent() in core/rendering/coherent_sprite-inl.h.
+vec4 coherent(float mask, bool showsFirst, bool showsSecond)
+{
+    int rest = 2 * kPhaseWords;
+    vec2 here = vec2(0.0);
+    if (showsFirst) {
+        here += phaseAt(0);
+    }
+    if (showsSecond) {
+        here += phaseAt(1);
+    }
+    float gain = number(rest + 2);
+    float bend = number(rest + 4);
+    float size = abs(here.x);
+    float beyond = max(0.0, size - number(rest + 3));
+    float even = (size * gain - beyond * beyond * bend) * (here.x < 0.0 ? -1.0 : 1.0);
+    float bent = even * number(rest) + 1.5;
+    float low = clamp(bent, 0.0, 1.0);
+    float factor = low * low * 0.5 + max(0.0, bent - 1.0);
+    float a = min(mask * sun.a * number(rest + 1) * factor, kMostAlpha);
+    float shade = max(0.0, (gain - 2.0 * beyond * bend) * here.y + 1.0);
+    return vec4((sun.rgb * shade + around * max(0.0, 1.0 + even * number(rest + 6))) * a, a);
+}
+
 void main()
 {
     mat2 turn = mat2(rows.x, rows.z, rows.y, rows.w); // columns
     vec2 place = turn * offset;
     float mask = profile(place);
+    if (hasDetail) {
+        bool showsFirst = byteOf(2) != 0u;
+        bool showsSecond = byteOf(3) != 0u;
+        if (showsFirst || showsSecond) {
+            colour = coherent(mask, showsFirst, showsSecond);
+            return;
+        }
+    }
     uint level = look >> 7u & 15u;
     if (level == kPlain) {
         float a = sun.a * mask;
@@ -67,8 +141,8 @@ void main()
     float a = mask * sun.a * (1.0 - textureAmount + textureAmount * kept);
 
     float scale = inversesqrt(abs(rows.x * rows.w - rows.y * rows.z));
-    vec2 way = turn * light * scale;
+    vec2 lightHere = turn * light * scale;
     vec2 slope = vec2(mix(g10 - g00, g11 - g01, part.y), row1 - row0) * texelsAcross;
-    float shade = max(0.0, 1.0 + relief * dot(way, slope) - roundness * dot(way, place));
+    float shade = max(0.0, 1.0 + relief * dot(lightHere, slope) - roundness * dot(lightHere, place));
     colour = vec4((sun.rgb * shade + around) * a, a);
 }

@@ -5,6 +5,7 @@ layout(location = 1) in vec4 matrix; // m00, m01, m10, m11
 layout(location = 2) in vec4 direct; // colour of the sun's light, opacity
 layout(location = 3) in vec3 ambient;
 layout(location = 4) in uint packedLook;
+layout(location = 5) in uvec4 packedDetail[8]; // the words of fumage::SpriteDetail
 
 uniform vec2 size; // pixels of the view that the sprites were made for
 
@@ -12,6 +13,7 @@ flat out vec4 rows;
 flat out vec4 sun;
 flat out vec3 around;
 flat out uint look;
+flat out uvec4 detail[8];
 out vec2 offset; // from the centre, pixels
 
 void main()
@@ -24,4 +26,5 @@ void main()
     sun = direct;
     around = ambient;
     look = packedLook;
+    detail = packedDetail;
 }

@@ -4249,6 +4249,74 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
         <translation>Medeltakt som hela molnet vrids med kring den lodräta linjen genom utsändaren: från +X mot -Z, mot vindvinkelns riktning. Utsändaren vrids inte.</translation>
     </message>
+    <message>
+        <source>Billows finer than the air: noise that rides on it, the same for all particles of a place. 0: none.</source>
+        <translation>Bulor finare än luften: brus som följer med den, lika för alla partiklar på en plats. 0: inga.</translation>
+    </message>
+    <message>
+        <source>Max and Becker 1995; Neyret, Advected Textures, 2003</source>
+        <translation>Max och Becker 1995; Neyret, Advected Textures, 2003</translation>
+    </message>
+    <message>
+        <source>Detail size</source>
+        <translation>Detaljstorlek</translation>
+    </message>
+    <message>
+        <source>Length of the largest billows of the detail; three octaves are finer. Five to six cells of the air.</source>
+        <translation>Längden på detaljens största bulor; tre oktaver är finare. Fem till sex av luftens celler.</translation>
+    </message>
+    <message>
+        <source>Detail life</source>
+        <translation>Detaljens livslängd</translation>
+    </message>
+    <message>
+        <source>How long the air carries a piece of detail before it is replaced: longer is steadier, until it is drawn out to hair. About 2 over the rate at which the air shears.</source>
+        <translation>Hur länge luften bär en detalj innan den byts ut: längre är stadigare, tills den dras ut till hår. Ungefär 2 delat med luftens skjuvhastighet.</translation>
+    </message>
+    <message>
+        <source>Detail relief</source>
+        <translation>Detaljrelief</translation>
+    </message>
+    <message>
+        <source>How much the detail catches the light.</source>
+        <translation>Hur mycket detaljen fångar ljuset.</translation>
+    </message>
+    <message>
+        <source>Detail at edges</source>
+        <translation>Detalj i kanter</translation>
+    </message>
+    <message>
+        <source>Share of the detail that thin smoke shows: 0 leaves veils soft, 1 cuts them as deep as dense smoke.</source>
+        <translation>Andel av detaljen som tunn rök visar: 0 lämnar slöjor mjuka, 1 skär dem lika djupt som tät rök.</translation>
+    </message>
+    <message>
+        <source>Detail shadow</source>
+        <translation>Detaljskugga</translation>
+    </message>
+    <message>
+        <source>How much the detail throws shadow into its own folds.</source>
+        <translation>Hur mycket detaljen kastar skugga i sina egna veck.</translation>
+    </message>
+    <message>
+        <source>Surge</source>
+        <translation>Stötar</translation>
+    </message>
+    <message>
+        <source>How much a steady source comes in puffs: its heat, speed and expansion swell and fall, each puff as strong as chance has it; the mean stays. 0: even.</source>
+        <translation>Hur mycket en jämn källa kommer i puffar: värme, fart och expansion stiger och faller, varje puff så stark som slumpen vill; medelvärdet består. 0: jämnt.</translation>
+    </message>
+    <message>
+        <source>Surge rate</source>
+        <translation>Stötarnas takt</translation>
+    </message>
+    <message>
+        <source>Puffs a second; in a loop a whole number of them. A fire puffs at about 1.5 Hz over the root of its width in metres.</source>
+        <translation>Puffar per sekund; i en slinga ett helt antal. En eld puffar med ungefär 1,5 Hz delat med roten ur sin bredd i meter.</translation>
+    </message>
+    <message>
+        <source>Cetegen and Ahmed 1993</source>
+        <translation>Cetegen och Ahmed 1993</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>

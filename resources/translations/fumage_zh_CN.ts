@@ -4249,6 +4249,74 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Mean rate at which the whole cloud turns about the vertical line through the emitter: from +X towards -Z, against the sense of the wind&apos;s angle. The emitter does not turn.</source>
         <translation>整团烟绕过发射器竖直线转动的平均速率：从 +X 转向 -Z，与风角度的方向相反。发射器不转动。</translation>
     </message>
+    <message>
+        <source>Billows finer than the air: noise that rides on it, the same for all particles of a place. 0: none.</source>
+        <translation>比空气网格更细的翻卷：随空气运动的噪声，同一处的所有粒子相同。0：无。</translation>
+    </message>
+    <message>
+        <source>Max and Becker 1995; Neyret, Advected Textures, 2003</source>
+        <translation>Max 与 Becker 1995；Neyret，Advected Textures，2003</translation>
+    </message>
+    <message>
+        <source>Detail size</source>
+        <translation>细节尺寸</translation>
+    </message>
+    <message>
+        <source>Length of the largest billows of the detail; three octaves are finer. Five to six cells of the air.</source>
+        <translation>细节中最大翻卷的长度；另有三个更细的倍频。约为空气网格的五到六格。</translation>
+    </message>
+    <message>
+        <source>Detail life</source>
+        <translation>细节寿命</translation>
+    </message>
+    <message>
+        <source>How long the air carries a piece of detail before it is replaced: longer is steadier, until it is drawn out to hair. About 2 over the rate at which the air shears.</source>
+        <translation>空气携带一处细节多久后才更换：越长越稳定，直到被拉成细丝。约为 2 除以空气的剪切率。</translation>
+    </message>
+    <message>
+        <source>Detail relief</source>
+        <translation>细节浮雕</translation>
+    </message>
+    <message>
+        <source>How much the detail catches the light.</source>
+        <translation>细节受光的程度。</translation>
+    </message>
+    <message>
+        <source>Detail at edges</source>
+        <translation>边缘细节</translation>
+    </message>
+    <message>
+        <source>Share of the detail that thin smoke shows: 0 leaves veils soft, 1 cuts them as deep as dense smoke.</source>
+        <translation>稀薄烟雾所显示细节的比例：0 使薄纱保持柔和，1 使其与浓烟同样深刻。</translation>
+    </message>
+    <message>
+        <source>Detail shadow</source>
+        <translation>细节阴影</translation>
+    </message>
+    <message>
+        <source>How much the detail throws shadow into its own folds.</source>
+        <translation>细节在自身褶皱中投下阴影的程度。</translation>
+    </message>
+    <message>
+        <source>Surge</source>
+        <translation>涌动</translation>
+    </message>
+    <message>
+        <source>How much a steady source comes in puffs: its heat, speed and expansion swell and fall, each puff as strong as chance has it; the mean stays. 0: even.</source>
+        <translation>稳定源以一阵阵的方式喷出的程度：热量、速度和膨胀起伏，每一阵强弱随机；平均值不变。0：均匀。</translation>
+    </message>
+    <message>
+        <source>Surge rate</source>
+        <translation>涌动频率</translation>
+    </message>
+    <message>
+        <source>Puffs a second; in a loop a whole number of them. A fire puffs at about 1.5 Hz over the root of its width in metres.</source>
+        <translation>每秒阵数；循环中为整数。火焰的涌动频率约为 1.5 Hz 除以其宽度（米）的平方根。</translation>
+    </message>
+    <message>
+        <source>Cetegen and Ahmed 1993</source>
+        <translation>Cetegen 与 Ahmed 1993</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PictureChoices</name>

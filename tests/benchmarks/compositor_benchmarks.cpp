@@ -60,14 +60,41 @@ SpriteBatch scatteredSprites(int count, float edge, float opacity, bool shaded =
     return batch;
 }
 
-void compose(benchmark::State& state, int count, float edge, int threads, const std::string& simd, bool shaded)
+/// Gives sprites detail that the air carries: neighbours read the same noise, a texel a pixel.
+/// @param phases 1 or 2
+void addDetail(SpriteBatch& batch, int phases)
+{
+    constexpr std::uint8_t kLevel = DetailTexture::kLevels - 1;
+    const auto size = static_cast<float>(DetailTexture::size(kLevel));
+    for (const Sprite& sprite : batch.sprites) {
+        SpriteDetail detail;
+        for (SpriteDetail::Phase& phase : detail.phases) {
+            phase.at = {std::fmod(sprite.x, size), std::fmod(sprite.y, size), std::fmod(sprite.x + sprite.y, size)};
+            phase.u = {0.8F, 0.1F, 0.4F};
+            phase.v = {0.2F, 0.7F, -0.3F};
+            phase.light = LightBytes(0.5F, 0.3F, 0.2F).packed;
+            phase.relief = 0.01F;
+            phase.weight = 0.7F;
+        }
+        detail.strength = 1.0F;
+        detail.levels = {kLevel, kLevel};
+        detail.shown = {1, static_cast<std::uint8_t>(phases - 1)};
+        batch.details.push_back(detail);
+    }
+}
+
+void compose(
+    benchmark::State& state, int count, float edge, int threads, const std::string& simd, bool shaded, int phases)
 {
     const ThreadLimit limit(threads);
     if (!forceSimdTarget(simd)) {
         state.SkipWithError("not on this machine");
         return;
     }
-    const SpriteBatch batch = scatteredSprites(count, edge, 0.1F, shaded);
+    SpriteBatch batch = scatteredSprites(count, edge, 0.1F, shaded);
+    if (phases > 0) {
+        addDetail(batch, phases);
+    }
     Compositor compositor;
     Image image;
     for (auto _ : state) {
@@ -146,15 +173,18 @@ void addCompositorBenchmarks(std::vector<Claim>& claims)
         {Case{20000, 64.0F, 30.0, "3.6"}, Case{20000, 16.0F, 250.0, "36"}, Case{1000000, 4.0F, 20.0, "1.9"}}) {
         const std::string name =
             "compose/" + std::to_string(each.count) + "x" + std::to_string(static_cast<int>(each.edge)) + "px";
-        const auto add = [&](const std::string& suffix, int threads, const std::string& simd, bool shaded = false) {
+        const auto add = [&](const std::string& suffix, int threads, const std::string& simd, bool shaded = false,
+                             int phases = 0) {
             benchmark::RegisterBenchmark((name + suffix).c_str(),
-                [=](benchmark::State& state) { compose(state, each.count, each.edge, threads, simd, shaded); })
+                [=](benchmark::State& state) { compose(state, each.count, each.edge, threads, simd, shaded, phases); })
                 ->UseRealTime()
                 ->Unit(benchmark::kMillisecond);
         };
         add("", 2, "");
         add("_1thread", 1, "");
         add("_shaded", 2, "", true);
+        add("_detail", 2, "", false, 2);
+        add("_detail_1phase", 2, "", false, 1);
         benchmark::RegisterBenchmark(
             (name + "_obvious").c_str(), [=](benchmark::State& state) { obvious(state, each.count, each.edge); })
             ->UseRealTime()
@@ -162,6 +192,8 @@ void addCompositorBenchmarks(std::vector<Claim>& claims)
         claims.push_back({name + ", 1280 x 720, 2 threads (llvmpipe: " + each.llvmpipe + ")", name, "", "frames/s",
             each.framesPerSecond});
         claims.push_back({"  shaded by the slope of the noise", name + "_shaded", "", "frames/s"});
+        claims.push_back({"  in detail that the air carries, both phases", name + "_detail", "", "frames/s"});
+        claims.push_back({"  one phase", name + "_detail_1phase", "", "frames/s"});
         claims.push_back({"  over the obvious scalar program, 1 thread", name, name + "_obvious", ""});
         claims.push_back({"  2 threads over 1", name, name + "_1thread", "", 1.8});
         for (const std::string& simd : availableSimdTargets()) {

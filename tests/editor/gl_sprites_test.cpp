@@ -62,20 +62,26 @@ private slots:
         QTest::addColumn<QString>("preset");
         QTest::addColumn<bool>("checker");
         QTest::addColumn<bool>("ownBackground");
+        QTest::addColumn<bool>("detailed");
         for (const LibraryEntry& entry : builtinPresets()) {
-            QTest::newRow(entry.id.c_str()) << toQString(entry.id) << false << false;
+            QTest::newRow(entry.id.c_str()) << toQString(entry.id) << false << false << false;
         }
-        QTest::newRow("default on a checker, filmic, exposed") << u"default"_q << true << false;
-        QTest::newRow("fire on white, filmic, exposed") << u"fire-ball"_q << true << true;
+        QTest::newRow("default on a checker, filmic, exposed") << u"default"_q << true << false << false;
+        QTest::newRow("fire on white, filmic, exposed") << u"fire-ball"_q << true << true << false;
+        QTest::newRow("mushroom cloud in detail") << u"mushroom-cloud"_q << false << false << true;
     }
     void openGlShowsWhatTheCompositorPaints()
     {
         QFETCH(QString, preset);
         QFETCH(bool, checker);
         QFETCH(bool, ownBackground);
+        QFETCH(bool, detailed);
         Effect effect = loadPreset(preset.toStdString()).value().preset.effect;
         constexpr int kMax = 30000; // llvmpipe has to draw them all
         effect.emitter.count = qMin(effect.emitter.count, kMax);
+        if (detailed) {
+            effect.look.detail = 1.2F;
+        }
         if (checker) {
             effect.output.exposure = 0.7F;
             effect.output.viewTransform = ViewTransform::Filmic;

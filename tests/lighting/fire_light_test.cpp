@@ -47,7 +47,7 @@ struct LitByFire {
         frame = cloud(effect, places);
         age(frame, 0.5F);
         findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
-        lightSmoke(frame, sampled(effect), appearance, {0.0F, 0.0F, 20.0F}, room, grid);
+        lightSmoke(frame, sampled(effect), appearance, {0.0F, 0.0F, 20.0F}, nullptr, room, grid);
         lightByFire(frame, sampled(effect), appearance, fire, room, grid);
     }
 

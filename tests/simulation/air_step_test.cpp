@@ -74,6 +74,11 @@ Cloud meanCloud(Effect effect, int frameRate, double seconds)
     return mean;
 }
 
+AirStep airStepOf(const Effect& effect, int number)
+{
+    return airStep(SimulationModel(sampled(effect)), airGrid(sampled(effect)), number, 1.0F);
+}
+
 /// A burst into air that nothing else moves.
 Effect spray(float spread)
 {
@@ -281,6 +286,7 @@ private slots:
         Effect effect = small(presetOf("default"), 32, 100);
         effect.emitter.shape = static_cast<EmitterShape>(shape);
         effect.source.unevenness = unevenness;
+        effect.source.surge = 0.0F;
         std::vector<double> heats;
         for (std::uint32_t seed = 1; seed <= 24; ++seed) {
             effect.emitter.seed = seed;
@@ -322,6 +328,53 @@ private slots:
             effect.timeline.length = 600;
             QVERIFY(checkAir(sampled(effect)));
         }
+    }
+
+    /// Puffs add nothing in the mean, leave no gap between them, and are the same in every turn of a loop.
+    void surgesKeepTheMean()
+    {
+        Effect effect = small(presetOf("default"), 16, 10);
+        effect.source.unevenness = 0.0F;
+        effect.source.expansion = 2.0F;
+        effect.source.surge = 0.0F;
+        const float even = airStepOf(effect, 1).source.speed;
+        effect.source.surge = 0.9F;
+        effect.source.surgeRate = 1.7F;
+        double sum = 0.0;
+        double squares = 0.0;
+        double roughest = 0.0;
+        double before = 0.0;
+        constexpr int kSteps = 30 * 400;
+        for (int step = 1; step <= kSteps; ++step) {
+            const AirSource source = airStepOf(effect, step).source;
+            const auto heat = static_cast<double>(source.heat);
+            QVERIFY(heat > 0.0);
+            QVERIFY(near(static_cast<double>(source.speed), heat * static_cast<double>(even), 1e-4));
+            QVERIFY(near(static_cast<double>(source.expansion), heat * 2.0, 1e-4));
+            roughest = step == 1 ? 0.0 : std::max(roughest, std::abs(heat - before));
+            before = heat;
+            sum += heat;
+            squares += heat * heat;
+        }
+        const double mean = sum / kSteps;
+        QVERIFY(near(mean, 1.0, 0.02));
+        QVERIFY(std::sqrt(squares / kSteps - mean * mean) > 0.25);
+        QVERIFY(roughest < 0.5); // of a rise within 6 steps
+        effect.timeline.loop = true;
+        const SimulationModel model(sampled(effect));
+        const AirGrid grid = airGrid(sampled(effect));
+        for (const int step : {1, 20, 77}) {
+            const auto later = step + model.schedule().loopSteps;
+            QCOMPARE(airStep(model, grid, step, 1.0F).source.heat, airStep(model, grid, later, 1.0F).source.heat);
+        }
+    }
+
+    void aBurstHasNoSurge()
+    {
+        Effect effect = small(presetOf("explosion"), 16, 10);
+        const AirSource even = airStepOf(effect, 1).source;
+        effect.source.surge = 1.0F;
+        QCOMPARE(airStepOf(effect, 1).source.heat, even.heat);
     }
 
     void anHourBeforeThePictureIsRefusedWithARemedy()

@@ -77,6 +77,7 @@ struct AirArrow {
 /// Sprites for a graphics card: far to near, with all that they need.
 struct SpriteBatchSnapshot {
     std::vector<Sprite> sprites;
+    std::vector<SpriteDetail> details; ///< of the sprites; empty where the smoke has none
     SpriteStyle style;
     View view;
     std::shared_ptr<const SpriteTexture> texture;

@@ -271,8 +271,13 @@ std::shared_ptr<const SpriteBatchSnapshot> PreviewRenderer::collectSprites() con
     sortByDepth({entries.data(), count}, scratch);
     auto scene = std::make_shared<SpriteBatchSnapshot>();
     scene->sprites.resize(count);
+    scene->details.resize(batch.details.empty() ? 0 : count);
     for (std::size_t i = 0; i < count; ++i) {
-        scene->sprites[i] = batch.sprites[entryIndex(entries[count - 1 - i])];
+        const std::size_t from = entryIndex(entries[count - 1 - i]);
+        scene->sprites[i] = batch.sprites[from];
+        if (!batch.details.empty()) {
+            scene->details[i] = batch.details[from];
+        }
     }
     scene->style = batch.style;
     scene->view = batch.view;

@@ -25,6 +25,8 @@ constexpr Attribute kFloats[] = {
     {3, 3, offsetof(Sprite, ambient)},
 };
 constexpr GLuint kPackedLocation = 4;
+constexpr GLuint kDetailLocation = 5; ///< of the first of kDetailQuads
+constexpr GLuint kDetailQuads = sizeof(SpriteDetail) / (4 * sizeof(GLuint));
 
 /// OpenGL takes an offset into a buffer as a pointer.
 const void* asPointer(std::size_t offset)
@@ -54,12 +56,21 @@ GlSprites::GlSprites()
     glEnableVertexAttribArray(kPackedLocation);
     glVertexAttribIPointer(kPackedLocation, 1, GL_UNSIGNED_INT, sizeof(Sprite), asPointer(offsetof(Sprite, texture)));
     glVertexAttribDivisor(kPackedLocation, 1);
-    m_instances.release();
+    m_details.create();
+    m_details.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    m_details.bind();
+    for (GLuint quad = 0; quad < kDetailQuads; ++quad) {
+        glVertexAttribIPointer(kDetailLocation + quad, 4, GL_UNSIGNED_INT, sizeof(SpriteDetail),
+            asPointer(static_cast<std::size_t>(quad) * 4 * sizeof(GLuint)));
+        glVertexAttribDivisor(kDetailLocation + quad, 1);
+    }
+    m_details.release();
 }
 
 GlSprites::~GlSprites()
 {
     glDeleteTextures(1, &m_noise);
+    glDeleteTextures(1, &m_billows);
 }
 
 void GlSprites::compile(QOpenGLShaderProgram& program, const QString& name)
@@ -100,11 +111,50 @@ void GlSprites::uploadTexture(const SpriteTexture& texture)
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
 }
 
+void GlSprites::makeBillows()
+{
+    const DetailTexture& texture = DetailTexture::instance();
+    glGenTextures(1, &m_billows);
+    glBindTexture(GL_TEXTURE_3D, m_billows);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, DetailTexture::kLevels - 1);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (int level = 0; level < DetailTexture::kLevels; ++level) {
+        const int edge = DetailTexture::size(level);
+        glTexImage3D(GL_TEXTURE_3D, DetailTexture::kLevels - 1 - level, GL_RGBA8_SNORM, edge, edge, edge, 0, GL_RGBA,
+            GL_BYTE, texture.texels(level));
+    }
+    glBindTexture(GL_TEXTURE_3D, 0);
+}
+
+void GlSprites::uploadDetail(const SpriteBatchSnapshot& scene)
+{
+    const bool has = !scene.details.empty();
+    const QOpenGLVertexArrayObject::Binder binder(&m_vertices);
+    for (GLuint quad = 0; quad < kDetailQuads; ++quad) {
+        if (has) {
+            glEnableVertexAttribArray(kDetailLocation + quad);
+        } else {
+            glDisableVertexAttribArray(kDetailLocation + quad);
+        }
+    }
+    if (!has) {
+        return;
+    }
+    m_details.bind();
+    m_details.allocate(scene.details.data(), static_cast<int>(scene.details.size() * sizeof(SpriteDetail)));
+    m_details.release();
+    if (m_billows == 0) {
+        makeBillows();
+    }
+}
+
 void GlSprites::upload(const SpriteBatchSnapshot& scene)
 {
     m_instances.bind();
     m_instances.allocate(scene.sprites.data(), static_cast<int>(scene.sprites.size() * sizeof(Sprite)));
     m_instances.release();
+    uploadDetail(scene);
     if (scene.texture != m_uploadedTexture) {
         uploadTexture(*scene.texture);
         m_uploadedTexture = scene.texture;
@@ -124,6 +174,8 @@ void GlSprites::drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixel
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_3D, m_billows);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise);
 
@@ -132,6 +184,8 @@ void GlSprites::drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixel
     m_spriteProgram.setUniformValue(
         "size", QVector2D(static_cast<float>(scene.view.width), static_cast<float>(scene.view.height)));
     m_spriteProgram.setUniformValue("noise", 0);
+    m_spriteProgram.setUniformValue("billows", 1);
+    m_spriteProgram.setUniformValue("hasDetail", !scene.details.empty());
     m_spriteProgram.setUniformValue("square", style.square);
     m_spriteProgram.setUniformValue("hardness", style.hardness);
     m_spriteProgram.setUniformValue("textureAmount", style.texture);

@@ -36,6 +36,8 @@ private:
     void compile(QOpenGLShaderProgram& program, const QString& name);
     void upload(const SpriteBatchSnapshot& scene);
     void uploadTexture(const SpriteTexture& texture);
+    void uploadDetail(const SpriteBatchSnapshot& scene);
+    void makeBillows();
     void drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixels);
     void resolve(const Picture& picture, const QSize& pixels, GLuint target);
 
@@ -45,8 +47,10 @@ private:
     QOpenGLVertexArrayObject m_vertices;
     QOpenGLVertexArrayObject m_nothing; ///< for the triangle that covers the screen, which needs no data
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer m_details{QOpenGLBuffer::VertexBuffer}; ///< of the instances, where the smoke has any
     std::unique_ptr<QOpenGLFramebufferObject> m_light;
     GLuint m_noise = 0;
+    GLuint m_billows = 0; ///< 0: not needed yet
     std::shared_ptr<const SpriteBatchSnapshot> m_uploaded;
     std::shared_ptr<const SpriteTexture> m_uploadedTexture;
 };

@@ -51,6 +51,36 @@ inline constexpr std::array kRows<Source>{
         .dirties = DirtyStage::Air,
         .animates = Animates::Step,
     }),
+    row<&Source::surge>({
+        .key = "source.surge",
+        .since = 2,
+        .label = "Surge",
+        .synonyms = "puff pulse breathe flicker lull rhythm uneven speed burst pump throb",
+        .hard = kUnit,
+        .step = 0.02,
+        .tip = "How much a steady source comes in puffs: its heat, speed and expansion swell and fall, each puff as "
+               "strong as chance has it; the mean stays. 0: even.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Step,
+    }),
+    row<&Source::surgeRate>({
+        .key = "source.surge_rate",
+        .since = 2,
+        .label = "Surge rate",
+        .synonyms = "puff pulse frequency flicker rhythm puffing",
+        .hard = {0.01, 30},
+        .soft = {0.1, 10},
+        .step = 0.05,
+        .unit = Unit::Hertz,
+        .scale = Scale::Log,
+        .tip = "Puffs a second; in a loop a whole number of them. A fire puffs at about 1.5 Hz over the root of its "
+               "width in metres.",
+        .source = "Cetegen and Ahmed 1993",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .animates = Animates::Rate,
+    }),
 };
 
 } // namespace fumage
