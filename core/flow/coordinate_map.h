@@ -26,6 +26,7 @@ struct AdvectedPlace {
     glm::mat3 slope{1.0F}; ///< column i: its change along axis i, m for each m
 };
 
+/// One place; many at a time: coordinate_map-inl.h.
 /// @param place m
 [[nodiscard]] AdvectedPlace advectedPlace(const CoordinateMap& map, const glm::vec3& place);
 

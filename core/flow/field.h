@@ -16,15 +16,14 @@ namespace fumage {
 /// Between the nodes they are interpolated linearly along each axis. As much then flows into each cell as out of it
 /// (see solver.h), on a wall of the box the velocity across it is 0, and nothing outside the box is needed.
 struct AirField {
-    static constexpr std::size_t kPadding = 32;
-
     AirField() = default;
     explicit AirField(const AirGrid& on)
         : grid(on)
-        , row(4 * static_cast<std::size_t>(on.cells.x + 1))
-        , plane(row * static_cast<std::size_t>(on.cells.y + 1))
-        , quads(roundUp(plane * static_cast<std::size_t>(on.cells.z + 1), kPadding))
     {
+        const NodeLayout layout(on.cells);
+        row = layout.row;
+        plane = layout.plane;
+        quads.resize(layout.size);
     }
 
     AirGrid grid;

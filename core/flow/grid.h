@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/aligned_array.h"
+
 #include <array>
 #include <cstddef>
 
@@ -131,6 +133,23 @@ struct QuadLayout {
         return origin + 4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * row
             + static_cast<std::size_t>(k) * plane;
     }
+};
+
+/// Four numbers a node, the corners of cells, x fastest; as many as whole vectors hold.
+struct NodeLayout {
+    NodeLayout() = default;
+    explicit NodeLayout(const glm::ivec3& cells)
+        : row(4 * static_cast<std::size_t>(cells.x + 1))
+        , plane(row * static_cast<std::size_t>(cells.y + 1))
+        , size(roundUp(plane * static_cast<std::size_t>(cells.z + 1), kPadding))
+    {
+    }
+
+    static constexpr std::size_t kPadding = 32;
+
+    std::size_t row = 0; ///< numbers from a node to the one above
+    std::size_t plane = 0;
+    std::size_t size = 0;
 };
 
 } // namespace fumage

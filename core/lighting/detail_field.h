@@ -27,6 +27,14 @@ struct PhaseBlend {
     [[nodiscard]] float operator()(float sum) const;
 };
 
+/// How the two phases come together.
+enum class PhaseMix {
+    Blend, ///< each particle shows the sum of both
+    /// Each shows one, as do its neighbours, and small ones a sample of it: half the work, a little less contrast, and
+    /// changes that are seen. For pictures that move
+    Choose,
+};
+
 /// A phase of less than this weight is not looked at.
 inline constexpr float kMinPhaseWeight = 0.02F;
 
@@ -34,9 +42,10 @@ inline constexpr float kMinPhaseWeight = 0.02F;
 struct DetailField {
     /// @param effect with hasDetail()
     /// @param coordinates at the step of the picture; outlive it
-    DetailField(const Effect& effect, const AdvectedCoordinates& coordinates);
+    DetailField(const Effect& effect, const AdvectedCoordinates& coordinates, PhaseMix phaseMix = PhaseMix::Blend);
 
     const std::array<AdvectedPhase, 2>* phases;
+    PhaseMix mix;
     const DetailTexture* texture = &DetailTexture::instance();
     std::array<glm::vec3, 2> shift{}; ///< of each phase, tiles: no two seeds show the same noise
     float wave = 1.0F; ///< the longest, m
@@ -45,16 +54,6 @@ struct DetailField {
     float edge = 0.0F; ///< share of it that is left in thin smoke
     float relief = 0.0F;
     float shadow = 0.0F; ///< by how much the mass changes that throws shadow, of its own
-
-    /// How likely each octave is to be shown where the air has been deformed: finer ones go first, since they would be
-    /// drawn out to hair, and all go that a picture cannot show.
-    /// @param slope of the coordinates @param metresPerPixel of what they are looked at in
-    [[nodiscard]] std::array<float, DetailTexture::kLevels> octaveShares(
-        const glm::mat3& slope, float metresPerPixel) const;
-
-    /// The noise at a place as it is on average over what a cell can show, -1 to 1.
-    /// @param cell edge, m
-    [[nodiscard]] float meanAt(const glm::vec3& place, float cell) const;
 };
 
 } // namespace fumage

@@ -2,6 +2,7 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
+#include "core/lighting/detail_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,16 +58,10 @@ void putDetailIntoDensity(const DetailField& detail, LightGrid& grid)
     if (!(detail.shadow > 0.0F)) {
         return;
     }
-    const GridShape& shape = grid.shape;
-    const float m = detail.shadow;
-    const float mean = m <= 1.0F ? 1.0F : (1.0F + m) * (1.0F + m) / (4.0F * m); // of max(0, 1 + m t), t even
-    forGridCells(shape, [&](int u, int v, int w, std::size_t index) {
-        if (!(grid.density[index] > 0.0F)) {
-            return;
+    parallelFor(static_cast<std::size_t>(grid.shape.nw), [&](std::size_t w) {
+        for (int v = 0; v < grid.shape.nv; ++v) {
+            putDetailIntoLine(detail, detail.shadow, v, static_cast<int>(w), grid);
         }
-        const glm::vec3 along = shape.origin + shape.cell * glm::vec3(u, v, w);
-        const glm::vec3 place = along.x * shape.axes.u + along.y * shape.axes.v + along.z * shape.axes.w;
-        grid.density[index] *= std::max(0.0F, 1.0F + m * detail.meanAt(place, shape.cell)) / mean;
     });
 }
 
@@ -78,7 +73,7 @@ void findBody(const DetailField& detail, LightGrid& grid)
     const int away = std::max(1, static_cast<int>(std::lround(detail.wave / shape.cell)));
     forGridCells(shape, [&](int u, int v, int w, std::size_t index) {
         const float most = mostAround(shape, grid.plain.data(), u, v, w, away);
-        grid.body[index] = 1.0F - portableExp(-kDepthOfBody * detail.wave * most);
+        grid.body[index] = most > 0.0F ? 1.0F - portableExp(-kDepthOfBody * detail.wave * most) : 0.0F;
     });
 }
 

@@ -33,8 +33,8 @@ struct Cube {
     AlignedArray<float> values;
 };
 
-/// Adds |gradient noise| of some waves across the tile.
-void addBillow(int octave, float amplitude, Cube& to)
+/// |gradient noise| with the waves of an octave across the tile.
+Cube billow(int octave, int size)
 {
     constexpr std::uint32_t kSeed = 0x5eed0b11U;
     const int waves = DetailTexture::kWaves << octave;
@@ -45,16 +45,18 @@ void addBillow(int octave, float amplitude, Cube& to)
     noise.wavelength = 1.0F / static_cast<float>(waves);
     noise.depth = static_cast<float>(waves);
     noise.seed = kSeed + static_cast<std::uint32_t>(octave);
-    const auto edge = static_cast<std::size_t>(to.size);
+    Cube out(size);
+    const auto edge = static_cast<std::size_t>(size);
     parallelFor(edge, [&](std::size_t z) {
-        const float depth = (static_cast<float>(z) + 0.5F) / static_cast<float>(to.size);
-        const NoiseTile slice = bakeFractal(noise, to.size, depth).value(); // no size is too large, and nobody stops it
-        float* out = to.values.data() + z * edge * edge;
+        const float depth = (static_cast<float>(z) + 0.5F) / static_cast<float>(size);
+        const NoiseTile slice = bakeFractal(noise, size, depth).value(); // no size is too large, and nobody stops it
+        float* to = out.values.data() + z * edge * edge;
         for (std::size_t i = 0; i < edge * edge; ++i) {
             const float g = slice.values[i];
-            out[i] += amplitude * std::sqrt(g * g + kRoundCrease * kRoundCrease);
+            to[i] = std::sqrt(g * g + kRoundCrease * kRoundCrease);
         }
     });
+    return out;
 }
 
 /// The share of values below each of many, as a table over their range: what makes them even.
@@ -93,16 +95,13 @@ private:
     std::array<float, kSteps + 1> m_shares{};
 };
 
-/// What octaves that a level lacks have on average: without it, coarser levels would be lower.
-float meanOf(int octave)
+float meanOf(const AlignedArray<float>& values)
 {
-    Cube alone(DetailTexture::size(octave));
-    addBillow(octave, 1.0F, alone);
     double sum = 0.0;
-    for (const float value : alone.values) {
+    for (const float value : values) {
         sum += static_cast<double>(value);
     }
-    return static_cast<float>(sum / static_cast<double>(alone.values.size()));
+    return static_cast<float>(sum / static_cast<double>(values.size()));
 }
 
 std::uint32_t packed(const Cube& cube, int x, int y, int z)
@@ -137,10 +136,18 @@ DetailTexture::DetailTexture()
         amplitude *= kGain;
     }
     std::vector<Cube> cubes;
+    std::array<float, kLevels> means{}; // of the finest octave of each level
     for (int level = 0; level < kLevels; ++level) {
         Cube& cube = cubes.emplace_back(size(level));
         for (int octave = 0; octave <= level; ++octave) {
-            addBillow(octave, amplitudes[static_cast<std::size_t>(octave)], cube);
+            const Cube alone = billow(octave, cube.size);
+            const auto at = static_cast<std::size_t>(octave);
+            for (std::size_t i = 0; i < cube.values.size(); ++i) {
+                cube.values[i] += amplitudes[at] * alone.values[i];
+            }
+            if (octave == level) {
+                means[at] = meanOf(alone.values);
+            }
         }
     }
     const Equaliser even(cubes.back().values);
@@ -150,14 +157,15 @@ DetailTexture::DetailTexture()
         for (float& value : cube.values) {
             value = even(value + lacking);
         }
-        lacking += amplitudes[static_cast<std::size_t>(level)] * meanOf(level);
+        // What octaves that a level lacks have on average: without it, coarser levels would be lower.
+        lacking += amplitudes[static_cast<std::size_t>(level)] * means[static_cast<std::size_t>(level)];
         AlignedArray<std::uint32_t>& to = m_texels[static_cast<std::size_t>(level)];
         to.resize(cube.values.size());
         const auto edge = static_cast<std::size_t>(cube.size);
         parallelFor(edge, [&](std::size_t z) {
             for (std::size_t y = 0; y < edge; ++y) {
                 for (std::size_t x = 0; x < edge; ++x) {
-                    to[(z * edge + y) * edge + x] =
+                    to[indexOf(level, x, y, z)] =
                         packed(cube, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
                 }
             }
@@ -171,26 +179,37 @@ const DetailTexture& DetailTexture::instance()
     return texture;
 }
 
-float DetailTexture::at(int level, float x, float y, float z) const
+AlignedArray<std::uint32_t> DetailTexture::texelsInRows(int level) const
 {
-    const auto edge = static_cast<float>(size(level));
-    const auto split = [&](float tiles, float& part) {
-        const float texels = tiles * edge;
+    const auto edge = static_cast<std::size_t>(size(level));
+    AlignedArray<std::uint32_t> out;
+    out.reserve(edge * edge * edge);
+    for (std::size_t z = 0; z < edge; ++z) {
+        for (std::size_t y = 0; y < edge; ++y) {
+            for (std::size_t x = 0; x < edge; ++x) {
+                out.push_back(texel(level, x, y, z));
+            }
+        }
+    }
+    return out;
+}
+
+DetailTexture::Sample DetailTexture::sampleAt(int level, float x, float y, float z) const
+{
+    const auto split = [&](float texels, float& part) {
         const float whole = std::floor(texels);
         part = texels - whole;
         return static_cast<std::size_t>(static_cast<std::int64_t>(whole) & (size(level) - 1));
     };
-    float partX = 0.0F;
-    float partY = 0.0F;
-    float partZ = 0.0F;
-    const std::size_t atX = split(x, partX);
-    const std::size_t atY = split(y, partY);
-    const std::size_t atZ = split(z, partZ);
-    const auto row = static_cast<std::size_t>(size(level));
-    const std::uint32_t texel = texels(level)[(atZ * row + atY) * row + atX];
-    const float sum =
-        numberIn(texel, 0) + partX * numberIn(texel, 1) + partY * numberIn(texel, 2) + partZ * numberIn(texel, 3);
-    return sum * (1.0F / static_cast<float>(kFull));
+    glm::vec3 part{0.0F};
+    const std::size_t atX = split(x, part.x);
+    const std::size_t atY = split(y, part.y);
+    const std::size_t atZ = split(z, part.z);
+    const std::uint32_t numbers = texel(level, atX, atY, atZ);
+    const glm::vec3 slope{numberIn(numbers, 1), numberIn(numbers, 2), numberIn(numbers, 3)};
+    constexpr float kToOne = 1.0F / static_cast<float>(kFull);
+    const float sum = numberIn(numbers, 0) + part.x * slope.x + part.y * slope.y + part.z * slope.z;
+    return {sum * kToOne, slope * kToOne};
 }
 
 } // namespace fumage

@@ -14,37 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
-/// Texel coordinates of one phase for each column and each row of a sprite's pixels in a tile: the sum of both is that
-/// of a pixel.
-struct PhaseLines {
-    // Not initialised: that would cost more than the painting.
-    // NOLINTBEGIN(cppcoreguidelines-avoid-c-arrays)
-    alignas(kAlignment) float across[3][kLineRoom];
-    alignas(kAlignment) float down[3][kLineRoom]; ///< with kToFixed
-    // NOLINTEND(cppcoreguidelines-avoid-c-arrays)
-
-    HWY_INLINE void fill(const SpriteDetail::Phase& phase, const Sprite& sprite, const Patches& box, const Tile& tile)
-    {
-        const D d;
-        for (std::size_t part = 0; part < Tile::kPatchPixels; part += hn::Lanes(d)) {
-            for (int column = box.left; column <= box.right; ++column) {
-                const std::size_t at = static_cast<std::size_t>(column) * Tile::kPatchPixels + part;
-                const V dx = fromCentre(d, kColumns + part, tile.left + column * Tile::kPatch, sprite.x);
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    hn::Store(phase.u[axis] * dx, d, across[axis] + at);
-                }
-            }
-            for (int row = box.top; row <= box.bottom; ++row) {
-                const std::size_t at = static_cast<std::size_t>(row) * Tile::kPatchPixels + part;
-                const V dy = fromCentre(d, kRows + part, tile.top + row * Tile::kPatch, sprite.y);
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    hn::Store(phase.v[axis] * dy + (kToFixed + phase.at[axis]), d, down[axis] + at);
-                }
-            }
-        }
-    }
-};
-
 /// What one phase shows at some pixels: the noise, and what it changes by along the ways of lights.
 template <std::size_t kLights>
 struct PhaseAtPixels {
@@ -61,18 +30,34 @@ enum : std::size_t {
     kSlopes,
 };
 
+/// Fixed-point texel coordinates of some pixels, by axis.
+struct TexelsAt {
+    I x, y, z;
+};
+
+/// What a row of pixels adds to the coordinates of its columns.
+struct RowOfPhase {
+    V x, y, z; ///< with kToFixed
+};
+
 /// One phase of a sprite with all that does not change from pixel to pixel.
 template <std::size_t kLights>
 struct PhaseReader {
+    // What the shifts of indexOf() ask for.
+    static_assert(DetailTexture::size(0) >= 16);
+    static_assert(DetailTexture::size(DetailTexture::kLevels - 1) <= 1 << kFractionBits);
+
+    const SpriteDetail::Phase& phase;
     const std::int32_t* texels;
     int shift; ///< log2 of the level's edge
     float weight; ///< over the range of sums
-    std::array<std::int32_t, kLights == 0 ? 1 : kLights> ways{};
+    std::array<std::int32_t, kLights == 0 ? 1 : kLights> ways{}; ///< signed bytes, as LightBytes
+    std::array<float, kLights == 0 ? 1 : kLights> added{}; ///< what is in the sums along a way beside the slopes
     std::array<float, kLights == 0 ? 1 : kLights> worth{};
 
     PhaseReader(const DetailTexture& texture, const SpriteDetail& detail, std::size_t which)
+        : phase(detail.phases[which])
     {
-        const SpriteDetail::Phase& phase = detail.phases[which];
         const int level = detail.levels[which];
         texels = reinterpret_cast<const std::int32_t*>(texture.texels(level));
         shift = std::countr_zero(static_cast<unsigned>(DetailTexture::size(level)));
@@ -80,6 +65,12 @@ struct PhaseReader {
         weight = phase.weight / (kOne * kOne);
         const auto put = [&](std::size_t light, std::uint32_t bytes, float relief) {
             ways[light] = static_cast<std::int32_t>(bytes);
+            int sum = 0;
+            for (unsigned byte = 1; byte < sizeof(bytes); ++byte) {
+                sum += static_cast<std::int8_t>(bytes >> 8U * byte & 255U);
+            }
+            constexpr float kToUnsigned = 128.0F;
+            added[light] = kToUnsigned * static_cast<float>(sum);
             worth[light] = relief / kOne;
         };
         if constexpr (kLights > kBySun) {
@@ -95,29 +86,61 @@ struct PhaseReader {
         }
     }
 
-    /// @param x,y,z as fixed-point numbers
-    HWY_INLINE PhaseAtPixels<kLights> at(I x, I y, I z) const
+    [[nodiscard]] HWY_INLINE RowOfPhase rowAt(V dy) const
+    {
+        const auto along = [&](std::size_t axis) HWY_ATTR { return phase.v[axis] * dy + (kToFixed + phase.at[axis]); };
+        return {along(0), along(1), along(2)};
+    }
+
+    [[nodiscard]] HWY_INLINE TexelsAt texelsAt(const RowOfPhase& row, V dx) const
+    {
+        const hn::RebindToSigned<D> di;
+        const auto along = [&](std::size_t axis, V down)
+                               HWY_ATTR { return hn::BitCast(di, phase.u[axis] * dx + down); };
+        return {along(0, row.x), along(1, row.y), along(2, row.z)};
+    }
+
+    /// DetailTexture::indexOf() of fixed-point coordinates: their bits, moved to where they belong.
+    [[nodiscard]] HWY_INLINE I indexOf(I x, I y, I z) const
+    {
+        using T = DetailTexture;
+        static_assert(T::kBrickX == 2 && T::kBrickY == 1 && T::kBrickZ == 1);
+        const hn::RebindToSigned<D> di;
+        constexpr int kBits = T::kBrickX + T::kBrickY + T::kBrickZ;
+        const auto bits = [&](int count, int at) HWY_ATTR { return hn::Set(di, ((1 << count) - 1) << at); };
+        const I inX = hn::And(hn::ShiftRight<kFractionBits>(x), bits(T::kBrickX, 0));
+        const I inY = hn::And(hn::ShiftRight<kFractionBits - T::kBrickX>(y), bits(T::kBrickY, T::kBrickX));
+        const I inZ = hn::And(
+            hn::ShiftRight<kFractionBits - T::kBrickX - T::kBrickY>(z), bits(T::kBrickZ, T::kBrickX + T::kBrickY));
+        const I brickX =
+            hn::And(hn::ShiftRight<kFractionBits + T::kBrickX - kBits>(x), bits(shift - T::kBrickX, kBits));
+        // By s - 6 and 2 s - 7 bits to the left, s being 4 to 7.
+        const I brickY = hn::And(
+            hn::ShiftRightSame(hn::ShiftLeft<1>(y), kFractionBits - shift), bits(shift - T::kBrickY, shift + 2));
+        const I brickZ =
+            hn::And(hn::ShiftLeftSame(z, 2 * shift - kFractionBits), bits(shift - T::kBrickZ, 2 * shift + 1));
+        return hn::Or(hn::Or(hn::Or(inX, brickX), hn::Or(inY, brickY)), hn::Or(inZ, brickZ));
+    }
+
+    [[nodiscard]] HWY_INLINE PhaseAtPixels<kLights> at(const TexelsAt& place) const
     {
         const D d;
         const hn::RebindToSigned<D> di;
-        const I wrap = hn::Set(di, (1 << shift) - 1);
-        const auto texel = [&](I along) HWY_ATTR { return hn::And(hn::ShiftRight<kFractionBits>(along), wrap); };
-        const I row = hn::Or(hn::ShiftLeftSame(texel(z), shift), texel(y));
-        const I index = hn::Or(hn::ShiftLeftSame(row, shift), texel(x));
-        const I numbers = hn::GatherIndex(di, texels, index);
-        const I fraction = hn::Set(di, kFull);
-        const I fractions = hn::Or(hn::Or(fraction, hn::ShiftLeft<8>(hn::And(x, fraction))),
-            hn::Or(hn::ShiftLeft<16>(hn::And(y, fraction)), hn::ShiftLeft<24>(hn::And(z, fraction))));
+        const auto [x, y, z] = place;
+        const I texel = hn::GatherIndex(di, texels, indexOf(x, y, z));
+        const I fractions = hn::Or(hn::Or(hn::Set(di, kFull), hn::And(hn::ShiftLeft<8>(x), hn::Set(di, kFull << 8))),
+            hn::Or(hn::And(hn::ShiftLeft<16>(y), hn::Set(di, kFull << 16)),
+                hn::And(hn::ShiftLeft<24>(z), hn::Set(di, kFull << 24))));
         const I ones = hn::Set(di, 0x00010001);
         const auto sum = [&](I pairs) HWY_ATTR { return hn::ConvertTo(d, dotHalves(di, pairs, ones)); };
         PhaseAtPixels<kLights> out;
-        out.noise = sum(dotBytes(di, fractions, numbers)) * weight;
+        out.noise = sum(dotBytes(di, fractions, texel)) * weight;
         if constexpr (kLights > 0) {
-            // Bytes of ways are not below 0: what was added to them goes again.
-            const V added = sum(dotBytes(di, hn::Set(di, LightBytes::kLongest * 0x01010100), numbers));
+            // Bytes that are multiplied with signed ones are not below 0: texels with 128 added.
+            const I lifted = hn::Xor(texel, hn::Set(di, static_cast<std::int32_t>(0x80808080U)));
             for (std::size_t light = 0; light < kLights; ++light) {
-                const V along = sum(dotBytes(di, hn::Set(di, ways[light]), numbers));
-                out.slopes[light] = (along - added) * worth[light];
+                const V along = sum(dotBytes(di, lifted, hn::Set(di, ways[light])));
+                out.slopes[light] = (along - added[light]) * worth[light];
             }
         }
         return out;
@@ -134,17 +157,11 @@ void paintCoherent(const SpriteStyle& style, const DetailTexture& texture, const
         return;
     }
     const D d;
-    const hn::RebindToSigned<D> di;
     const Rim rim(sprite);
     constexpr std::size_t kLights = kManyTargets ? std::size_t{kSlopes} : kSunAlone;
     const std::size_t first = detail.shown[0] != 0 ? 0 : 1;
     const PhaseReader<kLights> one(texture, detail, first);
     const PhaseReader<kLights> two(texture, detail, 1);
-    PhaseLines lines[kPhases]; // NOLINT(cppcoreguidelines-avoid-c-arrays): not initialised
-    lines[0].fill(detail.phases[first], sprite, box, tile);
-    if constexpr (kPhases == 2) {
-        lines[1].fill(detail.phases[1], sprite, box, tile);
-    }
     const V zero = hn::Zero(d);
     const V bend = hn::Set(d, rim.xx * style.hardness);
     const V hardness = hn::Set(d, style.hardness);
@@ -158,27 +175,23 @@ void paintCoherent(const SpriteStyle& style, const DetailTexture& texture, const
     const V ambientGreen = hn::Set(d, sprite.ambient[1]);
     const V ambientBlue = hn::Set(d, sprite.ambient[2]);
 
-    /// @param dx,dy from the centre @param at its pixels in the tile @param more those in the other targets
-    const auto paintVector = [&](std::size_t across, std::size_t down, V dx, V rest, V lean, float* HWY_RESTRICT at,
-                                 float* HWY_RESTRICT more) HWY_ATTR {
-        const auto read = [&](const PhaseReader<kLights>& phase, const PhaseLines& line) HWY_ATTR {
-            const auto fixed = [&](std::size_t axis) HWY_ATTR {
-                return hn::BitCast(di, hn::Load(d, line.across[axis] + across) + hn::Load(d, line.down[axis] + down));
-            };
-            return phase.at(fixed(0), fixed(1), fixed(2));
-        };
-        PhaseAtPixels<kLights> here = read(one, lines[0]);
+    /// @param dx from the centre @param at its pixels in the tile @param more those in the other targets
+    const auto paintVector = [&](const RowOfPhase& firstRow, const RowOfPhase& secondRow, V dx, V rest, V lean,
+                                 float* HWY_RESTRICT at, float* HWY_RESTRICT more) HWY_ATTR {
+        PhaseAtPixels<kLights> here = one.at(one.texelsAt(firstRow, dx));
+        V even = here.noise * detail.gain;
+        V grows = hn::Set(d, detail.gain);
         if constexpr (kPhases == 2) {
-            const PhaseAtPixels<kLights> other = read(two, lines[1]);
+            const PhaseAtPixels<kLights> other = two.at(two.texelsAt(secondRow, dx));
             here.noise = here.noise + other.noise;
             for (std::size_t light = 0; light < kLights; ++light) {
                 here.slopes[light] = here.slopes[light] + other.slopes[light];
             }
+            const V size = hn::Abs(here.noise);
+            const V beyond = hn::Max(zero, size - detail.flat);
+            even = hn::CopySign(size * detail.gain - beyond * beyond * detail.bend, here.noise);
+            grows = detail.gain - beyond * (2.0F * detail.bend);
         }
-        const V size = hn::Abs(here.noise);
-        const V beyond = hn::Max(zero, size - detail.flat);
-        const V even = hn::CopySign(size * detail.gain - beyond * beyond * detail.bend, here.noise);
-        const V grows = detail.gain - beyond * (2.0F * detail.bend);
         // 0 below 1 + s t = -1/2, a parabola up to 1/2, straight above.
         const V bent = even * detail.strength + 1.5F;
         const V low = clamp01(d, bent);
@@ -203,14 +216,14 @@ void paintCoherent(const SpriteStyle& style, const DetailTexture& texture, const
             const V dy = fromCentre(d, kRows + part, tile.top + row * Tile::kPatch, sprite.y);
             const V rest = hardness * (1.0F - rim.yy * dy * dy);
             const V lean = 2.0F * rim.xy * style.hardness * dy;
+            const RowOfPhase firstRow = one.rowAt(dy);
+            const RowOfPhase secondRow = kPhases == 2 ? two.rowAt(dy) : firstRow;
             float* pixels = tile.patches.data() + patchOffset(from, row) + part;
             float* more = kManyTargets ? tile.others.data() + others.targets.offset(from, row) + part : nullptr;
-            const std::size_t down = static_cast<std::size_t>(row) * Tile::kPatchPixels + part;
             for (int column = from; column <= to;
                  ++column, pixels += Tile::kPatchFloats, more += others.targets.stride()) {
                 const V dx = fromCentre(d, kColumns + part, tile.left + column * Tile::kPatch, sprite.x);
-                paintVector(
-                    static_cast<std::size_t>(column) * Tile::kPatchPixels + part, down, dx, rest, lean, pixels, more);
+                paintVector(firstRow, secondRow, dx, rest, lean, pixels, more);
             }
         }
     });

@@ -7,22 +7,13 @@
 #define FUMAGE_LIGHT_LOOKUP_INL_H
 #endif
 
-#include "core/rendering/sprite_job.h"
-
-#include <cstring>
+#include "core/base/float4.h"
+#include "core/lighting/light_field.h"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
-
-template <class Value>
-HWY_INLINE Value cellAt(const float* from)
-{
-    Value out;
-    std::memcpy(&out, from, sizeof(out));
-    return out;
-}
 
 /// Trilinear interpolation of the channels of a cell.
 /// @tparam Value float, or Float4 for four floats a cell
@@ -37,7 +28,7 @@ HWY_INLINE Value trilinear(const GridShape& shape, const float* cells, std::int3
         shape.nw > 1 ? static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv) * kChannels : 0;
     const float* at = cells + static_cast<std::size_t>(corner) * kChannels;
     const auto mix = [](Value a, Value b, float t) { return (b - a) * t + a; };
-    const auto line = [&](const float* from) { return mix(cellAt<Value>(from), cellAt<Value>(from + du), u); };
+    const auto line = [&](const float* from) { return mix(loadFloats<Value>(from), loadFloats<Value>(from + du), u); };
     const Value front = mix(line(at), line(at + dv), v);
     const Value back = mix(line(at + dw), line(at + dw + dv), v);
     return mix(front, back, w);

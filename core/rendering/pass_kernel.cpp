@@ -8,6 +8,7 @@
 #include "core/lighting/grid_cell-inl.h"
 #include "core/rendering/light_lookup-inl.h"
 #include "core/rendering/pass_kernel.h"
+#include "core/rendering/sprite_job.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {

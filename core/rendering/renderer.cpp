@@ -52,7 +52,7 @@ Status Renderer::updateDetail(const Frame& frame, const Effect& effect, const st
     if (Status status = m_coordinates->moveTo(frame.model, frame.step, effect.look.detailLife, stop); !status) {
         return status;
     }
-    m_detail.emplace(effect, *m_coordinates);
+    m_detail.emplace(effect, *m_coordinates, m_phaseMix);
     return Done{};
 }
 

@@ -32,9 +32,13 @@ public:
     /// @param width,height pixels; the picture is rendered effect.output.supersample times larger and averaged
     /// @param image  resized; linear premultiplied light, before exposure, view transform and background
     /// @error TooLarge before allocating, OutOfRange where a particle is nowhere, Cancelled
-    /// A pure function of its arguments, to the bit.
+    /// A pure function of its arguments and of setPhaseMix(), to the bit.
     [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image,
         const std::stop_token& stop = {});
+
+    /// How detail that the air carries is shown from the next picture on; at first as a blend of both phases, as
+    /// exports have it.
+    void setPhaseMix(PhaseMix mix) { m_phaseMix = mix; }
 
     /// The first part of render(), for those who draw the sprites themselves or look through a view of their own:
     /// afterwards batch() and texture() hold what there is to draw.
@@ -63,6 +67,7 @@ private:
     [[nodiscard]] Status updateTexture(const Noise& noise, const std::stop_token& stop);
     [[nodiscard]] Status updateDetail(const Frame& frame, const Effect& effect, const std::stop_token& stop);
 
+    PhaseMix m_phaseMix = PhaseMix::Blend;
     Noise m_noise;
     std::shared_ptr<const SpriteTexture> m_texture;
     std::unique_ptr<AdvectedCoordinates> m_coordinates; ///< where m_detail finds it, wherever the renderer is moved

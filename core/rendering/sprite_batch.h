@@ -81,9 +81,18 @@ static_assert(SpriteTexture::kMaxLevels <= TextureRef::kPlain);
 
 /// A way through the texels of the detail as three bytes, for relief.
 struct LightBytes {
-    static constexpr int kLongest = 63; ///< of a component; each is stored with this added
+    static constexpr int kLongest = 63; ///< of a component
 
-    std::uint32_t packed = 0; ///< from the second byte on: x, y, z
+    /// What was packed, from -kLongest to kLongest.
+    [[nodiscard]] static glm::vec3 unpacked(std::uint32_t bytes)
+    {
+        const auto byte = [&](unsigned which) {
+            return static_cast<float>(static_cast<std::int8_t>(bytes >> 8U * which & 255U));
+        };
+        return {byte(1), byte(2), byte(3)};
+    }
+
+    std::uint32_t packed = 0; ///< from the second byte on: x, y, z, signed
     float scale = 0.0F; ///< what one is worth, texels
 
     LightBytes(float x, float y, float z)
@@ -93,7 +102,9 @@ struct LightBytes {
         scale = longest / static_cast<float>(kLongest);
         const float perUnit = static_cast<float>(kLongest) / std::max(longest, kNone);
         const auto byte = [&](float component) {
-            return static_cast<std::uint32_t>(component * perUnit + static_cast<float>(kLongest) + 0.5F);
+            // Counted from 0 on: what is cut off then is the same for both signs.
+            const int counted = static_cast<int>(component * perUnit + static_cast<float>(kLongest) + 0.5F);
+            return static_cast<std::uint32_t>(counted - kLongest) & 255U;
         };
         packed = byte(x) << 8U | byte(y) << 16U | byte(z) << 24U;
     }
@@ -114,7 +125,7 @@ struct alignas(64) SpriteDetail {
     std::array<Phase, 2> phases;
     float strength = 0.0F; ///< alpha is multiplied by 1 + strength * noise, bent so that it stays above 0
     float perMean = 1.0F; ///< over the mean of that
-    float gain = 1.0F, flat = 2.0F, bend = 0.0F; ///< of a PhaseBlend
+    float gain = 1.0F, flat = 2.0F, bend = 0.0F; ///< of a PhaseBlend; where one phase is shown, its gain alone
     float screenRelief = 0.0F; ///< what a slope a pixel is worth for lights from the sides of the picture
     float around = 0.0F; ///< what does not come from the sun is multiplied by 1 + around * noise
     std::array<std::uint8_t, 2> levels{};

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/lighting/detail_field.h"
-#include "core/lighting/light_field.h"
 #include "core/rendering/sprite_batch.h"
+#include "core/rendering/sprite_job.h"
 #include "core/simulation/particles.h"
 
 namespace fumage {
@@ -11,13 +11,12 @@ namespace fumage {
 struct SpriteDetailJob {
     const DetailField* detail = nullptr;
     const Particles* particles = nullptr;
-    const LightGrid* light = nullptr; ///< with the body of the smoke
     glm::vec3 lightDirection{0.0F, -1.0F, 0.0F}; ///< that the light travels
     SpriteBatch* batch = nullptr; ///< whose sprites are made
 };
 
 /// Finds where some sprites read the noise that their air carries.
 /// @param begin the first of kSpriteBlock sprites
-void findSpriteDetail(const SpriteDetailJob& job, std::size_t begin);
+void findSpriteDetail(const SpriteDetailJob& job, const SpriteSurroundings& surroundings, std::size_t begin);
 
 } // namespace fumage

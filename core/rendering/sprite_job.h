@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/float4.h"
 #include "core/lighting/appearance.h"
 #include "core/lighting/glow.h"
 #include "core/lighting/light_field.h"
@@ -9,9 +10,6 @@
 #include <cstdint>
 
 namespace fumage {
-
-/// Four floats in one register, on every instruction set: light channels or a colour.
-using Float4 = float __attribute__((vector_size(16)));
 
 /// Constants of one pass over the particles.
 struct SpriteJob {
@@ -55,5 +53,13 @@ struct SpriteJob {
 
 /// Sprites that are made at a time.
 inline constexpr std::size_t kSpriteBlock = 128;
+
+/// What a block of sprites knows of the smoke about them, for the detail that they show.
+struct SpriteSurroundings {
+    alignas(kAlignment) std::array<float, kSpriteBlock> body; ///< how deep in smoke, as in LightGrid
+    alignas(kAlignment) std::array<float, kSpriteBlock> radius; ///< pixels
+    alignas(kAlignment)
+        std::array<float, kSpriteBlock> glowing; ///< share of glow in all light that does not come from the sun
+};
 
 } // namespace fumage

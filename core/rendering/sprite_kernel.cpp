@@ -149,7 +149,7 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
     sprite.texture = packTexture(0, TextureRef::kPlain, 0, 0, 0);
 }
 
-/// @return the share of what it gives off in all that does not come from the sun
+/// @return its glow, of which red has all that there is
 HWY_INLINE float lightSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float life, Sprite& sprite)
 {
     const Float4 light = lightAt(*job.light, block, i);
@@ -172,11 +172,19 @@ HWY_INLINE float lightSprite(const SpriteJob& job, const SpriteBlock& block, std
     }
     std::memcpy(sprite.direct, &direct, sizeof(sprite.direct));
     std::memcpy(sprite.ambient, &ambient, sizeof(sprite.ambient));
-    constexpr float kNone = 1e-12F;
-    return glow[0] / std::max(ambient[0], kNone); // red: all that glows does in it
+    return glow[0];
 }
 
-void spriteBlock(const SpriteJob& job, std::size_t begin)
+HWY_INLINE void lookAround(const SpriteJob& job, const SpriteBlock& block, std::size_t i, const Sprite& sprite,
+    float glow, SpriteSurroundings& out)
+{
+    constexpr float kNone = 1e-12F;
+    out.glowing[i] = glow / std::max(sprite.ambient[0], kNone);
+    out.body[i] = trilinear<float>(
+        job.light->shape, job.light->body.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
+}
+
+void spriteBlock(const SpriteJob& job, std::size_t begin, SpriteSurroundings* surroundings)
 {
     SpriteBlock block;
     projectBlock(job, begin, block);
@@ -194,9 +202,10 @@ void spriteBlock(const SpriteJob& job, std::size_t begin)
         const float life = job.appearance->life[at];
         const float radius = std::max(exact, kSmallestRadius);
         const float thinner = exact / radius;
-        const float glowing = lightSprite(job, block, i, life, sprite);
-        if (!job.out->details.empty()) {
-            job.out->details[at].around = glowing; // findSpriteDetail() makes of it what is drawn
+        const float glow = lightSprite(job, block, i, life, sprite);
+        if (surroundings != nullptr) {
+            surroundings->radius[i] = radius;
+            lookAround(job, block, i, sprite, glow, *surroundings);
         }
         sprite.x = block.x[i];
         sprite.y = block.y[i];
@@ -220,10 +229,10 @@ namespace fumage {
 
 HWY_EXPORT(spriteBlock);
 
-void makeSpriteBlock(const SpriteJob& job, std::size_t begin)
+void makeSpriteBlock(const SpriteJob& job, std::size_t begin, SpriteSurroundings* surroundings)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(spriteBlock);
-    kernel(job, begin);
+    kernel(job, begin, surroundings);
 }
 
 } // namespace fumage

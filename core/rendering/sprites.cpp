@@ -120,12 +120,16 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     out.details.resize(detail != nullptr ? padded : 0);
     out.style = job.style;
     out.view = view;
-    const SpriteDetailJob of{detail, &frame.particles, &light, effect->light.direction, &out};
+    const SpriteDetailJob of{detail, &frame.particles, effect->light.direction, &out};
     parallelFor(frame.particles.chunks(), [&](std::size_t chunk) {
         for (std::size_t block = 0; block < Particles::kChunk; block += kSpriteBlock) {
-            makeSpriteBlock(job, chunk * Particles::kChunk + block);
-            if (detail != nullptr) {
-                findSpriteDetail(of, chunk * Particles::kChunk + block);
+            const std::size_t begin = chunk * Particles::kChunk + block;
+            if (detail == nullptr) {
+                makeSpriteBlock(job, begin, nullptr);
+            } else {
+                SpriteSurroundings surroundings{};
+                makeSpriteBlock(job, begin, &surroundings);
+                findSpriteDetail(of, surroundings, begin);
             }
         }
     });

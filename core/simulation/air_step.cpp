@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/base/random_place.h"
 #include "core/flow/source_kernel.h"
 #include "core/simulation/air_source.h"
 
@@ -76,7 +77,7 @@ AirOctave octaveAt(double step, const Schedule& schedule, std::uint32_t seed, fl
     const float turn = 0.5F * kPi * row.fraction * row.fraction * (3.0F - 2.0F * row.fraction);
     AirOctave octave;
     octave.frequency = frequency;
-    octave.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
+    octave.shift = randomInUnitCube(seed, 1);
     octave.slices.key = {
         keyOf(seed, static_cast<std::uint64_t>(row.before)), keyOf(seed, static_cast<std::uint64_t>(row.after))};
     octave.slices.weight = {weight * portableCos(turn), weight * portableSin(turn)};

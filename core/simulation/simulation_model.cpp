@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/math.h"
+#include "core/base/random_place.h"
 #include "core/base/vector.h"
 #include "core/simulation/air_source.h"
 
@@ -174,7 +175,7 @@ OctaveAtStep SimulationModel::octaveAt(std::int64_t step, int octave) const
     const double whole = std::floor(drifted);
     // Random, or a corner of every octave's lattice would stand in the emitter's centre, where all gradients are 0: as
     // one body it would move.
-    out.shift = {unitFloat(streamBits(seed, 1)), unitFloat(streamBits(seed, 2)), unitFloat(streamBits(seed, 3))};
+    out.shift = randomInUnitCube(seed, 1);
     out.shift.y += static_cast<float>(whole - drifted);
 
     const bool evolves = turbulence.evolution > 0.0F || (row.cells != 0 && turbulence.drift != 0.0F);

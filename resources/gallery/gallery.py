@@ -5,7 +5,7 @@ Without a folder the references are those of resources/references, beside our pr
 three moments, beside itself as it was before where older presets are given, and sixty frames of each. The figures
 compare the pictures of density (alpha) of the references that have one: the slope of the radial power spectrum, whether it rises again at the size of
 the sprites, steep gradients, how far apart structure is (see structure.py; beside it that of two pictures which are known to be worse), and dots at the fringe. Of each preset:
-the change from frame to frame, shimmer, dots and repetition (see faults.py).
+the change from frame to frame, shimmer, dots and repetition (see faults.py), contrast by size and widths of rims (see focus.py).
 """
 
 import pathlib
@@ -16,6 +16,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from faults import dots, repetition, shimmer
+from focus import contrast, rims
 from structure import structure_between
 
 EDGE = 512
@@ -116,6 +117,15 @@ def spike_of(frames: list[np.ndarray]) -> float:
     return float((steps[1:-1] / np.maximum(0.5 * (steps[:-2] + steps[2:]), 1e-9)).max())
 
 
+def focus_of(cli: str, preset: str, folder: pathlib.Path) -> tuple[list[float], list[float]]:
+    """Contrast and rims of frame 60 where the smoke fills the picture, at the size of a sheet's large cell."""
+    file = folder / "focus.png"
+    command = [cli, "render", preset, "--frames", "60", "--size", "384", "--fit", "--no-preset", "--output", str(file)]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    pixels = np.asarray(Image.open(file).convert("RGBA"), dtype=np.float64) / 255.0
+    return contrast(pixels), rims(pixels[..., 3])
+
+
 def embergen_rows(cli: str, theirs: Image.Image, out: pathlib.Path) -> Image.Image:
     """Their frames above ours, at the size of the sheet, which has a border of two pixels around each frame."""
     sheet = Image.new("RGB", (8 * 128, 2 * 256))
@@ -180,11 +190,13 @@ def main() -> None:
               f"{apart[0]:10.3f} {apart[1]:7.3f} {apart[2]:8.3f} {dots(a):6.2f} {dots(b):6.2f}")
         rows.append([flat(image).resize((EDGE, EDGE)) for image in (theirs, ours)])
     presets = sorted(path.stem for path in (pathlib.Path(__file__).parents[1] / "presets").glob("*.json"))
-    print(f"\n{'preset':18s} {'spike':>6s} {'shimmer':>8s} {'dots':>6s} {'repetition':>11s}")
+    print(f"\n{'preset':18s} {'spike':>6s} {'shimmer':>8s} {'dots':>6s} {'repetition':>11s} {'contrast 1 2 4 px':>20s} {'rims 10 50 90 %':>18s}")
     moments = []
     for preset in presets:
         second = densities_of(cli, preset, 60, 30, out, [])
-        print(f"{preset:18s} {spike_of(second):6.2f} {shimmer(second):8.2f} {dots(second[0]):6.2f} {repetition(second[0]):11.2f}")
+        print(f"{preset:18s} {spike_of(second):6.2f} {shimmer(second):8.2f} {dots(second[0]):6.2f} {repetition(second[0]):11.2f} ", end="")
+        bands, widths = focus_of(cli, preset, out)
+        print(" ".join(f"{value:6.3f}" for value in bands), " ".join(f"{value:5.1f}" for value in widths))
         moments.append([flat(render(cli, preset, frame, out / "moment.png", (EDGE // 2, EDGE // 2), [])) for frame in (20, 60, 110)])
     embergen = (references / EMBERGEN).exists()
     sheet = Image.new("RGB", (2 * EDGE, EDGE * (len(rows) + embergen)))

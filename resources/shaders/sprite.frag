@@ -72,8 +72,8 @@ vec2 phaseAt(int which)
     vec3 at = way(first) + way(first + 3) * offset.x + way(first + 6) * offset.y;
     vec3 whole = floor(at);
     vec4 texel = texelFetch(billows, ivec3(whole) & (size - 1), mip);
-    uint light = word(first + 9);
-    vec3 towards = vec3(light >> 8u & 255u, light >> 16u & 255u, light >> 24u) - 63.0;
+    int light = int(word(first + 9));
+    vec3 towards = vec3(light << 16 >> 24, light << 8 >> 24, light >> 24);
     float noiseHere = texel.r + dot(texel.gba, at - whole);
     return vec2(noiseHere * number(first + 11), dot(texel.gba, towards) * number(first + 10));
 }

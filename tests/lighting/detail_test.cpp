@@ -1,6 +1,7 @@
 #include "tests/helpers.h"
 
 #include "core/lighting/detail_field.h"
+#include "core/lighting/detail_kernel.h"
 #include "core/lighting/detail_light.h"
 
 #include <glm/geometric.hpp>
@@ -102,10 +103,10 @@ private slots:
     {
         const AdvectedCoordinates coordinates = atRest();
         const DetailField field(detailed(), coordinates);
-        const auto all = field.octaveShares(glm::mat3(1.0F), 1e-4F);
-        const auto stretched =
-            field.octaveShares(glm::mat3(glm::vec3(2, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 0.5F)), 1e-4F);
-        const auto afar = field.octaveShares(glm::mat3(1.0F), 0.05F);
+        const auto all = octaveSharesAt(field, {}, 1e-4F);
+        const auto stretched = octaveSharesAt(
+            field, {glm::vec3(0.0F), glm::mat3(glm::vec3(2, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 0.5F))}, 1e-4F);
+        const auto afar = octaveSharesAt(field, {}, 0.05F);
         for (std::size_t i = 0; i < all.size(); ++i) {
             QCOMPARE(all[i], 1.0F);
             QVERIFY(stretched[i] < 1.0F && (i == 0 || stretched[i] < stretched[i - 1]));

@@ -85,6 +85,29 @@ private slots:
         }
     }
 
+    /// Every texel has a place of its own, 16 neighbours one cache line, and rows are for those who know no bricks.
+    void texelsLieInBricks()
+    {
+        for (int level = 0; level < 2; ++level) {
+            const auto edge = static_cast<std::size_t>(DetailTexture::size(level));
+            const DetailTexture& texture = DetailTexture::instance();
+            const AlignedArray<std::uint32_t> rows = texture.texelsInRows(level);
+            std::vector<bool> taken(edge * edge * edge, false);
+            std::size_t i = 0;
+            for (std::size_t z = 0; z < edge; ++z) {
+                for (std::size_t y = 0; y < edge; ++y) {
+                    for (std::size_t x = 0; x < edge; ++x, ++i) {
+                        const std::size_t at = DetailTexture::indexOf(level, x, y, z);
+                        QVERIFY(at < taken.size() && !taken[at]);
+                        taken[at] = true;
+                        QCOMPARE(at / 16, DetailTexture::indexOf(level, x & ~3U, y & ~1U, z & ~1U) / 16);
+                        QCOMPARE(rows[i], texture.texels(level)[at]);
+                    }
+                }
+            }
+        }
+    }
+
     void tilesRepeat()
     {
         const DetailTexture& texture = DetailTexture::instance();

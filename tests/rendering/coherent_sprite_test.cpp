@@ -45,8 +45,10 @@ Detailed oneSprite(bool first, bool second)
     detail.strength = 1.3F;
     detail.perMean = 0.9F;
     detail.gain = 1.25F;
-    detail.flat = 0.2F;
-    detail.bend = 0.52F;
+    if (first && second) {
+        detail.flat = 0.2F;
+        detail.bend = 0.52F;
+    }
     detail.screenRelief = 0.5F;
     detail.around = -0.4F;
     batch.details.push_back(detail);
@@ -71,8 +73,7 @@ Texel texelAt(const SpriteDetail& detail, std::size_t which, float dx, float dy)
         out.part[axis] = fixed - std::floor(fixed);
         cell[axis] = static_cast<std::size_t>(static_cast<int>(std::floor(fixed)) & (size - 1));
     }
-    const auto edge = static_cast<std::size_t>(size);
-    const std::uint32_t texel = DetailTexture::instance().texels(level)[(cell[2] * edge + cell[1]) * edge + cell[0]];
+    const std::uint32_t texel = DetailTexture::instance().texel(level, cell[0], cell[1], cell[2]);
     for (std::size_t i = 0; i < 4; ++i) {
         out.numbers[i] = static_cast<std::int8_t>(texel >> 8U * i & 255U);
     }
@@ -98,19 +99,20 @@ std::array<double, 4> expectedAt(const Detailed& all, int x, int y)
         double along = 0.0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             value += texel.numbers[axis + 1] * texel.part[axis] * 128.0 / 127.0;
-            const auto byte = static_cast<double>(detail.phases[which].light >> 8U * (axis + 1) & 255U);
-            along += texel.numbers[axis + 1] * (byte - LightBytes::kLongest);
+            const auto byte = static_cast<std::int8_t>(detail.phases[which].light >> 8U * (axis + 1) & 255U);
+            along += texel.numbers[axis + 1] * byte;
         }
         noise += static_cast<double>(detail.phases[which].weight) * value / 127.0;
         slope += static_cast<double>(detail.phases[which].relief) * along / 127.0;
     }
     const double beyond = std::max(0.0, std::abs(noise) - static_cast<double>(detail.flat));
-    const double even = std::copysign(std::abs(noise) * 1.25 - beyond * beyond * 0.52, noise);
+    const double even =
+        std::copysign(std::abs(noise) * 1.25 - beyond * beyond * static_cast<double>(detail.bend), noise);
     const double bent = 1.3 * even + 1.5;
     const double low = std::clamp(bent, 0.0, 1.0);
     const double factor = 0.5 * low * low + std::max(0.0, bent - 1.0);
     const double alpha = std::min(0.995, inside * inside * 0.6 * 0.9 * factor);
-    const double shade = std::max(0.0, 1.0 + (1.25 - 2.0 * 0.52 * beyond) * slope);
+    const double shade = std::max(0.0, 1.0 + (1.25 - 2.0 * static_cast<double>(detail.bend) * beyond) * slope);
     std::array<double, 4> out{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double around = static_cast<double>(sprite.ambient[i]) * std::max(0.0, 1.0 - 0.4 * even);

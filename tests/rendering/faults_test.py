@@ -12,6 +12,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "resources" / "gallery"))
 from faults import dots, repetition, shimmer, smoothed  # noqa: E402
+from focus import contrast, rims  # noqa: E402
 from gallery import densities_of  # noqa: E402
 
 CLI = sys.argv[1]
@@ -49,6 +50,27 @@ class Measures(unittest.TestCase):
         thread = haze() + 0.3 * np.exp(-0.5 * ((x - 128 - 20 * np.sin(y / 30)) / 1.2) ** 2)
         self.assertEqual(dots(thread), 0.0)
         self.assertEqual(dots(np.where(x < 128, 0.25, 0.02)), 0.0)
+
+    def test_contrast_is_found_in_the_band_where_it_is(self):
+        """A wave of ln(luminance) is in the band whose filters part it from what is coarser and finer; flat light has none."""
+        x = np.indices((200, 200))[1]
+        body = np.zeros((200, 200))
+        body[40:160, 40:160] = 1.0
+        for wave, band in ((3.0, 0), (9.0, 1), (19.0, 2)):
+            linear = np.exp(-1.5 + 0.2 * np.sin(2 * np.pi * x / wave))
+            srgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+            bands = contrast(np.dstack([srgb, srgb, srgb, body]))
+            self.assertEqual(int(np.argmax(bands)), band, (wave, bands))
+            self.assertLess(max(bands), 0.2 / np.sqrt(2) + 0.005)
+        half = np.full((200, 200), 0.5)
+        self.assertAlmostEqual(max(contrast(np.dstack([half, half, half, body]))), 0.0, places=9)
+
+    def test_rims_are_as_wide_as_they_are(self):
+        y, x = np.indices((200, 200)) - 100
+        for width in (6.0, 15.0):
+            alpha = np.clip(0.5 + (60.0 - np.hypot(x, y)) / width, 0.0, 1.0)  # from 10 to 90 %: eight tenths of it
+            for percentile in rims(alpha):
+                self.assertAlmostEqual(percentile, 0.8 * width, delta=0.05 * width)
 
     def test_shimmer_is_none_in_steady_change_and_two_in_what_comes_and_goes(self):
         noise = np.random.default_rng(3)

@@ -122,7 +122,9 @@ void PreviewRenderer::scaleDown(const RenderRequest& request, Quality quality, P
 {
     const double pixels = static_cast<double>(request.width) * request.height;
     plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
-    plan.complete = plan.keepsAll && plan.scale == 1.0 && quality == request.effect->output.quality;
+    plan.phaseMix = PhaseMix::Choose;
+    plan.complete =
+        plan.keepsAll && plan.scale == 1.0 && quality == request.effect->output.quality && !hasDetail(*request.effect);
 }
 
 PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) const
@@ -332,6 +334,7 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     const int height = scaled(request.height);
     timer.restart();
     m_listener(Phase::Light, kUnknownShare);
+    m_renderer.setPhaseMix(plan.phaseMix);
     if (const Status status =
             m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop);
         !status) {

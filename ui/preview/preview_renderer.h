@@ -4,6 +4,7 @@
 #include "ui/preview/picture.h"
 
 #include "core/effect/sampling.h"
+#include "core/rendering/renderer.h"
 #include "core/rendering/view_transform.h"
 #include "core/simulation/simulator.h"
 
@@ -37,7 +38,8 @@ private:
         bool keepsAll = true; ///< particles
         bool coarseAir = false; ///< the air of a coarser grid stands in until there is time for its own
         bool settles = false; ///< particles as few as come soon, see PreviewQuality::Intermediate
-        bool complete = true; ///< and pixels
+        PhaseMix phaseMix = PhaseMix::Blend;
+        bool complete = true; ///< and pixels, and both phases of the detail
     };
     [[nodiscard]] Plan planFor(const RenderRequest& request) const;
     struct Running;

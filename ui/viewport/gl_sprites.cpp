@@ -122,7 +122,7 @@ void GlSprites::makeBillows()
     for (int level = 0; level < DetailTexture::kLevels; ++level) {
         const int edge = DetailTexture::size(level);
         glTexImage3D(GL_TEXTURE_3D, DetailTexture::kLevels - 1 - level, GL_RGBA8_SNORM, edge, edge, edge, 0, GL_RGBA,
-            GL_BYTE, texture.texels(level));
+            GL_BYTE, texture.texelsInRows(level).data());
     }
     glBindTexture(GL_TEXTURE_3D, 0);
 }
