@@ -4,7 +4,7 @@
 
 namespace fumage {
 
-/// Four floats in one register, on every instruction set: light channels, a colour, or a place.
+/// Four floats in one register, on every instruction set: light channels or a colour.
 using Float4 = float __attribute__((vector_size(16)));
 
 /// Reads a number or several at once, wherever they lie.

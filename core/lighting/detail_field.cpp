@@ -37,13 +37,6 @@ PhaseBlend::PhaseBlend(float one, float other)
     }
 }
 
-float PhaseBlend::operator()(float sum) const
-{
-    const float size = std::abs(sum);
-    const float beyond = std::max(0.0F, size - flat);
-    return std::copysign(size * gain - beyond * beyond * bend, sum);
-}
-
 DetailField::DetailField(const Effect& effect, const AdvectedCoordinates& coordinates, PhaseMix phaseMix)
     : phases(&coordinates.phases())
     , mix(phaseMix)

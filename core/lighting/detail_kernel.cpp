@@ -6,6 +6,7 @@
 
 #include "core/lighting/detail_kernel.h"
 #include "core/lighting/detail_lookup-inl.h"
+#include "core/lighting/phase_blend-inl.h"
 
 #include <algorithm>
 
@@ -21,10 +22,7 @@ HWY_INLINE V meanOverCell(const DetailField& detail, const AdvectedPlaces<V>& at
 {
     const D d;
     const auto shares = octaveShares(d, detail, at, hn::Set(d, cell));
-    const auto shift = [&](auto axis)
-                           HWY_ATTR { return ofChosen(d, isFirst, detail.shift[0].*axis, detail.shift[1].*axis); };
-    const Vec3<V> tiles =
-        at.place * detail.tilesPerMetre + Vec3<V>{shift(&glm::vec3::x), shift(&glm::vec3::y), shift(&glm::vec3::z)};
+    const Vec3<V> tiles = at.place * detail.tilesPerMetre + shiftOfChosen(d, detail, isFirst);
     V sum = hn::Zero(d);
     for (std::size_t level = 0; level < shares.size(); ++level) {
         if (hn::AllFalse(d, hn::Gt(shares[level], hn::Zero(d)))) {
@@ -49,14 +47,10 @@ HWY_INLINE V meanAt(const DetailField& detail, const Vec3<V>& place, float cell)
     for (std::size_t i = 0; i < phases.size(); ++i) {
         if (phases[i].weight >= kMinPhaseWeight) {
             const AdvectedPlaces<V> at = advectedPlaces(d, phases[i].map, place);
-            const auto isFirst = i == 0 ? hn::FirstN(d, hn::Lanes(d)) : hn::FirstN(d, 0);
-            sum = sum + phases[i].weight * meanOverCell(detail, at, isFirst, cell);
+            sum = sum + phases[i].weight * meanOverCell(detail, at, allIn(d, i), cell);
         }
     }
-    const PhaseBlend blend(phases[0].weight, phases[1].weight);
-    const V size = hn::Abs(sum);
-    const V beyond = hn::Max(hn::Zero(d), size - blend.flat);
-    return hn::CopySign(size * blend.gain - beyond * beyond * blend.bend, sum);
+    return evened(PhaseBlend(phases[0].weight, phases[1].weight), sum).value;
 }
 
 void putIntoLine(const DetailField& detail, float amount, int v, int w, LightGrid& grid)
@@ -98,6 +92,12 @@ void putDetailIntoLine(const DetailField& detail, float amount, int v, int w, Li
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(putIntoLine);
     kernel(detail, amount, v, w, grid);
+}
+
+float PhaseBlend::operator()(float sum) const
+{
+    namespace hn = hwy::HWY_NAMESPACE;
+    return hn::GetLane(HWY_NAMESPACE::evened(*this, hn::Set(hn::CappedTag<float, 1>(), sum)).value);
 }
 
 std::array<float, DetailTexture::kLevels> octaveSharesAt(

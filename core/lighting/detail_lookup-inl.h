@@ -10,9 +10,9 @@
 #include "core/base/math-inl.h"
 #include "core/flow/coordinate_map-inl.h"
 #include "core/lighting/detail_field.h"
+#include "core/noise/detail_texture-inl.h"
 
 #include <array>
-#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -44,33 +44,7 @@ HWY_INLINE std::array<V, DetailTexture::kLevels> octaveShares(
 template <class D, class V = hn::VFromD<D>>
 HWY_INLINE V noiseAt(D d, const DetailTexture& texture, int level, const Vec3<V>& tiles)
 {
-    using T = DetailTexture;
-    const hn::RebindToSigned<D> di;
-    const int edge = T::size(level);
-    const int bits = std::countr_zero(static_cast<unsigned>(edge));
-    const Vec3<V> texels = tiles * static_cast<float>(edge);
-    const Vec3<V> whole{hn::Floor(texels.x), hn::Floor(texels.y), hn::Floor(texels.z)};
-    const Vec3<V> part = texels - whole;
-    const auto wrapped = [&](V along) HWY_ATTR { return hn::And(hn::ConvertTo(di, along), hn::Set(di, edge - 1)); };
-    const auto x = wrapped(whole.x);
-    const auto y = wrapped(whole.y);
-    const auto z = wrapped(whole.z);
-    // As DetailTexture::indexOf().
-    const auto brick = hn::Or(
-        hn::ShiftLeftSame(
-            hn::Or(hn::ShiftLeftSame(hn::ShiftRight<T::kBrickZ>(z), bits - T::kBrickY), hn::ShiftRight<T::kBrickY>(y)),
-            bits - T::kBrickX),
-        hn::ShiftRight<T::kBrickX>(x));
-    const auto low = [&](auto i, int count) HWY_ATTR { return hn::And(i, hn::Set(di, (1 << count) - 1)); };
-    const auto inside =
-        hn::Or(hn::ShiftLeft<T::kBrickX>(hn::Or(hn::ShiftLeft<T::kBrickY>(low(z, T::kBrickZ)), low(y, T::kBrickY))),
-            low(x, T::kBrickX));
-    const auto index = hn::Or(hn::ShiftLeft<T::kBrickX + T::kBrickY + T::kBrickZ>(brick), inside);
-    const auto numbers = hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(texture.texels(level)), index);
-    const auto value = [&](auto byteOnTop) HWY_ATTR { return hn::ConvertTo(d, hn::ShiftRight<24>(byteOnTop)); };
-    const V sum = value(hn::ShiftLeft<24>(numbers)) + part.x * value(hn::ShiftLeft<16>(numbers))
-        + part.y * value(hn::ShiftLeft<8>(numbers)) + part.z * value(numbers);
-    return sum * (1.0F / static_cast<float>(T::kFull));
+    return samplesAt(d, texture, level, tiles * static_cast<float>(DetailTexture::size(level))).value;
 }
 
 /// Where coarse noise that rides on the first phase lets it be shown, where one is to be shown: neighbours show the
@@ -111,11 +85,28 @@ HWY_INLINE ChosenPlaces<D> chosenPlaces(D d, const DetailField& detail, const Ve
         isFirst};
 }
 
+/// All lanes in one phase.
+template <class D>
+HWY_INLINE hn::Mask<D> allIn(D d, std::size_t phase)
+{
+    return hn::FirstN(d, phase == 0 ? hn::Lanes(d) : 0);
+}
+
 /// A number of the phase that each lane shows.
 template <class D>
 HWY_INLINE hn::VFromD<D> ofChosen(D d, hn::Mask<D> isFirst, float first, float second)
 {
     return hn::IfThenElse(isFirst, hn::Set(d, first), hn::Set(d, second));
+}
+
+/// The shift of the phase that each lane shows, tiles.
+template <class D>
+HWY_INLINE Vec3<hn::VFromD<D>> shiftOfChosen(D d, const DetailField& detail, hn::Mask<D> isFirst)
+{
+    const glm::vec3& first = detail.shift[0];
+    const glm::vec3& second = detail.shift[1];
+    return {ofChosen(d, isFirst, first.x, second.x), ofChosen(d, isFirst, first.y, second.y),
+        ofChosen(d, isFirst, first.z, second.z)};
 }
 
 } // namespace fumage::HWY_NAMESPACE

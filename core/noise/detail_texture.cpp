@@ -1,6 +1,7 @@
 #include "core/noise/detail_texture.h"
 
 #include "core/base/parallel.h"
+#include "core/noise/detail_texture-inl.h"
 #include "core/noise/texture.h"
 
 #include <algorithm>
@@ -119,12 +120,6 @@ std::uint32_t packed(const Cube& cube, int x, int y, int z)
     return byte(corner) | byte(alongX) << 8U | byte(alongY) << 16U | byte(alongZ) << 24U;
 }
 
-/// A number in the byte of a texel, the lowest being 0.
-float numberIn(std::uint32_t texel, unsigned byte)
-{
-    return static_cast<float>(static_cast<std::int8_t>(texel >> 8U * byte & 255U));
-}
-
 } // namespace
 
 DetailTexture::DetailTexture()
@@ -194,22 +189,19 @@ AlignedArray<std::uint32_t> DetailTexture::texelsInRows(int level) const
     return out;
 }
 
+} // namespace fumage
+
+// What the instruction set of the kernels needs, NEON's for instance, is asked for here too.
+HWY_BEFORE_NAMESPACE();
+namespace fumage {
+
 DetailTexture::Sample DetailTexture::sampleAt(int level, float x, float y, float z) const
 {
-    const auto split = [&](float texels, float& part) {
-        const float whole = std::floor(texels);
-        part = texels - whole;
-        return static_cast<std::size_t>(static_cast<std::int64_t>(whole) & (size(level) - 1));
-    };
-    glm::vec3 part{0.0F};
-    const std::size_t atX = split(x, part.x);
-    const std::size_t atY = split(y, part.y);
-    const std::size_t atZ = split(z, part.z);
-    const std::uint32_t numbers = texel(level, atX, atY, atZ);
-    const glm::vec3 slope{numberIn(numbers, 1), numberIn(numbers, 2), numberIn(numbers, 3)};
-    constexpr float kToOne = 1.0F / static_cast<float>(kFull);
-    const float sum = numberIn(numbers, 0) + part.x * slope.x + part.y * slope.y + part.z * slope.z;
-    return {sum * kToOne, slope * kToOne};
+    namespace hn = hwy::HWY_NAMESPACE;
+    const hn::CappedTag<float, 1> d;
+    const auto [value, slope] = HWY_NAMESPACE::samplesAt(d, *this, level, HWY_NAMESPACE::broadcast(d, {x, y, z}));
+    return {hn::GetLane(value), {hn::GetLane(slope.x), hn::GetLane(slope.y), hn::GetLane(slope.z)}};
 }
 
 } // namespace fumage
+HWY_AFTER_NAMESPACE();

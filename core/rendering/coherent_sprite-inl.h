@@ -7,9 +7,10 @@
 #define FUMAGE_COHERENT_SPRITE_INL_H
 #endif
 
+#include "core/lighting/phase_blend-inl.h"
+#include "core/noise/detail_texture-inl.h"
+#include "core/rendering/detail_alpha-inl.h"
 #include "core/rendering/textured_sprite-inl.h"
-
-#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
@@ -43,13 +44,11 @@ struct RowOfPhase {
 /// One phase of a sprite with all that does not change from pixel to pixel.
 template <std::size_t kLights>
 struct PhaseReader {
-    // What the shifts of indexOf() ask for.
-    static_assert(DetailTexture::size(0) >= 16);
-    static_assert(DetailTexture::size(DetailTexture::kLevels - 1) <= 1 << kFractionBits);
+    static_assert(kFractionBits == kTexelFractionBits);
 
     const SpriteDetail::Phase& phase;
     const std::int32_t* texels;
-    int shift; ///< log2 of the level's edge
+    int edge; ///< see edgeBits()
     float weight; ///< over the range of sums
     std::array<std::int32_t, kLights == 0 ? 1 : kLights> ways{}; ///< signed bytes, as LightBytes
     std::array<float, kLights == 0 ? 1 : kLights> added{}; ///< what is in the sums along a way beside the slopes
@@ -60,7 +59,7 @@ struct PhaseReader {
     {
         const int level = detail.levels[which];
         texels = reinterpret_cast<const std::int32_t*>(texture.texels(level));
-        shift = std::countr_zero(static_cast<unsigned>(DetailTexture::size(level)));
+        edge = edgeBits(level);
         constexpr float kOne = static_cast<float>(DetailTexture::kFull);
         weight = phase.weight / (kOne * kOne);
         const auto put = [&](std::size_t light, std::uint32_t bytes, float relief) {
@@ -100,34 +99,12 @@ struct PhaseReader {
         return {along(0, row.x), along(1, row.y), along(2, row.z)};
     }
 
-    /// DetailTexture::indexOf() of fixed-point coordinates: their bits, moved to where they belong.
-    [[nodiscard]] HWY_INLINE I indexOf(I x, I y, I z) const
-    {
-        using T = DetailTexture;
-        static_assert(T::kBrickX == 2 && T::kBrickY == 1 && T::kBrickZ == 1);
-        const hn::RebindToSigned<D> di;
-        constexpr int kBits = T::kBrickX + T::kBrickY + T::kBrickZ;
-        const auto bits = [&](int count, int at) HWY_ATTR { return hn::Set(di, ((1 << count) - 1) << at); };
-        const I inX = hn::And(hn::ShiftRight<kFractionBits>(x), bits(T::kBrickX, 0));
-        const I inY = hn::And(hn::ShiftRight<kFractionBits - T::kBrickX>(y), bits(T::kBrickY, T::kBrickX));
-        const I inZ = hn::And(
-            hn::ShiftRight<kFractionBits - T::kBrickX - T::kBrickY>(z), bits(T::kBrickZ, T::kBrickX + T::kBrickY));
-        const I brickX =
-            hn::And(hn::ShiftRight<kFractionBits + T::kBrickX - kBits>(x), bits(shift - T::kBrickX, kBits));
-        // By s - 6 and 2 s - 7 bits to the left, s being 4 to 7.
-        const I brickY = hn::And(
-            hn::ShiftRightSame(hn::ShiftLeft<1>(y), kFractionBits - shift), bits(shift - T::kBrickY, shift + 2));
-        const I brickZ =
-            hn::And(hn::ShiftLeftSame(z, 2 * shift - kFractionBits), bits(shift - T::kBrickZ, 2 * shift + 1));
-        return hn::Or(hn::Or(hn::Or(inX, brickX), hn::Or(inY, brickY)), hn::Or(inZ, brickZ));
-    }
-
     [[nodiscard]] HWY_INLINE PhaseAtPixels<kLights> at(const TexelsAt& place) const
     {
         const D d;
         const hn::RebindToSigned<D> di;
         const auto [x, y, z] = place;
-        const I texel = hn::GatherIndex(di, texels, indexOf(x, y, z));
+        const I texel = hn::GatherIndex(di, texels, texelIndex(edge, x, y, z));
         const I fractions = hn::Or(hn::Or(hn::Set(di, kFull), hn::And(hn::ShiftLeft<8>(x), hn::Set(di, kFull << 8))),
             hn::Or(hn::And(hn::ShiftLeft<16>(y), hn::Set(di, kFull << 16)),
                 hn::And(hn::ShiftLeft<24>(z), hn::Set(di, kFull << 24))));
@@ -161,12 +138,11 @@ void paintCoherent(const SpriteStyle& style, const DetailTexture& texture, const
     constexpr std::size_t kLights = kManyTargets ? std::size_t{kSlopes} : kSunAlone;
     const std::size_t first = detail.shown[0] != 0 ? 0 : 1;
     const PhaseReader<kLights> one(texture, detail, first);
-    const PhaseReader<kLights> two(texture, detail, 1);
+    const PhaseReader<kLights> two = kPhases == 2 ? PhaseReader<kLights>(texture, detail, 1) : one;
     const V zero = hn::Zero(d);
     const V bend = hn::Set(d, rim.xx * style.hardness);
     const V hardness = hn::Set(d, style.hardness);
     const V opacity = hn::Set(d, sprite.opacity * detail.perMean);
-    constexpr float kMaxAlpha = 0.995F;
     const V maxAlpha = hn::Set(d, kMaxAlpha);
     const V directRed = hn::Set(d, sprite.direct[0]);
     const V directGreen = hn::Set(d, sprite.direct[1]);
@@ -187,17 +163,12 @@ void paintCoherent(const SpriteStyle& style, const DetailTexture& texture, const
             for (std::size_t light = 0; light < kLights; ++light) {
                 here.slopes[light] = here.slopes[light] + other.slopes[light];
             }
-            const V size = hn::Abs(here.noise);
-            const V beyond = hn::Max(zero, size - detail.flat);
-            even = hn::CopySign(size * detail.gain - beyond * beyond * detail.bend, here.noise);
-            grows = detail.gain - beyond * (2.0F * detail.bend);
+            const EvenNoise<V> sum = evened(detail, here.noise);
+            even = sum.value;
+            grows = sum.grows;
         }
-        // 0 below 1 + s t = -1/2, a parabola up to 1/2, straight above.
-        const V bent = even * detail.strength + 1.5F;
-        const V low = clamp01(d, bent);
-        const V factor = low * low * 0.5F + hn::Max(zero, bent - 1.0F);
         const V inside = clamp01(d, rest - dx * (bend * dx + lean));
-        const V a = hn::Min(inside * inside * opacity * factor, maxAlpha);
+        const V a = hn::Min(inside * inside * opacity * alphaFactor(d, even, detail.strength), maxAlpha);
         const auto shadeBy = [&](V slope) HWY_ATTR { return hn::Max(zero, grows * slope + 1.0F); };
         const V shade = shadeBy(here.slopes[kBySun]);
         const V around = hn::Max(zero, even * detail.around + 1.0F);

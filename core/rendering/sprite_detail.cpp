@@ -6,6 +6,7 @@
 
 #include "core/base/hash-inl.h"
 #include "core/lighting/detail_lookup-inl.h"
+#include "core/rendering/detail_alpha-inl.h"
 #include "core/rendering/sprite_detail.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr float kReliefReach = 0.032F;
 /// What a relief of 1 multiplies the difference by.
 constexpr float kRelief = 2.0F;
 
-/// The mean of a factor on alpha over even noise t: 0 below y = 1 + s t = -1/2, (y + 1/2)^2 / 2 up to 1/2, and y above.
+/// The mean of alphaFactor() over even noise, s being the strength: a parabola is (y + 1/2)^2 / 2.
 HWY_INLINE V meanOfFactor(V s)
 {
     constexpr float kHalf = 0.5F;
@@ -118,11 +119,9 @@ HWY_INLINE void findPhase(const SpriteDetailJob& job, const Places& places, cons
         size = hn::IfThenElse(isShown, hn::Set(d, edge), size);
     }
     const V texelsPerMetre = size * detail.tilesPerMetre;
-    const auto shift = [&](auto axis)
-                           HWY_ATTR { return ofChosen(d, isFirst, detail.shift[0].*axis, detail.shift[1].*axis); };
-    const Vec3<V> tiles{shift(&glm::vec3::x), shift(&glm::vec3::y), shift(&glm::vec3::z)};
+    const Vec3<V> shift = shiftOfChosen(d, detail, isFirst);
     // Each sprite reads a little beside its place: together they smooth what is linear over a texel alone.
-    Vec3<V> at = from.place * texelsPerMetre + tiles * size + places.jitter;
+    Vec3<V> at = from.place * texelsPerMetre + shift * size + places.jitter;
     const V tilesPerTexel = 1.0F / size; // exact
     const auto wrapped = [&](V texels) HWY_ATTR { return texels - hn::Floor(texels * tilesPerTexel) * size; };
     at = {wrapped(at.x), wrapped(at.y), wrapped(at.z)};
@@ -156,10 +155,8 @@ void showAtCentre(const DetailTexture& texture, SpriteDetail& detail, Sprite& sp
     const DetailTexture::Sample here = texture.sampleAt(detail.levels[0], phase.at[0], phase.at[1], phase.at[2]);
     detail.shown[0] = 0;
     const float even = here.value * phase.weight * detail.gain;
-    const float bent = even * detail.strength + 1.5F;
-    const float low = std::clamp(bent, 0.0F, 1.0F);
-    const float factor = low * low * 0.5F + std::max(0.0F, bent - 1.0F);
-    constexpr float kMaxAlpha = 0.995F;
+    const hn::CappedTag<float, 1> one;
+    const float factor = hn::GetLane(alphaFactor(one, hn::Set(one, even), detail.strength));
     sprite.opacity = std::min(sprite.opacity * detail.perMean * factor, kMaxAlpha);
     const glm::vec3 way = LightBytes::unpacked(phase.light);
     const float shade = std::max(0.0F, glm::dot(here.slope, way) * phase.relief * detail.gain + 1.0F);
@@ -176,9 +173,9 @@ constexpr float kPoint = 3.0F; // pixels
 /// Finds the phases of some sprites, and puts all together.
 struct DetailFinder {
     const SpriteDetailJob& job;
-    const std::size_t begin; ///< of the sprites
-    LaneSmoke smoke;
-    std::array<LanePhases, 2> phases;
+    std::size_t begin; ///< of the sprites of some lanes
+    LaneSmoke smoke{};
+    std::array<LanePhases, 2> phases{};
 
     HWY_INLINE void findSmoke(V body, V glowing, V metresPerPixel, V left)
     {
@@ -210,8 +207,7 @@ struct DetailFinder {
         for (std::size_t which = 0; which < phases.size(); ++which) {
             const AdvectedPhase& phase = (*detail.phases)[which];
             if (phase.weight >= kMinPhaseWeight) {
-                const auto isFirst = hn::FirstN(d, which == 0 ? hn::Lanes(d) : 0);
-                findPhase(job, places, advectedPlaces(d, phase.map, places.at), isFirst, phases[which]);
+                findPhase(job, places, advectedPlaces(d, phase.map, places.at), allIn(d, which), phases[which]);
             } else {
                 phases[which].octaves.fill(0);
             }
@@ -272,8 +268,9 @@ void findDetail(const SpriteDetailJob& job, const SpriteSurroundings& surroundin
     const DetailField& detail = *job.detail;
     const Particles& particles = *job.particles;
     const View& view = job.batch->view;
+    DetailFinder finder{job, begin};
     for (std::size_t i = 0; i < kSpriteBlock; i += hn::Lanes(d)) {
-        DetailFinder finder{job, begin + i, {}, {}};
+        finder.begin = begin + i;
         const U key = hn::Load(du, particles.key.data() + begin + i);
         const V body = hn::Load(d, surroundings.body.data() + i);
         // Relief goes earlier than strength where smoke is thin.

@@ -59,8 +59,10 @@ BAND = (8, 64)  # cycles a picture: from the large billows down to 8 pixels
 STEEP = 99.9  # percentile of the reference's gradients
 
 
-def render(cli: str, preset: str, frame: int, out: pathlib.Path, size: tuple[int, int], settings: list[str]) -> Image.Image:
-    command = [cli, "render", preset, "--frames", str(frame), "--size", f"{size[0]}x{size[1]}", "--supersample", "2", "--output", str(out)]
+def render(
+    cli: str, preset: str, frame: int, out: pathlib.Path, size: tuple[int, int], settings: list[str], options: tuple[str, ...] = ("--supersample", "2")
+) -> Image.Image:
+    command = [cli, "render", preset, "--frames", str(frame), "--size", f"{size[0]}x{size[1]}", *options, "--output", str(out)]
     for setting in settings:
         command += ["--set", setting]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -119,10 +121,8 @@ def spike_of(frames: list[np.ndarray]) -> float:
 
 def focus_of(cli: str, preset: str, folder: pathlib.Path) -> tuple[list[float], list[float]]:
     """Contrast and rims of frame 60 where the smoke fills the picture, at the size of a sheet's large cell."""
-    file = folder / "focus.png"
-    command = [cli, "render", preset, "--frames", "60", "--size", "384", "--fit", "--no-preset", "--output", str(file)]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    pixels = np.asarray(Image.open(file).convert("RGBA"), dtype=np.float64) / 255.0
+    picture = render(cli, preset, 60, folder / "focus.png", (384, 384), [], ("--fit",))
+    pixels = np.asarray(picture, dtype=np.float64) / 255.0
     return contrast(pixels), rims(pixels[..., 3])
 
 

@@ -95,19 +95,18 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     finest.output.quality = Quality::Final;
     add("frame/default_4k_final", finest, 3840, 2160, 2);
     benchmark::RegisterBenchmark("frame/encode_8bit", encodeForScreen)->UseRealTime()->Unit(benchmark::kMillisecond);
+    const auto addParts = [&](const char* name) {
+        for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
+            claims.push_back({"  part", name, "", part});
+        }
+    };
     claims.push_back({"whole frame, default preset, 1280 x 720, 2 threads", "frame/default", "", "frames/s", 60.0});
-    for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
-        claims.push_back({"  part", "frame/default", "", part});
-    }
+    addParts("frame/default");
     claims.push_back({"whole frame, 100 000 particles", "frame/default_100k", "", "frames/s"});
-    for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
-        claims.push_back({"  part", "frame/default_100k", "", part});
-    }
+    addParts("frame/default_100k");
     claims.push_back({"  2 threads over 1", "frame/default_100k", "frame/default_100k_1thread", "", 1.8});
     claims.push_back({"whole frame, 1 000 000 particles", "frame/default_1M", "", "frames/s", 15.0});
-    for (const char* part : {"step_ms", "light_ms", "sprites_ms", "composite_ms"}) {
-        claims.push_back({"  part", "frame/default_1M", "", part});
-    }
+    addParts("frame/default_1M");
     claims.push_back({"default preset at 512 x 512", "frame/default_512", "", "", 16.0, true});
     claims.push_back(
         {"default preset in final quality at 3840 x 2160", "frame/default_4k_final", "", "", 2000.0, true});

@@ -15,7 +15,6 @@ Effect detailed()
     Effect effect = thesisEffect(12000);
     effect.air.enabled = true;
     effect.air.resolution = 16;
-    effect.timeline.prewarm = false;
     effect.look.detail = 1.0F;
     effect.look.detailSize = 0.4F;
     effect.look.detailLife = 0.5F;
