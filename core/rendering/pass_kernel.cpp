@@ -6,7 +6,7 @@
 
 #include "core/base/math-inl.h"
 #include "core/lighting/grid_cell-inl.h"
-#include "core/rendering/light_lookup-inl.h"
+#include "core/lighting/light_lookup-inl.h"
 #include "core/rendering/pass_kernel.h"
 #include "core/rendering/sprite_job.h"
 

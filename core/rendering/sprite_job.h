@@ -1,9 +1,6 @@
 #pragma once
 
-#include "core/base/float4.h"
-#include "core/lighting/appearance.h"
-#include "core/lighting/glow.h"
-#include "core/lighting/light_field.h"
+#include "core/lighting/particle_light.h"
 #include "core/rendering/sprite_batch.h"
 
 #include <array>
@@ -20,14 +17,7 @@ struct SpriteJob {
     SpriteBatch* out = nullptr;
 
     View view;
-    std::array<Float4, kColourTableSize> albedo{}; ///< by life
-    std::array<Float4, kGlowTableSize> emission{}; ///< by heat
-    Float4 sun{};
-    Float4 sky{};
-    Float4 ground{};
-    Float4 fire{}; ///< colour of the light of what glows
-    bool isLitByFire = false;
-    bool glows = false;
+    ParticleLight colours;
 
     std::int32_t step = 0;
     float dt = 0.0F;
@@ -37,8 +27,6 @@ struct SpriteJob {
     float spinVariance = 0.0F;
     float roll = 0.0F; ///< share of the particle's own turn
     float textureSlicesPerSecond = 0.0F;
-    GlowTable glow;
-    float hotCore = 0.0F;
     float erosion = 0.0F;
     /// What makes a sprite cover as much at each level of its texture, the last that of plain sprites, as it does at
     /// the finest; by erosion.
@@ -52,7 +40,7 @@ struct SpriteJob {
 };
 
 /// Sprites that are made at a time.
-inline constexpr std::size_t kSpriteBlock = 128;
+inline constexpr std::size_t kSpriteBlock = kLitBlock;
 
 /// What a block of sprites knows of the smoke about them, for the detail that they show.
 struct SpriteSurroundings {

@@ -4,7 +4,6 @@
 //
 #include <hwy/highway.h>
 
-#include "core/rendering/light_lookup-inl.h"
 #include "core/rendering/sprite_kernel.h"
 #include "core/rendering/sprite_projection-inl.h"
 
@@ -23,11 +22,6 @@ constexpr float kLargestRadius = 16384.0F;
 /// Sprites with a smaller radius in pixels show one grey of the texture instead of a picture; where texture and shading
 /// are weaker, larger ones too: half the contrast needs twice the size to be seen.
 constexpr float kPlainRadius = 5.0F;
-
-HWY_INLINE Float4 lightAt(const LightGrid& grid, const SpriteBlock& block, std::size_t i)
-{
-    return trilinear<Float4>(grid.shape, grid.light.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
-}
 
 /// Multiplies a sprite's matrix by a symmetric one from the right.
 HWY_INLINE void multiply(float xx, float xy, float yy, Sprite& sprite)
@@ -152,27 +146,10 @@ HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, st
 /// @return its glow, of which red has all that there is
 HWY_INLINE float lightSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, float life, Sprite& sprite)
 {
-    const Float4 light = lightAt(*job.light, block, i);
-    const Float4 albedo = job.albedo[static_cast<std::size_t>(life * static_cast<float>(kColourTableSize - 1))];
-    const Float4 direct = albedo * job.sun * light[0];
-    Float4 ambient = albedo * (job.sky * light[1] + job.ground * light[2]);
-    if (job.isLitByFire) {
-        ambient += albedo * job.fire
-            * trilinear<float>(
-                job.light->shape, job.light->fire.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
-    }
-    Float4 glow{};
-    if (job.glows) {
-        // Sky and ground together tell how open a place is.
-        const float open = std::min(1.0F, light[1] + light[2]);
-        const float heat = std::clamp(block.heat[i] * (1.0F - job.hotCore * open), 0.0F, 1.0F);
-        glow =
-            job.emission[static_cast<std::size_t>(heat * static_cast<float>(kGlowTableSize - 1))] * block.emission[i];
-        ambient += glow;
-    }
-    std::memcpy(sprite.direct, &direct, sizeof(sprite.direct));
-    std::memcpy(sprite.ambient, &ambient, sizeof(sprite.ambient));
-    return glow[0];
+    const LitColour colour = litColourOf(job.colours, *job.light, block.lit, i, life);
+    std::memcpy(sprite.direct, &colour.direct, sizeof(sprite.direct));
+    std::memcpy(sprite.ambient, &colour.ambient, sizeof(sprite.ambient));
+    return colour.glow;
 }
 
 HWY_INLINE void lookAround(const SpriteJob& job, const SpriteBlock& block, std::size_t i, const Sprite& sprite,
@@ -180,8 +157,7 @@ HWY_INLINE void lookAround(const SpriteJob& job, const SpriteBlock& block, std::
 {
     constexpr float kNone = 1e-12F;
     out.glowing[i] = glow / std::max(sprite.ambient[0], kNone);
-    out.body[i] = trilinear<float>(
-        job.light->shape, job.light->body.data(), block.corner[i], block.fu[i], block.fv[i], block.fw[i]);
+    out.body[i] = block.lit.at<float>(job.light->shape, job.light->body, i);
 }
 
 void spriteBlock(const SpriteJob& job, std::size_t begin, SpriteSurroundings* surroundings)

@@ -10,8 +10,7 @@
 #include "core/base/hash-inl.h"
 #include "core/base/math-inl.h"
 #include "core/base/math.h"
-#include "core/lighting/glow-inl.h"
-#include "core/lighting/grid_cell-inl.h"
+#include "core/lighting/particle_light-inl.h"
 #include "core/rendering/sprite_job.h"
 #include "core/simulation/ages-inl.h"
 #include "core/simulation/streams.h"
@@ -27,8 +26,6 @@ struct SpriteBlock {
     alignas(64) float radius[kSpriteBlock];
     alignas(64) float sine[kSpriteBlock];
     alignas(64) float cosine[kSpriteBlock];
-    alignas(64) float heat[kSpriteBlock];
-    alignas(64) float emission[kSpriteBlock]; ///< factor that makes up for opacity that flames lack
     alignas(64) float slice[kSpriteBlock];
     alignas(64) float stretchX[kSpriteBlock]; ///< velocity on the screen, pixels/s
     alignas(64) float stretchY[kSpriteBlock];
@@ -37,10 +34,7 @@ struct SpriteBlock {
     alignas(64) float shapeXY[kSpriteBlock];
     alignas(64) float shapeYY[kSpriteBlock];
     alignas(64) float area[kSpriteBlock]; ///< over that of a disc
-    alignas(64) std::int32_t corner[kSpriteBlock]; ///< cell of the light grid
-    alignas(64) float fu[kSpriteBlock];
-    alignas(64) float fv[kSpriteBlock];
-    alignas(64) float fw[kSpriteBlock];
+    LitBlock lit;
 };
 
 /// Turns of hours leave the range of the sine; the rest of a division by a full turn brings them back.
@@ -115,7 +109,6 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
     using D = hn::ScalableTag<float>;
     using V = hn::Vec<D>;
     const D d;
-    const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
     const Particles& particles = *job.particles;
     const View& view = job.view;
@@ -136,10 +129,8 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
         hn::Store(turn.sine, d, block.sine + i);
         hn::Store(turn.cosine, d, block.cosine + i);
         hn::Store(sliceOf(d, job, key, age), d, block.slice + i);
-        if (job.glows) {
-            const V heat = glowingHeat(d, job.glow, particles, at, key, age);
-            hn::Store(heat, d, block.heat + i);
-            hn::Store(1.0F / opaqueShare(d, job.glow, heat), d, block.emission + i);
+        if (job.colours.glows) {
+            findGlow(d, job.colours, particles, at, key, age, i, block.lit);
         }
         if (job.stretch > 0.0F) {
             const Vec3<V> velocity = load(d, particles.vx, particles.vy, particles.vz, at);
@@ -149,9 +140,7 @@ inline void projectBlock(const SpriteJob& job, std::size_t begin, SpriteBlock& b
         if (job.deforms) {
             projectShape(d, job, at, i, block);
         }
-        const GridCell<D> cell = gridCellAt(d, job.light->shape, position);
-        hn::Store(cell.corner, di, block.corner + i);
-        store(cell.fraction, block.fu, block.fv, block.fw, i);
+        placeInLight(d, job.light->shape, position, i, block.lit);
     }
 }
 

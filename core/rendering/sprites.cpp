@@ -2,7 +2,6 @@
 
 #include "core/base/math.h"
 #include "core/base/parallel.h"
-#include "core/lighting/fire_light.h"
 #include "core/lighting/sprite_mask.h"
 #include "core/rendering/sprite_detail.h"
 #include "core/rendering/sprite_kernel.h"
@@ -14,11 +13,6 @@
 namespace fumage {
 
 namespace {
-
-Float4 colour4(const glm::vec3& colour)
-{
-    return Float4{colour.r, colour.g, colour.b, 0.0F};
-}
 
 SpriteStyle makeStyle(const Effect& effect, const View& view)
 {
@@ -34,22 +28,6 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
     style.relief = look.relief;
     style.roundness = look.roundness;
     return style;
-}
-
-void fillTables(const Effect& effect, SpriteJob& job)
-{
-    const std::array<glm::vec3, kColourTableSize> albedo = coloursOverLife(effect.look);
-    std::transform(albedo.begin(), albedo.end(), job.albedo.begin(), colour4);
-    job.glows = effect.glow.emission > 0.0F;
-    if (job.glows) {
-        const GlowColours colours = glowColours(effect.glow);
-        job.glow = GlowTable(effect, colours);
-        std::transform(colours.begin(), colours.end(), job.emission.begin(),
-            [&](const glm::vec3& colour) { return colour4(colour * effect.glow.emission); });
-    }
-    job.sun = colour4(effect.light.colour);
-    job.sky = colour4(effect.light.sky * effect.light.ambient);
-    job.ground = colour4(effect.light.ground * effect.light.ambient);
 }
 
 /// Coarser levels have lost the greys that erosion and its softness cut off: without a balance smoke would be denser
@@ -82,14 +60,12 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
     job.roll = effect.look.roll;
     job.spinVariance = radians(effect.look.spinVariance);
     job.textureSlicesPerSecond = effect.look.textureRate * static_cast<float>(slices) / effect.noise.depth;
-    job.hotCore = effect.glow.hotCore;
     job.erosion = effect.look.erosion;
     job.stretch = effect.look.stretch;
     job.deformation = effect.look.deformation;
     job.deformationLimit = effect.look.deformationLimit;
     job.style = makeStyle(effect, view);
     job.contrast = std::min(1.0F, std::max({job.style.texture, job.style.relief, job.style.roundness}));
-    fillTables(effect, job);
     return job;
 }
 
@@ -103,8 +79,7 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     job.deforms = frame.particles.deforms();
     job.appearance = &appearance;
     job.light = &light;
-    job.isLitByFire = isLitByFire(effect->glow) && !light.fire.empty();
-    job.fire = colour4(light.fireColour * effect->glow.fireLight);
+    job.colours = particleLight(effect, light);
     job.texture = &texture;
     if (detail != nullptr) {
         job.contrast = 0.0F; // a picture in each sprite would blur what all show together
