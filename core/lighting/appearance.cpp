@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <mutex>
 
 #include <glm/common.hpp>
 
@@ -71,20 +71,20 @@ void findAppearance(
     out.cover = coverageOf(effect->look, greys);
     out.left.resize(out.cover.erodes ? padded : 0);
     const AppearanceJob job = makeJob(frame, effect, axes);
-    std::vector<ChunkExtent> extents(particles.chunks());
-    parallelFor(particles.chunks(),
-        [&](std::size_t chunk) { extents[chunk] = findAppearanceOfChunk(job, particles, chunk, out); });
     Bounds all;
     out.largestMass = 0.0F;
     out.largestRadius = 0.0F;
     out.count = 0;
-    for (const ChunkExtent& each : extents) {
+    std::mutex adding; // sums and bounds are the same in any order
+    parallelFor(particles.chunks(), [&](std::size_t chunk) {
+        const ChunkExtent each = findAppearanceOfChunk(job, particles, chunk, out);
+        const std::lock_guard lock(adding);
         all.low = glm::min(all.low, each.centres.low);
         all.high = glm::max(all.high, each.centres.high);
         out.largestMass = std::max(out.largestMass, each.largestMass);
         out.largestRadius = std::max(out.largestRadius, each.largestRadius);
         out.count += each.count;
-    }
+    });
     out.low = all.low;
     out.high = all.high;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include <glm/geometric.hpp>
 
@@ -230,10 +231,13 @@ void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearan
     const GlowColours colours = glowColours(effect->glow);
     const FireJob job = fireJob(frame, effect, colours);
     const std::size_t chunks = frame.particles.chunks();
-    std::vector<float> largest(chunks);
-    parallelFor(chunks,
-        [&](std::size_t chunk) { largest[chunk] = findFireOfChunk(job, frame, appearance, light, chunk, room); });
-    room.glowing.largestMass = *std::max_element(largest.begin(), largest.end());
+    room.glowing.largestMass = 0.0F;
+    std::mutex comparing;
+    parallelFor(chunks, [&](std::size_t chunk) {
+        const float largest = findFireOfChunk(job, frame, appearance, light, chunk, room);
+        const std::lock_guard lock(comparing);
+        room.glowing.largestMass = std::max(room.glowing.largestMass, largest);
+    });
     room.glowing.count = appearance.count;
     room.glowing.cover.mean = appearance.cover.mean;
     const auto entry = static_cast<std::size_t>(meanHeat(room) * static_cast<float>(kGlowTableSize - 1));
