@@ -111,6 +111,24 @@ FUMAGE_API const float* fumage_radius(fumage_smoke* smoke);
 /* Four numbers a slot: linear red, green and blue before light, and opacity in the middle, 0 to 1. */
 FUMAGE_API const float* fumage_colour(fumage_smoke* smoke);
 
+/* Four numbers a slot: linear red, green and blue in the light of sun, sky, ground and fire, with the smoke's own
+ * shadow and what the particle glows itself, which may be more than 1; not multiplied by the opacity, which is the
+ * fourth and that of fumage_colour(). All 0 where nobody is seen.
+ *
+ * eye is where the camera is, three numbers, metres: towards the sun smoke is brighter (light.anisotropy). NULL: as
+ * bright from everywhere. Found when asked for: on the first call after a step, and again for another eye, into the
+ * same memory. It costs more than a step does, by the cells of light.resolution too, of which 16 to 32 are for games.
+ *
+ * NULL with a fumage_error(): the eye, or a particle, is nowhere, or memory has ended. Unlike the others it may fail,
+ * so where it is well, it takes the last error away. */
+FUMAGE_API const float* fumage_lit_colour(fumage_smoke* smoke, const float* eye);
+
+/* Three numbers a slot: the way out of the smoke, of length 1, for light of one's own. All 0 where nobody is seen, and
+ * where no way leads out: all around is as dense, or nothing throws shadow (light.shadow and light.occlusion 0).
+ * Finds fumage_lit_colour() with it where nobody has asked for that since the last step: ask for that first. Fails as
+ * it does. */
+FUMAGE_API const float* fumage_normal(fumage_smoke* smoke);
+
 /* One number a slot: seconds since birth, and the share of its life that has passed, 0 to 1. */
 FUMAGE_API const float* fumage_age(fumage_smoke* smoke);
 FUMAGE_API const float* fumage_life(fumage_smoke* smoke);

@@ -155,6 +155,24 @@ const Number* numbers(fumage_smoke* smoke, const Column& column) noexcept
     return guarded<const Number*>(*smoke, nullptr, [&] { return column(*smoke->simulation); });
 }
 
+/// A column that is found when it is asked for, which may fail, or NULL.
+/// @param find gives Result<std::span<...>>
+template <class Find>
+const float* found(fumage_smoke* smoke, const Find& find) noexcept
+{
+    const float* first = nullptr;
+    (void)running(smoke, [&](LiveSimulation& simulation) {
+        const auto column = find(simulation);
+        if (!column) {
+            keep(*smoke, column.error());
+            return -1;
+        }
+        first = &column.value().front().x;
+        return 0;
+    });
+    return first;
+}
+
 /// How many threads the process may use; nothing: all there are.
 std::unique_ptr<ThreadLimit>& threadLimit()
 {
@@ -310,6 +328,17 @@ const float* fumage_radius(fumage_smoke* smoke)
 const float* fumage_colour(fumage_smoke* smoke)
 {
     return numbers(smoke, [](LiveSimulation& simulation) { return &simulation.colours().front().x; });
+}
+
+const float* fumage_lit_colour(fumage_smoke* smoke, const float* eye)
+{
+    const std::optional<glm::vec3> place = eye == nullptr ? std::nullopt : std::optional(vectorOf(eye));
+    return found(smoke, [&](LiveSimulation& simulation) { return simulation.litColours(place); });
+}
+
+const float* fumage_normal(fumage_smoke* smoke)
+{
+    return found(smoke, [](LiveSimulation& simulation) { return simulation.normals(); });
 }
 
 const float* fumage_age(fumage_smoke* smoke)

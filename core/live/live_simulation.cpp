@@ -185,8 +185,7 @@ void LiveSimulation::stepOnce(const EmitterPose& pose)
     m_pose = pose;
     m_frame.step = step;
     m_frame.number = static_cast<int>(step / m_model->schedule().stepsPerFrame);
-    m_appearanceIsNew = false;
-    m_coloursAreNew = false;
+    outdate();
     if (m_budget) {
         (void)m_budget->observe(
             {afterAir - start, now() - afterAir}, living(), static_cast<std::size_t>(m_model->effect()->emitter.count));
@@ -252,8 +251,7 @@ Status LiveSimulation::setEffect(const Effect& wanted)
     m_effect = effect;
     *m_model = makeModel();
     m_frame.particles.setColumns(columnsOf(*m_model));
-    m_appearanceIsNew = false;
-    m_coloursAreNew = false;
+    outdate();
     return Done{};
 }
 
@@ -293,6 +291,15 @@ float LiveSimulation::placesShare() const
     const auto wanted = static_cast<double>(m_model->schedule().capacity());
     constexpr double kRounding = 1.0; // of births to whole ones
     return places < wanted ? static_cast<float>(std::max(0.5, places - kRounding) / wanted) : 1.0F;
+}
+
+void LiveSimulation::outdate()
+{
+    m_appearanceIsNew = false;
+    m_coloursAreNew = false;
+    if (m_light) {
+        m_light->outdate();
+    }
 }
 
 const Appearance& LiveSimulation::appearance()
@@ -339,6 +346,24 @@ std::span<const glm::vec4> LiveSimulation::colours()
     }
     m_coloursAreNew = true;
     return m_colours;
+}
+
+LiveLight& LiveSimulation::light()
+{
+    if (!m_light) {
+        m_light = std::make_unique<LiveLight>();
+    }
+    return *m_light;
+}
+
+Result<std::span<const glm::vec4>> LiveSimulation::litColours(const std::optional<glm::vec3>& eye)
+{
+    return light().colours(m_frame, sampledEffect(), eye);
+}
+
+Result<std::span<const glm::vec3>> LiveSimulation::normals()
+{
+    return light().normals(m_frame, sampledEffect());
 }
 
 } // namespace fumage

@@ -6,6 +6,7 @@
 #include "core/live/birth_clock.h"
 #include "core/live/emitter_pose.h"
 #include "core/live/live_air.h"
+#include "core/live/live_light.h"
 
 #include <cstdint>
 #include <functional>
@@ -110,6 +111,21 @@ public:
     [[nodiscard]] const Appearance& appearance();
     /// Colour of each slot before light, linear, and its opacity: look.colour and its gradient, and appearance().alpha.
     [[nodiscard]] std::span<const glm::vec4> colours();
+    /// Colour of each slot in its light, linear, not multiplied by the opacity, which is the fourth number and that of
+    /// colours(): sun through the smoke's own shadow, sky, ground, fire, and what the particle glows itself, which may
+    /// be more than 1. 0 where nobody is seen. The same as direct + ambient of the sprites that
+    /// Renderer::prepare() makes of frame(), to the bit; but look.texture, which only sprites have, throws no other
+    /// shadow here. Found on the first call after a step, and again for another eye.
+    /// @param eye the camera, m: towards the sun smoke is brighter, by light.anisotropy; none: from everywhere the same
+    /// @error OutOfRange where the eye, or a particle, is nowhere
+    /// O(particles + cells of light.resolution), several times a step's time; see resources/docs/games.md. Allocates
+    /// nothing but where the smoke needs a larger grid than any before.
+    [[nodiscard]] Result<std::span<const glm::vec4>> litColours(const std::optional<glm::vec3>& eye = std::nullopt);
+    /// Way out of the smoke at each slot, of length 1: against the gradient of its density. 0 where nobody is seen, and
+    /// where no way leads out: all around is as dense, or nothing throws shadow. Found on the first call after a step.
+    /// @error OutOfRange where a particle is nowhere
+    /// After litColours() a fraction of its cost, else as much.
+    [[nodiscard]] Result<std::span<const glm::vec3>> normals();
     /// Seconds since the birth of each slot's particle, 0 where nobody lives. Found on the first call after a step.
     [[nodiscard]] std::span<const float> ages();
     /// The number of each slot's particle, counted from the first that was born: it stays a particle's own as long as
@@ -133,6 +149,9 @@ private:
     /// instead of none for a while.
     [[nodiscard]] float placesShare() const;
     void moveParticles(const EmitterPose& pose, std::int64_t births);
+    /// What was found of the particles is of those before.
+    void outdate();
+    [[nodiscard]] LiveLight& light();
 
     Effect m_effect; ///< as it was set
     LiveOptions m_options;
@@ -156,6 +175,7 @@ private:
     bool m_coloursAreNew = false;
     Appearance m_appearance;
     std::vector<glm::vec4> m_colours;
+    std::unique_ptr<LiveLight> m_light; ///< null: nobody has asked for it
     std::vector<float> m_ages;
     std::vector<std::uint64_t> m_ids;
 };

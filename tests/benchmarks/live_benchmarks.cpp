@@ -78,6 +78,31 @@ void advanceAlone(benchmark::State& state, int particles)
     }
 }
 
+/// What the light of a game's smoke costs beside its steps: as it is seen from another place each time.
+void light(benchmark::State& state, int particles, int resolution, bool withNormals)
+{
+    const ThreadLimit one(1);
+    Effect effect = inGame(particles);
+    effect.air.enabled = false;
+    effect.light.resolution = resolution;
+    Result<LiveSimulation> made = LiveSimulation::start(effect);
+    if (!made) {
+        state.SkipWithError(made.error().text().c_str());
+        return;
+    }
+    LiveSimulation& live = made.value();
+    for (int i = 0; i < 200; ++i) {
+        (void)live.step(live.stepSeconds());
+    }
+    float turn = 0.0F;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(live.litColours(glm::vec3(0.0F, 2.0F, turn += 0.01F)).ok());
+        if (withNormals) {
+            benchmark::DoNotOptimize(live.normals().ok());
+        }
+    }
+}
+
 /// Memory that the program holds, MiB.
 double memoryNow()
 {
@@ -205,6 +230,14 @@ void addLiveBenchmarks(std::vector<Claim>& claims)
         claims.push_back({"  while the emitter moves", name + "_circle", "", ""});
         claims.push_back({"  over one whose model is made anew", name + "_still", name + "_set", ""});
         claims.push_back({"  over a step of the simulator", name + "_still", name + "_advance", ""});
+    }
+    for (const int resolution : {16, 32, 64}) {
+        const std::string name = "live/light_" + std::to_string(resolution);
+        add(name, [=](benchmark::State& state) { light(state, 20000, resolution, false); });
+        add(name + "_normals", [=](benchmark::State& state) { light(state, 20000, resolution, true); });
+        const std::string what = "light on 20000 live particles, " + std::to_string(resolution) + " cells, 1 thread";
+        claims.push_back({what, name, "", ""});
+        claims.push_back({"  and their normals", name + "_normals", "", ""});
     }
     addMinutes(claims);
 }

@@ -37,15 +37,21 @@ int main(int count, char** arguments)
     const float* x = fumage_x(smoke);
     const float* y = fumage_y(smoke);
     const float* radius = fumage_radius(smoke);
-    const float* colour = fumage_colour(smoke);
-    double mass = 0.0, right = 0.0, height = 0.0;
+    const float eye[3] = {0, 3, 12};
+    const float* colour = fumage_lit_colour(smoke, eye);
+    if (colour == NULL) {
+        return failed(smoke);
+    }
+    double mass = 0.0, right = 0.0, height = 0.0, green = 0.0;
     for (size_t slot = 0; slot < slots; ++slot) {
         const double part = (double)colour[4 * slot + 3] * radius[slot] * radius[slot];
         mass += part;
         right += part * x[slot];
         height += part * y[slot];
+        green += part * colour[4 * slot + 1];
     }
-    printf("Fumage %s: %zu particles, in the middle at x %.2f, y %.2f m\n", fumage_version(), fumage_living(smoke), right / mass, height / mass);
+    printf("Fumage %s: %zu particles, in the middle at x %.2f, y %.2f m", fumage_version(), fumage_living(smoke), right / mass, height / mass);
+    printf(", %.2f of light\n", green / mass);
     fumage_destroy(smoke);
-    return mass > 0.0 && height > 0.0 ? 0 : 1;
+    return mass > 0.0 && height > 0.0 && green > 0.0 ? 0 : 1;
 }

@@ -119,6 +119,36 @@ private slots:
         QCOMPARE(fumage_is_over_budget(smoke.get()), 0);
     }
 
+    void itsLightIsFoundWhenItIsAskedFor()
+    {
+        const char* const settings[] = {"light.resolution=16", "look.opacity=4", nullptr};
+        const fumage_options options{60, 3000, 0, 0.0};
+        const Smoke smoke(fumage_create_from_name_with("thesis-2012", settings, &options), &fumage_destroy);
+        for (int i = 0; i < 60; ++i) {
+            QCOMPARE(fumage_step(smoke.get(), 1.0 / 60.0), 1);
+        }
+        const float eye[3] = {0.0F, 1.0F, 6.0F};
+        const float* const lit = fumage_lit_colour(smoke.get(), eye);
+        QVERIFY2(lit != nullptr && fumage_error(smoke.get()) == nullptr, fumage_error(smoke.get()));
+        const float* const normal = fumage_normal(smoke.get());
+        const float* const plain = fumage_colour(smoke.get());
+        QCOMPARE(fumage_lit_colour(smoke.get(), eye), lit);
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < fumage_slots(smoke.get()); ++i) {
+            QCOMPARE(lit[4 * i + 3], plain[4 * i + 3]);
+            const bool isSeen = fumage_radius(smoke.get())[i] > 0.0F;
+            QCOMPARE(lit[4 * i] > 0.0F, isSeen);
+            const float length = std::hypot(normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]);
+            QVERIFY(isSeen ? std::abs(length - 1.0F) < 1e-4F || length == 0.0F : length == 0.0F);
+            seen += isSeen ? 1 : 0;
+        }
+        QVERIFY(seen > 100);
+        const float nowhere[3] = {0.0F, std::nanf(""), 0.0F};
+        QVERIFY(fumage_lit_colour(smoke.get(), nowhere) == nullptr && fumage_error(smoke.get()) != nullptr);
+        QVERIFY(fumage_lit_colour(smoke.get(), nullptr) != nullptr && fumage_error(smoke.get()) == nullptr);
+        QVERIFY(fumage_lit_colour(nullptr, eye) == nullptr && fumage_normal(nullptr) == nullptr);
+    }
+
     void anyNumberOfThreadsGivesTheSameBits()
     {
         std::vector<float> places[2];
@@ -155,7 +185,8 @@ private slots:
             QCOMPARE(fumage_set(smoke.get(), "wind.strength", "1"), -1);
             QCOMPARE(fumage_slots(smoke.get()), std::size_t(0));
             QVERIFY(fumage_x(smoke.get()) == nullptr && fumage_colour(smoke.get()) == nullptr
-                && fumage_id(smoke.get()) == nullptr && fumage_age(smoke.get()) == nullptr);
+                && fumage_id(smoke.get()) == nullptr && fumage_age(smoke.get()) == nullptr
+                && fumage_lit_colour(smoke.get(), nullptr) == nullptr && fumage_normal(smoke.get()) == nullptr);
             QVERIFY(fumage_share(smoke.get()) == 0.0F && fumage_is_over_budget(smoke.get()) == 0);
             fumage_burst(smoke.get());
             QCOMPARE(QByteArray(fumage_error(smoke.get())), why);
