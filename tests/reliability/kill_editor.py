@@ -159,6 +159,8 @@ def main():
         if wrong:
             faults += 1
             print(f"round {number}: {wrong}", flush=True)
+        if (number + 1) % 50 == 0 and number + 1 < rounds:
+            print(f"{number + 1} rounds so far, {faults} faults", flush=True)
     print(f"{rounds} rounds, {faults} faults")
     sys.exit(1 if faults else 0)
 
