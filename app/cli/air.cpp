@@ -61,8 +61,8 @@ Status writeOne(const AirOptions& options, const NamedPreset& named)
     const auto write = [&](const FrameSink& written) -> Status {
         sequence.value().written = written;
         ProgressBar bar("Writing");
-        const Result<AirGrid> box = withinMemory(
-            [&] { return writeAir(named.preset.effect, sequence.value(), bar.listener(), interruption()); });
+        const Result<AirGrid> box =
+            withinMemory([&] { return writeAir(named.preset.effect, sequence.value(), bar.task()); });
         grid = box ? box.value() : grid;
         return box ? Status(Done{}) : box.error();
     };

@@ -31,9 +31,8 @@ Status dumpToStandardOutput(
         return Error{ErrorCode::OutOfRange, makeMessage("several frames are several files"),
             "--frames " + options.frames, makeMessage("Name a file for them, as in --output smoke_####.csv")};
     }
-    const Result<std::string> text =
-        dumpParticles(named.preset.effect, sequence.frames.first, formatNamed(kAllParticleFormats, options.format),
-            interruption(), sequence.up, ProgressBar("Writing").listener());
+    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first,
+        formatNamed(kAllParticleFormats, options.format), sequence.up, ProgressBar("Writing").task());
     return text ? print(text.value()) : Status(text.error());
 }
 
@@ -46,7 +45,7 @@ Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, Particl
     const auto write = [&](const FrameSink& written) {
         sequence.written = written;
         ProgressBar bar("Writing");
-        return dumpSequence(named.preset.effect, sequence, bar.listener(), interruption());
+        return dumpSequence(named.preset.effect, sequence, bar.task());
     };
     if (Status status = recordNumbered(
             job, options.manifest.fileFor(sequence.output), {sequence.output, sequence.frames, ending, {}}, write);

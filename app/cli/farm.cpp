@@ -138,8 +138,8 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named)
         return asked.error();
     }
     const ExportPlan& plan = asked.value().plan;
-    const Result<Effect> seen = withinMemory(
-        [&] { return effectSeenBy(asked.value().effect, plan, ProgressBar("Looking").listener(), interruption()); });
+    const Result<Effect> seen =
+        withinMemory([&] { return effectSeenBy(asked.value().effect, plan, ProgressBar("Looking").task()); });
     if (!seen) {
         return seen.error();
     }

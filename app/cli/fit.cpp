@@ -18,7 +18,7 @@ Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
     Effect fitted = effect;
     {
         ProgressBar bar("Looking");
-        const Result<Camera> camera = fitCamera(effect, frames, bar.listener(), interruption());
+        const Result<Camera> camera = fitCamera(effect, frames, bar.task());
         if (!camera) {
             return camera.error();
         }

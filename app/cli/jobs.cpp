@@ -1,7 +1,6 @@
 #include "app/cli/jobs.h"
 
 #include "app/cli/command.h"
-#include "app/cli/interruption.h"
 #include "app/cli/json_answer.h"
 #include "app/cli/picture_options.h"
 
@@ -73,7 +72,7 @@ Status doJobs(const std::string& file, bool asJson)
             warnOf(job.preset.effect, job.plan);
         }
         const Result<std::optional<Flipbook>> done =
-            exportWithBar(job.plan, [&](const Progress& progress) { return runJob(job, progress, interruption()); });
+            exportWithBar(job.plan, [&](const Task& task) { return runJob(job, task); });
         if (!done && done.error().code == ErrorCode::Cancelled) {
             return done.error();
         }

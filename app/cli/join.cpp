@@ -64,8 +64,7 @@ Status joinToVideo(
     }
     warnOf(named.preset.effect, plan);
     ProgressBar bar("Joining");
-    if (Status status = withinMemory(
-            [&] { return joinVideo(named.preset.effect, videoOf(plan), source, bar.listener(), interruption()); });
+    if (Status status = withinMemory([&] { return joinVideo(named.preset.effect, videoOf(plan), source, bar.task()); });
         !status) {
         return status;
     }
@@ -92,8 +91,8 @@ Status joinToFlipbook(
     warnOf(named.preset.effect, plan);
     ProgressBar bar("Joining");
     flipbook.preset = formatPreset(named.preset);
-    const Result<Flipbook> done = withinMemory(
-        [&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.listener(), interruption()); });
+    const Result<Flipbook> done =
+        withinMemory([&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.task()); });
     if (!done) {
         return done.error();
     }

@@ -165,27 +165,27 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
                 makeMessage("standard output cannot have both the picture and what --progress says"), {},
                 makeMessage("Name a file")};
         }
-        const Result<std::vector<std::byte>> bytes =
-            exportBytes(job.effect, job.plan, interruption(), ProgressBar("Rendering").listener());
+        const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, ProgressBar("Rendering").task());
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
     warnOf(job.effect, job.plan);
-    return exportWithBar(
-        job.plan, [&](const Progress& progress) { return runExport(job.effect, job.plan, progress, interruption()); });
+    return exportWithBar(job.plan, [&](const Task& task) { return runExport(job.effect, job.plan, task); });
 }
 
 Result<std::optional<Flipbook>> exportWithBar(
-    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run)
+    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Task& task)>& run)
 {
     int rendered = 0;
     Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
     {
         ProgressBar bar("Rendering");
-        done = run([&rendered, show = bar.listener()](ProgressPhase work, int now, int total) {
+        const Task shown = bar.task();
+        const auto listener = [&](ProgressPhase work, int now, int total) {
             rendered = work == ProgressPhase::Frames ? total : rendered;
-            show(work, now, total);
-        });
+            shown.progress(work, now, total);
+        };
+        done = run({listener, shown.stop});
     }
     if (done) {
         tellDone(plan, done.value(), rendered);

@@ -67,7 +67,7 @@ void warnOf(const Effect& effect, const ExportPlan& plan);
 
 /// Runs an export of a plan with a bar of progress, and says what was written and what was there already.
 [[nodiscard]] Result<std::optional<Flipbook>> exportWithBar(
-    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Progress& progress)>& run);
+    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Task& task)>& run);
 
 /// The files that an export has written.
 struct Written {

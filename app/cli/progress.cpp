@@ -1,4 +1,5 @@
 #include "app/cli/progress.h"
+#include "app/cli/interruption.h"
 #include "app/cli/streams.h"
 #include "app/cli/system.h"
 
@@ -37,9 +38,9 @@ ProgressBar::~ProgressBar()
     }
 }
 
-Progress ProgressBar::listener()
+Task ProgressBar::task()
 {
-    return [this](ProgressPhase work, int done, int total) { show(work, done, total); };
+    return {[this](ProgressPhase work, int done, int total) { show(work, done, total); }, interruption()};
 }
 
 void ProgressBar::showToOpenJd(ProgressPhase work, int done, int total)

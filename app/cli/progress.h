@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 
 #include <chrono>
 #include <optional>
@@ -18,8 +18,9 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// Shows here what it hears; no longer than the bar lives.
-    [[nodiscard]] Progress listener();
+    /// Work that shows here how far it is, no longer than the bar lives, and that the user may interrupt; see
+    /// interruption().
+    [[nodiscard]] Task task();
 
 private:
     void show(ProgressPhase work, int done, int total);

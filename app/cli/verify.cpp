@@ -73,8 +73,7 @@ Result<Finding> find(const VerifyOptions& options, const ManifestSet& set)
     const bool renders = again.value().has_value();
     ProgressBar bar(renders ? "Rendering" : "Checking");
     Result<Checked> checked = withinMemory([&] {
-        return renders ? renderAgain(set, *again.value(), bar.listener(), interruption())
-                       : checkFiles(set, wanted.value(), bar.listener(), interruption());
+        return renders ? renderAgain(set, *again.value(), bar.task()) : checkFiles(set, wanted.value(), bar.task());
     });
     return checked ? Result<Finding>(Finding{std::move(checked).value(), renders}) : checked.error();
 }

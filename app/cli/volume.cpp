@@ -55,8 +55,8 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
             {{options.voxel ? "voxel" : "cells", size}, {"up", std::string(nameOf(options.up))}}, named.preset.effect};
         const auto write = [&](const FrameSink& written) -> Status {
             options.written = written;
-            const Result<float> used = withinMemory(
-                [&] { return writeVolumes(named.preset.effect, options, bar.listener(), interruption()); });
+            const Result<float> used =
+                withinMemory([&] { return writeVolumes(named.preset.effect, options, bar.task()); });
             voxel = used ? used.value() : voxel;
             return used ? Status(Done{}) : Status(used.error());
         };

@@ -25,12 +25,11 @@ constexpr float kSeen = 0.5F / 255.0F;
 /// Looks at all frames of an effect, from a camera that comes nearer to what is wanted each time.
 class Fitting {
 public:
-    Fitting(const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+    Fitting(const Effect& effect, const FrameRange& frames, const Task& task)
         : m_smoke(smokeOf(effect))
         , m_simulator(m_smoke)
         , m_frames(frames)
-        , m_progress(progress)
-        , m_stop(stop)
+        , m_task(task)
     {
         const float scale =
             static_cast<float>(kEdge) / static_cast<float>(std::max(effect.output.width, effect.output.height));
@@ -44,7 +43,7 @@ public:
         const Camera& asked = m_smoke->camera;
         Framing guess(asked, m_width, m_height);
         for (int index = 0; index < m_frames.count(); index += kStride) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_stop, m_progress);
+            const auto frame = m_simulator.frame(m_frames.at(index), m_task);
             if (!frame) {
                 return frame.error();
             }
@@ -83,7 +82,7 @@ private:
     {
         const int total = m_guesses + kRounds * m_frames.count();
         m_done = std::min(m_done + 1, total);
-        m_progress(ProgressPhase::Fitting, m_done, total);
+        m_task.progress(ProgressPhase::Fitting, m_done, total);
     }
 
     /// Renders every frame through a camera, and adds where smoke was seen.
@@ -91,16 +90,16 @@ private:
     {
         m_touches = false;
         for (int index = 0; index < m_frames.count(); ++index) {
-            const auto frame = m_simulator.frame(m_frames.at(index), m_stop, m_progress);
+            const auto frame = m_simulator.frame(m_frames.at(index), m_task);
             if (!frame) {
                 return frame.error();
             }
             const float seconds = secondsOf(m_smoke->timeline, frame.value()->number);
             const View view = makeView(camera, seconds, m_width, m_height);
-            if (Status status = m_renderer.prepare(*frame.value(), m_smoke, view, m_stop); !status) {
+            if (Status status = m_renderer.prepare(*frame.value(), m_smoke, view, m_task.stop); !status) {
                 return status;
             }
-            if (Status status = m_renderer.composite(m_image, m_stop); !status) {
+            if (Status status = m_renderer.composite(m_image, m_task.stop); !status) {
                 return status;
             }
             const PictureReach reach = reachOf(m_image, kSeen);
@@ -134,8 +133,7 @@ private:
     Appearance m_appearance;
     Image m_image;
     FrameRange m_frames;
-    const Progress& m_progress;
-    std::stop_token m_stop;
+    const Task& m_task;
     int m_width = 1;
     int m_height = 1;
     int m_guesses = 0;
@@ -145,10 +143,9 @@ private:
 
 } // namespace
 
-Result<Camera> fitCamera(
-    const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Task& task)
 {
-    return withinMemory([&] { return Fitting(effect, frames, progress, stop).run(); });
+    return withinMemory([&] { return Fitting(effect, frames, task).run(); });
 }
 
 } // namespace fumage

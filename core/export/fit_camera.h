@@ -11,10 +11,9 @@ namespace fumage {
 /// Particles give a first guess; small pictures of the frames then show where smoke is to be seen, since what is faint
 /// at the rim needs no room.
 /// @param effect its quality is taken to be good
-/// @param progress called after each frame that was looked at; each is looked at several times
+/// @param task   hears of ProgressPhase::Fitting after each frame that was looked at; each is looked at several times
 /// @error Cancelled, OutOfMemory; OutOfRange where no frame has smoke
 /// O(frames), each as a frame of a sequence at a small size, three times.
-[[nodiscard]] Result<Camera> fitCamera(
-    const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Task& task = {});
 
 } // namespace fumage

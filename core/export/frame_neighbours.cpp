@@ -14,7 +14,7 @@ FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const CellFrames& 
 {
 }
 
-Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const std::stop_token& stop, const Progress& progress)
+Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const Task& task)
 {
     const std::array<Numbered, 3> last = std::move(m_held);
     m_held = {};
@@ -22,15 +22,15 @@ Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const std::stop_
     const std::optional<int> before = numberBefore(place);
     const int after = numberAfter(place);
     if (m_wanted && before) {
-        if (Status status = fetch(*before, last, m_held[0], stop, progress); !status) {
+        if (Status status = fetch(*before, last, m_held[0], task); !status) {
             return status.error();
         }
     }
-    if (Status status = fetch(now, last, m_held[1], stop, progress); !status) {
+    if (Status status = fetch(now, last, m_held[1], task); !status) {
         return status.error();
     }
     if (m_wanted) {
-        if (Status status = fetch(after, last, m_held[2], stop, progress); !status) {
+        if (Status status = fetch(after, last, m_held[2], task); !status) {
             return status.error();
         }
     }
@@ -66,8 +66,7 @@ int FrameNeighbours::numberAfter(std::size_t place) const
     return std::max(0, numbers[place] + (place > 0 ? numbers[place] - numbers[place - 1] : 1));
 }
 
-Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, Numbered& to,
-    const std::stop_token& stop, const Progress& progress)
+Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, Numbered& to, const Task& task)
 {
     number = m_loop > 0 ? (number % m_loop + m_loop) % m_loop : number;
     const auto* const held = std::find_if(
@@ -76,7 +75,7 @@ Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, N
         to = *held;
         return Done{};
     }
-    Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, stop, progress);
+    Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, task);
     if (!frame) {
         return frame.error();
     }

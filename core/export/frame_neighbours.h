@@ -32,7 +32,7 @@ public:
     /// @return the frame until the next call; where the sheet ends, after the last comes one that is as far behind it
     /// as that is behind the one before, or the first of all
     /// @error those of Simulator
-    [[nodiscard]] Result<FrameAmongOthers> at(std::size_t place, const std::stop_token& stop, const Progress& progress);
+    [[nodiscard]] Result<FrameAmongOthers> at(std::size_t place, const Task& task);
 
 private:
     struct Numbered {
@@ -45,8 +45,7 @@ private:
     [[nodiscard]] std::optional<int> numberBefore(std::size_t place) const;
     [[nodiscard]] int numberAfter(std::size_t place) const;
     /// A frame, which may be one that was handed out last.
-    [[nodiscard]] Status fetch(int number, const std::array<Numbered, 3>& last, Numbered& to,
-        const std::stop_token& stop, const Progress& progress);
+    [[nodiscard]] Status fetch(int number, const std::array<Numbered, 3>& last, Numbered& to, const Task& task);
 
     Simulator m_simulator;
     int m_loop; ///< frames after which all is as it was; 0: there is no loop

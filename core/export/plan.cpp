@@ -58,8 +58,7 @@ Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
-Result<std::vector<std::byte>> bytesOf(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
     switch (plan.kind) {
     case ExportKind::Sequence:
@@ -70,8 +69,8 @@ Result<std::vector<std::byte>> bytesOf(
         }
         [[fallthrough]];
     case ExportKind::Picture:
-        return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), stop, progress);
-    case ExportKind::NoiseTexture: return noiseBytes(effect, plan, stop);
+        return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), task);
+    case ExportKind::NoiseTexture: return noiseBytes(effect, plan, task.stop);
     case ExportKind::Video:
     case ExportKind::Particles:
     case ExportKind::Volumes:
@@ -80,12 +79,12 @@ Result<std::vector<std::byte>> bytesOf(
     return Error{ErrorCode::OutOfRange, makeMessage("this is not written as a stream"), {}, makeMessage("Name a file")};
 }
 
-Status writeOne(const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Status writeOne(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
     if (Status status = makeFolderOf(plan.output); !status) {
         return status;
     }
-    const Result<std::vector<std::byte>> bytes = bytesOf(effect, plan, progress, stop);
+    const Result<std::vector<std::byte>> bytes = bytesOf(effect, plan, task);
     return bytes ? writeFileAtomically(plan.output, bytes.value()) : Status(bytes.error());
 }
 
@@ -108,10 +107,9 @@ bool overwritesSource(const ExportPlan& plan)
         files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
 }
 
-Result<std::optional<Flipbook>> exportFlipbook(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
-    Result<FlipbookOptions> options = flipbookSeenBy(effect, plan, progress, stop);
+    Result<FlipbookOptions> options = flipbookSeenBy(effect, plan, task);
     if (!options) {
         return options.error();
     }
@@ -120,7 +118,7 @@ Result<std::optional<Flipbook>> exportFlipbook(
         !manifest.empty() && !isUtf8(withinFolderOf(manifest, plan.output).string())) {
         return nameNotUtf8(plan.output);
     }
-    const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), progress, stop);
+    const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), task);
     if (!flipbook) {
         return flipbook.error();
     }
@@ -164,12 +162,11 @@ std::filesystem::path firstFile(const ExportPlan& plan)
     }
 }
 
-Result<FlipbookOptions> flipbookSeenBy(
-    const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Task& task)
 {
     FlipbookOptions options = flipbookOf(plan);
     if (plan.flipbook.trim) {
-        const Result<FrameRange> left = trimmed(seen, plan.frames, progress, stop);
+        const Result<FrameRange> left = trimmed(seen, plan.frames, task);
         if (!left) {
             return left.error();
         }
@@ -202,8 +199,7 @@ Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
     return output;
 }
 
-Result<Effect> effectSeenBy(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
     Effect out = effect;
     const Result<Output> output = outputFor(effect, plan);
@@ -212,7 +208,7 @@ Result<Effect> effectSeenBy(
     }
     out.output = output.value();
     if (plan.fitCamera && isPicture(plan.kind)) {
-        const Result<Camera> camera = fitCamera(out, framesOf(plan), progress, stop);
+        const Result<Camera> camera = fitCamera(out, framesOf(plan), task);
         if (!camera) {
             return camera.error();
         }
@@ -223,8 +219,7 @@ Result<Effect> effectSeenBy(
 
 namespace {
 
-Result<std::optional<Flipbook>> writeFiles(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
     const auto plainly = [](const Status& status) {
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
@@ -232,22 +227,21 @@ Result<std::optional<Flipbook>> writeFiles(
     switch (plan.kind) {
     case ExportKind::Sequence:
     case ExportKind::Picture:
-        return plainly(
-            renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, progress, stop));
-    case ExportKind::Flipbook: return exportFlipbook(effect, plan, progress, stop);
-    case ExportKind::Video: return plainly(renderVideo(effect, videoOf(plan), progress, stop));
-    case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, progress, stop));
+        return plainly(renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, task));
+    case ExportKind::Flipbook: return exportFlipbook(effect, plan, task);
+    case ExportKind::Video: return plainly(renderVideo(effect, videoOf(plan), task));
+    case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, task));
     case ExportKind::Particles:
-        return plainly(dumpSequence(effect,
-            {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, progress, stop));
+        return plainly(dumpSequence(
+            effect, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, task));
     case ExportKind::Volumes: {
         const Result<float> voxel = writeVolumes(effect,
             {plan.output, plan.frames, plan.volume.cells, plan.volume.voxel, plan.up.value_or(UpAxis::Z), plan.source},
-            progress, stop);
+            task);
         return plainly(voxel ? Status(Done{}) : Status(voxel.error()));
     }
     case ExportKind::Air: {
-        const Result<AirGrid> air = writeAir(effect, {plan.output, plan.frames, plan.air, plan.source}, progress, stop);
+        const Result<AirGrid> air = writeAir(effect, {plan.output, plan.frames, plan.air, plan.source}, task);
         return plainly(air ? Status(Done{}) : Status(air.error()));
     }
     }
@@ -256,24 +250,22 @@ Result<std::optional<Flipbook>> writeFiles(
 
 } // namespace
 
-Result<std::optional<Flipbook>> runExport(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
     if (overwritesSource(plan)) {
         return wouldOverwrite(plan.source);
     }
     return withinMemory([&]() -> Result<std::optional<Flipbook>> {
-        const Result<Effect> seen = effectSeenBy(effect, plan, progress, stop);
-        return seen ? writeFiles(seen.value(), plan, progress, stop) : seen.error();
+        const Result<Effect> seen = effectSeenBy(effect, plan, task);
+        return seen ? writeFiles(seen.value(), plan, task) : seen.error();
     });
 }
 
-Result<std::vector<std::byte>> exportBytes(
-    const Effect& effect, const ExportPlan& plan, const std::stop_token& stop, const Progress& progress)
+Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const Task& task)
 {
     return withinMemory([&]() -> Result<std::vector<std::byte>> {
-        const Result<Effect> seen = effectSeenBy(effect, plan, progress, stop);
-        return seen ? bytesOf(seen.value(), plan, progress, stop) : seen.error();
+        const Result<Effect> seen = effectSeenBy(effect, plan, task);
+        return seen ? bytesOf(seen.value(), plan, task) : seen.error();
     });
 }
 

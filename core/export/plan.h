@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 #include "core/base/result.h"
 #include "core/effect/effect.h"
 #include "core/export/export_plan.h"
@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 namespace fumage {
@@ -31,29 +30,26 @@ namespace fumage {
 
 /// The effect as the camera of a plan sees it, which is fitted where that is asked for.
 /// @error those of fitCamera() and outputFor()
-[[nodiscard]] Result<Effect> effectSeenBy(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Task& task = {});
 
 /// The flipbook of a plan with the frames that it is made of: those without smoke at the beginning and the end are left
 /// out where that is asked for.
 /// @param seen effectSeenBy()
 /// @error those of trimmed()
-[[nodiscard]] Result<FlipbookOptions> flipbookSeenBy(
-    const Effect& seen, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Task& task = {});
 
 /// Writes all that a plan says, each file whole or not at all. On the calling thread.
-/// @param progress hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a
-/// fit of the camera looked at
-/// @return         the flipbook, where that is what was made
-/// @error          WouldOverwrite where a file that the plan names is the source; those of fitCamera(),
-/// renderSequence(), renderFlipbook(), bakeNoise(), dumpSequence(), writeVolumes(), writeAir(), writeFileAtomically(),
-/// and OutOfMemory
+/// @param task hears of each picture of a sequence and each cell of a flipbook; before them, of each frame that a fit
+/// of the camera looked at
+/// @return     the flipbook, where that is what was made
+/// @error      WouldOverwrite where a file that the plan names is the source; those of fitCamera(), renderSequence(),
+/// renderFlipbook(), bakeNoise(), dumpSequence(), writeVolumes(), writeAir(), writeFileAtomically(), and OutOfMemory
 [[nodiscard]] Result<std::optional<Flipbook>> runExport(
-    const Effect& effect, const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
+    const Effect& effect, const ExportPlan& plan, const Task& task = {});
 
 /// The bytes of the one file of a plan, without writing it.
 /// @error OutOfRange where there are several files; those of runExport()
 [[nodiscard]] Result<std::vector<std::byte>> exportBytes(
-    const Effect& effect, const ExportPlan& plan, const std::stop_token& stop = {}, const Progress& progress = {});
+    const Effect& effect, const ExportPlan& plan, const Task& task = {});
 
 } // namespace fumage

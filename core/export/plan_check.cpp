@@ -8,14 +8,14 @@ namespace fumage {
 
 namespace {
 
-Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Task& task)
 {
     const std::filesystem::path manifest = manifestOf(plan);
     const Result<ManifestSet> set = openManifests(manifest);
     if (!set) {
         return set.error();
     }
-    Result<std::vector<CheckedFile>> checked = checkFiles(set.value(), std::nullopt, progress, stop);
+    Result<std::vector<CheckedFile>> checked = checkFiles(set.value(), std::nullopt, task);
     if (!checked) {
         return checked;
     }
@@ -36,10 +36,9 @@ Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Progress& p
 
 } // namespace
 
-Result<std::vector<CheckedFile>> checkExport(
-    const ExportPlan& plan, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> checkExport(const ExportPlan& plan, const Task& task)
 {
-    return withinMemory([&] { return check(plan, progress, stop); });
+    return withinMemory([&] { return check(plan, task); });
 }
 
 } // namespace fumage

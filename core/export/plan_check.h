@@ -9,7 +9,6 @@ namespace fumage {
 /// @return what the manifest names, and the files of the plan that it does not name as FileState::Extra: another export
 /// of that name has replaced it
 /// @error  FileNotFound where there is no manifest; those of openManifests() and checkFiles(); OutOfMemory
-[[nodiscard]] Result<std::vector<CheckedFile>> checkExport(
-    const ExportPlan& plan, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<CheckedFile>> checkExport(const ExportPlan& plan, const Task& task = {});
 
 } // namespace fumage

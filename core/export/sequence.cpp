@@ -53,11 +53,11 @@ public:
     {
     }
 
-    [[nodiscard]] Status render(std::size_t place, const std::stop_token& stop, const Progress& progress)
+    [[nodiscard]] Status render(std::size_t place, const Task& task)
     {
-        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(m_numbers[place], stop, progress);
-        return frame ? m_renderer.render(
-                   *frame.value(), m_smoke, m_smoke->output.width, m_smoke->output.height, m_images[place % 2], stop)
+        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(m_numbers[place], task);
+        return frame ? m_renderer.render(*frame.value(), m_smoke, m_smoke->output.width, m_smoke->output.height,
+                   m_images[place % 2], task.stop)
                      : Status(frame.error());
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
@@ -92,15 +92,15 @@ public:
     PassFrames(const PassFrames&) = delete; // what hands out frames looks at the numbers
     PassFrames& operator=(const PassFrames&) = delete;
 
-    [[nodiscard]] Status render(std::size_t place, const std::stop_token& stop, const Progress& progress)
+    [[nodiscard]] Status render(std::size_t place, const Task& task)
     {
-        const Result<FrameAmongOthers> frame = m_neighbours.at(place, stop, progress);
+        const Result<FrameAmongOthers> frame = m_neighbours.at(place, task);
         if (!frame) {
             return frame.error();
         }
         PassSheet& sheet = m_sheets[place % 2];
-        return m_renderer.render(
-            frame.value(), m_smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes, sheet.targets, stop);
+        return m_renderer.render(frame.value(), m_smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes,
+            sheet.targets, task.stop);
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
@@ -119,25 +119,25 @@ private:
 
 template <class Frames>
 Status encodeEach(Frames frames, const SequenceOptions& options, const std::vector<int>& numbers, const FrameSink& sink,
-    const Progress& progress, const std::stop_token& stop)
+    const Task& task)
 {
     std::future<Status> taking;
     const auto finishTaking = [&]() -> Status { return taking.valid() ? taking.get() : Status(Done{}); };
     const int total = static_cast<int>(numbers.size());
     for (int done = 0; done < total; ++done) {
         const auto place = static_cast<std::size_t>(done);
-        if (Status status = frames.render(place, stop, progress); !status) {
+        if (Status status = frames.render(place, task); !status) {
             return status;
         }
         if (Status status = finishTaking(); !status) {
             return status;
         }
         if (done > 0) {
-            progress(ProgressPhase::Frames, done, total);
+            task.progress(ProgressPhase::Frames, done, total);
         }
         taking = std::async(
-            std::launch::async, [&frames, &options, &sink, &stop, place, frame = numbers[place]]() -> Status {
-                const Result<std::vector<std::byte>> bytes = frames.encode(place, stop);
+            std::launch::async, [&frames, &options, &sink, &task, place, frame = numbers[place]]() -> Status {
+                const Result<std::vector<std::byte>> bytes = frames.encode(place, task.stop);
                 if (!bytes) {
                     Error error = bytes.error();
                     error.place = framePath(options, frame).string();
@@ -149,7 +149,7 @@ Status encodeEach(Frames frames, const SequenceOptions& options, const std::vect
     if (Status status = finishTaking(); !status) {
         return status;
     }
-    progress(ProgressPhase::Frames, total, total);
+    task.progress(ProgressPhase::Frames, total, total);
     return Done{};
 }
 
@@ -224,12 +224,12 @@ std::vector<int> numbersOf(const SequenceOptions& options)
     return numbers;
 }
 
-Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, const SequenceOptions& options,
-    const std::stop_token& stop, const Progress& progress)
+Result<std::vector<std::byte>> encodeFrame(
+    const Effect& effect, int frame, const SequenceOptions& options, const Task& task)
 {
     const auto encoded = [&](auto frames) -> Result<std::vector<std::byte>> {
-        const Status status = frames.render(0, stop, progress);
-        return status ? frames.encode(0, stop) : status.error();
+        const Status status = frames.render(0, task);
+        return status ? frames.encode(0, task.stop) : status.error();
     };
     if (Status status = check(options); !status) {
         return status.error();
@@ -239,7 +239,7 @@ Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame, cons
 }
 
 Status writeNumbered(
-    const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf)
+    const NumberedFiles& files, const std::function<Result<std::string>(int frame)>& bytesOf, const Task& task)
 {
     if (isFileOfAFrame(files.source, files.output, files.frames, files.ending)) {
         return wouldOverwrite(files.source);
@@ -258,13 +258,12 @@ Status writeNumbered(
         if (!status) {
             return status;
         }
-        progress(ProgressPhase::Frames, done + 1, files.frames.count());
+        task.progress(ProgressPhase::Frames, done + 1, files.frames.count());
     }
     return Done{};
 }
 
-Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink,
-    const Progress& progress, const std::stop_token& stop)
+Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Task& task)
 {
     if (Status status = check(options); !status) {
         return status;
@@ -274,13 +273,12 @@ Status encodeFrames(const Effect& effect, const SequenceOptions& options, const 
         return Done{};
     }
     if (hasTargets(options)) {
-        return encodeEach(PassFrames(effect, options, numbers), options, numbers, sink, progress, stop);
+        return encodeEach(PassFrames(effect, options, numbers), options, numbers, sink, task);
     }
-    return encodeEach(ColourFrames(effect, options, numbers), options, numbers, sink, progress, stop);
+    return encodeEach(ColourFrames(effect, options, numbers), options, numbers, sink, task);
 }
 
-Status renderSequence(
-    const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Status renderSequence(const Effect& effect, const SequenceOptions& options, const Task& task)
 {
     if (Status status = check(options); !status) {
         return status;
@@ -292,7 +290,7 @@ Status renderSequence(
         Status status = writeFileAtomically(framePath(options, frame), bytes);
         return status && options.written ? options.written(frame, bytes) : status;
     };
-    return encodeFrames(effect, options, write, progress, stop);
+    return encodeFrames(effect, options, write, task);
 }
 
 } // namespace fumage

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 #include "core/effect/effect.h"
 #include "core/export/image_file.h"
 #include "core/rendering/passes.h"
@@ -9,7 +9,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,30 +77,29 @@ struct NumberedFiles {
 };
 
 /// Writes a file a frame, each whole or not at all, into a folder that is made if it is not there.
-/// @param progress hears of ProgressPhase::Frames after each
-/// @param bytesOf  what a frame's file holds
+/// @param bytesOf what a frame's file holds; its error ends the work
+/// @param task    hears of ProgressPhase::Frames after each
 /// @error WouldOverwrite; that of the first frame that fails: files before it stay
 [[nodiscard]] Status writeNumbered(
-    const NumberedFiles& files, const Progress& progress, const std::function<Result<std::string>(int frame)>& bytesOf);
+    const NumberedFiles& files, const std::function<Result<std::string>(int frame)>& bytesOf, const Task& task = {});
 
 /// Renders one frame into the bytes of a file.
 /// @param options what the file holds; its range and name mean nothing here
 /// @error those of renderSequence()
-[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(const Effect& effect, int frame,
-    const SequenceOptions& options, const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Result<std::vector<std::byte>> encodeFrame(
+    const Effect& effect, int frame, const SequenceOptions& options, const Task& task = {});
 
 /// Renders the frames of a range into the bytes of their files. What a frame's file holds is the same whatever else is
 /// in the range, as long as the step is. A file is encoded and taken while the next frame is simulated.
 /// @param sink its error ends the work
 /// @error those of renderSequence()
-[[nodiscard]] Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status encodeFrames(
+    const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Task& task = {});
 
 /// Renders frames into numbered files. The folder is made if it is not there. Each file is written whole or not at all.
-/// @param progress hears of ProgressPhase::Frames after each, and of what leads to them
+/// @param task hears of ProgressPhase::Frames after each, and of what leads to them
 /// @error OutOfRange where passes are asked for that the format cannot hold; else that of the first frame that fails;
 /// files before it stay
-[[nodiscard]] Status renderSequence(
-    const Effect& effect, const SequenceOptions& options, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status renderSequence(const Effect& effect, const SequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

@@ -102,23 +102,26 @@ Result<std::vector<PlannedStep>> plannedSteps(
 }
 
 /// Bakes the air of all steps up to one, so that somebody hears how far it is.
-Status bakeAir(const SimulationModel& model, std::int64_t last, const std::stop_token& stop, const Progress& progress)
+Status bakeAir(const SimulationModel& model, std::int64_t last, const Task& task)
 {
     if (model.air() == nullptr || model.air()->isBaked(last)) {
         return Done{};
     }
     constexpr int kParts = 1000;
-    return model.air()->bake(
-        last, stop, [&](double share) { progress(ProgressPhase::Air, static_cast<int>(share * kParts), kParts); });
+    return model.air()->bake(last, task.stop,
+        [&](double share) { task.progress(ProgressPhase::Air, static_cast<int>(share * kParts), kParts); });
 }
+
+/// What prepares a chunk that needs nothing.
+constexpr auto kAsItIs = [](std::size_t) {};
 
 /// @param prepare called for a chunk before its first step
 template <class Prepare>
 Status run(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
-    const std::stop_token& stop, const Progress& progress, const Prepare& prepare)
+    const Prepare& prepare, const Task& task)
 {
     const ChunkRunner runner(model, particles);
-    if (Status status = bakeAir(model, to, stop, progress); !status) {
+    if (Status status = bakeAir(model, to, task); !status) {
         return status;
     }
     const std::int64_t atOnce = model.air() != nullptr ? kStepsAtOnceInAir : kStepsAtOnce;
@@ -126,13 +129,13 @@ Status run(const SimulationModel& model, Particles& particles, std::int64_t from
     std::int64_t done = from;
     do {
         const std::int64_t last = std::min(to, done + atOnce);
-        const Result<std::vector<PlannedStep>> planned = plannedSteps(model, done, last, stop);
+        const Result<std::vector<PlannedStep>> planned = plannedSteps(model, done, last, task.stop);
         if (!planned) {
             return planned.error();
         }
         const std::vector<PlannedStep>& steps = planned.value();
         parallelFor(particles.chunks(), [&](std::size_t chunk) {
-            if (stop.stop_requested()) {
+            if (task.stopped()) {
                 return;
             }
             if (first) {
@@ -143,13 +146,13 @@ Status run(const SimulationModel& model, Particles& particles, std::int64_t from
                 runner.retire(chunk, to);
             }
         });
-        if (stop.stop_requested()) {
+        if (task.stopped()) {
             return Error{ErrorCode::Cancelled, makeMessage("the simulation was cancelled"), {}, {}};
         }
         first = false;
         done = last;
         if (to - from > kStepsAtOnce) {
-            progress(ProgressPhase::PreRoll, static_cast<int>(done - from), static_cast<int>(to - from));
+            task.progress(ProgressPhase::PreRoll, static_cast<int>(done - from), static_cast<int>(to - from));
         }
     } while (done < to);
     return Done{};
@@ -157,30 +160,29 @@ Status run(const SimulationModel& model, Particles& particles, std::int64_t from
 
 } // namespace
 
-Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
-    const std::stop_token& stop, const Progress& progress)
+Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to, const Task& task)
 {
-    return run(model, particles, from, to, stop, progress, [](std::size_t) {});
+    return run(model, particles, from, to, kAsItIs, task);
 }
 
 Status advanceInto(const SimulationModel& model, const Particles& before, Particles& after, std::int64_t from,
-    std::int64_t to, const std::stop_token& stop, const Progress& progress)
+    std::int64_t to, const Task& task)
 {
     if (after.x.size() != before.x.size() || after.columns() != before.columns()) {
         after.reset(before.capacity, before.columns());
     }
     after.capacity = before.capacity;
-    return run(model, after, from, to, stop, progress, [&](std::size_t chunk) {
+    const auto copy = [&](std::size_t chunk) {
         after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk);
-    });
+    };
+    return run(model, after, from, to, copy, task);
 }
 
-Status advanceFromNothing(const SimulationModel& model, Particles& particles, std::int64_t to,
-    const std::stop_token& stop, const Progress& progress)
+Status advanceFromNothing(const SimulationModel& model, Particles& particles, std::int64_t to, const Task& task)
 {
     particles.reset(static_cast<std::size_t>(model.schedule().capacity()), columnsOf(model));
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
-    return run(model, particles, from, to, stop, progress, [](std::size_t) {});
+    return run(model, particles, from, to, kAsItIs, task);
 }
 
 } // namespace fumage

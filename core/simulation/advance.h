@@ -1,12 +1,10 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 #include "core/base/result.h"
 #include "core/simulation/emitter.h"
 #include "core/simulation/simulation_model.h"
 #include "core/simulation/particles.h"
-
-#include <stop_token>
 
 namespace fumage {
 
@@ -17,19 +15,19 @@ namespace fumage {
 /// @param particles the state at step from; for a later one, empty (see Particles::reset()) where from is before every
 /// living birth
 /// @param from,to   steps, from <= to
-/// @param progress hears of ProgressPhase::PreRoll where there are hundreds of steps, and of ProgressPhase::Air where
-/// it has to be baked
+/// @param task hears of ProgressPhase::PreRoll where there are hundreds of steps, and of ProgressPhase::Air where it
+/// has to be baked
 /// @error Cancelled, also that of the air; the particles are then between steps and must be thrown away
 /// O(particles * steps). The same bits for any number of threads, and for any way to split [from, to].
-[[nodiscard]] Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
-    const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Status advance(
+    const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to, const Task& task = {});
 
 /// The same out of place: the state at step from is read, the one at step to written into another.
 [[nodiscard]] Status advanceInto(const SimulationModel& model, const Particles& before, Particles& after,
-    std::int64_t from, std::int64_t to, const std::stop_token& stop = {}, const Progress& progress = {});
+    std::int64_t from, std::int64_t to, const Task& task = {});
 
 /// Fills the state at a step from nothing, through a pre-roll of at most one lifetime.
-[[nodiscard]] Status advanceFromNothing(const SimulationModel& model, Particles& particles, std::int64_t to,
-    const std::stop_token& stop = {}, const Progress& progress = {});
+[[nodiscard]] Status advanceFromNothing(
+    const SimulationModel& model, Particles& particles, std::int64_t to, const Task& task = {});
 
 } // namespace fumage

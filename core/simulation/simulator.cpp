@@ -48,7 +48,7 @@ std::shared_ptr<Frame> Simulator::blankFrame()
     return m_pool.emplace_back(std::make_shared<Frame>());
 }
 
-Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const std::stop_token& stop, const Progress& progress)
+Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const Task& task)
 {
     if (!m_airStatus) {
         return m_airStatus.error();
@@ -65,8 +65,8 @@ Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const std::sto
     const std::int64_t preRollStart = step - schedule.lifetimeSteps;
     const std::shared_ptr<Frame> next = blankFrame();
     const Status status = start && start->step >= preRollStart
-        ? advanceInto(*m_model, start->particles, next->particles, start->step, step, stop, progress)
-        : advanceFromNothing(*m_model, next->particles, step, stop, progress);
+        ? advanceInto(*m_model, start->particles, next->particles, start->step, step, task)
+        : advanceFromNothing(*m_model, next->particles, step, task);
     if (!status) {
         return status.error();
     }

@@ -22,11 +22,10 @@ public:
         const std::shared_ptr<AirCache>& shelf = nullptr);
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
-    /// @param progress hears of ProgressPhase::PreRoll where many steps lead to the frame, and of ProgressPhase::Air
-    /// where it has to be baked
+    /// @param task hears of ProgressPhase::PreRoll where many steps lead to the frame, and of ProgressPhase::Air where
+    /// it has to be baked
     /// @error Cancelled; that of checkAir()
-    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(
-        int number, const std::stop_token& stop = {}, const Progress& progress = {});
+    [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const Task& task = {});
 
     /// The constants and the schedule that the effect came to.
     [[nodiscard]] const SimulationModel& model() const { return *m_model; }

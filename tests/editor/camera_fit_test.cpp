@@ -33,7 +33,7 @@ Preset presetOf(const Effect& effect)
 
 Camera fitted(const Effect& effect)
 {
-    return fitCamera(effect, {0, effect.timeline.length - 1, 1}, [](int, int) {}).value();
+    return fitCamera(effect, {0, effect.timeline.length - 1, 1}).value();
 }
 
 } // namespace

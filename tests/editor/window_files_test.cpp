@@ -296,7 +296,7 @@ private slots:
         plan.output = path.toStdString();
         plan.frames = {7, 7, 1};
         plan.project = preset;
-        QVERIFY(runExport(preset.effect, plan, {}).ok());
+        QVERIFY(runExport(preset.effect, plan).ok());
         QMimeData file;
         file.setUrls({QUrl::fromLocalFile(path)});
         drop(file);
@@ -314,7 +314,7 @@ private slots:
         ExportPlan plan;
         plan.kind = ExportKind::Picture;
         plan.output = path.toStdString();
-        QVERIFY(runExport(smallPreset().effect, plan, {}).ok());
+        QVERIFY(runExport(smallPreset().effect, plan).ok());
         QString seen;
         answerNext("errorBox", [&](QMessageBox& box) {
             seen = box.text();

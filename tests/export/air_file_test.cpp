@@ -128,7 +128,7 @@ private slots:
         options.output = folder.filePath("air_##.vf").toStdString();
         options.format = AirFormat::Vf;
         options.frames = {10, kFrame, 2};
-        const Result<AirGrid> grid = writeAir(plume(), options, {});
+        const Result<AirGrid> grid = writeAir(plume(), options);
         QVERIFY(grid.ok());
         const AirFieldPtr air = fieldOf(plume());
         QVERIFY(grid.value() == air->grid);
@@ -167,7 +167,7 @@ private slots:
         options.output = folder.filePath("air.fga").toStdString();
         Effect effect = plume();
         effect.air.enabled = false;
-        const Result<AirGrid> grid = writeAir(effect, options, {});
+        const Result<AirGrid> grid = writeAir(effect, options);
         QVERIFY(!grid.ok());
         QCOMPARE(grid.error().code, ErrorCode::OutOfRange);
         QVERIFY(grid.error().text().find("air.enabled") != std::string::npos);

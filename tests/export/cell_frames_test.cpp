@@ -67,7 +67,7 @@ double meanMotion(const Effect& effect, const std::vector<int>& frames, int cell
 {
     PassSheet sheet;
     const Status status =
-        renderSheet(effect, {frames}, static_cast<int>(frames.size()), {Pass::Colour, Pass::Motion}, sheet, {}, {});
+        renderSheet(effect, {frames}, static_cast<int>(frames.size()), {Pass::Colour, Pass::Motion}, sheet, {});
     if (!status) {
         qFatal("%s", status.error().text().c_str());
     }
@@ -98,7 +98,7 @@ private slots:
         const Effect effect = passingBy();
         for (const int step : {1, 3}) {
             const FrameRange asked{1, 60, step};
-            const Result<FrameRange> left = trimmed(effect, asked, {});
+            const Result<FrameRange> left = trimmed(effect, asked);
             QVERIFY2(left.ok(), left.ok() ? "" : left.error().text().c_str());
             QCOMPARE(left.value().step, step);
             QVERIFY(left.value().first > asked.first && left.value().last < asked.at(asked.count() - 1));
@@ -110,19 +110,19 @@ private slots:
 
     void framesThatAllHaveSmokeStay()
     {
-        const Result<FrameRange> left = trimmed(passingBy(), {26, 28, 1}, {});
+        const Result<FrameRange> left = trimmed(passingBy(), {26, 28, 1});
         QCOMPARE(left.value().first, 26);
         QCOMPARE(left.value().last, 28);
     }
 
     void whatCannotBeTrimmedIsSaid()
     {
-        const Result<FrameRange> nothing = trimmed(passingBy(), {0, 4, 1}, {});
+        const Result<FrameRange> nothing = trimmed(passingBy(), {0, 4, 1});
         QVERIFY(!nothing.ok());
         QVERIFY(nothing.error().text().find("frames 0 to 4") != std::string::npos);
         Effect loop = passingBy();
         loop.timeline.loop = true;
-        const Result<FrameRange> turned = trimmed(loop, {0, 60, 1}, {});
+        const Result<FrameRange> turned = trimmed(loop, {0, 60, 1});
         QVERIFY(!turned.ok());
         QVERIFY(turned.error().text().find("loop") != std::string::npos);
     }
@@ -131,11 +131,11 @@ private slots:
     {
         Effect effect = passingBy();
         effect.look.opacity = 0.001F;
-        QVERIFY(!trimmed(effect, {26, 28, 1}, {}).ok());
+        QVERIFY(!trimmed(effect, {26, 28, 1}).ok());
         effect.glow.emission = 1000.0F;
         effect.glow.flameOpacity = 0.0F;
         QVERIFY(coverOf(effect.glow) == Cover::Light);
-        QVERIFY(trimmed(effect, {26, 28, 1}, {}).ok());
+        QVERIFY(trimmed(effect, {26, 28, 1}).ok());
     }
 
     void aTrimmedFlipbookShowsWhatIsLeftAtItsSpeed()
@@ -149,8 +149,8 @@ private slots:
         plan.flipbook.rows = 2;
         plan.flipbook.trim = true;
         const Effect effect = passingBy();
-        const FrameRange left = trimmed(effect, plan.frames, {}).value();
-        const auto done = runExport(effect, plan, {});
+        const FrameRange left = trimmed(effect, plan.frames).value();
+        const auto done = runExport(effect, plan);
         QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
         const QJsonObject json =
             QJsonDocument::fromJson(QByteArray::fromStdString(readFile(done.value()->description, 10000).value()))
@@ -159,11 +159,11 @@ private slots:
         QCOMPARE(json["trimmed"].toObject()["last_frame"].toInt(), left.last);
         QCOMPARE(json["trimmed"].toObject()["to"].toInt(), 60);
         QCOMPARE(json["seconds"].toDouble(), left.count() / static_cast<double>(effect.timeline.frameRate));
-        const auto preview = previewFlipbook(effect, plan, 64, 1 << 20, {});
+        const auto preview = previewFlipbook(effect, plan, 64, 1 << 20);
         QVERIFY(near(preview.value()->cellsPerSecond, json["cells_per_second"].toDouble(), 1e-9));
         plan.flipbook.columns = plan.flipbook.rows = 7; // 49 of the 61 frames are asked for, and fewer are left
         QVERIFY(left.count() < 49);
-        const auto tooMany = runExport(effect, plan, {});
+        const auto tooMany = runExport(effect, plan);
         QVERIFY(!tooMany.ok());
         QVERIFY(tooMany.error().text().find("do not fill 49 cells") != std::string::npos);
     }
@@ -210,10 +210,10 @@ private slots:
             framesOfCells(retimed({{0.0F, 1.0F}, {0.5F, 0.0F}, {1.0F, 1.0F}}, {5, 40, 1}, 6));
         QVERIFY(!std::is_sorted(frames.begin(), frames.end()));
         PassSheet sheet;
-        QVERIFY(renderSheet(effect, {frames}, 6, {Pass::Colour, Pass::Motion}, sheet, {}, {}).ok());
+        QVERIFY(renderSheet(effect, {frames}, 6, {Pass::Colour, Pass::Motion}, sheet, {}).ok());
         for (std::size_t cell = 0; cell < frames.size(); ++cell) {
             PassSheet alone;
-            QVERIFY(renderSheet(effect, {{frames[cell]}}, 1, {Pass::Colour}, alone, {}, {}).ok());
+            QVERIFY(renderSheet(effect, {{frames[cell]}}, 1, {Pass::Colour}, alone, {}).ok());
             const Image& expected = alone.targets.of(PassTarget::Colour);
             const SheetCell at = sheet.grid.cell(static_cast<int>(cell));
             for (int y = 0; y < at.height; ++y) {

@@ -46,7 +46,7 @@ struct Sheet {
     }
     void write() const
     {
-        const Result<Flipbook> done = renderFlipbook(effect, options, {});
+        const Result<Flipbook> done = renderFlipbook(effect, options);
         if (!done) {
             qFatal("%s", done.error().text().c_str());
         }
@@ -343,7 +343,7 @@ private slots:
         Sheet sheet(static_cast<Engine>(engine));
         sheet.options.format = ImageFormat::Tga;
         sheet.options.output = sheet.folder.path().toStdString() + "/smoke_4x2.tga";
-        QCOMPARE(renderFlipbook(sheet.effect, sheet.options, {}).ok(), takes);
+        QCOMPARE(renderFlipbook(sheet.effect, sheet.options).ok(), takes);
         QCOMPARE(QDir(sheet.folder.path()).exists(QStringLiteral("smoke_4x2.tga")), takes);
     }
 
@@ -351,13 +351,13 @@ private slots:
     {
         Sheet sheet(Engine::Godot);
         sheet.options.format = ImageFormat::ExrHalf;
-        const Result<Flipbook> exr = renderFlipbook(sheet.effect, sheet.options, {});
+        const Result<Flipbook> exr = renderFlipbook(sheet.effect, sheet.options);
         QVERIFY(!exr.ok());
         QVERIFY2(
             contains(exr.error().text(), "Godot 4") && contains(exr.error().text(), "PNG"), exr.error().text().c_str());
         sheet.options.format = ImageFormat::Png8;
         sheet.options.passes = {Pass::Motion};
-        QVERIFY(!renderFlipbook(sheet.effect, sheet.options, {}).ok());
+        QVERIFY(!renderFlipbook(sheet.effect, sheet.options).ok());
         QVERIFY(QDir(sheet.folder.path()).isEmpty());
     }
 };

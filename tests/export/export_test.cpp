@@ -174,14 +174,12 @@ private slots:
             QStringList({"f_002.png", "f_005.png", "f_008.png"}));
         std::stop_source stop;
         const SequenceOptions other = options(folder.path().toStdString() + "/other/g_###.png", {0, 50, 1});
-        const Status status = renderSequence(
-            effect, other,
-            [&](int done, int) {
-                if (done == 2) {
-                    stop.request_stop();
-                }
-            },
-            stop.get_token());
+        const auto stopAtTwo = [&](int done, int) {
+            if (done == 2) {
+                stop.request_stop();
+            }
+        };
+        const Status status = renderSequence(effect, other, {stopAtTwo, stop.get_token()});
         QCOMPARE(status.error().code, ErrorCode::Cancelled);
         for (const QString& name : QDir(folder.path() + "/other").entryList(QDir::Files)) {
             QVERIFY(name.endsWith(".png"));
@@ -212,7 +210,7 @@ private slots:
         for (int cell = 0; cell < 6; ++cell) {
             const int number = 10 + 4 * cell;
             QCOMPARE(frameOfCell(flipbook, cell), number);
-            QVERIFY(renderSequence(effect, options(path + "/frame.png", {number, number, 1}), [](int, int) {}).ok());
+            QVERIFY(renderSequence(effect, options(path + "/frame.png", {number, number, 1})).ok());
             const PngFile frame(path + "/frame.png");
             int seen = 0;
             for (int y = 0; y < frame.height; ++y) {
@@ -260,7 +258,7 @@ private slots:
             flipbook.columns = columns;
             flipbook.rows = rows;
             flipbook.frames = {0, frames - 1, 1};
-            return renderFlipbook(effect, flipbook, [](int, int) {}).error().code;
+            return renderFlipbook(effect, flipbook).error().code;
         };
         QCOMPARE(errorOf(0, 8, 100, 16), ErrorCode::OutOfRange);
         QCOMPARE(errorOf(8, 65, 1000, 16), ErrorCode::OutOfRange);
@@ -310,7 +308,7 @@ private slots:
         const auto bookFrom = [&](float distance) {
             effect.camera.mode = CameraMode::Orbit;
             effect.camera.distance = distance;
-            return renderFlipbook(effect, flipbook, [](int, int) {}).value();
+            return renderFlipbook(effect, flipbook).value();
         };
         const Flipbook near = bookFrom(4.0F);
         QVERIFY(near.edgeAlpha > 0.1F);
@@ -326,7 +324,7 @@ private slots:
 
     void unwritableFolderIsAnError()
     {
-        const Status status = renderSequence(everythingOn(), options("/proc/none/f.png", {0, 0, 1}), [](int, int) {});
+        const Status status = renderSequence(everythingOn(), options("/proc/none/f.png", {0, 0, 1}));
         QVERIFY(!status.ok());
         QVERIFY(status.error().text().find("/proc/none") != std::string::npos);
     }

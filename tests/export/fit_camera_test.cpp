@@ -94,7 +94,7 @@ private slots:
         effect.camera.distance = 2.0F;
         effect.camera.position = {0.0F, 1.0F, 2.5F};
         QVERIFY2(fillOf(effect).border > 0.05F, "nothing to mend");
-        const Result<Camera> camera = fitCamera(effect, {0, kFrames - 1, 1}, [](int, int) {});
+        const Result<Camera> camera = fitCamera(effect, {0, kFrames - 1, 1});
         QVERIFY(camera.ok());
         effect.camera = camera.value();
         const Fill fill = fillOf(effect);
@@ -107,7 +107,7 @@ private slots:
         Effect effect = risingSmoke();
         effect.camera.distance = 500.0F;
         effect.camera.target = {30.0F, 0.0F, 0.0F};
-        effect.camera = fitCamera(effect, {0, kFrames - 1, 1}, [](int, int) {}).value();
+        effect.camera = fitCamera(effect, {0, kFrames - 1, 1}).value();
         const Fill fill = fillOf(effect);
         QVERIFY(fill.border < 1.0F / 255.0F);
         QVERIFY(fill.share > 0.8F);
@@ -118,7 +118,7 @@ private slots:
         Effect effect = risingSmoke();
         effect.emitter.speed = 6.0F;
         effect.look.stretch = 1.0F;
-        effect.camera = fitCamera(effect, {0, kFrames - 1, 1}, [](int, int) {}).value();
+        effect.camera = fitCamera(effect, {0, kFrames - 1, 1}).value();
         QVERIFY(fillOf(effect).border < 1.0F / 255.0F);
     }
 
@@ -132,9 +132,9 @@ private slots:
         plan.output = folder.path().toStdString() + "/book.png";
         plan.frames = {0, kFrames - 1, 1};
         plan.flipbook.columns = plan.flipbook.rows = 3;
-        QVERIFY(runExport(effect, plan, [](int, int) {}).value()->cutOff.has_value());
+        QVERIFY(runExport(effect, plan).value()->cutOff.has_value());
         plan.fitCamera = true;
-        QVERIFY(!runExport(effect, plan, [](int, int) {}).value()->cutOff);
+        QVERIFY(!runExport(effect, plan).value()->cutOff);
     }
 
     void picturesAndVideosAreFittedToTheFramesThatTheyShow()
@@ -146,7 +146,7 @@ private slots:
             plan.kind = kind;
             plan.fitCamera = true;
             plan.frames = {8, 8, 1};
-            const Effect seen = effectSeenBy(effect, plan, {}, {}).value();
+            const Effect seen = effectSeenBy(effect, plan).value();
             const Image image = render(seen, 8);
             const PictureReach reach = reachOf(image, 0.5F / 255.0F);
             const int width = image.width;
@@ -162,7 +162,7 @@ private slots:
     {
         Effect effect = risingSmoke();
         effect.look.opacity = 0.0F;
-        const Result<Camera> camera = fitCamera(effect, {0, 3, 1}, [](int, int) {});
+        const Result<Camera> camera = fitCamera(effect, {0, 3, 1});
         QVERIFY(!camera.ok());
         QCOMPARE(camera.error().code, ErrorCode::OutOfRange);
     }
@@ -172,17 +172,15 @@ private slots:
         const Effect effect = risingSmoke();
         std::stop_source stop;
         int told = 0;
-        const Result<Camera> camera = fitCamera(
-            effect, {0, kFrames - 1, 1},
-            [&](int done, int total) {
-                QVERIFY(done <= total);
-                QCOMPARE(done, told + 1);
-                told = done;
-                if (done == 15) {
-                    stop.request_stop();
-                }
-            },
-            stop.get_token());
+        const auto listener = [&](int done, int total) {
+            QVERIFY(done <= total);
+            QCOMPARE(done, told + 1);
+            told = done;
+            if (done == 15) {
+                stop.request_stop();
+            }
+        };
+        const Result<Camera> camera = fitCamera(effect, {0, kFrames - 1, 1}, {listener, stop.get_token()});
         QCOMPARE(camera.error().code, ErrorCode::Cancelled);
         QVERIFY(told <= 16);
     }

@@ -41,7 +41,7 @@ std::filesystem::path pathOf(const QTemporaryDir& folder)
 
 ManifestSet written(const ExportPlan& plan)
 {
-    if (const auto done = runExport(smallSmoke(), plan, {}); !done) {
+    if (const auto done = runExport(smallSmoke(), plan); !done) {
         qFatal("%s", done.error().text().c_str());
     }
     return openManifests(plan.output.parent_path()).value();
@@ -63,13 +63,13 @@ private slots:
         const QTemporaryDir folder;
         const ExportPlan plan = fullPlan(pathOf(folder));
         ManifestSet set = written(plan);
-        const Result<std::vector<CheckedFile>> again = renderAgain(set, {0, 99, 1}, {});
+        const Result<std::vector<CheckedFile>> again = renderAgain(set, {0, 99, 1});
         QVERIFY2(again.ok(), again ? "" : again.error().text().c_str());
         QCOMPARE(again.value().size(), filesOf(plan).size());
         QVERIFY(again.value().size() >= 7);
         QCOMPARE(countOf(again.value(), FileState::Same), again.value().size());
         set.manifests[0].manifest.files[1].content = set.manifests[0].manifest.files[0].content;
-        QCOMPARE(countOf(renderAgain(set, {0, 99, 1}, {}).value(), FileState::Different), std::size_t{1});
+        QCOMPARE(countOf(renderAgain(set, {0, 99, 1}).value(), FileState::Different), std::size_t{1});
     }
 
     void whateverChangesTheFilesIsInTheManifest()
@@ -83,7 +83,7 @@ private slots:
             ManifestSet other = set;
             std::string& setting = other.manifests[0].manifest.job.settings.at(key);
             setting = key == "alpha" && setting == value ? "premultiplied" : value;
-            const Result<std::vector<CheckedFile>> again = renderAgain(other, {0, 99, 1}, {});
+            const Result<std::vector<CheckedFile>> again = renderAgain(other, {0, 99, 1});
             QVERIFY2(again.ok() && countOf(again.value(), FileState::Different) > 0, key.c_str());
         }
     }
@@ -95,8 +95,8 @@ private slots:
         plan.flipbook.trim = false;
         plan.flipbook.retime = {}; // frames 4, 10, 16 and 22
         const ManifestSet set = written(plan);
-        QVERIFY(renderAgain(set, {10, 10, 1}, {}).ok());
-        QCOMPARE(renderAgain(set, {11, 15, 1}, {}).error().code, ErrorCode::OutOfRange);
+        QVERIFY(renderAgain(set, {10, 10, 1}).ok());
+        QCOMPARE(renderAgain(set, {11, 15, 1}).error().code, ErrorCode::OutOfRange);
     }
 
     void manifestsThatDoNotSayAllAreRefused()
@@ -108,7 +108,7 @@ private slots:
                  {"untrimmed", "9-2"}, {"name", ""}}) {
             ManifestSet other = set;
             other.manifests[0].manifest.job.settings[key] = value;
-            const Result<std::vector<CheckedFile>> again = renderAgain(other, {0, 99, 1}, {});
+            const Result<std::vector<CheckedFile>> again = renderAgain(other, {0, 99, 1});
             QVERIFY2(!again.ok() && again.error().code == ErrorCode::WrongType, key.c_str());
         }
     }

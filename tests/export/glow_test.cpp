@@ -52,7 +52,7 @@ PassSheet sheetOf(const Effect& effect)
 {
     const int length = effect.timeline.length;
     PassSheet sheet;
-    if (const Status status = renderSheet(effect, {{length / 8, length / 2}}, 2, Glowing::kPasses, sheet, {}, {});
+    if (const Status status = renderSheet(effect, {{length / 8, length / 2}}, 2, Glowing::kPasses, sheet, {});
         !status) {
         qFatal("%s", status.error().text().c_str());
     }

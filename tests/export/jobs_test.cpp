@@ -133,8 +133,8 @@ private slots:
         QVERIFY(reading.ok());
         ExportJob again = reading.value().jobs.front();
         again.plan.output = at("b/book.png");
-        QVERIFY(runJob(job, {}).ok());
-        QVERIFY(runJob(again, {}).ok());
+        QVERIFY(runJob(job).ok());
+        QVERIFY(runJob(again).ok());
         for (const char* file : {"book.png", "book.flipbook.json"}) {
             const Result<std::string> first = readFile(at(std::string("a/") + file), 1U << 20U);
             const Result<std::string> second = readFile(at(std::string("b/") + file), 1U << 20U);
@@ -197,7 +197,7 @@ private slots:
             && codeOf(3) == ErrorCode::UnknownName);
         QVERIFY(reading.jobs[3].refusal->text().find("campfire") != std::string::npos);
         for (const ExportJob& job : reading.jobs) {
-            const Result<std::optional<Flipbook>> done = runJob(job, {});
+            const Result<std::optional<Flipbook>> done = runJob(job);
             QCOMPARE(done.ok(), !job.refusal.has_value());
             QCOMPARE(QFile::exists(QString::fromStdString(job.plan.output.string())), done.ok());
         }
@@ -392,7 +392,7 @@ private slots:
         jobs[1].plan.source = at("b.png");
         QVERIFY(checkJobs(jobs).ok());
         QVERIFY(writePresetFile(at("b.png"), smallPreset()).ok());
-        const Result<std::optional<Flipbook>> done = runJob(jobs[1], {});
+        const Result<std::optional<Flipbook>> done = runJob(jobs[1]);
         QVERIFY(!done.ok());
         QCOMPARE(done.error().code, ErrorCode::WouldOverwrite);
         QVERIFY(readPresetFile(at("b.png")).ok());

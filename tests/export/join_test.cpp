@@ -35,20 +35,16 @@ class JoinTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        QVERIFY(renderSequence(seenSmoke(), {frames(), {20, 31, 1}, ImageFormat::ExrFloat}, {}).ok());
-    }
+    void initTestCase() { QVERIFY(renderSequence(seenSmoke(), {frames(), {20, 31, 1}, ImageFormat::ExrFloat}).ok()); }
 
     void aJoinedSheetIsTheRenderedOne()
     {
         FlipbookOptions options{folder() / "rendered.png", 3, 2, {20, 31, 1}};
         const Effect effect = seenSmoke();
-        const Result<Flipbook> rendered = renderFlipbook(effect, options, {});
+        const Result<Flipbook> rendered = renderFlipbook(effect, options);
         QVERIFY(rendered.ok());
         options.output = folder() / "joined.png";
-        const Result<Flipbook> joined =
-            joinFlipbook(effect, options, framesOfFiles(frames(), options.frames, 24, 20), {});
+        const Result<Flipbook> joined = joinFlipbook(effect, options, framesOfFiles(frames(), options.frames, 24, 20));
         QVERIFY2(joined.ok(), joined ? "" : joined.error().text().c_str());
         QVERIFY(pixelsOf(folder() / "joined.png").values == pixelsOf(folder() / "rendered.png").values);
         QCOMPARE(joined.value().cellsPerSecond, rendered.value().cellsPerSecond);
@@ -60,7 +56,7 @@ private slots:
         FlipbookOptions options{folder() / "passes.png", 3, 2, {20, 31, 1}};
         options.passes.add(Pass::Motion);
         const Result<Flipbook> joined =
-            joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
+            joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20));
         QVERIFY(!joined.ok());
         QCOMPARE(joined.error().code, ErrorCode::OutOfRange);
         QVERIFY(!std::filesystem::exists(folder() / "passes.png"));
@@ -70,7 +66,7 @@ private slots:
     {
         const FlipbookOptions options{folder() / "more.png", 3, 2, {26, 33, 1}};
         const Result<Flipbook> joined =
-            joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20), {});
+            joinFlipbook(seenSmoke(), options, framesOfFiles(frames(), options.frames, 24, 20));
         QVERIFY(!joined.ok());
         QCOMPARE(joined.error().code, ErrorCode::FileNotFound);
         QVERIFY2(joined.error().text().find("f_32.exr") != std::string::npos, joined.error().text().c_str());

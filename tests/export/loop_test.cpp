@@ -97,7 +97,7 @@ double ghost(const SheetPlayback& playback, const SheetGrid& grid, int cell, flo
 QString wordsOf(const Effect& effect, const FlipbookOptions& options)
 {
     QString words;
-    const Result<std::vector<FlipbookFile>> files = encodeFlipbook(effect, options, {});
+    const Result<std::vector<FlipbookFile>> files = encodeFlipbook(effect, options);
     for (const FlipbookFile& file : files.value()) {
         if (file.path.extension() != ".png") {
             words += QString::fromUtf8(
@@ -219,8 +219,7 @@ private slots:
         const std::vector<int> spans = spansOf(frames);
         PassSheet sheet;
         const auto shelf = std::make_shared<AirCache>();
-        QVERIFY(
-            renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, {}, shelf).ok());
+        QVERIFY(renderSheet(effect, frames, options.columns, {Pass::Colour, Pass::Motion}, sheet, {}, {}, shelf).ok());
         const std::vector<double> all = speeds(sheet, spans);
         constexpr std::ptrdiff_t kNear = 5;
         std::vector<double> near(all.begin() + 1, all.begin() + 1 + kNear);

@@ -48,7 +48,7 @@ struct Book {
             options.packs.push_back(packOf(pack));
         }
     }
-    [[nodiscard]] Result<Flipbook> write() const { return renderFlipbook(effect, options, {}); }
+    [[nodiscard]] Result<Flipbook> write() const { return renderFlipbook(effect, options); }
     [[nodiscard]] PngFile picture(const char* name) const
     {
         return PngFile(folder.filePath(QString::fromLatin1(name)).toStdString());
@@ -192,7 +192,7 @@ private slots:
         PassSheet sheet;
         PassSet passes = renderedPasses(book.options);
         passes.add(Pass::Colour);
-        QVERIFY(renderSheet(book.effect, cellFramesOf(book.effect, book.options), 2, passes, sheet, {}, {}).ok());
+        QVERIFY(renderSheet(book.effect, cellFramesOf(book.effect, book.options), 2, passes, sheet, {}).ok());
         const PassPictures pictures(sheet, passes, book.options.style);
         const Packer packer(sheet, pictures, book.options.style, book.effect, ImageFormat::ExrFloat);
         const DataImage large = packer.pack(book.options.packs[0]);
@@ -223,8 +223,7 @@ private slots:
         Book book({"small=colour.r,colour.g,colour.b,colour.a@1/2"});
         book.effect.output.background = Background::Transparent;
         PassSheet sheet;
-        QVERIFY(
-            renderSheet(book.effect, cellFramesOf(book.effect, book.options), 2, {Pass::Colour}, sheet, {}, {}).ok());
+        QVERIFY(renderSheet(book.effect, cellFramesOf(book.effect, book.options), 2, {Pass::Colour}, sheet, {}).ok());
         const PassPictures pictures(sheet, {Pass::Colour}, {});
         const DataImage small =
             Packer(sheet, pictures, {}, book.effect, ImageFormat::ExrFloat).pack(book.options.packs[0]);

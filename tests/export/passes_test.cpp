@@ -56,7 +56,7 @@ struct Made {
         : style(wanted)
     {
         passes.add(Pass::Alpha);
-        const Status status = renderSheet(effect, {frames}, static_cast<int>(frames.size()), passes, sheet, {}, {});
+        const Status status = renderSheet(effect, {frames}, static_cast<int>(frames.size()), passes, sheet, {});
         if (!status) {
             qFatal("%s", status.error().text().c_str());
         }
@@ -269,7 +269,7 @@ private slots:
         options.rows = 1;
         options.frames = {10, 13, 2};
         options.format = ImageFormat::ExrFloat;
-        const Result<SheetScore> score = scoreSheet(effect, options, 1, {});
+        const Result<SheetScore> score = scoreSheet(effect, options, 1);
         QVERIFY(score.ok());
         QVERIFY2(score.value().sixWay.worst > 55.0, qPrintable(QString::number(score.value().sixWay.worst)));
     }
@@ -294,7 +294,7 @@ private slots:
         options.columns = 2;
         options.rows = 1;
         options.frames = {20, 23, 2};
-        const Result<SheetScore> score = scoreSheet(effect, options, 1, {});
+        const Result<SheetScore> score = scoreSheet(effect, options, 1);
         QVERIFY(score.ok());
         QVERIFY2(score.value().sixWay.decibels > decibels, qPrintable(QString::number(score.value().sixWay.decibels)));
         QVERIFY(score.value().motion.between == 1);
@@ -306,7 +306,7 @@ private slots:
         options.columns = 3;
         options.rows = 1;
         options.frames = {10, 33, 8};
-        const Result<SheetScore> score = scoreSheet(drifting({1.5F, 0.7F, 0.0F}), options, 1, {});
+        const Result<SheetScore> score = scoreSheet(drifting({1.5F, 0.7F, 0.0F}), options, 1);
         QVERIFY(score.ok());
         QVERIFY2(score.value().motion.rebuilt > score.value().motion.crossFaded + 6.0,
             qPrintable(QStringLiteral("%1 %2").arg(score.value().motion.rebuilt).arg(score.value().motion.crossFaded)));
@@ -362,10 +362,10 @@ private slots:
         options.rows = 1;
         options.frames = {20, 21, 1};
         options.output = folder.path().toStdString() + "/alone";
-        QVERIFY(renderFlipbook(effect, options, {}).ok());
+        QVERIFY(renderFlipbook(effect, options).ok());
         options.output = folder.path().toStdString() + "/both";
         options.passes = {Pass::Colour, Pass::SixWayA, Pass::Motion, Pass::Albedo, Pass::Shadow};
-        QVERIFY(renderFlipbook(effect, options, {}).ok());
+        QVERIFY(renderFlipbook(effect, options).ok());
         const auto bytes = [&](const char* name) {
             return readFile(folder.path().toStdString() + name, 10'000'000).value();
         };
@@ -381,7 +381,7 @@ private slots:
         options.frames = {20, 22, 1};
         options.format = ImageFormat::ExrFloat;
         options.passes = {Pass::Motion, Pass::Depth, Pass::SixWayA};
-        QVERIFY(renderSequence(effect, options, {}).ok());
+        QVERIFY(renderSequence(effect, options).ok());
         QCOMPARE(
             QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_20.exr", "smoke_21.exr", "smoke_22.exr"}));
         Imf::InputFile file(folder.filePath("smoke_21.exr").toStdString().c_str());
@@ -449,7 +449,7 @@ private slots:
         options.rows = 1;
         options.frames = {20, 21, 1};
         options.passes = {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion, Pass::Depth};
-        const Result<Flipbook> flipbook = renderFlipbook(everythingOn(), options, {});
+        const Result<Flipbook> flipbook = renderFlipbook(everythingOn(), options);
         QVERIFY(flipbook.ok());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name),
             QStringList({"smoke.flipbook.json", "smoke.png", "smoke_depth.png", "smoke_motion.png",

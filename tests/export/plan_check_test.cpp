@@ -18,7 +18,7 @@ using Found = std::map<FileState, std::vector<std::string>>;
 ExportPlan recorded(ExportPlan plan)
 {
     plan.recording.manifest = manifestBeside(plan.output);
-    if (const auto done = runExport(smallSmoke(), plan, {}); !done) {
+    if (const auto done = runExport(smallSmoke(), plan); !done) {
         qFatal("%s", done.error().text().c_str());
     }
     return plan;
@@ -26,7 +26,7 @@ ExportPlan recorded(ExportPlan plan)
 
 Found checked(const ExportPlan& plan)
 {
-    const Result<std::vector<CheckedFile>> files = checkExport(plan, {});
+    const Result<std::vector<CheckedFile>> files = checkExport(plan);
     if (!files) {
         qFatal("%s", files.error().text().c_str());
     }
@@ -89,7 +89,7 @@ private slots:
     {
         const ExportPlan plan = recorded({.output = at("a_##.png"), .frames = {0, 1, 1}});
         std::filesystem::remove(manifestOf(plan));
-        const Result<std::vector<CheckedFile>> files = checkExport(plan, {});
+        const Result<std::vector<CheckedFile>> files = checkExport(plan);
         QVERIFY(!files.ok());
         QCOMPARE(files.error().code, ErrorCode::FileNotFound);
     }

@@ -103,7 +103,7 @@ private slots:
             effect.air.enabled = true;
             effect.air.resolution = 16;
         }
-        const Result<std::optional<Flipbook>> done = runExport(effect, plan, [](int, int) {});
+        const Result<std::optional<Flipbook>> done = runExport(effect, plan);
         QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
         QCOMPARE(done.value().has_value(), plan.kind == ExportKind::Flipbook);
         files.removeDuplicates();
@@ -141,7 +141,7 @@ private slots:
         ExportPlan plan = planFor(ExportKind::NoiseTexture, u"noise"_qs);
         plan.format = static_cast<ImageFormat>(format);
         plan.noise.depth = 0.25F;
-        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(runExport(effect, plan).ok());
         const bool png = plan.format != ImageFormat::ExrFloat;
         const Grey grey = png ? readGreyPng(plan.output.string()) : readGreyExr(plan.output.string());
         const float full = png ? std::ldexp(1.0F, grey.bits) - 1.0F : 1.0F;
@@ -167,10 +167,10 @@ private slots:
     {
         ExportPlan plan = planFor(ExportKind::NoiseTexture, u"noise.png"_qs);
         plan.noise.size = 20;
-        QVERIFY(runExport(smallEffect(), plan, {}).ok());
+        QVERIFY(runExport(smallEffect(), plan).ok());
         QCOMPARE(readGreyPng(plan.output.string()).width, 20);
         plan.noise.size = kMaxTextureSize + 1;
-        QCOMPARE(runExport(smallEffect(), plan, {}).error().code, ErrorCode::TooLarge);
+        QCOMPARE(runExport(smallEffect(), plan).error().code, ErrorCode::TooLarge);
     }
 
     void sheetsMayHaveSidesThatArePowersOfTwo_data()
@@ -213,7 +213,7 @@ private slots:
         plan.flipbook.engine = Engine::Pixi;
         plan.flipbook.powerOfTwo = true;
         plan.fitCamera = true;
-        const auto done = runExport(effect, plan, {});
+        const auto done = runExport(effect, plan);
         QVERIFY2(done.ok(), done.ok() ? "" : done.error().text().c_str());
         const std::string atlas = readFile(pathOf(u"a.atlas.json"_qs), 100'000).value();
         QVERIFY2(atlas.find("\"w\": 64,\n      \"h\": 32") != std::string::npos, atlas.c_str()); // 4 x 16 and 2 x 16
@@ -228,15 +228,15 @@ private slots:
         const auto frame = frameOf(effect, 6);
         ExportPlan plan = planFor(ExportKind::Particles, u"p.csv"_qs);
         plan.frames = {6, 6, 1};
-        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(runExport(effect, plan).ok());
         constexpr std::size_t kMax = 1U << 20U;
         QVERIFY(readFile(plan.output, kMax).value() == dumpCsv(*frame, sampled(effect)));
         plan.particles = ParticleFormat::Ply;
         plan.output = pathOf(u"p.ply"_qs);
-        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(runExport(effect, plan).ok());
         QVERIFY(readFile(plan.output, kMax).value() == dumpPly(*frame, sampled(effect)));
         plan.up = UpAxis::Z;
-        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(runExport(effect, plan).ok());
         QVERIFY(readFile(plan.output, kMax).value() == dumpPly(*frame, sampled(effect), UpAxis::Z));
     }
 
@@ -250,18 +250,18 @@ private slots:
             return encodeVdb(volumeOf(*frameOf(effect, 6), sampled(effect), 0.125F).value(), up);
         };
         constexpr std::size_t kMax = 1U << 24U;
-        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(runExport(effect, plan).ok());
         QVERIFY(readFile(plan.output, kMax).value() == bytes(UpAxis::Z));
         plan.up = UpAxis::Y;
-        QVERIFY(runExport(effect, plan, {}).ok());
+        QVERIFY(runExport(effect, plan).ok());
         QVERIFY(readFile(plan.output, kMax).value() == bytes(UpAxis::Y));
         plan.volume.cells = kMaxVolumeCells + 1;
-        QCOMPARE(runExport(effect, plan, {}).error().code, ErrorCode::OutOfRange);
+        QCOMPARE(runExport(effect, plan).error().code, ErrorCode::OutOfRange);
     }
 
     void airIsExportedOnlyOfSmokeThatItCarries()
     {
-        const auto done = runExport(smallEffect(), planFor(ExportKind::Air, u"a.fga"_qs), {});
+        const auto done = runExport(smallEffect(), planFor(ExportKind::Air, u"a.fga"_qs));
         QVERIFY(!done.ok());
         QCOMPARE(done.error().code, ErrorCode::OutOfRange);
         QVERIFY(QDir(m_folder->path()).isEmpty());
@@ -277,13 +277,13 @@ private slots:
             plan.flipbook.rows = 1;
             plan.source = lastFile(plan);
             QVERIFY(writeFileAtomically(plan.source, std::string_view("precious")).ok());
-            const auto done = runExport(smallEffect(), plan, [](int, int) {});
+            const auto done = runExport(smallEffect(), plan);
             QVERIFY(!done.ok());
             QCOMPARE(done.error().code, ErrorCode::WouldOverwrite);
             QCOMPARE(readFile(plan.source, 100).value(), std::string("precious"));
             plan.source = pathOf(u"another.json"_qs);
             QVERIFY(writeFileAtomically(plan.source, std::string_view("precious")).ok());
-            QVERIFY(runExport(smallEffect(), plan, [](int, int) {}).ok());
+            QVERIFY(runExport(smallEffect(), plan).ok());
         }
     }
 
@@ -292,7 +292,7 @@ private slots:
         for (const ExportKind kind : {ExportKind::Sequence, ExportKind::Picture, ExportKind::NoiseTexture}) {
             ExportPlan plan = planFor(kind, u"a.png"_qs);
             plan.frames = {3, 3, 1};
-            QVERIFY(runExport(smallEffect(), plan, [](int, int) {}).ok());
+            QVERIFY(runExport(smallEffect(), plan).ok());
             const std::vector<std::byte> bytes = exportBytes(smallEffect(), plan).value();
             constexpr std::size_t kMax = 1U << 24U;
             const std::string file = readFile(firstFile(plan), kMax).value();
@@ -377,7 +377,7 @@ private slots:
             plan.flipbook.engine = engine;
             plan.passes = passesFor(engine);
             plan.flipbook.columns = plan.flipbook.rows = 1;
-            QCOMPARE(runExport(smallEffect(), plan, {}, stop.get_token()).error().code, ErrorCode::Cancelled);
+            QCOMPARE(runExport(smallEffect(), plan, stop.get_token()).error().code, ErrorCode::Cancelled);
             QVERIFY(std::filesystem::is_empty(plan.output.parent_path()));
         }
     }
@@ -392,7 +392,7 @@ private slots:
             plan.flipbook.columns = plan.flipbook.rows = 1;
             const std::filesystem::path left = plan.output.parent_path() / ".fumage-999999999-0";
             QVERIFY(writeFileAtomically(left, std::string_view("half")).ok());
-            static_cast<void>(runExport(effect, plan, {})); // not all kinds can be done here
+            static_cast<void>(runExport(effect, plan)); // not all kinds can be done here
             QVERIFY2(!std::filesystem::exists(left), nameOf(plan.kind).data());
         }
     }
@@ -405,8 +405,7 @@ private slots:
                  ExportKind::NoiseTexture, ExportKind::Particles, ExportKind::Volumes}) {
             ExportPlan plan = planFor(kind, u"a"_qs);
             plan.frames = {5, 100, 1};
-            const auto done = runExport(
-                smallEffect(), plan, [](int, int) {}, stop.get_token());
+            const auto done = runExport(smallEffect(), plan, stop.get_token());
             QVERIFY(!done.ok());
             QCOMPARE(done.error().code, ErrorCode::Cancelled);
         }

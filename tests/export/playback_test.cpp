@@ -131,7 +131,7 @@ private slots:
         effect.output.background = Background::Transparent;
         ExportPlan plan = planFor(2, 2);
         plan.format = ImageFormat::ExrHalf;
-        const auto preview = previewFlipbook(effect, plan, 320, 1 << 20U, {});
+        const auto preview = previewFlipbook(effect, plan, 320, 1 << 20U);
         QVERIFY(preview.ok());
         QVERIFY(preview.value()->isWhole);
         QVERIFY(near(preview.value()->cellsPerSecond, effect.timeline.frameRate / 2.0, 1e-9));
@@ -154,7 +154,7 @@ private slots:
         effect.output.exposure = 1.0F;
         effect.output.viewTransform = ViewTransform::Filmic;
         effect.output.background = Background::Transparent;
-        const auto preview = previewFlipbook(effect, planFor(2, 2), 320, 1 << 20U, {});
+        const auto preview = previewFlipbook(effect, planFor(2, 2), 320, 1 << 20U);
         Image picture;
         EncodedImage<std::uint8_t> shown;
         EncodedImage<std::uint8_t> written;
@@ -178,13 +178,13 @@ private slots:
         effect.output.height = 100;
         ExportPlan plan = planFor(2, 2);
         plan.passes.add(Pass::Motion);
-        const auto byEdge = previewFlipbook(effect, plan, 50, 1 << 20U, {});
+        const auto byEdge = previewFlipbook(effect, plan, 50, 1 << 20U);
         QVERIFY(byEdge.ok());
         QVERIFY(!byEdge.value()->isWhole);
         QCOMPARE(byEdge.value()->sheet.grid.cellWidth, 50);
         QCOMPARE(byEdge.value()->sheet.grid.cellHeight, 25);
         QVERIFY(byEdge.value()->playback->hasMotion());
-        const auto byPixels = previewFlipbook(effect, plan, 1000, 4 * 20 * 10, {});
+        const auto byPixels = previewFlipbook(effect, plan, 1000, 4 * 20 * 10);
         QCOMPARE(byPixels.value()->sheet.grid.cellWidth, 20);
     }
 
@@ -192,7 +192,7 @@ private slots:
     {
         std::stop_source stop;
         stop.request_stop();
-        const auto preview = previewFlipbook(thesisEffect(100), planFor(2, 2), 100, 1 << 20U, {}, stop.get_token());
+        const auto preview = previewFlipbook(thesisEffect(100), planFor(2, 2), 100, 1 << 20U, stop.get_token());
         QVERIFY(!preview.ok());
         QCOMPARE(preview.error().code, ErrorCode::Cancelled);
     }

@@ -119,7 +119,7 @@ private slots:
     {
         ExportPlan plan = planOf(16);
         plan.frames = {10, 25, 1};
-        const Result<std::vector<SheetCandidate>> rated = rateSheets(everythingOn(), plan, 1 << 26, {});
+        const Result<std::vector<SheetCandidate>> rated = rateSheets(everythingOn(), plan, 1 << 26);
         QVERIFY2(rated.ok(), rated.ok() ? "" : rated.error().text().c_str());
         QCOMPARE(rated.value().size(), std::size_t{2});
         QCOMPARE(rated.value()[1].decibels, 99.0); // 4 x 4
@@ -133,13 +133,13 @@ private slots:
         constexpr std::int64_t kBudget = 64 * 64 * 8; // eight cells of whole size
         ExportPlan later = plan; // when all of the burst is there
         later.frames = {20, 83, 1};
-        const std::vector<SheetCandidate> still = rateSheets(rising(0.0F), later, kBudget, {}).value();
+        const std::vector<SheetCandidate> still = rateSheets(rising(0.0F), later, kBudget).value();
         QCOMPARE(bestOf(still).columns * bestOf(still).rows, 8);
-        const std::vector<SheetCandidate> moving = rateSheets(rising(2.0F), plan, kBudget, {}).value();
+        const std::vector<SheetCandidate> moving = rateSheets(rising(2.0F), plan, kBudget).value();
         QVERIFY(bestOf(moving).columns * bestOf(moving).rows > 16);
         // Vectors make do with fewer cells of the same size.
         plan.passes.add(Pass::Motion);
-        const std::vector<SheetCandidate> along = rateSheets(rising(2.0F), plan, 2 * kBudget, {}).value();
+        const std::vector<SheetCandidate> along = rateSheets(rising(2.0F), plan, 2 * kBudget).value();
         QCOMPARE(along[0].width, moving[0].width);
         QVERIFY(along[0].decibels > moving[0].decibels + 3.0);
     }
@@ -153,7 +153,7 @@ private slots:
 
     void aBudgetThatIsTooSmallIsSaid()
     {
-        const auto rated = rateSheets(rising(1.0F), planOf(64), 100, {});
+        const auto rated = rateSheets(rising(1.0F), planOf(64), 100);
         QVERIFY(!rated.ok());
         QVERIFY(rated.error().text().find("100 bytes") != std::string::npos);
     }

@@ -82,7 +82,7 @@ private slots:
     {
         pretend("for last; do :; done; echo \"$@\" > \"$0.arguments\"; cat > \"${last#file:}\"");
         const VideoOptions options{output(".webm"), {4, 10, 3}, VideoFormat::WebM};
-        QVERIFY(renderVideo(smallSmoke(), options, {}).ok());
+        QVERIFY(renderVideo(smallSmoke(), options).ok());
         std::string expected;
         for (const int frame : {4, 7, 10}) {
             EncodedImage<std::uint8_t> encoded;
@@ -105,7 +105,7 @@ private slots:
             Effect effect = smallSmoke();
             effect.output.viewTransform = ViewTransform::Filmic; // of the smoke, and not of what is behind it
             effect.output.exposure = 1.5F;
-            QVERIFY(renderVideo(effect, options, {}).ok());
+            QVERIFY(renderVideo(effect, options).ok());
             const std::string bytes = contentsOf(QString::fromStdString(options.output.string()));
             const std::size_t sample = format == VideoFormat::QuickTime ? 2 : 1;
             const auto [width, height] = sizeOf(smallSmoke().output, format);
@@ -125,7 +125,7 @@ private slots:
         pretend("echo no such encoder >&2; exit 3");
         const VideoOptions options{output(".mp4"), {0, 20, 1}, VideoFormat::Mp4};
         QVERIFY(writeFileAtomically(options.output, std::string_view("before")).ok());
-        const Status status = renderVideo(smallSmoke(), options, {});
+        const Status status = renderVideo(smallSmoke(), options);
         QVERIFY(!status.ok());
         QCOMPARE(status.error().code, ErrorCode::WriteFailed);
         QVERIFY2(status.error().text().find("no such encoder") != std::string::npos, status.error().text().c_str());
@@ -136,7 +136,7 @@ private slots:
     void aProgramThatFailsAtTheEndLeavesNoVideo()
     {
         pretend("cat > /dev/null; echo disk full >&2; exit 1");
-        const Status status = renderVideo(smallSmoke(), {output(".gif"), {0, 2, 1}, VideoFormat::Gif}, {});
+        const Status status = renderVideo(smallSmoke(), {output(".gif"), {0, 2, 1}, VideoFormat::Gif});
         QVERIFY(!status.ok() && status.error().text().find("disk full") != std::string::npos);
         QCOMPARE(filesThere(), QStringList("ffmpeg"));
     }
@@ -145,7 +145,7 @@ private slots:
     {
         pretend("cat > /dev/null");
         for (const VideoFormat format : kAllVideoFormats) {
-            const Status status = renderVideo(smallSmoke(), {output(fileEnding(format)), {0, 2, 1}, format}, {});
+            const Status status = renderVideo(smallSmoke(), {output(fileEnding(format)), {0, 2, 1}, format});
             QVERIFY(!status.ok() && status.error().text().find("has written no video") != std::string::npos);
             QCOMPARE(status.error().code, ErrorCode::NotAFile);
             QCOMPARE(filesThere(), QStringList("ffmpeg"));
@@ -162,7 +162,7 @@ private slots:
         rlimit few = before;
         few.rlim_cur = static_cast<rlim_t>(next) + 3; // the draft and its folder, and no connection to a program
         QCOMPARE(setrlimit(RLIMIT_NOFILE, &few), 0);
-        const Status status = renderVideo(smallSmoke(), {output(".mp4"), {0, 2, 1}, VideoFormat::Mp4}, {});
+        const Status status = renderVideo(smallSmoke(), {output(".mp4"), {0, 2, 1}, VideoFormat::Mp4});
         QCOMPARE(setrlimit(RLIMIT_NOFILE, &before), 0);
         QVERIFY(!status.ok());
         QCOMPARE(status.error().code, ErrorCode::OutOfMemory);
@@ -174,7 +174,7 @@ private slots:
     void withoutTheProgramTheRemedyIsNamed()
     {
         qputenv("FUMAGE_FFMPEG", "/no/such/ffmpeg");
-        const Status status = renderVideo(smallSmoke(), {output(".mp4"), {0, 2, 1}, VideoFormat::Mp4}, {});
+        const Status status = renderVideo(smallSmoke(), {output(".mp4"), {0, 2, 1}, VideoFormat::Mp4});
         QVERIFY(!status.ok());
         QCOMPARE(status.error().code, ErrorCode::FileNotFound);
         QVERIFY(status.error().text().find("install it") != std::string::npos);
@@ -186,16 +186,14 @@ private slots:
         pretend("echo $$ > \"$0.id\"; exec sleep 1000"); // takes nothing
         std::stop_source stop;
         const VideoOptions options{output(".mp4"), {0, 500, 1}, VideoFormat::Mp4};
-        const Status status = renderVideo(
-            smallSmoke(), options,
-            [&](int done, int) {
-                if (done == 3) {
-                    // Frames fit into its pipe before it has begun.
-                    QVERIFY(QTest::qWaitFor([&] { return QFileInfo(m_folder->filePath("ffmpeg.id")).size() > 0; }));
-                    stop.request_stop();
-                }
-            },
-            stop.get_token());
+        const auto stopAtThree = [&](int done, int) {
+            if (done == 3) {
+                // Frames fit into its pipe before it has begun.
+                QVERIFY(QTest::qWaitFor([&] { return QFileInfo(m_folder->filePath("ffmpeg.id")).size() > 0; }));
+                stop.request_stop();
+            }
+        };
+        const Status status = renderVideo(smallSmoke(), options, {stopAtThree, stop.get_token()});
         QVERIFY(!status.ok());
         QCOMPARE(status.error().code, ErrorCode::Cancelled);
         const std::string id = contentsOf(m_folder->filePath("ffmpeg.id"));
@@ -211,10 +209,10 @@ private slots:
         plan.video.format = VideoFormat::Apng;
         plan.output = output(".apng");
         plan.frames = {0, 3, 1};
-        QVERIFY(runExport(smallSmoke(), plan, {}).ok());
+        QVERIFY(runExport(smallSmoke(), plan).ok());
         QVERIFY(std::filesystem::file_size(plan.output) == std::uintmax_t{20} * 15 * 4 * 4);
         plan.source = plan.output;
-        QCOMPARE(runExport(smallSmoke(), plan, {}).error().code, ErrorCode::WouldOverwrite);
+        QCOMPARE(runExport(smallSmoke(), plan).error().code, ErrorCode::WouldOverwrite);
         QVERIFY(!exportBytes(smallSmoke(), plan).ok());
     }
 
@@ -262,7 +260,7 @@ private slots:
                     for (const int last : {2, 3}) { // of which one is no whole turn
                         const VideoOptions options{
                             output(fileEnding(format)), {0, last, 1}, format, repeat, FrameRate{24000, 1001}};
-                        QVERIFY(renderVideo(effect, options, {}).ok());
+                        QVERIFY(renderVideo(effect, options).ok());
                         const std::string arguments = contentsOf(m_folder->filePath("ffmpeg.arguments"));
                         QVERIFY(arguments.find("-framerate 24000/1001 ") != std::string::npos);
                         const bool endless = repeat == Repeat::Forever || (repeat == Repeat::Auto && loop && last == 3);
@@ -286,7 +284,7 @@ private slots:
             for (const int step : {1, 2}) {
                 effect.timeline.frameRate = rate;
                 const VideoOptions options{output(".gif"), {0, 47, step}, VideoFormat::Gif};
-                QVERIFY(renderVideo(effect, options, {}).ok());
+                QVERIFY(renderVideo(effect, options).ok());
                 const std::vector<int> delays = delaysOf(contentsOf(QString::fromStdString(options.output.string())));
                 QCOMPARE(delays.size(), static_cast<std::size_t>(framesOf(effect, options).count()));
                 QVERIFY(*std::min_element(delays.begin(), delays.end()) >= 2);
@@ -314,7 +312,7 @@ private slots:
         }
         for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime}) {
             const VideoOptions options{output(fileEnding(format)), {0, 1, 1}, format};
-            QVERIFY(renderVideo(smallSmoke(), options, {}).ok());
+            QVERIFY(renderVideo(smallSmoke(), options).ok());
             const auto facts = makeMessage(QStringLiteral("ffprobe"),
                 {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-show_entries"),
                     QStringLiteral("frame=color_space,color_primaries"),
@@ -350,7 +348,7 @@ private slots:
             for (const VideoFormat format :
                 {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::QuickTime, VideoFormat::Apng}) {
                 const VideoOptions options{output(fileEnding(format)), {0, 0, 1}, format};
-                const Status status = renderVideo(effect, options, {});
+                const Status status = renderVideo(effect, options);
                 QVERIFY2(status.ok(), status.ok() ? "" : status.error().text().c_str());
                 const auto raw = makeMessage(QStringLiteral("ffmpeg"),
                     {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-i"),

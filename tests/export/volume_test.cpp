@@ -90,7 +90,7 @@ public:
         options.longest = 24;
         options.voxel = voxel;
         options.up = up;
-        const Result<float> used = writeVolumes(effect, options, {});
+        const Result<float> used = writeVolumes(effect, options);
         if (!used) {
             qFatal("%s", used.error().text().c_str());
         }
@@ -223,7 +223,7 @@ private slots:
         options.output = folder.filePath("smoke_##.vdb").toStdString();
         options.frames = {8, 12, 4};
         options.longest = 32;
-        const Result<float> voxel = writeVolumes(plume(), options, {});
+        const Result<float> voxel = writeVolumes(plume(), options);
         QVERIFY(voxel.ok());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList({"smoke_08.vdb", "smoke_12.vdb"}));
         const auto contents = [&](const char* name) {
@@ -234,12 +234,12 @@ private slots:
         QVERIFY(contents("smoke_08.vdb") != alone);
         QCOMPARE(alone.substr(0, 8), std::string(" BDV\0\0\0\0", 8));
         options.longest = kMaxVolumeCells + 1;
-        QCOMPARE(writeVolumes(plume(), options, {}).error().code, ErrorCode::OutOfRange);
+        QCOMPARE(writeVolumes(plume(), options).error().code, ErrorCode::OutOfRange);
         options.longest = 32;
         options.voxel = 0.0F;
-        QCOMPARE(writeVolumes(plume(), options, {}).error().code, ErrorCode::OutOfRange);
+        QCOMPARE(writeVolumes(plume(), options).error().code, ErrorCode::OutOfRange);
         options.voxel = 0.0005F;
-        QCOMPARE(writeVolumes(plume(), options, {}).error().code, ErrorCode::TooLarge);
+        QCOMPARE(writeVolumes(plume(), options).error().code, ErrorCode::TooLarge);
     }
 
     void framesHaveTheSameGridsAndLattice_data()

@@ -94,7 +94,7 @@ private slots:
         flipbook.columns = 4;
         flipbook.rows = 3;
         flipbook.frames = {0, effect.timeline.length - 1, 1};
-        const Flipbook book = renderFlipbook(effect, flipbook, [](int, int) {}).value();
+        const Flipbook book = renderFlipbook(effect, flipbook).value();
         QVERIFY2(book.edgeAlpha < 1.0F / 255.0F, qPrintable(QString::number(static_cast<double>(book.edgeAlpha))));
         const tests::PngFile sheet(book.picture.string());
         QCOMPARE(sheet.channels, 4);

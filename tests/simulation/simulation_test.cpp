@@ -401,17 +401,17 @@ private slots:
         Simulator simulator(sampled(effect));
         int told = 0;
         int all = 0;
-        const Progress progress([&](ProgressPhase work, int done, int total) {
+        const Task task([&](ProgressPhase work, int done, int total) {
             QCOMPARE(work, ProgressPhase::PreRoll);
             QVERIFY(done > told && done <= total);
             told = done;
             all = total;
         });
-        QVERIFY(simulator.frame(60, {}, progress).ok());
+        QVERIFY(simulator.frame(60, task).ok());
         QVERIFY(told > 128);
         QCOMPARE(told, all);
         told = 0;
-        QVERIFY(simulator.frame(61, {}, progress).ok());
+        QVERIFY(simulator.frame(61, task).ok());
         QCOMPARE(told, 0);
     }
 };

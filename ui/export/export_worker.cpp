@@ -30,7 +30,7 @@ void ExportWorker::start(std::shared_ptr<const ExportJob> job)
                 this, [this, part, done, total] { report(part, done, total); }, Qt::QueuedConnection);
         };
         Result<std::optional<Flipbook>> result = std::optional<Flipbook>();
-        runBehindOthers([&] { result = runJob(*job, progress, stop); });
+        runBehindOthers([&] { result = runJob(*job, {progress, stop}); });
         endSoon(result);
     };
     try {

@@ -27,7 +27,7 @@ void PreviewJob::start(const Effect& effect, const ExportPlan& plan)
                 }
             };
             const Result<std::shared_ptr<const SheetPreview>> preview =
-                previewFlipbook(effect, plan, kMaxEdge, kMaxPixels, progress, stop);
+                previewFlipbook(effect, plan, kMaxEdge, kMaxPixels, {progress, stop});
             if (preview) {
                 report([this, made = preview.value()] { emit ready(made); });
             } else if (preview.error().code != ErrorCode::Cancelled) {

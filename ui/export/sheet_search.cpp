@@ -21,7 +21,7 @@ void SheetSearch::start(const Effect& effect, const ExportPlan& plan, std::int64
                 }
             };
             Result<std::vector<SheetCandidate>> rated = std::vector<SheetCandidate>();
-            runBehindOthers([&] { rated = rateSheets(effect, plan, budget, progress, stop); });
+            runBehindOthers([&] { rated = rateSheets(effect, plan, budget, {progress, stop}); });
             if (rated) {
                 report([this, best = bestOf(rated.value())] { emit found(best); });
             } else if (rated.error().code != ErrorCode::Cancelled) {

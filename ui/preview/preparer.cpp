@@ -7,8 +7,8 @@ namespace fumage::ui {
 Preparer::Preparer(std::shared_ptr<AirCache> shelf, QObject* parent)
     : QObject(parent)
     , m_shelf(std::move(shelf))
-    , m_job([this](const Task& task, const std::stop_token& stop) { work(task, stop); },
-          [this](const Task& task, const Error&) { finish(task, nullptr); }) // what plays goes on without
+    , m_job([this](const Request& request, const std::stop_token& stop) { work(request, stop); },
+          [this](const Request& request, const Error&) { finish(request, nullptr); }) // what plays goes on without
 {
 }
 
@@ -43,29 +43,29 @@ void Preparer::report(Phase phase, double share)
         Qt::QueuedConnection);
 }
 
-void Preparer::work(const Task& task, const std::stop_token& stop)
+void Preparer::work(const Request& request, const std::stop_token& stop)
 {
-    if (task.effect) {
-        std::shared_ptr<Simulator> simulator = simulatorAtFrame(task, stop);
+    if (request.effect) {
+        std::shared_ptr<Simulator> simulator = simulatorAtFrame(request, stop);
         if (!stop.stop_requested()) {
-            finish(task, std::move(simulator));
+            finish(request, std::move(simulator));
         }
     }
 }
 
-std::shared_ptr<Simulator> Preparer::simulatorAtFrame(const Task& task, const std::stop_token& stop)
+std::shared_ptr<Simulator> Preparer::simulatorAtFrame(const Request& request, const std::stop_token& stop)
 {
-    Effect effect = *task.effect;
+    Effect effect = *request.effect;
     effect.output.quality = std::min(effect.output.quality, Quality::Good); // as pictures that are played have it
     const auto simulator = std::make_shared<Simulator>(sampled(effect), Simulator::kDefaultCheckpointBytes, m_shelf);
     constexpr int kBehind = 2; // frames that whoever plays takes no notice of
     while (true) {
         const int frame = m_frame.load();
-        const Progress progress([this](ProgressPhase work, int done, int total) {
+        const auto progress = [this](ProgressPhase work, int done, int total) {
             report(
                 work == ProgressPhase::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total));
-        });
-        if (!simulator->frame(frame, stop, progress)) {
+        };
+        if (!simulator->frame(frame, {progress, stop})) {
             return nullptr;
         }
         const int ahead = m_frame.load() - frame;
@@ -75,11 +75,11 @@ std::shared_ptr<Simulator> Preparer::simulatorAtFrame(const Task& task, const st
     }
 }
 
-void Preparer::finish(const Task& task, std::shared_ptr<Simulator> simulator)
+void Preparer::finish(const Request& request, std::shared_ptr<Simulator> simulator)
 {
     QMetaObject::invokeMethod(
         this,
-        [this, simulation = task.simulation, simulator = std::move(simulator)] {
+        [this, simulation = request.simulation, simulator = std::move(simulator)] {
             if (!m_busy || simulation != m_simulation) {
                 return; // something else is wanted by now
             }

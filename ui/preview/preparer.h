@@ -40,21 +40,21 @@ signals:
     void ended();
 
 private:
-    struct Task {
+    struct Request {
         std::shared_ptr<const Effect> effect; ///< null: none
         quint64 simulation = 0;
     };
-    void work(const Task& task, const std::stop_token& stop);
+    void work(const Request& request, const std::stop_token& stop);
     /// @return null: it was stopped, or cannot be done
-    [[nodiscard]] std::shared_ptr<Simulator> simulatorAtFrame(const Task& task, const std::stop_token& stop);
-    void finish(const Task& task, std::shared_ptr<Simulator> simulator);
+    [[nodiscard]] std::shared_ptr<Simulator> simulatorAtFrame(const Request& request, const std::stop_token& stop);
+    void finish(const Request& request, std::shared_ptr<Simulator> simulator);
     void report(Phase phase, double share);
 
     std::shared_ptr<AirCache> m_shelf;
     std::atomic<int> m_frame{0};
     bool m_busy = false;
     quint64 m_simulation = 0; ///< that is being prepared
-    LatestOnlyWorker<Task> m_job; ///< last: ends before what it uses
+    LatestOnlyWorker<Request> m_job; ///< last: ends before what it uses
 };
 
 } // namespace fumage::ui

@@ -244,12 +244,12 @@ void PreviewRenderer::addOverlays(
 std::shared_ptr<const Frame> PreviewRenderer::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
     Running& running = runningFor(plan);
-    const Progress progress([this](ProgressPhase work, int done, int total) {
+    const auto progress = [this](ProgressPhase work, int done, int total) {
         m_listener(
             work == ProgressPhase::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total));
-    });
+    };
     m_listener(Phase::Steps, kUnknownShare);
-    Result<std::shared_ptr<const Frame>> result = running.simulator.frame(frame, stop, progress);
+    Result<std::shared_ptr<const Frame>> result = running.simulator.frame(frame, {progress, stop});
     if (!result) {
         noteTrouble(result.error());
         return nullptr;

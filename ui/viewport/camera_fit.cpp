@@ -66,7 +66,8 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
                 request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
-    const Result<Camera> camera = fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, progress, stop);
+    const Result<Camera> camera =
+        fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, {progress, stop});
     report(request, [this, camera] { end(camera); });
 }
 

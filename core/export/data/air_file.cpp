@@ -72,8 +72,7 @@ std::string encodeAir(const AirField& air, AirFormat format)
     return format == AirFormat::Fga ? encodeFga(air) : encodeVf(air);
 }
 
-Result<AirGrid> writeAir(
-    const Effect& effect, const AirSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options, const Task& task)
 {
     if (!effect.air.enabled) {
         return Error{ErrorCode::OutOfRange, makeMessage("no air carries this smoke"), {},
@@ -87,23 +86,25 @@ Result<AirGrid> writeAir(
     const SimulationModel model(smoke, shelf.airOf(smoke));
     constexpr int kPercent = 100;
     const auto baking = [&](double share) {
-        progress(ProgressPhase::Air, static_cast<int>(kPercent * share), kPercent);
+        task.progress(ProgressPhase::Air, static_cast<int>(kPercent * share), kPercent);
     };
     const std::int64_t last = model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1));
     AirGrid grid;
-    const Status written = writeNumbered(
-        {options.output, options.frames, fileEnding(options.format), options.source, options.written}, progress,
-        [&](int number) -> Result<std::string> {
-            if (Status status = model.air()->bake(last, stop, baking); !status) { // the first time; what is baked stays
-                return status.error();
-            }
-            const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), stop);
-            if (!air) {
-                return air.error();
-            }
-            grid = air.value()->grid;
-            return encodeAir(*air.value(), options.format);
-        });
+    const auto bytesOf = [&](int number) -> Result<std::string> {
+        // The first time; what is baked stays.
+        if (Status status = model.air()->bake(last, task.stop, baking); !status) {
+            return status.error();
+        }
+        const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), task.stop);
+        if (!air) {
+            return air.error();
+        }
+        grid = air.value()->grid;
+        return encodeAir(*air.value(), options.format);
+    };
+    const NumberedFiles files{
+        options.output, options.frames, fileEnding(options.format), options.source, options.written};
+    const Status written = writeNumbered(files, bytesOf, task);
     return written ? Result<AirGrid>(grid) : written.error();
 }
 

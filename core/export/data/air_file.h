@@ -40,7 +40,6 @@ struct AirSequenceOptions {
 /// @return the box that the air is in
 /// @error  OutOfRange where no air carries the smoke; that of checkAir(); WouldOverwrite; that of the first frame that
 /// fails: files before it stay
-[[nodiscard]] Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

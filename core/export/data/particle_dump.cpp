@@ -153,10 +153,9 @@ std::string dumpPcache(const Frame& frame, const SampledEffect& effect)
 
 namespace {
 
-Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up,
-    const std::stop_token& stop, const Progress& progress)
+Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up, const Task& task)
 {
-    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, stop, progress);
+    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, task);
     if (!simulated) {
         return simulated.error();
     }
@@ -172,19 +171,19 @@ Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat fo
 
 } // namespace
 
-Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, const std::stop_token& stop,
-    UpAxis up, const Progress& progress)
+Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, UpAxis up, const Task& task)
 {
     Simulator simulator(sampled(effect));
-    return dumpFrame(simulator, frame, format, up, stop, progress);
+    return dumpFrame(simulator, frame, format, up, task);
 }
 
-Status dumpSequence(
-    const Effect& effect, const ParticleSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Task& task)
 {
     Simulator simulator(sampled(effect));
-    return writeNumbered({options.output, options.frames, fileEnding(options.format), options.source, options.written},
-        progress, [&](int number) { return dumpFrame(simulator, number, options.format, options.up, stop, progress); });
+    const auto bytesOf = [&](int number) { return dumpFrame(simulator, number, options.format, options.up, task); };
+    const NumberedFiles files{
+        options.output, options.frames, fileEnding(options.format), options.source, options.written};
+    return writeNumbered(files, bytesOf, task);
 }
 
 } // namespace fumage

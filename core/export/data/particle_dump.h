@@ -5,7 +5,6 @@
 #include "core/simulation/frame.h"
 
 #include <array>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -39,8 +38,8 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 
 /// Simulates up to a frame and returns its particles as the bytes of a file.
 /// @error those of Simulator::frame()
-[[nodiscard]] Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format,
-    const std::stop_token& stop = {}, UpAxis up = UpAxis::Y, const Progress& progress = {});
+[[nodiscard]] Result<std::string> dumpParticles(
+    const Effect& effect, int frame, ParticleFormat format, UpAxis up = UpAxis::Y, const Task& task = {});
 
 struct ParticleSequenceOptions {
     std::filesystem::path output; ///< ## becomes the frame number; see framePath()
@@ -53,7 +52,6 @@ struct ParticleSequenceOptions {
 
 /// Writes the particles of frames into numbered files, each whole or not at all.
 /// @error WouldOverwrite; that of the first frame that fails: files before it stay
-[[nodiscard]] Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

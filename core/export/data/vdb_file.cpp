@@ -230,8 +230,7 @@ std::string encodeVdb(const Volume& volume, UpAxis up)
     return out;
 }
 
-Result<float> writeVolumes(
-    const Effect& effect, const VolumeSequenceOptions& options, const Progress& progress, const std::stop_token& stop)
+Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, const Task& task)
 {
     if (options.longest < kMinVolumeCells || options.longest > kMaxVolumeCells) {
         return Error{ErrorCode::OutOfRange, makeMessage("a volume of %1 cells", options.longest), {},
@@ -242,25 +241,26 @@ Result<float> writeVolumes(
             makeMessage("Use %1 to %2 m", formatFloat(kMinVoxel), formatFloat(kMaxVoxel))};
     }
     const SampledEffect smoke = sampled(effect);
-    const Result<GreyCounts> greys = greysShown(smoke, stop);
+    const Result<GreyCounts> greys = greysShown(smoke, task.stop);
     if (!greys) {
         return greys.error();
     }
     Simulator simulator(smoke);
     const Result<float> voxel =
-        options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, smoke, options.longest, progress, stop);
+        options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, smoke, options.longest, task);
     if (!voxel) {
         return voxel;
     }
     const NumberedFiles files{options.output, options.frames, kVdbEnding, options.source, options.written};
-    const Status written = writeNumbered(files, progress, [&](int number) -> Result<std::string> {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
+    const auto bytesOf = [&](int number) -> Result<std::string> {
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, task);
         if (!frame) {
             return frame.error();
         }
         const Result<Volume> volume = volumeOf(*frame.value(), smoke, voxel.value(), greys.value());
         return volume ? Result<std::string>(encodeVdb(volume.value(), options.up)) : volume.error();
-    });
+    };
+    const Status written = writeNumbered(files, bytesOf, task);
     return written ? voxel : written.error();
 }
 

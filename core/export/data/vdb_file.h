@@ -36,11 +36,10 @@ struct VolumeSequenceOptions {
 
 /// Writes the smoke of frames into numbered files, each whole or not at all. All have the same grids and one lattice,
 /// which depends on the effect and the voxel alone: parts of a range that are written apart fit together.
-/// @param progress hears of ProgressPhase::Fitting while the voxel is looked for, then of ProgressPhase::Frames after
-/// each
+/// @param task hears of ProgressPhase::Fitting while the voxel is looked for, then of ProgressPhase::Frames after each
 /// @return the edge of a voxel, m
 /// @error OutOfRange; TooLarge; WouldOverwrite; that of the first frame that fails: files before it stay
-[[nodiscard]] Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& options,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<float> writeVolumes(
+    const Effect& effect, const VolumeSequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

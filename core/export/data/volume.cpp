@@ -194,20 +194,19 @@ double roundedUp(double number)
 
 } // namespace
 
-Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int longest, const Progress& progress,
-    const std::stop_token& stop)
+Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int longest, const Task& task)
 {
     Bounds bounds;
     Appearance appearance;
     const int frames = effect->timeline.length;
     for (int number = 0; number < frames; ++number) {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, task);
         if (!frame) {
             return frame.error();
         }
         findAppearance(*frame.value(), effect, Axes{}, appearance);
         bounds.add(appearance);
-        progress(ProgressPhase::Fitting, number + 1, frames);
+        task.progress(ProgressPhase::Fitting, number + 1, frames);
     }
     const float edge = bounds.longestEdge();
     const int inside = longest - 2 * kMargin - 1; // smoke that is n cells long lies in as many as n + 1

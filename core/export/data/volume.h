@@ -1,12 +1,11 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 #include "core/base/result.h"
 #include "core/lighting/appearance.h"
 #include "core/simulation/simulator.h"
 
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
 namespace fumage {
@@ -59,11 +58,11 @@ inline constexpr std::int64_t kMaxVolumeSize = std::int64_t{kMaxVolumeCells} * k
 /// together. Of a timeline without smoke it is kVoxelWithoutSmoke.
 /// @param simulator of the effect
 /// @param longest   kMinVolumeCells to kMaxVolumeCells
-/// @param progress  hears of ProgressPhase::Fitting after each frame
+/// @param task      hears of ProgressPhase::Fitting after each frame
 /// @error those of Simulator
 /// O(frames of the timeline): each is simulated.
-[[nodiscard]] Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int longest,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<float> voxelFor(
+    Simulator& simulator, const SampledEffect& effect, int longest, const Task& task = {});
 inline constexpr float kVoxelWithoutSmoke = 0.1F; // m
 
 } // namespace fumage

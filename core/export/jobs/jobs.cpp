@@ -31,7 +31,7 @@ std::vector<std::string> placesOf(const ExportPlan& plan)
 
 } // namespace
 
-Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& progress, const std::stop_token& stop)
+Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task)
 {
     if (job.refusal) {
         return *job.refusal;
@@ -40,7 +40,7 @@ Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Progress& pro
     if (plan.project) {
         plan.project = job.preset;
     }
-    return runExport(job.preset.effect, plan, progress, stop);
+    return runExport(job.preset.effect, plan, task);
 }
 
 Status JobFiles::check(const ExportJob& job) const

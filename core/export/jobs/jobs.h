@@ -26,11 +26,10 @@ inline constexpr std::size_t kMaxJobs = 256;
 inline constexpr std::size_t kMaxJobFiles = std::size_t{1} << 20U;
 
 /// Does a job. On the calling thread.
-/// @param progress as runExport()
+/// @param task as runExport()
 /// @return the flipbook, where that is what was made
 /// @error its refusal; those of runExport()
-[[nodiscard]] Result<std::optional<Flipbook>> runJob(
-    const ExportJob& job, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task = {});
 
 /// The files that jobs write, manifests among them, to find those that one would write over another's. Folders are the
 /// same by whatever way they are named.

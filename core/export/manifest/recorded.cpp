@@ -164,8 +164,7 @@ Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions
     return there;
 }
 
-Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording,
-    const Progress& progress, const std::stop_token& stop)
+Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Task& task)
 {
     std::optional<ManifestRecorder> recorder;
     if (!recording.manifest.empty() && !isUtf8(withinFolderOf(recording.manifest, options.output).string())) {
@@ -181,13 +180,13 @@ Status renderRecorded(const Effect& effect, SequenceOptions options, const Recor
         const auto keep = [&](int frame, const Content& content) {
             return recorder ? recorder->add(framePath(options, frame), frame, content) : Status(Done{});
         };
-        Result<std::vector<int>> there = framesThere(effect, options, keep, stop);
+        Result<std::vector<int>> there = framesThere(effect, options, keep, task.stop);
         if (!there) {
             return there.error();
         }
         options.leftOut = std::move(there).value();
     }
-    const Status rendered = renderSequence(effect, options, progress, stop);
+    const Status rendered = renderSequence(effect, options, task);
     const Status recorded = recorder ? recorder->write() : Status(Done{});
     return rendered ? recorded : rendered;
 }

@@ -38,8 +38,8 @@ inline constexpr std::string_view kFlipbookKind = "flipbook";
 
 /// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where
 /// the work ends early, of what was done until then.
-[[nodiscard]] Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status renderRecorded(
+    const Effect& effect, SequenceOptions options, const Recording& recording, const Task& task = {});
 
 /// Writes numbered files that are no pictures, with a manifest of them. It is written too where the work ends early.
 /// @param manifest empty: none

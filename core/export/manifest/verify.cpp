@@ -114,8 +114,8 @@ std::map<std::string, Manifest> jobsOf(const ManifestSet& set)
 }
 
 /// Renders the flipbook of a job, where it shows a frame that is wanted.
-Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked,
-    const Progress& progress, const std::stop_token& stop)
+Status renderFlipbookJob(
+    const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Task& task)
 {
     const Result<FlipbookOptions> options = flipbookOf(job.job);
     if (!options) {
@@ -125,7 +125,7 @@ Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vec
     if (std::ranges::none_of(shown, [&](int frame) { return wanted.has(frame); })) {
         return Done{};
     }
-    const Result<std::vector<FlipbookFile>> made = encodeFlipbook(job.job.effect, options.value(), progress, stop);
+    const Result<std::vector<FlipbookFile>> made = encodeFlipbook(job.job.effect, options.value(), task);
     if (!made) {
         return made.error();
     }
@@ -146,8 +146,7 @@ Status renderFlipbookJob(const Manifest& job, const FrameRange& wanted, std::vec
 }
 
 /// Renders the frames of a job that are wanted.
-Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked,
-    const Progress& progress, const std::stop_token& stop)
+Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<CheckedFile>& checked, const Task& task)
 {
     Result<SequenceOptions> options = sequenceOf(job.job);
     if (!options) {
@@ -180,7 +179,7 @@ Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<C
         made[frame] = std::move(content).value();
         return Done{};
     };
-    if (Status status = encodeFrames(job.job.effect, options.value(), keep, progress, stop); !status) {
+    if (Status status = encodeFrames(job.job.effect, options.value(), keep, task); !status) {
         return status;
     }
     for (const auto& [frame, entry] : entries) {
@@ -235,18 +234,18 @@ Result<ManifestSet> openManifests(const std::filesystem::path& folderOrManifest)
     return ManifestSet{folderOrManifest, true, std::move(found).value(), std::move(broken)};
 }
 
-Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::optional<FrameRange>& frames,
-    const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> checkFiles(
+    const ManifestSet& set, const std::optional<FrameRange>& frames, const Task& task)
 {
     const std::map<std::string, Expectation> expected = expectationsOf(set);
     std::vector<CheckedFile> checked;
     const int total = static_cast<int>(expected.size());
     for (const auto& [file, expectation] : expected) {
-        if (stop.stop_requested()) {
+        if (task.stopped()) {
             return Error{ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
         }
         checked.push_back(checkFile(file, set.folder / pathFrom(file), expectation));
-        progress(ProgressPhase::Frames, static_cast<int>(checked.size()), total);
+        task.progress(ProgressPhase::Frames, static_cast<int>(checked.size()), total);
     }
     std::vector<CheckedFile> others = set.whole ? extrasOf(set, expected) : std::vector<CheckedFile>();
     checked.insert(checked.end(), others.begin(), others.end());
@@ -255,16 +254,15 @@ Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set, const std::o
     return checked;
 }
 
-Result<std::vector<CheckedFile>> renderAgain(
-    const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<CheckedFile>> renderAgain(const ManifestSet& set, const FrameRange& frames, const Task& task)
 {
     std::vector<CheckedFile> checked;
     for (const auto& [hash, job] : jobsOf(set)) {
         Status status = Done{};
         if (job.job.kind == kFramesKind) {
-            status = renderFrames(job, frames, checked, progress, stop);
+            status = renderFrames(job, frames, checked, task);
         } else if (job.job.kind == kFlipbookKind) {
-            status = renderFlipbookJob(job, frames, checked, progress, stop);
+            status = renderFlipbookJob(job, frames, checked, task);
         }
         if (!status) {
             return status.error();

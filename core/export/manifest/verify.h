@@ -1,12 +1,11 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 #include "core/export/manifest/manifest_parts.h"
 
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -53,8 +52,8 @@ struct ManifestSet {
 /// @param frames that must be there; none: those that the manifests name
 /// @return       all files, by name; frames that no manifest names come last
 /// @error        Cancelled, OutOfMemory
-[[nodiscard]] Result<std::vector<CheckedFile>> checkFiles(const ManifestSet& set,
-    const std::optional<FrameRange>& frames, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<CheckedFile>> checkFiles(
+    const ManifestSet& set, const std::optional<FrameRange>& frames, const Task& task = {});
 
 /// Renders frames again, and holds what this machine makes of them against the manifests; flipbooks that show one of
 /// them as a whole. Files are not looked at.
@@ -62,6 +61,6 @@ struct ManifestSet {
 /// @error  OutOfRange where none does; WrongType where a manifest does not say how; those of encodeFrames() and
 /// encodeFlipbook()
 [[nodiscard]] Result<std::vector<CheckedFile>> renderAgain(
-    const ManifestSet& set, const FrameRange& frames, const Progress& progress, const std::stop_token& stop = {});
+    const ManifestSet& set, const FrameRange& frames, const Task& task = {});
 
 } // namespace fumage

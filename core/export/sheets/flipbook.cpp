@@ -137,8 +137,8 @@ private:
 };
 
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
-Status renderCells(const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook,
-    const Progress& progress, const std::stop_token& stop)
+Status renderCells(
+    const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Task& task)
 {
     const SampledEffect smoke = sampled(effect);
     BorderWatch borders(smoke);
@@ -148,7 +148,7 @@ Status renderCells(const Effect& effect, const FlipbookOptions& options, PassShe
         borders.look(cell.of(PassTarget::Colour), frame, appearance);
     };
     if (Status status =
-            renderSheet(effect, cellFramesOf(effect, options), options.columns, rendered, sheet, look, progress, stop);
+            renderSheet(effect, cellFramesOf(effect, options), options.columns, rendered, sheet, look, task);
         !status) {
         return status;
     }
@@ -288,30 +288,28 @@ Result<Flipbook> writeFlipbook(
 
 } // namespace
 
-Result<Flipbook> renderFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
+Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Task& task)
 {
     const auto fill = [&](PassSheet& sheet, Flipbook& flipbook) {
-        return renderCells(effect, options, sheet, flipbook, progress, stop);
+        return renderCells(effect, options, sheet, flipbook, task);
     };
-    return writeFlipbook(effect, options, fill, stop);
+    return writeFlipbook(effect, options, fill, task.stop);
 }
 
-Result<std::vector<FlipbookFile>> encodeFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<FlipbookFile>> encodeFlipbook(const Effect& effect, const FlipbookOptions& options, const Task& task)
 {
     if (Status status = check(effect, options); !status) {
         return status.error();
     }
     const auto fill = [&](PassSheet& sheet, Flipbook& flipbook) {
-        return renderCells(effect, options, sheet, flipbook, progress, stop);
+        return renderCells(effect, options, sheet, flipbook, task);
     };
-    Result<MadeFlipbook> made = makeFlipbook(effect, options, filesOf(options), fill, stop);
+    Result<MadeFlipbook> made = makeFlipbook(effect, options, filesOf(options), fill, task.stop);
     return made ? Result<std::vector<FlipbookFile>>(std::move(made.value().files)) : made.error();
 }
 
-Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& options, const FrameSource& frames,
-    const Progress& progress, const std::stop_token& stop)
+Result<Flipbook> joinFlipbook(
+    const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Task& task)
 {
     if (renderedPasses(options) != PassSet{Pass::Colour}) {
         return Error{ErrorCode::OutOfRange, makeMessage("only the colour can be joined of frames"), {},
@@ -319,9 +317,9 @@ Result<Flipbook> joinFlipbook(const Effect& effect, const FlipbookOptions& optio
     }
     const auto fill = [&](PassSheet& sheet, Flipbook&) {
         return joinSheet(cellFramesOf(effect, options), options.columns, frames,
-            {effect.output.width, effect.output.height}, sheet, progress, stop);
+            {effect.output.width, effect.output.height}, sheet, task);
     };
-    return writeFlipbook(effect, options, fill, stop);
+    return writeFlipbook(effect, options, fill, task.stop);
 }
 
 } // namespace fumage

@@ -30,8 +30,7 @@ void makeRoom(const SheetGrid& grid, Image& sheet)
 } // namespace
 
 Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet,
-    const CellWatch& watch, const Progress& progress, const std::stop_token& stop,
-    const std::shared_ptr<AirCache>& shelf)
+    const CellWatch& watch, const Task& task, const std::shared_ptr<AirCache>& shelf)
 {
     const SampledEffect smoke = sampled(effect);
     const int cells = static_cast<int>(frames.numbers.size());
@@ -45,12 +44,12 @@ Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, 
     PassRenderer renderer;
     PassImages cell;
     for (int number = 0; number < cells; ++number) {
-        const Result<FrameAmongOthers> frame = neighbours.at(static_cast<std::size_t>(number), stop, progress);
+        const Result<FrameAmongOthers> frame = neighbours.at(static_cast<std::size_t>(number), task);
         if (!frame) {
             return frame.error();
         }
-        if (Status status =
-                renderer.render(frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, passes, cell, stop);
+        if (Status status = renderer.render(
+                frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, passes, cell, task.stop);
             !status) {
             return status;
         }
@@ -60,13 +59,13 @@ Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, 
         for (std::size_t i = 0; i < kPassTargets; ++i) {
             place(cell.targets[i], sheet.targets.targets[i], sheet.grid.cell(number));
         }
-        progress(ProgressPhase::Frames, number + 1, cells);
+        task.progress(ProgressPhase::Frames, number + 1, cells);
     }
     return Done{};
 }
 
 Status joinSheet(const CellFrames& frames, int columns, const FrameSource& source, const glm::ivec2& size,
-    PassSheet& sheet, const Progress& progress, const std::stop_token& stop)
+    PassSheet& sheet, const Task& task)
 {
     const int cells = static_cast<int>(frames.numbers.size());
     sheet.grid = {columns, cells, size.x, size.y, frames.turn.has_value()};
@@ -74,14 +73,14 @@ Status joinSheet(const CellFrames& frames, int columns, const FrameSource& sourc
     makeRoom(sheet.grid, whole);
     Image cell;
     for (int number = 0; number < cells; ++number) {
-        if (stop.stop_requested()) {
+        if (task.stopped()) {
             return Error{ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
         }
         if (Status status = source(frames.numbers[static_cast<std::size_t>(number)], cell); !status) {
             return status;
         }
         place(cell, whole, sheet.grid.cell(number));
-        progress(ProgressPhase::Frames, number + 1, cells);
+        task.progress(ProgressPhase::Frames, number + 1, cells);
     }
     return Done{};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/progress.h"
+#include "core/base/task.h"
 #include "core/export/frame_neighbours.h"
 #include "core/export/frame_source.h"
 #include "core/export/pass_picture.h"
@@ -8,7 +8,6 @@
 #include "core/simulation/air_cache.h"
 
 #include <functional>
-#include <stop_token>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -27,13 +26,12 @@ using CellWatch = std::function<void(const PassImages& cell, const Frame& frame,
 /// @param shelf   with air that several sheets of one effect share; null: the sheet bakes its own
 /// @error those of Simulator and PassRenderer
 [[nodiscard]] Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes,
-    PassSheet& sheet, const CellWatch& watch, const Progress& progress, const std::stop_token& stop = {},
-    const std::shared_ptr<AirCache>& shelf = nullptr);
+    PassSheet& sheet, const CellWatch& watch, const Task& task = {}, const std::shared_ptr<AirCache>& shelf = nullptr);
 
 /// Fills the colour of a sheet with frames that are there already.
 /// @param size of a cell, pixels
 /// @error those of the frames; Cancelled
 [[nodiscard]] Status joinSheet(const CellFrames& frames, int columns, const FrameSource& source, const glm::ivec2& size,
-    PassSheet& sheet, const Progress& progress, const std::stop_token& stop = {});
+    PassSheet& sheet, const Task& task = {});
 
 } // namespace fumage

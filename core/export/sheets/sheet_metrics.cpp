@@ -197,8 +197,7 @@ void scorePixels(const PassSheet& sheet, const Output& output, SheetScore& score
 
 } // namespace
 
-Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Progress& progress,
-    const std::stop_token& stop)
+Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Task& task)
 {
     const CellFrames frames = cellFramesOf(effect, options);
     Effect seen = effect;
@@ -206,17 +205,17 @@ Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& optio
     PassSheet sheet;
     const auto shelf = std::make_shared<AirCache>(); // one bake of the air for the sheet and for the truth
     if (Status status = renderSheet(seen, frames, options.columns,
-            {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, progress, stop, shelf);
+            {Pass::Colour, Pass::SixWayA, Pass::SixWayB, Pass::Motion}, sheet, {}, task, shelf);
         !status) {
         return status.error();
     }
     Simulator simulator(sampled(seen), Simulator::kDefaultCheckpointBytes, shelf);
     SheetScore score;
     scorePixels(sheet, seen.output, score);
-    if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, simulator, score, stop); !status) {
+    if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, simulator, score, task.stop); !status) {
         return status.error();
     }
-    if (Status status = scoreMotion(seen, options, sheet, frames, simulator, score, stop); !status) {
+    if (Status status = scoreMotion(seen, options, sheet, frames, simulator, score, task.stop); !status) {
         return status.error();
     }
     return score;

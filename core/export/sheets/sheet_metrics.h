@@ -38,7 +38,7 @@ struct SheetScore {
 /// @param lit     cells that six-way light is measured in, spread evenly; 1 or more
 /// @error those of renderFlipbook(); OutOfRange where no frame lies between two cells
 /// O(cells + 20 lit). For tests and for those who choose a grid.
-[[nodiscard]] Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<SheetScore> scoreSheet(
+    const Effect& effect, const FlipbookOptions& options, int lit, const Task& task = {});
 
 } // namespace fumage

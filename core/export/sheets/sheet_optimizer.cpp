@@ -54,8 +54,8 @@ struct Moment {
     Image truth;
 };
 
-Result<std::vector<Moment>> momentsOf(const Effect& effect, const FlipbookOptions& options,
-    const std::shared_ptr<AirCache>& shelf, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<Moment>> momentsOf(
+    const Effect& effect, const FlipbookOptions& options, const std::shared_ptr<AirCache>& shelf, const Task& task)
 {
     FlipbookOptions halves = options;
     halves.columns = 2 * kMoments;
@@ -66,7 +66,7 @@ Result<std::vector<Moment>> momentsOf(const Effect& effect, const FlipbookOption
     std::vector<Moment> moments(kMoments);
     for (int i = 0; i < kMoments; ++i) {
         const int number = frameOfCell(halves, 2 * i + 1);
-        const auto frame = simulator.frame(number, stop, progress);
+        const auto frame = simulator.frame(number, task);
         if (!frame) {
             return frame.error();
         }
@@ -74,8 +74,8 @@ Result<std::vector<Moment>> momentsOf(const Effect& effect, const FlipbookOption
         const int place = (number - options.frames.first) / options.frames.step; // in the range
         const double ofFrame = static_cast<double>(place) / options.frames.count();
         moment.share = options.retime ? (2.0 * i + 1.0) / (2.0 * kMoments) : ofFrame;
-        if (Status status =
-                renderer.render(*frame.value(), smoke, effect.output.width, effect.output.height, moment.truth, stop);
+        if (Status status = renderer.render(
+                *frame.value(), smoke, effect.output.width, effect.output.height, moment.truth, task.stop);
             !status) {
             return status.error();
         }
@@ -108,8 +108,7 @@ Difference differenceOf(const Image& small, const Image& truth)
 }
 
 Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCandidate& candidate,
-    const std::vector<Moment>& moments, const std::shared_ptr<AirCache>& shelf, const Progress& progress,
-    const std::stop_token& stop)
+    const std::vector<Moment>& moments, const std::shared_ptr<AirCache>& shelf, const Task& task)
 {
     Effect small = seen;
     small.output.width = candidate.width;
@@ -119,7 +118,7 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
     const bool hasMotion = options.passes.has(Pass::Motion);
     PassSheet sheet;
     if (Status status = renderSheet(small, cellFramesOf(small, options), options.columns,
-            hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, progress, stop, shelf);
+            hasMotion ? PassSet{Pass::Colour, Pass::Motion} : PassSet{Pass::Colour}, sheet, {}, task, shelf);
         !status) {
         return status.error();
     }
@@ -139,11 +138,11 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
     return all.decibels();
 }
 
-Result<std::vector<SheetCandidate>> rateAll(const Effect& seen, const FlipbookOptions& options,
-    std::vector<SheetCandidate> candidates, const Progress& progress, const std::stop_token& stop)
+Result<std::vector<SheetCandidate>> rateAll(
+    const Effect& seen, const FlipbookOptions& options, std::vector<SheetCandidate> candidates, const Task& task)
 {
     const auto shelf = std::make_shared<AirCache>(); // the air knows nothing of the size of cells: one bake serves all
-    const Result<std::vector<Moment>> moments = momentsOf(seen, options, shelf, progress, stop);
+    const Result<std::vector<Moment>> moments = momentsOf(seen, options, shelf, task);
     if (!moments) {
         return moments.error();
     }
@@ -152,9 +151,9 @@ Result<std::vector<SheetCandidate>> rateAll(const Effect& seen, const FlipbookOp
     int before = 0;
     for (SheetCandidate& candidate : candidates) {
         const auto told = [&](ProgressPhase work, int done, int of) {
-            work == ProgressPhase::Frames ? progress(work, before + done, total) : progress(work, done, of);
+            work == ProgressPhase::Frames ? task.progress(work, before + done, total) : task.progress(work, done, of);
         };
-        const Result<double> decibels = rate(seen, options, candidate, moments.value(), shelf, told, stop);
+        const Result<double> decibels = rate(seen, options, candidate, moments.value(), shelf, {told, task.stop});
         if (!decibels) {
             return decibels.error();
         }
@@ -199,18 +198,18 @@ std::vector<SheetCandidate> sheetsWithin(std::int64_t budget, const Output& larg
     return candidates;
 }
 
-Result<std::vector<SheetCandidate>> rateSheets(const Effect& effect, const ExportPlan& plan, std::int64_t budget,
-    const Progress& progress, const std::stop_token& stop)
+Result<std::vector<SheetCandidate>> rateSheets(
+    const Effect& effect, const ExportPlan& plan, std::int64_t budget, const Task& task)
 {
     return withinMemory([&]() -> Result<std::vector<SheetCandidate>> {
         ExportPlan anyGrid = plan;
         anyGrid.flipbook.powerOfTwo = false;
-        Result<Effect> seen = effectSeenBy(effect, anyGrid, progress, stop);
+        Result<Effect> seen = effectSeenBy(effect, anyGrid, task);
         if (!seen) {
             return seen.error();
         }
         seen.value().output.background = Background::Transparent;
-        const Result<FlipbookOptions> options = flipbookSeenBy(seen.value(), plan, progress, stop);
+        const Result<FlipbookOptions> options = flipbookSeenBy(seen.value(), plan, task);
         if (!options) {
             return options.error();
         }
@@ -222,7 +221,7 @@ Result<std::vector<SheetCandidate>> rateSheets(const Effect& effect, const Expor
                 makeMessage("no sheet fits into %1 bytes, or the frames fill none", budget), {},
                 makeMessage("Allow more memory, fewer passes or more frames")};
         }
-        return rateAll(seen.value(), options.value(), candidates, progress, stop);
+        return rateAll(seen.value(), options.value(), candidates, task);
     });
 }
 

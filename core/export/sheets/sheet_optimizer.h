@@ -30,8 +30,8 @@ struct SheetCandidate {
 /// @return sheetsWithin(), with decibels
 /// @error OutOfRange where the budget is too small for any; those of effectSeenBy() and flipbookSeenBy(), Cancelled
 /// O(cells of all candidates).
-[[nodiscard]] Result<std::vector<SheetCandidate>> rateSheets(const Effect& effect, const ExportPlan& plan,
-    std::int64_t budget, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::vector<SheetCandidate>> rateSheets(
+    const Effect& effect, const ExportPlan& plan, std::int64_t budget, const Task& task = {});
 
 /// The best of them; of equals the one that needs less memory.
 /// @param candidates not empty

@@ -67,18 +67,18 @@ void storeColours(const Effect& effect, ImageFormat format, SheetPreview& previe
 
 } // namespace
 
-Result<std::shared_ptr<const SheetPreview>> previewFlipbook(const Effect& effect, const ExportPlan& plan, int mostEdge,
-    std::int64_t mostPixels, const Progress& progress, const std::stop_token& stop)
+Result<std::shared_ptr<const SheetPreview>> previewFlipbook(
+    const Effect& effect, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task)
 {
     return withinMemory([&]() -> Result<std::shared_ptr<const SheetPreview>> {
-        Result<Effect> seen = effectSeenBy(effect, plan, progress, stop);
+        Result<Effect> seen = effectSeenBy(effect, plan, task);
         if (!seen) {
             return seen.error();
         }
         const FlipbookOptions asked = flipbookOf(plan);
         auto preview = std::make_shared<SheetPreview>();
         preview->isWhole = shrink(seen.value().output, asked.columns * asked.rows, mostEdge, mostPixels);
-        const Result<FlipbookOptions> made = flipbookSeenBy(seen.value(), plan, progress, stop);
+        const Result<FlipbookOptions> made = flipbookSeenBy(seen.value(), plan, task);
         if (!made) {
             return made.error();
         }
@@ -90,8 +90,8 @@ Result<std::shared_ptr<const SheetPreview>> previewFlipbook(const Effect& effect
         if (motion) {
             passes.add(Pass::Motion);
         }
-        if (Status status = renderSheet(seen.value(), cellFramesOf(seen.value(), options), options.columns, passes,
-                preview->sheet, {}, progress, stop);
+        if (Status status = renderSheet(
+                seen.value(), cellFramesOf(seen.value(), options), options.columns, passes, preview->sheet, {}, task);
             !status) {
             return status.error();
         }

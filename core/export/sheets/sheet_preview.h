@@ -21,7 +21,7 @@ struct SheetPreview {
 /// @param mostPixels of all of them together
 /// @error those of runExport()
 /// O(cells).
-[[nodiscard]] Result<std::shared_ptr<const SheetPreview>> previewFlipbook(const Effect& effect, const ExportPlan& plan,
-    int mostEdge, std::int64_t mostPixels, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Result<std::shared_ptr<const SheetPreview>> previewFlipbook(
+    const Effect& effect, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task = {});
 
 } // namespace fumage

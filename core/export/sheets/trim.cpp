@@ -13,28 +13,27 @@ namespace {
 /// Looks for smoke in frames.
 class SmokeWatch {
 public:
-    SmokeWatch(const Effect& effect, int total, const Progress& progress, const std::stop_token& stop)
+    SmokeWatch(const Effect& effect, int total, const Task& task)
         : m_smoke(sampled(effect))
         , m_simulator(m_smoke)
         , m_total(total)
-        , m_progress(progress)
-        , m_stop(stop)
+        , m_task(task)
     {
     }
 
     [[nodiscard]] Result<bool> isEmpty(int number)
     {
-        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, m_stop, m_progress);
+        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, m_task);
         if (!frame) {
             return frame.error();
         }
         const Output& cell = m_smoke->output;
         if (Status status = m_renderer.render(
-                {.now = frame.value().get()}, m_smoke, cell.width, cell.height, {Pass::Alpha}, m_images, m_stop);
+                {.now = frame.value().get()}, m_smoke, cell.width, cell.height, {Pass::Alpha}, m_images, m_task.stop);
             !status) {
             return status.error();
         }
-        m_progress(ProgressPhase::Fitting, ++m_done, m_total);
+        m_task.progress(ProgressPhase::Fitting, ++m_done, m_total);
         return !showsSmoke(m_images.of(PassTarget::Colour));
     }
 
@@ -59,21 +58,19 @@ private:
     PassImages m_images;
     int m_done = 0;
     int m_total;
-    const Progress& m_progress;
-    const std::stop_token& m_stop;
+    const Task& m_task;
 };
 
 } // namespace
 
-Result<FrameRange> trimmed(
-    const Effect& effect, const FrameRange& frames, const Progress& progress, const std::stop_token& stop)
+Result<FrameRange> trimmed(const Effect& effect, const FrameRange& frames, const Task& task)
 {
     if (effect.timeline.loop) {
         return Error{ErrorCode::OutOfRange,
             makeMessage("a loop is not trimmed: without its empty frames it would no longer close"), {},
             makeMessage("Switch the loop off, or the trimming")};
     }
-    SmokeWatch watch(effect, frames.count(), progress, stop);
+    SmokeWatch watch(effect, frames.count(), task);
     const auto firstWithSmoke = [&](int from, int past, int step) -> Result<int> {
         for (int i = from; i != past; i += step) {
             const Result<bool> empty = watch.isEmpty(frames.at(i));

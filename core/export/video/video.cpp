@@ -155,7 +155,7 @@ Status refuseEmpty(const std::filesystem::path& video)
 /// Frames as ffmpeg takes them.
 template <class Channel>
 Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha, const FrameSource& frames,
-    ChildProcess& program, const Progress& progress, const std::stop_token& stop)
+    ChildProcess& program, const Task& task)
 {
     Image image;
     EncodedImage<Channel> encoded;
@@ -171,10 +171,10 @@ Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha,
         }
         encode(image, output, encoded, coverOf(smoke->glow));
         widen(encoded, sizeOf(smoke->output, options.format));
-        if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), stop); !status) {
+        if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), task.stop); !status) {
             return status;
         }
-        progress(ProgressPhase::Frames, i + 1, total);
+        task.progress(ProgressPhase::Frames, i + 1, total);
     }
     return Done{};
 }
@@ -226,22 +226,21 @@ std::array<int, 2> sizeOf(const Output& output, VideoFormat format)
     return {edge(output.width), edge(output.height)};
 }
 
-Status renderVideo(
-    const Effect& effect, const VideoOptions& options, const Progress& progress, const std::stop_token& stop)
+Status renderVideo(const Effect& effect, const VideoOptions& options, const Task& task)
 {
     const SampledEffect smoke = sampled(effect);
     Simulator simulator(smoke);
     Renderer renderer;
     const auto render = [&](int number, Image& image) -> Status {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, stop, progress);
-        return frame ? renderer.render(*frame.value(), smoke, smoke->output.width, smoke->output.height, image, stop)
-                     : Status(frame.error());
+        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, task);
+        return frame
+            ? renderer.render(*frame.value(), smoke, smoke->output.width, smoke->output.height, image, task.stop)
+            : Status(frame.error());
     };
-    return joinVideo(effect, options, render, progress, stop);
+    return joinVideo(effect, options, render, task);
 }
 
-Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Progress& progress,
-    const std::stop_token& stop)
+Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Task& task)
 {
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
@@ -256,13 +255,12 @@ Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameS
     if (!program) {
         return program.error();
     }
-    Status fed = recipe.wide
-        ? feed<std::uint16_t>(smoke, options, recipe.alpha, frames, program.value(), progress, stop)
-        : feed<std::uint8_t>(smoke, options, recipe.alpha, frames, program.value(), progress, stop);
+    Status fed = recipe.wide ? feed<std::uint16_t>(smoke, options, recipe.alpha, frames, program.value(), task)
+                             : feed<std::uint8_t>(smoke, options, recipe.alpha, frames, program.value(), task);
     if (!fed) {
         return fed;
     }
-    if (Status status = program.value().finish(stop); !status) {
+    if (Status status = program.value().finish(task.stop); !status) {
         return status;
     }
     if (Status status = refuseEmpty(draft.value().path()); !status) {

@@ -58,14 +58,13 @@ struct VideoOptions {
 /// FUMAGE_FFMPEG names another. Colours are those of PNG: sRGB after exposure and view transform. Where the format has
 /// even edges alone, the last column and row are there twice. The file is written whole or not at all. One frame is
 /// encoded while the next is made.
-/// @param progress as renderSequence()
+/// @param task as renderSequence()
 /// @error FileNotFound without ffmpeg, WriteFailed with what it said, Cancelled, those of writeFileAtomically()
-[[nodiscard]] Status renderVideo(
-    const Effect& effect, const VideoOptions& options, const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status renderVideo(const Effect& effect, const VideoOptions& options, const Task& task = {});
 
 /// The same of frames that are there already.
 /// @error those of renderVideo() and of the frames
-[[nodiscard]] Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameSource& frames,
-    const Progress& progress, const std::stop_token& stop = {});
+[[nodiscard]] Status joinVideo(
+    const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Task& task = {});
 
 } // namespace fumage
