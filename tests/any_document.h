@@ -129,7 +129,7 @@ public:
     Breeder()
     {
         for (const LibraryEntry& entry : builtinPresets()) {
-            m_parents.push_back(loadPreset(entry).value().preset.effect);
+            m_parents.push_back(loadPreset(entry).value().preset.scene.effect());
         }
         m_parents.push_back(pointInStillAir());
     }

@@ -28,6 +28,19 @@ inline int livingCount(const Frame& frame)
     return alive;
 }
 
+/// A frame as a scene of one layer has it.
+struct LayerOf {
+    SampledEffect effect;
+    LayerFrame layer;
+
+    LayerOf(const Frame& frame, const Effect& of)
+        : effect(sampled(of))
+        , layer{&frame, &effect}
+    {
+    }
+    [[nodiscard]] LayerFrames span() const { return {&layer, 1}; }
+};
+
 inline Image render(const Effect& effect, int number)
 {
     Renderer renderer;

@@ -62,11 +62,11 @@ Status writeOne(const AirOptions& options, const NamedPreset& named)
         sequence.value().written = written;
         ProgressBar bar("Writing");
         const Result<AirGrid> box =
-            withinMemory([&] { return writeAir(named.preset.effect, sequence.value(), bar.task()); });
+            withinMemory([&] { return writeAir(named.preset.scene, sequence.value(), bar.task()); });
         grid = box ? box.value() : grid;
         return box ? Status(Done{}) : box.error();
     };
-    const ManifestJob job{"air", {{"format", std::string(ending.substr(1))}}, named.preset.effect};
+    const ManifestJob job{"air", {{"format", std::string(ending.substr(1))}}, named.preset.scene};
     const std::filesystem::path& output = sequence.value().output;
     if (Status status =
             recordNumbered(job, options.manifest.fileFor(output), {output, sequence.value().frames, ending, {}}, write);

@@ -19,7 +19,7 @@ struct BakeOptions {
 
 Status bakeOne(const BakeOptions& options, const NamedPreset& named)
 {
-    PictureJob job{named.preset.effect, {}};
+    PictureJob job{named.preset.scene, {}};
     job.plan.kind = ExportKind::NoiseTexture;
     job.plan.source = named.file;
     job.plan.noise.size = options.size;

@@ -80,7 +80,7 @@ Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedPreset& n
     }
     options.format = job.value().plan.format;
     ProgressBar bar("Measuring");
-    return scoreSheet(job.value().effect, options, arguments.lit, bar.task());
+    return scoreSheet(job.value().scene, options, arguments.lit, bar.task());
 }
 
 Status check(const CheckArguments& arguments)

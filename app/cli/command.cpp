@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/shown_table.h"
-#include "core/effect/assignment.h"
+#include "core/scene/layer_assignment.h"
 #include "core/effect/value.h"
 #include "core/preset/preset_file.h"
 
@@ -15,10 +15,11 @@ namespace fumage::cli {
 namespace {
 
 /// What is set and changes nothing, as the effect is now, is told: it may have been meant for another parameter.
-void warnWhereItHasNoEffect(const std::string& assignment, const Effect& effect)
+void warnWhereItHasNoEffect(const std::string& assignment, const Scene& scene)
 {
-    const Parameter* parameter =
-        findShownParameter(trimmed(std::string_view(assignment).substr(0, assignment.find('='))));
+    const LayerAssignment part = layerAssignment(scene, assignment).value();
+    const Effect effect = scene.effect(part.layer);
+    const Parameter* parameter = findShownParameter(trimmed(part.assignment.substr(0, part.assignment.find('='))));
     if (parameter != nullptr && !isVisible(*parameter, effect)) {
         const Parameter& other = *findParameter(parameter->visible.key);
         warn("--set " + assignment + ": has no effect while " + std::string(other.key) + " is "
@@ -42,7 +43,7 @@ Result<NamedPreset> load(const std::string& preset, const std::vector<std::strin
         named.file = entry ? entry.value().path : named.file;
     }
     for (const std::string& assignment : assignments) {
-        const Result<bool> clamped = applyAssignment(named.preset.effect, assignment);
+        const Result<bool> clamped = applyToScene(named.preset.scene, assignment);
         if (!clamped) {
             Error error = clamped.error();
             error.place = "--set " + assignment;
@@ -53,9 +54,15 @@ Result<NamedPreset> load(const std::string& preset, const std::vector<std::strin
         }
     }
     for (const std::string& assignment : assignments) {
-        warnWhereItHasNoEffect(assignment, named.preset.effect);
+        warnWhereItHasNoEffect(assignment, named.preset.scene);
     }
     return named;
+}
+
+Error optionError(std::string option, Error error)
+{
+    error.place = std::move(option);
+    return error;
 }
 
 /// Presets of one name in different folders would be written to the same files.
@@ -117,11 +124,17 @@ void EffectOptions::addTo(CLI::App& command)
         ->type_name("PRESET")
         ->option_text("PRESET...");
     command
-        .add_option("-s,--set", assignments, "Change a parameter, for example --set wind.strength=1.5; may be repeated")
+        .add_option("-s,--set", assignments,
+            "Change a parameter, for example --set wind.strength=1.5, or of a layer --set embers/motion.drag=1; may be "
+            "repeated")
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
+    command.add_option("--layers", layers, "Show these layers alone: names or numbers from 1, with commas between")
+        ->type_name("LAYERS")
+        ->option_text("LAYERS");
+    command.add_option("--mute", muted, "Leave these layers out")->type_name("LAYERS")->option_text("LAYERS");
 }
 
 Status EffectOptions::forEach(const std::string& output, const std::function<Status(const NamedPreset&)>& work) const
@@ -157,6 +170,13 @@ Result<std::vector<NamedPreset>> EffectOptions::loadAll() const
         if (!named) {
             return named.error();
         }
+        Scene& scene = named.value().preset.scene;
+        if (Status status = layers.empty() ? Status(Done{}) : showOnly(scene, layers); !status) {
+            return optionError("--layers " + layers, status.error());
+        }
+        if (Status status = muted.empty() ? Status(Done{}) : mute(scene, muted); !status) {
+            return optionError("--mute " + muted, status.error());
+        }
         loaded.push_back(std::move(named).value());
     }
     return loaded;
@@ -169,7 +189,7 @@ void addJson(CLI::App& command, bool& asJson)
 
 Result<FrameRange> framesFor(const std::string& asked, const NamedPreset& named, ExportKind kind)
 {
-    return asked.empty() ? Result<FrameRange>(framesOf(kind, named.preset.effect.timeline, named.shown))
+    return asked.empty() ? Result<FrameRange>(framesOf(kind, named.preset.scene.timeline, named.shown))
                          : parseFrameRange(asked);
 }
 

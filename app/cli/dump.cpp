@@ -31,7 +31,7 @@ Status dumpToStandardOutput(
         return Error{ErrorCode::OutOfRange, makeMessage("several frames are several files"),
             "--frames " + options.frames, makeMessage("Name a file for them, as in --output smoke_####.csv")};
     }
-    const Result<std::string> text = dumpParticles(named.preset.effect, sequence.frames.first,
+    const Result<std::string> text = dumpParticles(named.preset.scene, sequence.frames.first,
         formatNamed(kAllParticleFormats, options.format), sequence.up, ProgressBar("Writing").task());
     return text ? print(text.value()) : Status(text.error());
 }
@@ -41,11 +41,11 @@ Status dumpToFiles(const DumpOptions& options, const NamedPreset& named, Particl
     const std::string_view ending = fileEnding(sequence.format);
     const ManifestJob job{"particles",
         {{"format", std::string(ending.substr(1))}, {"up", std::string(options.options.textOf("up"))}},
-        named.preset.effect};
+        named.preset.scene};
     const auto write = [&](const FrameSink& written) {
         sequence.written = written;
         ProgressBar bar("Writing");
-        return dumpSequence(named.preset.effect, sequence, bar.task());
+        return dumpSequence(named.preset.scene, sequence, bar.task());
     };
     if (Status status = recordNumbered(
             job, options.manifest.fileFor(sequence.output), {sequence.output, sequence.frames, ending, {}}, write);

@@ -27,7 +27,7 @@ struct FarmOptions {
     std::string grid = "8x8";
 };
 
-std::vector<std::string> renderWordsOf(const FarmOptions& options, const Effect& seen, const ExportPlan& plan)
+std::vector<std::string> renderWordsOf(const FarmOptions& options, const Scene& seen, const ExportPlan& plan)
 {
     std::vector<std::string> words{"--format", std::string(nameOf(plan.format))};
     for (const char* key : {"passes", "alpha"}) {
@@ -98,7 +98,7 @@ Result<PictureJob> planOf(const FarmOptions& options, const NamedPreset& named)
     return job;
 }
 
-FarmJob jobOf(const FarmOptions& options, Farm farm, const Effect& seen, const ExportPlan& plan)
+FarmJob jobOf(const FarmOptions& options, Farm farm, const Scene& seen, const ExportPlan& plan)
 {
     FarmJob job;
     job.folder = std::filesystem::absolute(plan.output).lexically_normal().parent_path();
@@ -117,14 +117,14 @@ FarmJob jobOf(const FarmOptions& options, Farm farm, const Effect& seen, const E
 }
 
 /// Writes the preset as it is to be rendered: with its changes, its size, and the camera that sees all of it.
-Status writePreset(const FarmJob& job, const NamedPreset& named, const Effect& seen)
+Status writePreset(const FarmJob& job, const NamedPreset& named, const Scene& seen)
 {
     const std::filesystem::path file = job.folder / pathFrom(presetFileOf(job));
     if (isSameFile(file, named.file)) {
         return wouldOverwrite(file);
     }
     Preset preset = named.preset;
-    preset.effect = seen;
+    preset.scene = seen;
     if (Status status = makeFolderOf(file); !status) {
         return status;
     }
@@ -138,8 +138,8 @@ Status writeOne(const FarmOptions& options, const NamedPreset& named)
         return asked.error();
     }
     const ExportPlan& plan = asked.value().plan;
-    const Result<Effect> seen =
-        withinMemory([&] { return effectSeenBy(asked.value().effect, plan, ProgressBar("Looking").task()); });
+    const Result<Scene> seen =
+        withinMemory([&] { return sceneSeenBy(asked.value().scene, plan, ProgressBar("Looking").task()); });
     if (!seen) {
         return seen.error();
     }

@@ -13,21 +13,22 @@ namespace fumage::cli {
 namespace {
 
 /// What the camera of one effect has to become, as options of other commands.
-Result<std::string> optionsFor(const Effect& effect, const FrameRange& frames)
+Result<std::string> optionsFor(const Scene& scene, const FrameRange& frames)
 {
-    Effect fitted = effect;
+    Scene fitted = scene;
     {
         ProgressBar bar("Looking");
-        const Result<Camera> camera = fitCamera(effect, frames, bar.task());
+        const Result<Camera> camera = fitCamera(scene, frames, bar.task());
         if (!camera) {
             return camera.error();
         }
         fitted.camera = camera.value();
     }
     std::string text;
-    for (const Parameter* parameter : differences(fitted, effect)) {
-        if (isVisible(*parameter, fitted)) {
-            std::string value = formatText(*parameter, parameter->get(fitted));
+    const Effect found = fitted.effect();
+    for (const Parameter* parameter : differences(found, scene.effect())) {
+        if (isVisible(*parameter, found)) {
+            std::string value = formatText(*parameter, parameter->get(found));
             std::erase_if(value,
                 [](char letter) { return letter == ' ' || letter == '[' || letter == ']'; }); // one word for a shell
             text += (text.empty() ? "--set " : " --set ") + std::string(parameter->key) + "=" + value;
@@ -44,7 +45,7 @@ Status fit(const PictureOptions& options)
         if (!job) {
             return job.error();
         }
-        const Result<std::string> text = optionsFor(job.value().effect, job.value().plan.frames);
+        const Result<std::string> text = optionsFor(job.value().scene, job.value().plan.frames);
         return text ? print(text.value()) : Status(text.error());
     });
 }

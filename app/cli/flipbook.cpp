@@ -56,13 +56,13 @@ NamedPreset namedForItsGrid(const FlipbookArguments& arguments, NamedPreset name
 /// Cells may have to be of another size than was asked for.
 Status tellSize(const PictureJob& job)
 {
-    const Result<Output> output = outputFor(job.effect, job.plan);
+    const Result<Output> output = outputFor(job.scene, job.plan);
     if (!output) {
         return output.error();
     }
     const int width = output.value().width;
     const int height = output.value().height;
-    if (width != job.effect.output.width || height != job.effect.output.height) {
+    if (width != job.scene.output.width || height != job.scene.output.height) {
         report("cells are " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and the sheet "
             + std::to_string(width * job.plan.flipbook.columns) + " x "
             + std::to_string(height * job.plan.flipbook.rows));

@@ -27,36 +27,61 @@ std::string shownText(const Shown& shown)
     return shown.frame ? "shows       frame " + std::to_string(*shown.frame) + "\n" : "";
 }
 
-Status asText(const Preset& preset, const Schedule& schedule, const Shown& shown)
+Status asText(const Preset& preset, const Shown& shown)
 {
-    const Effect& effect = preset.effect;
+    const Scene& scene = preset.scene;
     std::ostringstream out;
     out << printable(preset.name) << "\n" << printable(preset.description) << "\n\n";
-    out << "particles   " << schedule.capacity() << " at most, each living "
-        << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
-    out << "timeline    " << effect.timeline.length << " frames at " << effect.timeline.frameRate << " fps"
-        << (effect.timeline.loop ? ", looping" : "") << "\n";
-    out << "picture     " << effect.output.width << " x " << effect.output.height << " pixels\n"
+    const bool several = scene.layers.size() > 1;
+    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+        const Schedule schedule = makeSchedule(sampled(scene.effect(layer)));
+        out << (several ? "layer " + std::to_string(layer + 1) + "     " + printable(scene.layers[layer].name)
+                    + (scene.layers[layer].visible ? "" : " (muted)") + "\n"
+                        : "");
+        out << "particles   " << schedule.capacity() << " at most, each living "
+            << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
+    }
+    out << "timeline    " << scene.timeline.length << " frames at " << scene.timeline.frameRate << " fps"
+        << (scene.timeline.loop ? ", looping" : "") << "\n";
+    out << "picture     " << scene.output.width << " x " << scene.output.height << " pixels\n"
         << shownText(shown) << "\n";
     out << "What differs from a new document:\n";
-    for (const Parameter* parameter : differences(effect, Effect{})) {
-        out << "  " << parameter->key << " = " << formatText(*parameter, parameter->get(effect), true) << "\n";
+    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+        const Effect effect = scene.effect(layer);
+        for (const Parameter* parameter : differences(effect, Effect{})) {
+            if (layer == 0 || parameter->scope == Scope::Layer) {
+                const bool isNamed = several && parameter->scope == Scope::Layer;
+                out << "  " << (isNamed ? std::to_string(layer + 1) + "/" : "") << parameter->key << " = "
+                    << formatText(*parameter, parameter->get(effect), true) << "\n";
+            }
+        }
     }
     return print(out.str());
 }
 
 nlohmann::ordered_json asJson(const Preset& preset, const Schedule& schedule)
 {
-    const Effect& effect = preset.effect;
+    const Scene& scene = preset.scene;
     const JsonValues values(preset);
     auto changed = nlohmann::ordered_json::object();
-    for (const Parameter* parameter : differences(effect, Effect{})) {
+    for (const Parameter* parameter : differences(scene.effect(), Effect{})) {
         changed[std::string(parameter->key)] = values.of(*parameter);
     }
+    auto layers = nlohmann::ordered_json::array();
+    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+        auto own = nlohmann::ordered_json::object();
+        for (const Parameter* parameter : differences(scene.effect(layer), Effect{})) {
+            if (parameter->scope == Scope::Layer) {
+                own[std::string(parameter->key)] = values.of(*parameter, layer);
+            }
+        }
+        layers.push_back({{"name", scene.layers[layer].name}, {"visible", scene.layers[layer].visible},
+            {"particles", makeSchedule(sampled(scene.effect(layer))).capacity()}, {"changed", own}});
+    }
     return {{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()},
-        {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt}, {"frames", effect.timeline.length},
-        {"frameRate", effect.timeline.frameRate}, {"loop", effect.timeline.loop}, {"width", effect.output.width},
-        {"height", effect.output.height}, {"changed", changed}};
+        {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt}, {"frames", scene.timeline.length},
+        {"frameRate", scene.timeline.frameRate}, {"loop", scene.timeline.loop}, {"width", scene.output.width},
+        {"height", scene.output.height}, {"changed", changed}, {"layers", layers}};
 }
 
 Status info(const std::string& name, bool json)
@@ -66,10 +91,10 @@ Status info(const std::string& name, bool json)
         return reading.error();
     }
     const Preset& preset = reading.value().preset;
-    const Schedule schedule = makeSchedule(sampled(preset.effect));
+    const Schedule schedule = makeSchedule(sampled(preset.scene.effect()));
     const Shown shown = shownBy(reading.value());
     if (!json) {
-        return asText(preset, schedule, shown);
+        return asText(preset, shown);
     }
     nlohmann::ordered_json answer = asJson(preset, schedule);
     if (shown.frame) {

@@ -47,7 +47,7 @@ nlohmann::ordered_json answerOf(const ExportJob& job, const Result<std::optional
     answer["files"] = written.count;
     answer["first"] = written.first.string();
     answer["last"] = written.last.string();
-    for (const Message& remark : remarksOn(job.preset.effect, job.plan)) {
+    for (const Message& remark : remarksOn(job.preset.scene, job.plan)) {
         answer["remarks"].push_back(remark.text());
     }
     return answer;
@@ -69,7 +69,7 @@ Status doJobs(const std::string& file, bool asJson)
         const std::string name = printable(job.name);
         report("job " + std::to_string(i + 1) + " of " + std::to_string(total) + ": " + name);
         if (!job.refusal) {
-            warnOf(job.preset.effect, job.plan);
+            warnOf(job.preset.scene, job.plan);
         }
         const Result<std::optional<Flipbook>> done =
             exportWithBar(job.plan, [&](const Task& task) { return runJob(job, task); });

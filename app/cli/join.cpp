@@ -62,9 +62,9 @@ Status joinToVideo(
     if (Status status = options.playing.applyTo(plan); !status) {
         return status;
     }
-    warnOf(named.preset.effect, plan);
+    warnOf(named.preset.scene, plan);
     ProgressBar bar("Joining");
-    if (Status status = withinMemory([&] { return joinVideo(named.preset.effect, videoOf(plan), source, bar.task()); });
+    if (Status status = withinMemory([&] { return joinVideo(named.preset.scene, videoOf(plan), source, bar.task()); });
         !status) {
         return status;
     }
@@ -88,11 +88,11 @@ Status joinToFlipbook(
     if (Status status = refuseInputs(options, named, frames, filesOf(flipbook)); !status) {
         return status;
     }
-    warnOf(named.preset.effect, plan);
+    warnOf(named.preset.scene, plan);
     ProgressBar bar("Joining");
     flipbook.preset = formatPreset(named.preset);
     const Result<Flipbook> done =
-        withinMemory([&] { return joinFlipbook(named.preset.effect, flipbook, source, bar.task()); });
+        withinMemory([&] { return joinFlipbook(named.preset.scene, flipbook, source, bar.task()); });
     if (!done) {
         return done.error();
     }
@@ -142,7 +142,7 @@ Status joinOne(const JoinOptions& options, const NamedPreset& named)
     if (!frames) {
         return frames.error();
     }
-    const Output& output = named.preset.effect.output;
+    const Output& output = named.preset.scene.output;
     const FrameSource source = framesOfFiles(pathFrom(options.input), frames.value(), output.width, output.height);
     const FrameSource smoke = changesBackground(output) ? withoutBackground(source) : source;
     return options.grid.empty() ? joinToVideo(options, named, frames.value(), smoke)

@@ -24,11 +24,11 @@ public:
     {
     }
 
-    [[nodiscard]] const nlohmann::ordered_json& of(const Parameter& parameter) const
+    [[nodiscard]] const nlohmann::ordered_json& of(const Parameter& parameter, std::size_t layer = 0) const
     {
         const std::string_view group = parameter.group();
         const nlohmann::ordered_json& owner =
-            parameter.scope == Scope::Scene ? m_file.at(kScene) : m_file.at(kLayers).at(0);
+            parameter.scope == Scope::Scene ? m_file.at(kScene) : m_file.at(kLayers).at(layer);
         return owner.at(std::string(group)).at(std::string(parameter.key.substr(group.size() + 1)));
     }
 

@@ -61,7 +61,7 @@ Result<SheetCandidate> chooseSheet(const PictureJob& job, const std::string& bud
     Result<std::vector<SheetCandidate>> rated = std::vector<SheetCandidate>();
     {
         ProgressBar bar("Trying sheets");
-        rated = rateSheets(job.effect, job.plan, bytes.value(), bar.task());
+        rated = rateSheets(job.scene, job.plan, bytes.value(), bar.task());
     }
     if (!rated) {
         return rated.error();

@@ -108,14 +108,14 @@ Result<PictureJob> PictureOptions::jobWithoutOutput(const NamedPreset& named, Ex
 {
     PictureJob job;
     job.plan.kind = kind;
-    job.effect = named.preset.effect;
+    job.scene = named.preset.scene;
     job.plan.source = named.file;
-    if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.effect.output.width, job.effect.output.height)) {
+    if (!size.empty() && !parseTwo(size, kMaxOutputEdge, job.scene.output.width, job.scene.output.height)) {
         return Error{ErrorCode::OutOfRange, makeMessage("the size %1 is not understood", inQuotes(size)),
             std::string("--size"), makeMessage("Write 512 or 640x360, with edges from 1 to %1", kMaxOutputEdge)};
     }
     if (supersample > 0) {
-        job.effect.output.supersample = supersample;
+        job.scene.output.supersample = supersample;
     }
     const Result<FrameRange> range = framesFor(frames, named, kind);
     if (!range) {
@@ -150,9 +150,9 @@ Status chooseOutput(const std::string& output, const std::string& formatName, co
     return Done{};
 }
 
-void warnOf(const Effect& effect, const ExportPlan& plan)
+void warnOf(const Scene& scene, const ExportPlan& plan)
 {
-    for (const Message& remark : remarksOn(effect, plan)) {
+    for (const Message& remark : remarksOn(scene, plan)) {
         warn(remark.text());
     }
 }
@@ -165,12 +165,12 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
                 makeMessage("standard output cannot have both the picture and what --progress says"), {},
                 makeMessage("Name a file")};
         }
-        const Result<std::vector<std::byte>> bytes = exportBytes(job.effect, job.plan, ProgressBar("Rendering").task());
+        const Result<std::vector<std::byte>> bytes = exportBytes(job.scene, job.plan, ProgressBar("Rendering").task());
         const Status status = bytes ? print(bytes.value()) : Status(bytes.error());
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
-    warnOf(job.effect, job.plan);
-    return exportWithBar(job.plan, [&](const Task& task) { return runExport(job.effect, job.plan, task); });
+    warnOf(job.scene, job.plan);
+    return exportWithBar(job.plan, [&](const Task& task) { return runExport(job.scene, job.plan, task); });
 }
 
 Result<std::optional<Flipbook>> exportWithBar(

@@ -5,6 +5,7 @@
 #include "app/cli/manifest_option.h"
 
 #include "core/export/plan.h"
+#include "core/scene/scene.h"
 
 #include <functional>
 #include <optional>
@@ -24,7 +25,7 @@ namespace fumage::cli {
 
 /// What pictures are to be rendered.
 struct PictureJob {
-    Effect effect;
+    Scene scene;
     ExportPlan plan;
 };
 
@@ -59,7 +60,7 @@ struct PictureOptions {
     const std::string& output, const std::string& formatName, const std::string& name, ExportPlan& plan);
 
 /// Says what an export does otherwise than one may expect of it; see remarksOn().
-void warnOf(const Effect& effect, const ExportPlan& plan);
+void warnOf(const Scene& scene, const ExportPlan& plan);
 
 /// Does a job with a bar of progress that can be interrupted, and says what was written.
 /// @return the flipbook, where that is what was made

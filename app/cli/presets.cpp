@@ -58,7 +58,7 @@ void listInto(nlohmann::ordered_json& all, const std::vector<LibraryEntry>& entr
         if (reading) {
             const Preset& preset = reading.value().preset;
             one.update(
-                {{"name", preset.name}, {"description", preset.description}, {"loop", preset.effect.timeline.loop}});
+                {{"name", preset.name}, {"description", preset.description}, {"loop", preset.scene.timeline.loop}});
         } else {
             one["error"] = reading.error().text();
         }

@@ -41,7 +41,7 @@ Status makeSheetAgain(const RenderArguments& arguments, const FlipbookOptions& s
     job.plan.style.premultiplied =
         arguments.picture.options.has("alpha") ? asked.style.premultiplied : job.plan.style.premultiplied;
     job.plan.recording.skipExisting = false;
-    Output& output = job.effect.output;
+    Output& output = job.scene.output;
     if (!arguments.picture.size.empty()) { // it is that of the picture, as everywhere in this command
         if (output.width % sheet.columns != 0 || output.height % sheet.rows != 0) {
             return Error{ErrorCode::OutOfRange,

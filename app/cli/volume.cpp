@@ -52,11 +52,11 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
         ProgressBar bar("Writing");
         const std::string size = options.voxel ? formatFloat(*options.voxel) + " m" : std::to_string(options.longest);
         const ManifestJob job{"volumes",
-            {{options.voxel ? "voxel" : "cells", size}, {"up", std::string(nameOf(options.up))}}, named.preset.effect};
+            {{options.voxel ? "voxel" : "cells", size}, {"up", std::string(nameOf(options.up))}}, named.preset.scene};
         const auto write = [&](const FrameSink& written) -> Status {
             options.written = written;
             const Result<float> used =
-                withinMemory([&] { return writeVolumes(named.preset.effect, options, bar.task()); });
+                withinMemory([&] { return writeVolumes(named.preset.scene, options, bar.task()); });
             voxel = used ? used.value() : voxel;
             return used ? Status(Done{}) : Status(used.error());
         };

@@ -91,7 +91,7 @@ Result<LiveSimulation> started(
     if (!reading) {
         return reading.error();
     }
-    Effect effect = std::move(reading).value().preset.effect;
+    Effect effect = std::move(reading).value().preset.scene.effect();
     if (Status status = applySettings(effect, settings); !status) {
         return status.error();
     }

@@ -54,6 +54,11 @@ enum class Background {
     Transparent,
     Colour
 };
+enum class Coupling {
+    Carried,
+    Dragged,
+    Free
+};
 enum class Obstacle {
     None,
     Box,
@@ -73,6 +78,8 @@ struct Emitter {
     int count = 100000;
     EmissionMode mode = EmissionMode::Continuous;
     float burstDuration = 0.2F;
+    float start = 0.0F;
+    float length = 0.0F;
     float speed = 1.0F;
     float velocityRandomness = 0.05F;
     float spread = 8.0F;
@@ -92,6 +99,9 @@ struct Motion {
     float rotation = 0.0F;
     float rotationJitter = 0.0F;
     float pull = 0.05F;
+    Coupling coupling = Coupling::Carried;
+    float restitution = 0.4F;
+    float friction = 0.3F;
     friend bool operator==(const Motion&, const Motion&) = default;
 };
 
@@ -130,6 +140,7 @@ struct Source {
     float expansion = 0.0F;
     float surge = 0.0F;
     float surgeRate = 1.0F;
+    bool feeds = true;
     friend bool operator==(const Source&, const Source&) = default;
 };
 

@@ -2,6 +2,8 @@
 
 #include "core/effect/effect.h"
 
+#include <span>
+
 namespace fumage {
 
 /// An effect with its output.quality worked into its numbers. Only sampled() and thinned() make one, and what simulates
@@ -37,6 +39,10 @@ private:
 
     Effect m_effect;
 };
+
+/// The layers of a scene that are simulated and drawn together, one or more; their surroundings (air, wind, light,
+/// camera, timeline, output) are the same.
+using SampledLayers = std::span<const SampledEffect>;
 
 /// Works output.quality into the numbers and leaves it good: draft has a quarter of the particles, final eight times as
 /// many (kMaxParticles at most), larger or smaller and denser or thinner so that the smoke covers as much and is as

@@ -2,8 +2,7 @@
 
 #include "core/base/memory.h"
 #include "core/rendering/framing.h"
-#include "core/rendering/renderer.h"
-#include "core/simulation/simulator.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,31 +24,32 @@ constexpr float kSeen = 0.5F / 255.0F;
 /// Looks at all frames of an effect, from a camera that comes nearer to what is wanted each time.
 class Fitting {
 public:
-    Fitting(const Effect& effect, const FrameRange& frames, const Task& task)
-        : m_smoke(smokeOf(effect))
-        , m_simulator(m_smoke)
+    Fitting(const Scene& scene, const FrameRange& frames, const Task& task)
+        : m_layers(layersOf(scene))
+        , m_simulator(m_layers)
         , m_frames(frames)
         , m_task(task)
     {
         const float scale =
-            static_cast<float>(kEdge) / static_cast<float>(std::max(effect.output.width, effect.output.height));
-        m_width = std::max(1, static_cast<int>(std::lround(static_cast<float>(effect.output.width) * scale)));
-        m_height = std::max(1, static_cast<int>(std::lround(static_cast<float>(effect.output.height) * scale)));
+            static_cast<float>(kEdge) / static_cast<float>(std::max(scene.output.width, scene.output.height));
+        m_width = std::max(1, static_cast<int>(std::lround(static_cast<float>(scene.output.width) * scale)));
+        m_height = std::max(1, static_cast<int>(std::lround(static_cast<float>(scene.output.height) * scale)));
         m_guesses = (frames.count() + kStride - 1) / kStride;
     }
 
     Result<Camera> run()
     {
-        const Camera& asked = m_smoke->camera;
+        const Camera& asked = m_layers.front()->camera;
         Framing guess(asked, m_width, m_height);
         for (int index = 0; index < m_frames.count(); index += kStride) {
             const auto frame = m_simulator.frame(m_frames.at(index), m_task);
             if (!frame) {
                 return frame.error();
             }
-            findAppearance(*frame.value(), m_smoke, Axes{}, m_appearance);
-            guess.addParticles(
-                frame.value()->particles, m_appearance, secondsOf(m_smoke->timeline, frame.value()->number));
+            for (const LayerFrame& layer : layerFrames(frame.value(), m_layers)) {
+                findAppearance(*layer.frame, *layer.effect, Axes{}, m_appearance);
+                guess.addParticles(layer.frame->particles, m_appearance, secondsAt(frame.value()));
+            }
             report();
         }
         Camera camera = guess.camera();
@@ -70,12 +70,17 @@ public:
 
 private:
     /// Light has no part in where smoke is.
-    static SampledEffect smokeOf(Effect effect)
+    static std::vector<SampledEffect> layersOf(Scene scene)
     {
-        effect.output.quality = Quality::Good;
-        effect.light.shadow = 0.0F;
-        effect.light.occlusion = 0.0F;
-        return sampled(effect);
+        scene.output.quality = Quality::Good;
+        scene.light.shadow = 0.0F;
+        scene.light.occlusion = 0.0F;
+        return sampledLayers(scene);
+    }
+
+    [[nodiscard]] float secondsAt(const SceneFrame& frame) const
+    {
+        return secondsOf(m_layers.front()->timeline, frame.layers.front()->number);
     }
 
     void report()
@@ -94,9 +99,9 @@ private:
             if (!frame) {
                 return frame.error();
             }
-            const float seconds = secondsOf(m_smoke->timeline, frame.value()->number);
+            const float seconds = secondsAt(frame.value());
             const View view = makeView(camera, seconds, m_width, m_height);
-            if (Status status = m_renderer.prepare(*frame.value(), m_smoke, view, m_task.stop); !status) {
+            if (Status status = m_renderer.prepare(layerFrames(frame.value(), m_layers), view, m_task.stop); !status) {
                 return status;
             }
             if (Status status = m_renderer.composite(m_image, m_task.stop); !status) {
@@ -106,29 +111,32 @@ private:
             m_touches = m_touches
                 || (!reach.isEmpty()
                     && (reach.left == 0 || reach.top == 0 || reach.right == m_width || reach.bottom == m_height));
-            seen.addPicture(view, reach, depths(frame.value()->particles, view), seconds);
+            seen.addPicture(view, reach, depths(frame.value(), view), seconds);
             report();
         }
         return Done{};
     }
 
     /// Of what is drawn, m.
-    [[nodiscard]] DepthRange depths(const Particles& particles, const View& view) const
+    [[nodiscard]] DepthRange depths(const SceneFrame& frame, const View& view) const
     {
-        const SpriteBatch& batch = m_renderer.batch();
         Depths found;
-        for (std::size_t i = 0; i < particles.capacity; ++i) {
-            if (batch.depth[i] == SpriteBatch::kHidden || batch.sprites[i].opacity < kSeen) {
-                continue;
+        for (std::size_t layer = 0; layer < frame.layers.size(); ++layer) {
+            const Particles& particles = frame.layers[layer]->particles;
+            const SpriteBatch& batch = m_renderer.batch(layer);
+            for (std::size_t i = 0; i < particles.capacity; ++i) {
+                if (batch.depth[i] == SpriteBatch::kHidden || batch.sprites[i].opacity < kSeen) {
+                    continue;
+                }
+                const float depth = project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth;
+                found.add(depth, batch.sprites[i].opacity * batch.sprites[i].halfWidth * batch.sprites[i].halfHeight);
             }
-            const float depth = project(view, {particles.x[i], particles.y[i], particles.z[i]}).depth;
-            found.add(depth, batch.sprites[i].opacity * batch.sprites[i].halfWidth * batch.sprites[i].halfHeight);
         }
         return found.isEmpty() ? DepthRange{1.0F, 1.0F, 1.0F} : found.range();
     }
 
-    SampledEffect m_smoke;
-    Simulator m_simulator;
+    std::vector<SampledEffect> m_layers;
+    SceneSimulator m_simulator;
     Renderer m_renderer;
     Appearance m_appearance;
     Image m_image;
@@ -143,9 +151,9 @@ private:
 
 } // namespace
 
-Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Task& task)
+Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task)
 {
-    return withinMemory([&] { return Fitting(effect, frames, task).run(); });
+    return withinMemory([&] { return Fitting(scene, frames, task).run(); });
 }
 
 } // namespace fumage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/sequence.h"
+#include "core/scene/scene.h"
 
 namespace fumage {
 
@@ -14,6 +15,6 @@ namespace fumage {
 /// @param task   hears of ProgressPhase::Fitting after each frame that was looked at; each is looked at several times
 /// @error Cancelled, OutOfMemory; OutOfRange where no frame has smoke
 /// O(frames), each as a frame of a sequence at a small size, three times.
-[[nodiscard]] Result<Camera> fitCamera(const Effect& effect, const FrameRange& frames, const Task& task = {});
+[[nodiscard]] Result<Camera> fitCamera(const Scene& scene, const FrameRange& frames, const Task& task = {});
 
 } // namespace fumage

@@ -4,10 +4,11 @@
 
 namespace fumage {
 
-FrameNeighbours::FrameNeighbours(const SampledEffect& effect, const CellFrames& frames, bool wanted, int step,
-    const std::shared_ptr<AirCache>& shelf)
-    : m_simulator(effect, Simulator::kDefaultCheckpointBytes, shelf)
-    , m_loop(effect->timeline.loop ? effect->timeline.length : 0)
+FrameNeighbours::FrameNeighbours(
+    SampledLayers layers, const CellFrames& frames, bool wanted, int step, const std::shared_ptr<AirCache>& shelf)
+    : m_layers(layers)
+    , m_simulator(layers, Simulator::kDefaultCheckpointBytes, shelf)
+    , m_loop(layers.front()->timeline.loop ? layers.front()->timeline.length : 0)
     , m_frames(frames)
     , m_wanted(wanted)
     , m_step(step)
@@ -34,8 +35,14 @@ Result<FrameAmongOthers> FrameNeighbours::at(std::size_t place, const Task& task
             return status.error();
         }
     }
-    return FrameAmongOthers{
-        m_held[1].frame.get(), m_held[0].frame.get(), m_held[2].frame.get(), before ? now - *before : 1, after - now};
+    const auto held = [&](std::size_t which, std::size_t layer) {
+        return m_held[which].frame ? m_held[which].frame->layers[layer].get() : nullptr;
+    };
+    FrameAmongOthers out{{}, before ? now - *before : 1, after - now};
+    for (std::size_t layer = 0; layer < m_layers.size(); ++layer) {
+        out.layers.push_back({&m_layers[layer], held(1, layer), held(0, layer), held(2, layer)});
+    }
+    return out;
 }
 
 std::optional<int> FrameNeighbours::numberBefore(std::size_t place) const
@@ -75,7 +82,7 @@ Status FrameNeighbours::fetch(int number, const std::array<Numbered, 3>& last, N
         to = *held;
         return Done{};
     }
-    Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, task);
+    Result<SceneFrame> frame = m_simulator.frame(number, task);
     if (!frame) {
         return frame.error();
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/rendering/pass_renderer.h"
-#include "core/simulation/simulator.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <array>
 #include <memory>
@@ -20,12 +20,13 @@ struct CellFrames {
 /// Hands out frames, each with those beside it, and where they rise simulates none twice.
 class FrameNeighbours {
 public:
+    /// @param layers must stay
     /// @param frames in any order, but one that rises is quick; must stay
     /// @param wanted whether those beside are; else there is none
     /// @param shelf  with air that others bake or have baked; null: none
     /// @param step   0: those beside are the ones in the list; else those that are so many frames away, whatever is in
     /// the list, so that frames are the same however they are divided into lists
-    FrameNeighbours(const SampledEffect& effect, const CellFrames& frames, bool wanted, int step = 0,
+    FrameNeighbours(SampledLayers layers, const CellFrames& frames, bool wanted, int step = 0,
         const std::shared_ptr<AirCache>& shelf = nullptr);
 
     /// @param place of a frame in the list: 0, then one more each time
@@ -37,7 +38,7 @@ public:
 private:
     struct Numbered {
         int number = 0;
-        std::shared_ptr<const Frame> frame; ///< null: none
+        std::optional<SceneFrame> frame; ///< none: there is none
     };
 
     /// None: there is none. In a loop numbers may be less than 0, and those after the last may be theirs: they lie in
@@ -47,7 +48,8 @@ private:
     /// A frame, which may be one that was handed out last.
     [[nodiscard]] Status fetch(int number, const std::array<Numbered, 3>& last, Numbered& to, const Task& task);
 
-    Simulator m_simulator;
+    SampledLayers m_layers;
+    SceneSimulator m_simulator;
     int m_loop; ///< frames after which all is as it was; 0: there is no loop
     const CellFrames& m_frames;
     bool m_wanted;

@@ -30,11 +30,11 @@ auto withBackground(const Image& image, const Output& output, const Take& take)
 }
 
 template <class Channel, class Finish>
-Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& effect, const ImageMetadata& notes,
+Result<std::vector<std::byte>> encodePngOf(const Image& image, const Scene& scene, const ImageMetadata& notes,
     const std::stop_token& stop, const Finish& finish)
 {
     EncodedImage<Channel> encoded;
-    encode(image, effect.output, encoded, coverOf(effect.glow));
+    encode(image, scene.output, encoded, coverOf(scene));
     finish(encoded);
     return encodePng({image.width, image.height, 4, static_cast<int>(8 * sizeof(Channel)), true,
                          std::as_bytes(std::span(encoded.pixels)), false, notes},
@@ -42,12 +42,12 @@ Result<std::vector<std::byte>> encodePngOf(const Image& image, const Effect& eff
 }
 
 template <class Finish>
-Result<std::vector<std::byte>> encodeTgaOf(const Image& image, const Effect& effect, const Finish& finish)
+Result<std::vector<std::byte>> encodeTgaOf(const Image& image, const Scene& scene, const Finish& finish)
 {
     EncodedImage<std::uint8_t> encoded;
-    encode(image, effect.output, encoded, coverOf(effect.glow));
+    encode(image, scene.output, encoded, coverOf(scene));
     finish(encoded);
-    if (effect.output.background == Background::Transparent) {
+    if (scene.output.background == Background::Transparent) {
         return encodeTga({image.width, image.height, 4, encoded.pixels});
     }
     std::vector<std::uint8_t> colours;
@@ -60,20 +60,20 @@ Result<std::vector<std::byte>> encodeTgaOf(const Image& image, const Effect& eff
 
 /// @param finish called with the encoded picture, where it holds no floats
 template <class Finish>
-Result<std::vector<std::byte>> encodeWith(const Image& image, const Effect& effect, ImageFormat format,
+Result<std::vector<std::byte>> encodeWith(const Image& image, const Scene& scene, ImageFormat format,
     const ImageMetadata& notes, const std::stop_token& stop, const Finish& finish)
 {
     switch (format) {
-    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, effect, notes, stop, finish);
-    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, effect, notes, stop, finish);
+    case ImageFormat::Png8: return encodePngOf<std::uint8_t>(image, scene, notes, stop, finish);
+    case ImageFormat::Png16: return encodePngOf<std::uint16_t>(image, scene, notes, stop, finish);
     case ImageFormat::ExrHalf:
     case ImageFormat::ExrFloat:
-        return withBackground(image, effect.output, [&](const Image& light) {
+        return withBackground(image, scene.output, [&](const Image& light) {
             return encodeExr({light.width, light.height, {{{}, exrChannels(4), light.pixels}},
                                  format == ImageFormat::ExrHalf, notes},
                 stop);
         });
-    case ImageFormat::Tga: return encodeTgaOf(image, effect, finish);
+    case ImageFormat::Tga: return encodeTgaOf(image, scene, finish);
     }
     return Error{ErrorCode::WriteFailed, makeMessage("unknown image format"), {}, {}};
 }
@@ -105,10 +105,10 @@ Result<std::vector<std::byte>> encodeNumbers(
 }
 
 template <class Channel>
-DataImage numbersOfSheet(const Image& image, const Effect& effect, int cellWidth, int cellHeight)
+DataImage numbersOfSheet(const Image& image, const Scene& scene, int cellWidth, int cellHeight)
 {
     EncodedImage<Channel> encoded;
-    encode(image, effect.output, encoded, coverOf(effect.glow));
+    encode(image, scene.output, encoded, coverOf(scene));
     bleedColours(encoded, cellWidth, cellHeight);
     DataImage out{image.width, image.height, 4, false, {}, true};
     out.values.resize(encoded.pixels.size());
@@ -165,28 +165,28 @@ std::filesystem::path withEnding(const std::filesystem::path& path, std::string_
                                     : path.parent_path() / pathFrom(path.filename().string() + std::string(ending));
 }
 
-Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format,
-    const ImageMetadata& notes, const std::stop_token& stop)
+Result<std::vector<std::byte>> encodeImage(
+    const Image& image, const Scene& scene, ImageFormat format, const ImageMetadata& notes, const std::stop_token& stop)
 {
-    return encodeWith(image, effect, format, notes, stop, [](auto&) {});
+    return encodeWith(image, scene, format, notes, stop, [](auto&) {});
 }
 
-Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format, int cellWidth,
+Result<std::vector<std::byte>> encodeSheet(const Image& image, const Scene& scene, ImageFormat format, int cellWidth,
     int cellHeight, const ImageMetadata& notes)
 {
     return encodeWith(
-        image, effect, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
+        image, scene, format, notes, {}, [&](auto& encoded) { bleedColours(encoded, cellWidth, cellHeight); });
 }
 
-DataImage sheetNumbers(const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight)
+DataImage sheetNumbers(const Image& image, const Scene& scene, ImageFormat format, int cellWidth, int cellHeight)
 {
     if (holdsFloats(format)) {
-        return withBackground(image, effect.output, [](const Image& light) {
+        return withBackground(image, scene.output, [](const Image& light) {
             return DataImage{light.width, light.height, 4, false, light.pixels};
         });
     }
-    return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, effect, cellWidth, cellHeight)
-                                        : numbersOfSheet<std::uint8_t>(image, effect, cellWidth, cellHeight);
+    return format == ImageFormat::Png16 ? numbersOfSheet<std::uint16_t>(image, scene, cellWidth, cellHeight)
+                                        : numbersOfSheet<std::uint8_t>(image, scene, cellWidth, cellHeight);
 }
 
 Result<std::vector<std::byte>> encodeData(

@@ -2,7 +2,7 @@
 
 #include "core/base/aligned_array.h"
 #include "core/base/result.h"
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 #include "core/noise/texture.h"
 #include "core/image_io/image_metadata.h"
 #include "core/rendering/image.h"
@@ -53,11 +53,11 @@ inline constexpr std::array kAllImageFormats{
 /// @param effect    for PNG and TGA its exposure and view transform; where its flames are clear, alpha covers at least
 /// the light that they give
 /// @error WriteFailed when the library refuses; Cancelled
-[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Effect& effect, ImageFormat format,
+[[nodiscard]] Result<std::vector<std::byte>> encodeImage(const Image& image, const Scene& scene, ImageFormat format,
     const ImageMetadata& notes = {}, const std::stop_token& stop = {});
 
 /// The same for a picture of cells, in which no colour may seep from one to the other; see bleedColours().
-[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Effect& effect, ImageFormat format,
+[[nodiscard]] Result<std::vector<std::byte>> encodeSheet(const Image& image, const Scene& scene, ImageFormat format,
     int cellWidth, int cellHeight, const ImageMetadata& notes = {});
 
 /// Numbers that are no light for eyes: rows from the top, channels side by side.
@@ -73,7 +73,7 @@ struct DataImage {
 /// The numbers that encodeSheet() writes for a picture of cells: straight sRGB in [0, 1] with colours that go on under
 /// transparency; of floats the picture as it is.
 [[nodiscard]] DataImage sheetNumbers(
-    const Image& image, const Effect& effect, ImageFormat format, int cellWidth, int cellHeight);
+    const Image& image, const Scene& scene, ImageFormat format, int cellWidth, int cellHeight);
 
 /// Encodes numbers as they are: PNG without a colour space, and, as in TGA, what is out of range clipped; EXR with all
 /// of them.

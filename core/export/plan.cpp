@@ -41,24 +41,24 @@ std::filesystem::path fileOf(const ExportPlan& plan, int frame)
 }
 
 /// The preset that pictures of an effect carry, as JSON.
-std::string projectOf(const Effect& effect, const ExportPlan& plan)
+std::string projectOf(const Scene& scene, const ExportPlan& plan)
 {
     if (!plan.project) {
         return {};
     }
     Preset project = *plan.project;
-    project.effect = effect;
+    project.scene = scene;
     return formatPreset(project);
 }
 
-Result<std::vector<std::byte>> noiseBytes(const Effect& effect, const ExportPlan& plan, const std::stop_token& stop)
+Result<std::vector<std::byte>> noiseBytes(const Scene& scene, const ExportPlan& plan, const std::stop_token& stop)
 {
-    const int size = plan.noise.size > 0 ? plan.noise.size : effect.noise.resolution;
-    const Result<NoiseTile> tile = bakeNoise(effect.noise, size, plan.noise.depth, stop);
+    const int size = plan.noise.size > 0 ? plan.noise.size : scene.layers.front().noise.resolution;
+    const Result<NoiseTile> tile = bakeNoise(scene.layers.front().noise, size, plan.noise.depth, stop);
     return tile ? encodeNoise(tile.value(), plan.format) : tile.error();
 }
 
-Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& plan, const Task& task)
+Result<std::vector<std::byte>> bytesOf(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
     switch (plan.kind) {
     case ExportKind::Sequence:
@@ -69,8 +69,8 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
         }
         [[fallthrough]];
     case ExportKind::Picture:
-        return encodeFrame(effect, plan.frames.first, sequenceOf(plan, projectOf(effect, plan)), task);
-    case ExportKind::NoiseTexture: return noiseBytes(effect, plan, task.stop);
+        return encodeFrame(scene, plan.frames.first, sequenceOf(plan, projectOf(scene, plan)), task);
+    case ExportKind::NoiseTexture: return noiseBytes(scene, plan, task.stop);
     case ExportKind::Video:
     case ExportKind::Particles:
     case ExportKind::Volumes:
@@ -79,12 +79,12 @@ Result<std::vector<std::byte>> bytesOf(const Effect& effect, const ExportPlan& p
     return Error{ErrorCode::OutOfRange, makeMessage("this is not written as a stream"), {}, makeMessage("Name a file")};
 }
 
-Status writeOne(const Effect& effect, const ExportPlan& plan, const Task& task)
+Status writeOne(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
     if (Status status = makeFolderOf(plan.output); !status) {
         return status;
     }
-    const Result<std::vector<std::byte>> bytes = bytesOf(effect, plan, task);
+    const Result<std::vector<std::byte>> bytes = bytesOf(scene, plan, task);
     return bytes ? writeFileAtomically(plan.output, bytes.value()) : Status(bytes.error());
 }
 
@@ -107,24 +107,24 @@ bool overwritesSource(const ExportPlan& plan)
         files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
 }
 
-Result<std::optional<Flipbook>> exportFlipbook(const Effect& effect, const ExportPlan& plan, const Task& task)
+Result<std::optional<Flipbook>> exportFlipbook(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
-    Result<FlipbookOptions> options = flipbookSeenBy(effect, plan, task);
+    Result<FlipbookOptions> options = flipbookSeenBy(scene, plan, task);
     if (!options) {
         return options.error();
     }
-    options.value().preset = projectOf(effect, plan);
+    options.value().preset = projectOf(scene, plan);
     if (const std::filesystem::path& manifest = plan.recording.manifest;
         !manifest.empty() && !isUtf8(withinFolderOf(manifest, plan.output).string())) {
         return nameNotUtf8(plan.output);
     }
-    const Result<Flipbook> flipbook = renderFlipbook(effect, options.value(), task);
+    const Result<Flipbook> flipbook = renderFlipbook(scene, options.value(), task);
     if (!flipbook) {
         return flipbook.error();
     }
     const Status recorded = plan.recording.manifest.empty()
         ? Status(Done{})
-        : recordFlipbook(effect, options.value(), plan.recording.manifest);
+        : recordFlipbook(scene, options.value(), plan.recording.manifest);
     return recorded ? Result<std::optional<Flipbook>>(flipbook.value()) : recorded.error();
 }
 
@@ -162,7 +162,7 @@ std::filesystem::path firstFile(const ExportPlan& plan)
     }
 }
 
-Result<FlipbookOptions> flipbookSeenBy(const Effect& seen, const ExportPlan& plan, const Task& task)
+Result<FlipbookOptions> flipbookSeenBy(const Scene& seen, const ExportPlan& plan, const Task& task)
 {
     FlipbookOptions options = flipbookOf(plan);
     if (plan.flipbook.trim) {
@@ -181,9 +181,9 @@ std::filesystem::path lastFile(const ExportPlan& plan)
     return isNumbered(plan.kind) ? fileOf(plan, plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
 }
 
-Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
+Result<Output> outputFor(const Scene& scene, const ExportPlan& plan)
 {
-    Output output = effect.output;
+    Output output = scene.output;
     if (plan.kind != ExportKind::Flipbook || !plan.flipbook.powerOfTwo) {
         return output;
     }
@@ -199,10 +199,10 @@ Result<Output> outputFor(const Effect& effect, const ExportPlan& plan)
     return output;
 }
 
-Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const Task& task)
+Result<Scene> sceneSeenBy(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
-    Effect out = effect;
-    const Result<Output> output = outputFor(effect, plan);
+    Scene out = scene;
+    const Result<Output> output = outputFor(scene, plan);
     if (!output) {
         return output.error();
     }
@@ -219,7 +219,7 @@ Result<Effect> effectSeenBy(const Effect& effect, const ExportPlan& plan, const 
 
 namespace {
 
-Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPlan& plan, const Task& task)
+Result<std::optional<Flipbook>> writeFiles(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
     const auto plainly = [](const Status& status) {
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
@@ -227,21 +227,21 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
     switch (plan.kind) {
     case ExportKind::Sequence:
     case ExportKind::Picture:
-        return plainly(renderRecorded(effect, sequenceOf(plan, projectOf(effect, plan)), plan.recording, task));
-    case ExportKind::Flipbook: return exportFlipbook(effect, plan, task);
-    case ExportKind::Video: return plainly(renderVideo(effect, videoOf(plan), task));
-    case ExportKind::NoiseTexture: return plainly(writeOne(effect, plan, task));
+        return plainly(renderRecorded(scene, sequenceOf(plan, projectOf(scene, plan)), plan.recording, task));
+    case ExportKind::Flipbook: return exportFlipbook(scene, plan, task);
+    case ExportKind::Video: return plainly(renderVideo(scene, videoOf(plan), task));
+    case ExportKind::NoiseTexture: return plainly(writeOne(scene, plan, task));
     case ExportKind::Particles:
         return plainly(dumpSequence(
-            effect, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, task));
+            scene, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, task));
     case ExportKind::Volumes: {
-        const Result<float> voxel = writeVolumes(effect,
+        const Result<float> voxel = writeVolumes(scene,
             {plan.output, plan.frames, plan.volume.cells, plan.volume.voxel, plan.up.value_or(UpAxis::Z), plan.source},
             task);
         return plainly(voxel ? Status(Done{}) : Status(voxel.error()));
     }
     case ExportKind::Air: {
-        const Result<AirGrid> air = writeAir(effect, {plan.output, plan.frames, plan.air, plan.source}, task);
+        const Result<AirGrid> air = writeAir(scene, {plan.output, plan.frames, plan.air, plan.source}, task);
         return plainly(air ? Status(Done{}) : Status(air.error()));
     }
     }
@@ -250,21 +250,21 @@ Result<std::optional<Flipbook>> writeFiles(const Effect& effect, const ExportPla
 
 } // namespace
 
-Result<std::optional<Flipbook>> runExport(const Effect& effect, const ExportPlan& plan, const Task& task)
+Result<std::optional<Flipbook>> runExport(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
     if (overwritesSource(plan)) {
         return wouldOverwrite(plan.source);
     }
     return withinMemory([&]() -> Result<std::optional<Flipbook>> {
-        const Result<Effect> seen = effectSeenBy(effect, plan, task);
+        const Result<Scene> seen = sceneSeenBy(scene, plan, task);
         return seen ? writeFiles(seen.value(), plan, task) : seen.error();
     });
 }
 
-Result<std::vector<std::byte>> exportBytes(const Effect& effect, const ExportPlan& plan, const Task& task)
+Result<std::vector<std::byte>> exportBytes(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
     return withinMemory([&]() -> Result<std::vector<std::byte>> {
-        const Result<Effect> seen = effectSeenBy(effect, plan, task);
+        const Result<Scene> seen = sceneSeenBy(scene, plan, task);
         return seen ? bytesOf(seen.value(), plan, task) : seen.error();
     });
 }

@@ -32,15 +32,15 @@ void addLoop(const Timeline& timeline, const ExportPlan& plan, std::vector<Messa
     }
 }
 
-void addVideo(const Effect& effect, const ExportPlan& plan, std::vector<Message>& remarks)
+void addVideo(const Scene& scene, const ExportPlan& plan, std::vector<Message>& remarks)
 {
-    const int left = framesOf(effect, videoOf(plan)).step / plan.frames.step;
+    const int left = framesOf(scene, videoOf(plan)).step / plan.frames.step;
     if (left > 1) {
         remarks.push_back(
             makeMessage("one frame of %1 is in the GIF: more than 50 pictures a second play slowly in browsers", left));
     }
-    const auto [width, height] = sizeOf(effect.output, plan.video.format);
-    if (width != effect.output.width || height != effect.output.height) {
+    const auto [width, height] = sizeOf(scene.output, plan.video.format);
+    if (width != scene.output.width || height != scene.output.height) {
         remarks.push_back(makeMessage(
             "H.264 has even edges: the video is %1 x %2 pixels, the last column or row twice", width, height));
     }
@@ -48,15 +48,15 @@ void addVideo(const Effect& effect, const ExportPlan& plan, std::vector<Message>
 
 } // namespace
 
-std::vector<Message> remarksOn(const Effect& effect, const ExportPlan& plan)
+std::vector<Message> remarksOn(const Scene& scene, const ExportPlan& plan)
 {
     std::vector<Message> remarks;
-    addLoop(effect.timeline, plan, remarks);
+    addLoop(scene.timeline, plan, remarks);
     if (plan.kind == ExportKind::Video) {
-        addVideo(effect, plan, remarks);
+        addVideo(scene, plan, remarks);
     }
     if (plan.kind == ExportKind::Flipbook) {
-        std::ranges::move(engineRemarks(effect, flipbookOf(plan)), std::back_inserter(remarks));
+        std::ranges::move(engineRemarks(scene, flipbookOf(plan)), std::back_inserter(remarks));
     }
     return remarks;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/plan.h"
+#include "core/scene/scene.h"
 
 #include <vector>
 
@@ -11,6 +12,6 @@ namespace fumage {
 /// otherwise of a sheet (engineRemarks()).
 /// @param effect whose output has the size that is asked for
 /// O(1).
-[[nodiscard]] std::vector<Message> remarksOn(const Effect& effect, const ExportPlan& plan);
+[[nodiscard]] std::vector<Message> remarksOn(const Scene& scene, const ExportPlan& plan);
 
 } // namespace fumage

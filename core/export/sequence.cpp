@@ -6,8 +6,7 @@
 #include "core/export/pass_frames.h"
 #include "core/export/frame_neighbours.h"
 #include "core/export/output_name.h"
-#include "core/rendering/renderer.h"
-#include "core/simulation/simulator.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <array>
@@ -23,9 +22,9 @@ std::string padded(int number, std::size_t digits)
     return text.size() >= digits ? text : std::string(digits - text.size(), '0') + text;
 }
 
-ImageMetadata notesOf(const Effect& effect, const SequenceOptions& options, int frame)
+ImageMetadata notesOf(const Scene& scene, const SequenceOptions& options, int frame)
 {
-    return {effect.timeline.frameRate, options.preset, frame};
+    return {scene.timeline.frameRate, options.preset, frame};
 }
 
 bool hasTargets(const SequenceOptions& options)
@@ -45,48 +44,46 @@ Status check(const SequenceOptions& options)
 /// Frames of which the colour is written. Two are kept: one is encoded while the next is made.
 class ColourFrames {
 public:
-    ColourFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
-        : m_smoke(sampled(effect))
+    ColourFrames(const Scene& scene, const SequenceOptions& options, std::vector<int> numbers)
+        : m_scene(scene)
         , m_options(options)
         , m_numbers(std::move(numbers))
-        , m_simulator(m_smoke)
+        , m_renderer(scene)
     {
     }
 
     [[nodiscard]] Status render(std::size_t place, const Task& task)
     {
-        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(m_numbers[place], task);
-        return frame ? m_renderer.render(*frame.value(), m_smoke, m_smoke->output.width, m_smoke->output.height,
-                   m_images[place % 2], task.stop)
-                     : Status(frame.error());
+        const Output& output = m_scene.output;
+        return m_renderer.render(m_numbers[place], output.width, output.height, m_images[place % 2], task);
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
         return encodeImage(
-            m_images[place % 2], m_smoke, m_options.format, notesOf(m_smoke, m_options, m_numbers[place]), stop);
+            m_images[place % 2], m_scene, m_options.format, notesOf(m_scene, m_options, m_numbers[place]), stop);
     }
 
 private:
-    SampledEffect m_smoke;
+    Scene m_scene;
     SequenceOptions m_options;
     std::vector<int> m_numbers;
-    Simulator m_simulator;
-    Renderer m_renderer;
+    SceneRenderer m_renderer;
     std::array<Image, 2> m_images;
 };
 
 /// The same for all passes, as targets.
 class PassFrames {
 public:
-    PassFrames(const Effect& effect, const SequenceOptions& options, std::vector<int> numbers)
-        : m_smoke(sampled(effect))
+    PassFrames(const Scene& scene, const SequenceOptions& options, std::vector<int> numbers)
+        : m_scene(scene)
+        , m_layers(sampledLayers(scene))
         , m_options(options)
         , m_frames{std::move(numbers)}
-        , m_neighbours(m_smoke, m_frames, options.passes.has(Pass::Motion), options.frames.step)
+        , m_neighbours(m_layers, m_frames, options.passes.has(Pass::Motion), options.frames.step)
     {
         m_options.passes.add(Pass::Colour);
         for (PassSheet& sheet : m_sheets) {
-            sheet.grid = {1, 1, m_smoke->output.width, m_smoke->output.height};
+            sheet.grid = {1, 1, m_scene.output.width, m_scene.output.height};
         }
     }
     PassFrames(const PassFrames&) = delete; // what hands out frames looks at the numbers
@@ -99,17 +96,18 @@ public:
             return frame.error();
         }
         PassSheet& sheet = m_sheets[place % 2];
-        return m_renderer.render(frame.value(), m_smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes,
-            sheet.targets, task.stop);
+        return m_renderer.render(
+            frame.value(), sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes, sheet.targets, task.stop);
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
-        return encodeTargets(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_smoke->output,
-            m_options.format, notesOf(m_smoke, m_options, m_frames.numbers[place]), stop);
+        return encodeTargets(m_sheets[place % 2], m_options.passes, m_options.premultiplied, m_scene.output,
+            m_options.format, notesOf(m_scene, m_options, m_frames.numbers[place]), stop);
     }
 
 private:
-    SampledEffect m_smoke;
+    Scene m_scene;
+    std::vector<SampledEffect> m_layers;
     SequenceOptions m_options;
     CellFrames m_frames;
     FrameNeighbours m_neighbours;
@@ -225,7 +223,7 @@ std::vector<int> numbersOf(const SequenceOptions& options)
 }
 
 Result<std::vector<std::byte>> encodeFrame(
-    const Effect& effect, int frame, const SequenceOptions& options, const Task& task)
+    const Scene& scene, int frame, const SequenceOptions& options, const Task& task)
 {
     const auto encoded = [&](auto frames) -> Result<std::vector<std::byte>> {
         const Status status = frames.render(0, task);
@@ -234,8 +232,8 @@ Result<std::vector<std::byte>> encodeFrame(
     if (Status status = check(options); !status) {
         return status.error();
     }
-    return hasTargets(options) ? encoded(PassFrames(effect, options, {frame}))
-                               : encoded(ColourFrames(effect, options, {frame}));
+    return hasTargets(options) ? encoded(PassFrames(scene, options, {frame}))
+                               : encoded(ColourFrames(scene, options, {frame}));
 }
 
 Status writeNumbered(
@@ -263,7 +261,7 @@ Status writeNumbered(
     return Done{};
 }
 
-Status encodeFrames(const Effect& effect, const SequenceOptions& options, const FrameSink& sink, const Task& task)
+Status encodeFrames(const Scene& scene, const SequenceOptions& options, const FrameSink& sink, const Task& task)
 {
     if (Status status = check(options); !status) {
         return status;
@@ -273,12 +271,12 @@ Status encodeFrames(const Effect& effect, const SequenceOptions& options, const 
         return Done{};
     }
     if (hasTargets(options)) {
-        return encodeEach(PassFrames(effect, options, numbers), options, numbers, sink, task);
+        return encodeEach(PassFrames(scene, options, numbers), options, numbers, sink, task);
     }
-    return encodeEach(ColourFrames(effect, options, numbers), options, numbers, sink, task);
+    return encodeEach(ColourFrames(scene, options, numbers), options, numbers, sink, task);
 }
 
-Status renderSequence(const Effect& effect, const SequenceOptions& options, const Task& task)
+Status renderSequence(const Scene& scene, const SequenceOptions& options, const Task& task)
 {
     if (Status status = check(options); !status) {
         return status;
@@ -290,7 +288,7 @@ Status renderSequence(const Effect& effect, const SequenceOptions& options, cons
         Status status = writeFileAtomically(framePath(options, frame), bytes);
         return status && options.written ? options.written(frame, bytes) : status;
     };
-    return encodeFrames(effect, options, write, task);
+    return encodeFrames(scene, options, write, task);
 }
 
 } // namespace fumage

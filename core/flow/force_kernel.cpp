@@ -173,6 +173,11 @@ void forcePlane(AirCells& cells, const AirStep& step, int k, const CurlAround& c
             if (step.vortex.speed != 0.0F) {
                 v = v + swirled(d, step.vortex, step.dt, place - step.vortex.place, v);
             }
+            for (const AirFeed& feed : step.others) {
+                if (feed.vortex.speed != 0.0F) {
+                    v = v + swirled(d, feed.vortex, step.dt, place - feed.vortex.place, v);
+                }
+            }
             if (step.forcing.strength > 0.0F) {
                 v = v + stirred(d, step.forcing, place, heat) * step.dt;
             }

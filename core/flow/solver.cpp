@@ -120,7 +120,7 @@ void AirSolver::stepPiece(const AirStep& step)
     const int planes = cells.grid.cells.z;
     const bool confines = step.confinement > 0.0F;
     const glm::vec3 wind = step.wind - step.windChange;
-    const bool keepsHeat = !step.source.acts; // beside a source the sum is what the source makes it
+    const bool keepsHeat = !step.acts(); // beside a source the sum is what the source makes it
     forPlanes(cells.column, 0, planes, 1, [&](int k) {
         if (keepsHeat) {
             m_heat.before(cells, step.dt, k);
@@ -141,8 +141,9 @@ void AirSolver::stepPiece(const AirStep& step)
         if (confines) {
             m_confinement.plane(k).carried = motionOfCarried(cells, wind, k);
         }
-        if (step.source.acts && k >= step.source.first.z && k < step.source.last.z) {
-            addSource(cells, step.source, k);
+        addSource(cells, step.source, k);
+        for (const AirFeed& feed : step.others) {
+            addSource(cells, feed.source, k);
         }
         if (confines) {
             fillVelocityGhosts(cells, cells.velocity, k);

@@ -134,7 +134,8 @@ void sourcePlane(AirCells& cells, const AirSource& source, int k)
             const V lacking = source.speed * (1.0F + source.raggedness * noise.y) - dot(v, source.normal);
             store(v + (lacking * cover * source.relaxation) * source.normal, cells.velocity.x, cells.velocity.y,
                 cells.velocity.z, at);
-            hn::Store(cover * (source.expansion * cells.grid.cell), d, cells.divergence.data() + at);
+            const V added = cover * (source.expansion * cells.grid.cell);
+            hn::Store(hn::Load(d, cells.divergence.data() + at) + added, d, cells.divergence.data() + at);
         }
     }
 }
@@ -155,6 +156,9 @@ float meanUnevenness(const AirSource& source)
 
 void addSource(AirCells& cells, const AirSource& source, int k)
 {
+    if (!source.acts || k < source.first.z || k >= source.last.z) {
+        return;
+    }
     const auto kernel = HWY_DYNAMIC_DISPATCH(sourcePlane);
     kernel(cells, source, k);
 }

@@ -11,8 +11,8 @@ namespace fumage {
 /// Heats the air in the source and takes it along: heat becomes at least s heat (1 + unevenness m), where that is not
 /// less than 0, with m noise of three octaves, the velocity along its normal goes a share relaxation s of the way to
 /// its own. s is 1 inside and falls to 0 across the rim, which lies at 1 + raggedness n of the reach with n curl noise
-/// that moves, root mean square 1. Writes velocity and heat, and divergence: what the source adds by its expansion,
-/// everywhere else 0.
+/// that moves, root mean square 1. Writes velocity and heat, and adds to the divergence what the source adds by its
+/// expansion. Nothing where it does not act, or does not reach the plane.
 void addSource(AirCells& cells, const AirSource& source, int k);
 
 /// What the unevenness of the source makes of its heat: the mean over its shape of max(0, 1 + unevenness m), at a few

@@ -4,6 +4,7 @@
 #include "core/effect/effect.h"
 #include "core/noise/curl_slices.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -65,6 +66,12 @@ struct TurbulenceForcing {
     float calm = 1.0F; ///< distance from it at which the force begins, m; at twice of it all of it acts
 };
 
+/// What one of several emitters does to the air beside its source.
+struct AirFeed {
+    AirSource source;
+    AirVortex vortex;
+};
+
 /// What happens to the air in one step, or in the last part of one that is too long or too violent to be taken at once.
 struct AirStep {
     float dt = 0.0F; ///< of a piece, s
@@ -79,7 +86,15 @@ struct AirStep {
     glm::vec3 windChange{0.0F}; ///< in a piece; all of the air is moved by as much
     AirSource source;
     AirVortex vortex;
+    std::vector<AirFeed> others; ///< further emitters: where sources overlap, the hottest counts, and expansions add
     TurbulenceForcing forcing;
+
+    /// Whether a source gives anything off.
+    [[nodiscard]] bool acts() const
+    {
+        return source.acts
+            || std::any_of(others.begin(), others.end(), [](const AirFeed& feed) { return feed.source.acts; });
+    }
 };
 
 } // namespace fumage

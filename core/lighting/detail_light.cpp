@@ -65,15 +65,15 @@ void putDetailIntoDensity(const DetailField& detail, LightGrid& grid)
     });
 }
 
-void findBody(const DetailField& detail, LightGrid& grid)
+void findBody(const DetailField& detail, const LightGrid& grid, AlignedArray<float>& body)
 {
     constexpr float kDepthOfBody = 0.4F;
     const GridShape& shape = grid.shape;
-    grid.body.resize(shape.cells() + kPadding);
+    body.resize(shape.cells() + kPadding);
     const int away = std::max(1, static_cast<int>(std::lround(detail.wave / shape.cell)));
     forGridCells(shape, [&](int u, int v, int w, std::size_t index) {
-        const float most = mostAround(shape, grid.plain.data(), u, v, w, away);
-        grid.body[index] = most > 0.0F ? 1.0F - portableExp(-kDepthOfBody * detail.wave * most) : 0.0F;
+        const float most = mostAround(shape, grid.densityOfParticles().data(), u, v, w, away);
+        body[index] = most > 0.0F ? 1.0F - portableExp(-kDepthOfBody * detail.wave * most) : 0.0F;
     });
 }
 

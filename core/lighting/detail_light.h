@@ -14,6 +14,7 @@ void putDetailIntoDensity(const DetailField& detail, LightGrid& grid);
 /// How deep in smoke a cell is, counting what is within a wave of it along the axes: 1 - e^(-0.4 D wave), D the most
 /// density there. What is thin, or apart, shows less detail.
 /// @param grid with its densities
-void findBody(const DetailField& detail, LightGrid& grid);
+/// @param body gets a number a cell, 0 to 1, and padding
+void findBody(const DetailField& detail, const LightGrid& grid, AlignedArray<float>& body);
 
 } // namespace fumage

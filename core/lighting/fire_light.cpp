@@ -3,12 +3,15 @@
 #include "core/base/parallel.h"
 #include "core/lighting/fire_light_kernel.h"
 #include "core/lighting/light_grid.h"
+#include "core/scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 
 namespace fumage {
 
@@ -35,20 +38,23 @@ FireJob fireJob(const Frame& frame, const Effect& effect, const GlowColours& col
     return job;
 }
 
-/// The mean heat of what glows, weighted by what it gives off: one order of the sum for any number of threads and
-/// lanes.
-float meanHeat(const FireWorkspace& room)
-{
+/// What the particles of a layer give off in all, and how hot they are in the mean, weighted by it: one order of the
+/// sum for any number of threads and lanes.
+struct GivenOff {
     double sum = 0.0;
     double heat = 0.0;
-    for (std::size_t i = 0; i < room.heat.size(); ++i) {
-        const float radius = room.glowing.radius[i];
-        const double given = room.glowing.alpha[i] * (radius * radius);
-        sum += given;
-        heat += given * room.heat[i];
+
+    explicit GivenOff(const FireWorkspace::Layer& layer)
+    {
+        for (std::size_t i = 0; i < layer.heat.size(); ++i) {
+            const float radius = layer.glowing.radius[i];
+            const double given = layer.glowing.alpha[i] * (radius * radius);
+            sum += given;
+            heat += given * layer.heat[i];
+        }
     }
-    return sum > 0.0 ? static_cast<float>(heat / sum) : 0.0F;
-}
+    [[nodiscard]] float meanHeat() const { return sum > 0.0 ? static_cast<float>(heat / sum) : 0.0F; }
+};
 
 /// Calls body(w) for each plane: on several threads where that is worth it.
 template <class Body>
@@ -210,6 +216,40 @@ void spread(FireWorkspace& room, const AlignedArray<float>& nothing, float cell,
     }
 }
 
+bool givesLight(const LitLayer& layer)
+{
+    return isLitByFire(layer.effect->glow) && layer.appearance->count > 0;
+}
+
+/// Finds what the particles of a layer give off. @return its colour, of luminance 1, times what it gives off
+glm::dvec4 findGlowing(const LitLayer& layer, float strongest, const LightGrid& light, FireWorkspace::Layer& out)
+{
+    const std::size_t padded = layer.appearance->radius.size();
+    out.glowing.radius.resize(padded);
+    out.glowing.alpha.resize(padded);
+    out.heat.resize(padded);
+    const GlowColours colours = glowColours(layer.effect->glow);
+    FireJob job = fireJob(*layer.frame, *layer.effect, colours);
+    job.strength = layer.effect->glow.fireLight / strongest;
+    out.glowing.largestMass = 0.0F;
+    std::mutex comparing;
+    parallelFor(layer.frame->particles.chunks(), [&](std::size_t chunk) {
+        const float largest = findFireOfChunk(job, *layer.frame, *layer.appearance, light, chunk, out);
+        const std::lock_guard lock(comparing);
+        out.glowing.largestMass = std::max(out.glowing.largestMass, largest);
+    });
+    out.glowing.count = layer.appearance->count;
+    out.glowing.cover.mean = layer.appearance->cover.mean;
+    const GivenOff given(out);
+    const auto entry = static_cast<std::size_t>(given.meanHeat() * static_cast<float>(kGlowTableSize - 1));
+    const float brightness = job.brightness[entry];
+    if (!(out.glowing.largestMass > 0.0F) || !(brightness > 0.0F)) {
+        return {};
+    }
+    const glm::vec3 colour = colours[entry] * (layer.effect->glow.emission / brightness);
+    return {glm::dvec3(colour), given.sum * static_cast<double>(out.glowing.cover.mean)};
+}
+
 } // namespace
 
 bool isLitByFire(const Glow& glow)
@@ -217,44 +257,48 @@ bool isLitByFire(const Glow& glow)
     return glow.emission > 0.0F && glow.fireLight > 0.0F;
 }
 
-void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, FireWorkspace& room,
-    LightWorkspace& splats, LightGrid& light)
+void lightByFire(LitLayers layers, FireWorkspace& room, LightWorkspace& splats, LightGrid& light)
 {
     light.fire.clear();
-    if (!isLitByFire(effect->glow) || appearance.count == 0 || light.shape.cells() == 1) {
+    const auto glowing = static_cast<std::size_t>(std::count_if(layers.begin(), layers.end(), givesLight));
+    if (glowing == 0 || light.shape.cells() == 1) {
         return;
     }
-    const std::size_t padded = appearance.radius.size();
-    room.glowing.radius.resize(padded);
-    room.glowing.alpha.resize(padded);
-    room.heat.resize(padded);
-    const GlowColours colours = glowColours(effect->glow);
-    const FireJob job = fireJob(frame, effect, colours);
-    const std::size_t chunks = frame.particles.chunks();
-    room.glowing.largestMass = 0.0F;
-    std::mutex comparing;
-    parallelFor(chunks, [&](std::size_t chunk) {
-        const float largest = findFireOfChunk(job, frame, appearance, light, chunk, room);
-        const std::lock_guard lock(comparing);
-        room.glowing.largestMass = std::max(room.glowing.largestMass, largest);
-    });
-    room.glowing.count = appearance.count;
-    room.glowing.cover.mean = appearance.cover.mean;
-    const auto entry = static_cast<std::size_t>(meanHeat(room) * static_cast<float>(kGlowTableSize - 1));
-    const float brightness = job.brightness[entry];
-    if (!(room.glowing.largestMass > 0.0F) || !(brightness > 0.0F)) {
+    light.fireStrength = 0.0F;
+    for (const LitLayer& layer : layers) {
+        light.fireStrength =
+            givesLight(layer) ? std::max(light.fireStrength, layer.effect->glow.fireLight) : light.fireStrength;
+    }
+    room.layers.resize(std::max(room.layers.size(), glowing)); // what is there keeps its memory
+    std::array<LitLayer, kMaxLayers> sources;
+    std::array<glm::dvec4, kMaxLayers> given;
+    std::size_t count = 0;
+    double sum = 0.0;
+    for (const LitLayer& layer : layers) {
+        if (givesLight(layer)) {
+            FireWorkspace::Layer& own = room.layers[count];
+            given[count] = findGlowing(layer, light.fireStrength, light, own);
+            sources[count] = {layer.frame, layer.effect, &own.glowing, nullptr};
+            sum += given[count].w;
+            ++count;
+        }
+    }
+    if (!(sum > 0.0)) {
         return;
     }
-    light.fireColour = colours[entry] * (effect->glow.emission / brightness);
+    light.fireColour = glm::vec3(0.0F);
+    for (const glm::dvec4& each : std::span(given).first(count)) {
+        light.fireColour += glm::vec3(each) * static_cast<float>(each.w / sum);
+    }
     if (room.levels.empty()) {
         room.levels.resize(1);
     }
     FireWorkspace::Level& finest = room.levels.front();
     finest.glow.resize(light.shape.nu, light.shape.nv, light.shape.nw);
     finest.density.resize(light.shape.nu, light.shape.nv, light.shape.nw);
-    splatParticles(frame, room.glowing, light.shape, splats, finest.glow.values);
+    splatParticles(std::span(sources).first(count), light.shape, splats, finest.glow.values);
     std::copy_n(light.density.begin(), light.shape.cells(), finest.density.values.begin());
-    spread(room, splats.air, light.shape.cell, effect->light.shadow);
+    spread(room, splats.air, light.shape.cell, layers.front().effect->light.shadow);
     light.fire = room.levels.front().light.values;
 }
 

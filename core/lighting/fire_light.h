@@ -2,7 +2,7 @@
 
 #include "core/lighting/fire_workspace.h"
 #include "core/lighting/light_field.h"
-#include "core/simulation/frame.h"
+#include "core/lighting/lit_layer.h"
 
 namespace fumage {
 
@@ -16,10 +16,9 @@ namespace fumage {
 /// exp(-tau) / (4 pi r^2), and 1 / (4 pi r^2) = sqrt(pi / 2) * integral of s G_s(r) d(ln s) over all s, G_s the
 /// normalised Gaussian of deviation s: a sum over octaves of s of blurred fields, each blurred on a grid as coarse as
 /// it is, and weakened by the smoke within s of the place. Light of one colour, the mean of what glows.
-/// @param appearance as lightSmoke() was given it
-/// @param light      what lightSmoke() has filled; gets fire and its colour
+/// @param layers as lightSmoke() was given them; each gives off what its glow.fire_light says
+/// @param light  what lightSmoke() has filled; gets fire, its colour and its strength
 /// O(particles + cells). Sums have one order: the same bits for any thread count.
-void lightByFire(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, FireWorkspace& room,
-    LightWorkspace& splats, LightGrid& light);
+void lightByFire(LitLayers layers, FireWorkspace& room, LightWorkspace& splats, LightGrid& light);
 
 } // namespace fumage

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace fumage::HWY_NAMESPACE {
 
 float fireOfChunk(const FireJob& job, const Particles& particles, const Appearance& appearance, const LightGrid& light,
-    std::size_t chunk, FireWorkspace& out)
+    std::size_t chunk, FireWorkspace::Layer& out)
 {
     const hn::ScalableTag<float> d;
     using V = hn::VFromD<decltype(d)>;
@@ -34,7 +34,7 @@ float fireOfChunk(const FireJob& job, const Particles& particles, const Appearan
         const V brightness =
             hn::GatherIndex(d, job.brightness.data(), hn::ConvertTo(di, seen * static_cast<float>(kGlowTableSize - 1)));
         // Clear flames give off what opaque ones would.
-        V given = alpha / opaqueShare(d, job.glow, heat) * brightness;
+        V given = alpha / opaqueShare(d, job.glow, heat) * brightness * job.strength;
         if (!appearance.left.empty()) {
             given = given * hn::Load(d, appearance.left.data() + i);
         }
@@ -55,7 +55,7 @@ namespace fumage {
 HWY_EXPORT(fireOfChunk);
 
 float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light,
-    std::size_t chunk, FireWorkspace& out)
+    std::size_t chunk, FireWorkspace::Layer& out)
 {
     return HWY_DYNAMIC_DISPATCH(fireOfChunk)(job, frame.particles, appearance, light, chunk, out);
 }

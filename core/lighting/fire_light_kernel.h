@@ -14,6 +14,7 @@ struct FireJob {
     GlowTable glow;
     std::array<float, kGlowTableSize> brightness{}; ///< by heat
     float hotCore = 0.0F;
+    float strength = 1.0F; ///< of its light on smoke, over that of the strongest layer
     std::int32_t step = 0;
     float dt = 0.0F;
     bool bornBetweenSteps = false;
@@ -22,6 +23,6 @@ struct FireJob {
 /// Fills radius and alpha of what glows, and its heat, for one chunk.
 /// @return the largest mass
 float findFireOfChunk(const FireJob& job, const Frame& frame, const Appearance& appearance, const LightGrid& light,
-    std::size_t chunk, FireWorkspace& out);
+    std::size_t chunk, FireWorkspace::Layer& out);
 
 } // namespace fumage

@@ -33,8 +33,12 @@ struct FireWorkspace {
         GridField light;
         GridField halfU, halfV;
     };
-    Appearance glowing; ///< of each particle what it gives off, as if that were its opacity
-    AlignedArray<float> heat; ///< of each particle, as it glows
+    /// What the particles of a layer give off.
+    struct Layer {
+        Appearance glowing; ///< of each particle what it gives off, as if that were its opacity
+        AlignedArray<float> heat; ///< of each particle, as it glows
+    };
+    std::vector<Layer> layers; ///< those that glow
     std::vector<Level> levels;
 };
 

@@ -29,11 +29,11 @@ struct LightGrid {
     GridShape shape;
     AlignedArray<float> density; ///< extinction, 1/m; u fastest, w slowest
     AlignedArray<float> plain; ///< the same without the detail that is in it; empty: there is none
-    AlignedArray<float> body; ///< how deep in smoke a cell is, 0 to 1, where there is detail; see findBody()
     /// Four floats a cell: sun with shadow and phase, sky, ground, optical depth towards the sun
     AlignedArray<float> light;
     AlignedArray<float> fire; ///< one float a cell: light of what glows in the smoke; empty: there is none
     glm::vec3 fireColour{0.0F};
+    float fireStrength = 1.0F; ///< that its light is multiplied by
 
     /// Extinction as the particles have it, 1/m.
     [[nodiscard]] const AlignedArray<float>& densityOfParticles() const { return plain.empty() ? density : plain; }
@@ -45,6 +45,7 @@ struct LightWorkspace {
     AlignedArray<float> ground;
     AlignedArray<float> air; ///< a line of cells without density: what lies before the first
     AlignedArray<float> soft; ///< four floats a cell, half softened
+    LightGrid layer; ///< densities of one layer of several
     std::vector<AlignedArray<std::uint32_t>> partial; ///< one fixed-point density a worker
 };
 

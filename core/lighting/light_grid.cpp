@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace fumage {
 
@@ -23,13 +24,15 @@ namespace {
 constexpr std::size_t kPadding = kAlignment / sizeof(float);
 
 /// Whether anything that is seen depends on the density.
-bool needsDensity(const Effect& effect)
+bool needsDensity(LitLayers layers, const Light& light)
 {
-    const Light& light = effect.light;
     const bool shadows = light.intensity > 0.0F && light.shadow > 0.0F;
-    const bool glowsByOpenness = effect.glow.emission > 0.0F && effect.glow.hotCore > 0.0F;
-    const bool occludes = light.occlusion > 0.0F && (light.ambient > 0.0F || glowsByOpenness);
-    return shadows || occludes || effect.look.overlap > 1.0F || hasDetail(effect);
+    return shadows || std::any_of(layers.begin(), layers.end(), [&](const LitLayer& layer) {
+        const Effect& effect = *layer.effect;
+        const bool glowsByOpenness = effect.glow.emission > 0.0F && effect.glow.hotCore > 0.0F;
+        const bool occludes = light.occlusion > 0.0F && (light.ambient > 0.0F || glowsByOpenness);
+        return occludes || effect.look.overlap > 1.0F || hasDetail(effect);
+    });
 }
 
 /// The most cells that the longest edge of the cloud is worth.
@@ -45,22 +48,22 @@ int finestResolution(const Light& light, bool dense)
 
 /// The smallest edge of a cell that shadows are worth. In finer ones particles would shadow themselves more than one
 /// another, so that the same smoke cut into fewer particles would look darker; and few particles need few cells.
-float smallestCell(const Appearance& appearance, const Light& light)
+float smallestCell(const LitBounds& bounds, const Light& light)
 {
     constexpr float kCellsAParticle = 16.0F;
     constexpr float kThird = 1.0F / 3.0F;
     constexpr float kNoVolume = 1e-30F;
-    const glm::vec3 extent = appearance.high - appearance.low;
+    const glm::vec3 extent = bounds.high - bounds.low;
     const float volume = std::max(kNoVolume, extent.x * extent.y * extent.z);
-    const float filled = portablePow(volume / (kCellsAParticle * static_cast<float>(appearance.count)), kThird);
+    const float filled = portablePow(volume / (kCellsAParticle * static_cast<float>(bounds.count)), kThird);
     constexpr float kTypical = 0.4F; // a particle's mass over the largest; of the built-in presets 0.32 to 0.58
     constexpr float kMaxOwnDepth = 0.3F; // optical depth of one particle spread over a cell
     const float crossSection =
-        kTypical * kPi * appearance.cover.mean * appearance.largestMass * std::max(light.shadow, light.occlusion);
+        kTypical * kPi * bounds.cover * bounds.largestMass * std::max(light.shadow, light.occlusion);
     return std::max(filled, std::sqrt(crossSection / kMaxOwnDepth));
 }
 
-GridShape gridShape(const Appearance& appearance, const Light& light, const Axes& axes, int resolution)
+GridShape gridShape(const LitBounds& bounds, const Light& light, const Axes& axes, int resolution)
 {
     GridShape shape;
     shape.axes = axes;
@@ -68,12 +71,12 @@ GridShape gridShape(const Appearance& appearance, const Light& light, const Axes
         return shape;
     }
     constexpr float kSmallestCloud = 1e-3F;
-    const glm::vec3 extent = appearance.high - appearance.low;
+    const glm::vec3 extent = bounds.high - bounds.low;
     const float longest = std::max({extent.x, extent.y, extent.z, kSmallestCloud});
     constexpr float kMinCells = 6.0F; // along the longest edge: less shows no shadow
     shape.finest = longest / static_cast<float>(resolution - 2);
-    shape.cell = std::max(shape.finest, std::min(longest / kMinCells, smallestCell(appearance, light)));
-    shape.origin = appearance.low - glm::vec3(0.5F * shape.cell);
+    shape.cell = std::max(shape.finest, std::min(longest / kMinCells, smallestCell(bounds, light)));
+    shape.origin = bounds.low - glm::vec3(0.5F * shape.cell);
     // One cell of air on every side, so that bounds never cut a particle in half.
     const auto count = [&](float length) {
         return static_cast<int>(std::min(static_cast<float>(resolution), std::ceil(length / shape.cell) + 2.0F));
@@ -101,23 +104,55 @@ std::array<AmbientDirection, 6> ambientDirections(const Axes& axes)
     return out;
 }
 
-void addAmbientLight(const Effect& effect, LightWorkspace& room, LightGrid& out)
+void addAmbientLight(const Light& light, LightWorkspace& room, LightGrid& out)
 {
     // Directions follow one another for every cell, so that sums have one order; lines of one direction are
     // independent.
     for (const AmbientDirection& direction : ambientDirections(out.shape.axes)) {
         const int lines = direction.axis == 2 ? out.shape.nv : out.shape.nw;
-        parallelFor(static_cast<std::size_t>(lines), [&](std::size_t line) {
-            addAmbient(out, direction, effect.light.occlusion, static_cast<int>(line), room);
-        });
+        parallelFor(static_cast<std::size_t>(lines),
+            [&](std::size_t line) { addAmbient(out, direction, light.occlusion, static_cast<int>(line), room); });
     }
 }
 
-void addSunLight(const Effect& effect, const glm::vec3& eye, const LightWorkspace& room, LightGrid& out)
+void addSunLight(const Light& light, const glm::vec3& eye, const LightWorkspace& room, LightGrid& out)
 {
-    const SunJob job = sunJob(effect.light, out.shape.axes, eye);
+    const SunJob job = sunJob(light, out.shape.axes, eye);
     parallelFor(static_cast<std::size_t>(out.shape.nv),
         [&](std::size_t row) { addSun(room, job, static_cast<int>(row), out); });
+}
+
+void addCells(const GridShape& shape, const AlignedArray<float>& from, AlignedArray<float>& to)
+{
+    const auto planes = static_cast<std::size_t>(shape.nw);
+    const std::size_t plane = shape.cells() / planes;
+    parallelFor(planes, [&](std::size_t w) {
+        for (std::size_t i = w * plane; i < (w + 1) * plane; ++i) {
+            to[i] += from[i];
+        }
+    });
+}
+
+/// Densities of layers of which some have detail: each is put into the density of its own layer alone.
+void addDetailedLayers(LitLayers layers, LightWorkspace& room, LightGrid& out)
+{
+    std::vector<LitLayer> smooth;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(smooth),
+        [](const LitLayer& layer) { return layer.detail == nullptr; });
+    out.density.assign(out.shape.cells() + kPadding, 0.0F);
+    if (!smooth.empty()) {
+        splatParticles(smooth, out.shape, room, out.density);
+    }
+    out.plain = out.density;
+    room.layer.shape = out.shape;
+    for (const LitLayer& layer : layers) {
+        if (layer.detail != nullptr && layer.appearance->count > 0) {
+            splatParticles({&layer, 1}, out.shape, room, room.layer.density);
+            putDetailIntoDensity(*layer.detail, room.layer);
+            addCells(out.shape, room.layer.plain, out.plain);
+            addCells(out.shape, room.layer.density, out.density);
+        }
+    }
 }
 
 } // namespace
@@ -133,26 +168,45 @@ SunJob sunJob(const Light& light, const Axes& axes, const glm::vec3& eye)
     return job;
 }
 
-void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room,
-    AlignedArray<float>& out)
+void splatParticles(LitLayers layers, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out)
 {
     const std::size_t cells = shape.cells();
-    const std::size_t chunks = frame.particles.chunks();
+    // What covers most of its disc is the measure of the others: of one layer, its mass is counted as it is.
+    float cover = 0.0F;
+    std::size_t chunks = 0;
+    std::size_t count = 0;
+    for (const LitLayer& layer : layers) {
+        cover = std::max(cover, layer.appearance->cover.mean);
+        chunks += layer.frame->particles.chunks();
+        count += layer.appearance->count;
+    }
+    const auto weightOf = [&](const LitLayer& layer) {
+        return cover > 0.0F ? layer.appearance->cover.mean / cover : 1.0F;
+    };
     // The sum over all particles must fit into 32 bits, whatever cell they meet in.
     constexpr float kMaxUnits = 0x1p31F;
     constexpr float kSmallestMass = 1e-20F;
-    const float unitsPerMass =
-        kMaxUnits / (std::max(appearance.largestMass, kSmallestMass) * static_cast<float>(appearance.count));
+    float largestMass = kSmallestMass;
+    for (const LitLayer& layer : layers) {
+        largestMass = std::max(largestMass, layer.appearance->largestMass * weightOf(layer));
+    }
+    const float unitsPerMass = kMaxUnits / (largestMass * static_cast<float>(count));
     const auto workers = std::min(chunks, parallelThreads());
     room.partial.resize(workers);
     parallelFor(workers, [&](std::size_t worker) {
         room.partial[worker].assign(cells, 0U);
-        for (std::size_t chunk = worker; chunk < chunks; chunk += workers) {
-            splatChunk(frame.particles, appearance, shape, unitsPerMass, chunk, room.partial[worker].data());
+        std::size_t before = 0; // chunks of the layers before
+        for (const LitLayer& layer : layers) {
+            const float units = unitsPerMass * weightOf(layer);
+            const std::size_t own = layer.frame->particles.chunks();
+            for (std::size_t chunk = (worker + workers - before % workers) % workers; chunk < own; chunk += workers) {
+                splatChunk(layer.frame->particles, *layer.appearance, shape, units, chunk, room.partial[worker].data());
+            }
+            before += own;
         }
     });
     const float volume = shape.cell * shape.cell * shape.cell;
-    const float perUnit = kPi * appearance.cover.mean / (unitsPerMass * volume);
+    const float perUnit = kPi * cover / (unitsPerMass * volume);
     out.resize(cells + kPadding);
     const auto planes = static_cast<std::size_t>(shape.nw);
     const std::size_t plane = cells / planes;
@@ -168,42 +222,42 @@ void splatParticles(const Frame& frame, const Appearance& appearance, const Grid
     std::fill(out.begin() + static_cast<std::ptrdiff_t>(cells), out.end(), 0.0F);
 }
 
-void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    const DetailField* detail, LightWorkspace& room, LightGrid& out)
+void fillDensity(LitLayers layers, const Light& light, const Axes& axes, LightWorkspace& room, LightGrid& out)
 {
-    const bool dense = needsDensity(effect);
-    out.shape = gridShape(appearance, effect->light, axes, finestResolution(effect->light, dense));
-    if (dense) {
-        splatParticles(frame, appearance, out.shape, room, out.density);
-    } else {
-        out.density.assign(out.shape.cells() + kPadding, 0.0F);
-    }
+    const bool dense = needsDensity(layers, light);
+    out.shape = gridShape(LitBounds(layers), light, axes, finestResolution(light, dense));
     out.plain.clear();
-    if (detail != nullptr) {
-        putDetailIntoDensity(*detail, out);
+    const bool detailed = std::any_of(layers.begin(), layers.end(), [](const LitLayer& layer) { return layer.detail; });
+    if (!dense) {
+        out.density.assign(out.shape.cells() + kPadding, 0.0F);
+    } else if (layers.size() > 1 && detailed) {
+        addDetailedLayers(layers, room, out);
+    } else {
+        splatParticles(layers, out.shape, room, out.density);
+        if (detailed) {
+            putDetailIntoDensity(*layers.front().detail, out);
+        }
     }
 }
 
-void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye,
-    const DetailField* detail, LightWorkspace& room, LightGrid& out)
+void lightSmoke(LitLayers layers, const glm::vec3& eye, LightWorkspace& room, LightGrid& out)
 {
-    if (appearance.count == 0) {
+    if (LitBounds(layers).count == 0) {
         out.shape = {};
+        out.density.assign(1 + kPadding, 0.0F);
+        out.plain.clear();
         out.light.assign(4, 0.0F);
-        out.body.assign(1, 0.0F);
         return;
     }
-    fillDensity(frame, effect, appearance, lightAxes(effect->light.direction), detail, room, out);
-    if (detail != nullptr) {
-        findBody(*detail, out);
-    }
+    const Light& light = layers.front().effect->light;
+    fillDensity(layers, light, lightAxes(light.direction), room, out);
     const std::size_t cells = out.shape.cells();
     out.light.resize(cells * 4);
     room.air.assign(static_cast<std::size_t>(out.shape.nu) + kPadding, 0.0F);
     room.sky.assign(cells, 0.0F);
     room.ground.assign(cells, 0.0F);
-    addAmbientLight(effect, room, out);
-    addSunLight(effect, eye, room, out);
+    addAmbientLight(light, room, out);
+    addSunLight(light, eye, room, out);
 }
 
 } // namespace fumage

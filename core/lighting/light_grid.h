@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/lighting/detail_field.h"
 #include "core/lighting/light_field.h"
-#include "core/simulation/frame.h"
+#include "core/lighting/lit_layer.h"
 
 #include <glm/vec3.hpp>
 
@@ -12,16 +11,17 @@ namespace fumage {
 [[nodiscard]] Axes lightAxes(const glm::vec3& direction);
 
 /// Adds up what the particles around each cell cover, alpha * pi r^2 times appearance.cover, over its volume.
+/// Masses of all layers are whole numbers of one unit: smoke is as dense however it is divided into layers.
+/// @param layers of which one particle or more is visible
 /// @param out gets a vector of zeros after the last cell
-void splatParticles(const Frame& frame, const Appearance& appearance, const GridShape& shape, LightWorkspace& room,
-    AlignedArray<float>& out);
+void splatParticles(LitLayers layers, const GridShape& shape, LightWorkspace& room, AlignedArray<float>& out);
 
 /// Splats the particles into a grid along given axes: the first half of lightSmoke(), which says how.
-/// @param appearance of the same frame, with bounds in these axes and one visible particle or more
-/// @param detail     that is put into the density; null: none
-/// @param out        gets shape and densities; the light stays as it is
-void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    const DetailField* detail, LightWorkspace& room, LightGrid& out);
+/// @param layers with bounds in these axes and one visible particle or more; detail that one has is put into its
+/// density
+/// @param light  what asks for the density, and how finely
+/// @param out    gets shape and densities; the light stays as it is
+void fillDensity(LitLayers layers, const Light& light, const Axes& axes, LightWorkspace& room, LightGrid& out);
 
 /// Splats the particles into a grid and lets light through it.
 ///
@@ -32,12 +32,10 @@ void fillDensity(const Frame& frame, const SampledEffect& effect, const Appearan
 /// ground: transmittance along the six axis directions, weighted by how much they face up or down. Sums are of whole
 /// numbers, so that their order does not matter: the same bits for any thread count. Shares of a particle are rounded
 /// up or down by its random bits, with their mean kept: thin particles add up to as much smoke as dense ones.
-/// @param appearance of the same frame, with bounds in lightAxes(effect.light.direction)
-/// @param eye        the camera, m
-/// @param detail     that the smoke has, and that throws shadow on itself; null: none
+/// @param layers with bounds in lightAxes(effect.light.direction); detail that one has throws shadow
+/// @param eye    the camera, m
 /// O(particles + cells); as many cells as make a difference to the picture, at most resolution along the longest edge.
 /// Where nothing shadows, occludes or asks how many overlap, no particle is looked at.
-void lightSmoke(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const glm::vec3& eye,
-    const DetailField* detail, LightWorkspace& room, LightGrid& out);
+void lightSmoke(LitLayers layers, const glm::vec3& eye, LightWorkspace& room, LightGrid& out);
 
 } // namespace fumage

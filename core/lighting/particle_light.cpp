@@ -1,7 +1,5 @@
 #include "core/lighting/particle_light.h"
 
-#include "core/lighting/fire_light.h"
-
 #include <algorithm>
 
 namespace fumage {
@@ -31,8 +29,8 @@ ParticleLight particleLight(const Effect& effect, const LightGrid& grid)
     out.sun = colour4(effect.light.colour);
     out.sky = colour4(effect.light.sky * effect.light.ambient);
     out.ground = colour4(effect.light.ground * effect.light.ambient);
-    out.isLitByFire = isLitByFire(effect.glow) && !grid.fire.empty();
-    out.fire = colour4(grid.fireColour * effect.glow.fireLight);
+    out.isLitByFire = effect.glow.fireLight > 0.0F && !grid.fire.empty();
+    out.fire = colour4(grid.fireColour * grid.fireStrength);
     return out;
 }
 

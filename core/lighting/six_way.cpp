@@ -30,19 +30,18 @@ void interleave(const std::array<AlignedArray<float>, SixWayLight::kDirections>&
 
 } // namespace
 
-void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    const glm::vec3& eye, const DetailField* detail, LightWorkspace& room, SixWayLight& out)
+void lightSixWays(LitLayers layers, const Axes& axes, const glm::vec3& eye, LightWorkspace& room, SixWayLight& out)
 {
-    if (appearance.count == 0) {
+    if (LitBounds(layers).count == 0) {
         out.grid.shape = {};
         out.fromAbove.assign(SixWayLight::kStride, 0.0F);
         out.fromBelow.assign(SixWayLight::kStride, 0.0F);
         return;
     }
-    Effect lit = effect;
-    lit.light.intensity = 1.0F;
-    fillDensity(frame, sampled(lit), appearance, axes, detail, room, out.grid);
-    const SunJob sun = sunJob(lit.light, axes, eye);
+    Light light = layers.front().effect->light;
+    light.intensity = 1.0F;
+    fillDensity(layers, light, axes, room, out.grid);
+    const SunJob sun = sunJob(light, axes, eye);
     const std::size_t cells = out.grid.shape.cells();
     parallelFor(SixWayLight::kDirections, [&](std::size_t direction) {
         out.single[direction].resize(cells + kPadding);

@@ -20,11 +20,9 @@ struct SixWayLight {
 
 /// Lets light of intensity 1 through the smoke along both directions of each axis: as lightSmoke() does with a sun
 /// there, but for cells that are those of one grid for all of them, so that the particles are splatted once.
-/// @param appearance of the same frame, with bounds in these axes
-/// @param eye        the camera, m
-/// @param detail     as in lightSmoke()
+/// @param layers with bounds in these axes
+/// @param eye    the camera, m
 /// O(particles + cells). The same bits for any thread count and instruction set.
-void lightSixWays(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Axes& axes,
-    const glm::vec3& eye, const DetailField* detail, LightWorkspace& room, SixWayLight& out);
+void lightSixWays(LitLayers layers, const Axes& axes, const glm::vec3& eye, LightWorkspace& room, SixWayLight& out);
 
 } // namespace fumage

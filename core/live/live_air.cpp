@@ -29,7 +29,7 @@ int cellsToGround(const AirGrid& grid, float height)
 } // namespace
 
 LiveAir::LiveAir(const SimulationModel& model)
-    : LiveAir(model, airPlan(model))
+    : LiveAir(model, airPlan(model.effect()))
 {
 }
 

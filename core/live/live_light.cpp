@@ -11,11 +11,11 @@ namespace fumage {
 namespace {
 
 /// An effect whose smoke looks the same from everywhere.
-SampledEffect even(const SampledEffect& effect)
+Effect even(const Effect& effect)
 {
-    Effect out = effect; // its quality is worked in by now: sampled() leaves it as it is
+    Effect out = effect;
     out.light.anisotropy = 0.0F;
-    return sampled(out);
+    return out;
 }
 
 } // namespace
@@ -28,10 +28,11 @@ Status LiveLight::find(const Frame& frame, const SampledEffect& effect)
     if (Status status = checkBounds(m_appearance); !status) {
         return status;
     }
-    lightSmoke(
-        frame, m_eye ? effect : even(effect), m_appearance, m_eye.value_or(glm::vec3(0.0F)), nullptr, m_room, m_grid);
+    const Effect seen = m_eye ? effect : even(effect);
+    const LitLayer layer{&frame, &seen, &m_appearance, nullptr};
+    lightSmoke({&layer, 1}, m_eye.value_or(glm::vec3(0.0F)), m_room, m_grid);
     softenLight(m_grid, m_room);
-    lightByFire(frame, effect, m_appearance, m_fireRoom, m_room, m_grid);
+    lightByFire({&layer, 1}, m_fireRoom, m_room, m_grid);
     findLitColours(frame, effect, m_appearance, m_grid, m_colours);
     m_isNew = true;
     return Done{};

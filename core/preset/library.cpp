@@ -75,7 +75,7 @@ Preset newPreset()
     const Result<PresetReading> reading = loadPreset(LibraryEntry{"default", {}});
     assert(reading.ok());
     Preset preset;
-    preset.effect = reading.value().preset.effect;
+    preset.scene = reading.value().preset.scene;
     return preset;
 }
 

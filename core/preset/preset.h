@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 
 #include <optional>
 #include <string>
@@ -20,13 +20,14 @@ struct UnknownMember {
         group; ///< beside whose members it stands; "scene" or "layer": beside their groups; empty: at the top level
     std::string key;
     std::string json; ///< its value, as in the file
+    std::size_t layer = 0; ///< that its group belongs to, if it is a layer's
 };
 
-/// An effect with its name, as it stands in a file.
+/// A scene with its name, as it stands in a file.
 struct Preset {
     std::string name;
     std::string description;
-    Effect effect;
+    Scene scene;
     std::vector<UnknownMember> unknown;
 };
 

@@ -14,26 +14,51 @@ namespace fumage {
 
 namespace {
 
-void writeUnknown(const Preset& preset, std::string_view group, std::string_view indent, std::string& out)
+/// What is written: the scene, or one of its layers.
+struct Owner {
+    const Preset& preset;
+    Scope scope;
+    std::size_t layer = 0;
+    Effect effect; ///< the layer in its surroundings
+
+    [[nodiscard]] std::string_view name() const { return scope == Scope::Scene ? kScene : kLayer; }
+};
+
+/// @param layer of the group, if it is a layer's
+void writeUnknown(
+    const Preset& preset, std::string_view group, std::size_t layer, std::string_view indent, std::string& out)
 {
     for (const UnknownMember& member : preset.unknown) {
-        if (member.group == group) {
+        if (member.group == group && member.layer == layer) {
             out += ",\n" + std::string(indent) + quoteJson(member.key) + ": " + member.json;
         }
     }
 }
 
-/// The groups of a scene or of its layer, and what is unknown beside them.
-void writeGroups(const Preset& preset, Scope scope, std::string_view owner, const std::string& indent, std::string& out)
+void writeLayerHeader(const Layer& layer, const std::string& indent, std::string& out)
 {
+    const auto write = [&](std::string_view key, const std::string& json) {
+        out += "\n" + indent + quoteJson(key) + ": " + json + ",";
+    };
+    const auto flag = [](bool value) { return std::string(value ? "true" : "false"); };
+    write(kLayerName, quoteJson(layer.name));
+    write(kLayerVisible, flag(layer.visible));
+    write(kLayerLocked, flag(layer.locked));
+    write(kLayerTag, quoteJson(kColourTags[static_cast<std::size_t>(layer.tag)]));
+}
+
+/// The groups of a scene or of its layer, and what is unknown beside them.
+void writeGroups(const Owner& owner, const std::string& indent, std::string& out)
+{
+    const Preset& preset = owner.preset;
     std::string_view group;
     for (const Parameter& parameter : parameterTable()) {
-        if (parameter.scope != scope) {
+        if (parameter.scope != owner.scope) {
             continue;
         }
         if (parameter.group() != group) {
             if (!group.empty()) {
-                writeUnknown(preset, group, indent + "  ", out);
+                writeUnknown(preset, group, owner.layer, indent + "  ", out);
                 out += "\n" + indent + "},";
             }
             group = parameter.group();
@@ -41,11 +66,11 @@ void writeGroups(const Preset& preset, Scope scope, std::string_view owner, cons
         } else {
             out += ",\n" + indent + "  ";
         }
-        out += quoteJson(parameter.name()) + ": " + formatJson(parameter, parameter.get(preset.effect));
+        out += quoteJson(parameter.name()) + ": " + formatJson(parameter, parameter.get(owner.effect));
     }
-    writeUnknown(preset, group, indent + "  ", out);
+    writeUnknown(preset, group, owner.layer, indent + "  ", out);
     out += "\n" + indent + "}";
-    writeUnknown(preset, owner, indent, out);
+    writeUnknown(preset, owner.name(), owner.layer, indent, out);
 }
 
 /// The preset that a picture carries.
@@ -94,11 +119,16 @@ std::string formatPreset(const Preset& preset)
         + ",\n  \"version\": " + std::to_string(kPresetVersion) + ",\n  \"name\": " + quoteJson(preset.name)
         + ",\n  \"description\": " + quoteJson(preset.description);
     out += ",\n  " + quoteJson(kScene) + ": {";
-    writeGroups(preset, Scope::Scene, kScene, "    ", out);
-    out += "\n  },\n  " + quoteJson(kLayers) + ": [\n    {";
-    writeGroups(preset, Scope::Layer, kLayer, "      ", out);
-    out += "\n    }\n  ]";
-    writeUnknown(preset, "", "  ", out);
+    writeGroups({preset, Scope::Scene, 0, preset.scene.effect()}, "    ", out);
+    out += "\n  },\n  " + quoteJson(kLayers) + ": [";
+    for (std::size_t layer = 0; layer < preset.scene.layers.size(); ++layer) {
+        out += layer == 0 ? "\n    {" : ",\n    {";
+        writeLayerHeader(preset.scene.layers[layer], "      ", out);
+        writeGroups({preset, Scope::Layer, layer, preset.scene.effect(layer)}, "      ", out);
+        out += "\n    }";
+    }
+    out += "\n  ]";
+    writeUnknown(preset, "", 0, "  ", out);
     return out + "\n}\n";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace fumage {
@@ -8,5 +9,15 @@ namespace fumage {
 inline constexpr std::string_view kScene = "scene";
 inline constexpr std::string_view kLayers = "layers";
 inline constexpr std::string_view kLayer = "layer";
+
+/// Members of a layer beside its groups.
+inline constexpr std::string_view kLayerName = "name";
+inline constexpr std::string_view kLayerVisible = "visible";
+inline constexpr std::string_view kLayerLocked = "locked";
+inline constexpr std::string_view kLayerTag = "tag";
+
+/// What a ColourTag is called in files.
+inline constexpr std::array<std::string_view, 8> kColourTags{
+    "none", "red", "orange", "yellow", "green", "blue", "violet", "grey"};
 
 } // namespace fumage

@@ -1,5 +1,6 @@
 #include "core/preset/preset_node.h"
 
+#include "core/base/joined.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
@@ -34,12 +35,19 @@ public:
         if (Status status = readRoot(root); !status) {
             return status.error();
         }
+        putTogether();
         reportHidden();
         reportMissing();
         return std::move(m_reading);
     }
 
 private:
+    /// Parameters of the scene, or of one of its layers, as far as they have been read.
+    struct Part {
+        Effect effect;
+        std::vector<std::string_view> seen;
+    };
+
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
     {
         return {code, std::move(message), placeInFile(m_place, placeInText(m_text, node.begin)), std::move(remedy)};
@@ -105,12 +113,57 @@ private:
         if (node.type != JsonNode::Type::Array) {
             return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected a list in brackets [ ]", kLayers), {});
         }
-        if (node.items.size() != 1) {
-            return errorAt(node, ErrorCode::WrongVersion,
-                makeMessage("the preset has %1 layers, this program reads presets of one", node.items.size()),
-                makeMessage("Open it with a newer Fumage"));
+        if (node.items.empty() || node.items.size() > kMaxLayers) {
+            return errorAt(node, ErrorCode::OutOfRange,
+                makeMessage("the preset has %1 layers, from 1 to %2 are possible", node.items.size(), kMaxLayers), {});
         }
-        return readGroups(kLayer, Scope::Layer, node.items.front());
+        m_reading.preset.scene.layers.resize(node.items.size());
+        m_layers.assign(node.items.size(), {});
+        for (m_layer = 0; m_layer < node.items.size(); ++m_layer) {
+            m_part = &m_layers[m_layer];
+            if (Status status = readGroups(kLayer, Scope::Layer, node.items[m_layer]); !status) {
+                return status;
+            }
+        }
+        m_part = &m_surroundings;
+        m_layer = 0;
+        return Done{};
+    }
+
+    /// Whether a member of a layer is one that stands beside its groups, and was read.
+    Result<bool> readLayerMember(const std::string& key, const JsonNode& node)
+    {
+        Layer& layer = m_reading.preset.scene.layers[m_layer];
+        const auto wrong = [&](const Message& expected) {
+            return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected %2", key, expected), {});
+        };
+        if (key == kLayerName) {
+            if (!isText(node)) {
+                return wrong(makeMessage("a text in quotes"));
+            }
+            if (node.string.size() > kMaxLayerName) {
+                return errorAt(node, ErrorCode::TooLarge, makeMessage("a layer's name of %1 bytes", node.string.size()),
+                    makeMessage("Names have at most %1", kMaxLayerName));
+            }
+            layer.name = node.string;
+            return true;
+        }
+        if (key == kLayerVisible || key == kLayerLocked) {
+            if (node.type != JsonNode::Type::Bool) {
+                return wrong(kindName(Kind::Bool));
+            }
+            (key == kLayerVisible ? layer.visible : layer.locked) = node.flag;
+            return true;
+        }
+        if (key == kLayerTag) {
+            const auto tag = std::find(kColourTags.begin(), kColourTags.end(), node.string);
+            if (!isText(node) || tag == kColourTags.end()) {
+                return wrong(makeMessage("a colour: %1", joined(kColourTags)));
+            }
+            layer.tag = static_cast<ColourTag>(tag - kColourTags.begin());
+            return true;
+        }
+        return false;
     }
 
     /// @param owner what the groups belong to
@@ -122,6 +175,15 @@ private:
         for (std::size_t i = 0; i < node.items.size(); ++i) {
             const std::string& key = node.keys[i];
             const JsonNode& group = node.items[i];
+            if (scope == Scope::Layer) {
+                const Result<bool> isRead = readLayerMember(key, group);
+                if (!isRead) {
+                    return isRead.error();
+                }
+                if (isRead.value()) {
+                    continue;
+                }
+            }
             if (Status status =
                     groupScope(key) == scope ? readGroup(key, group) : keepUnknown(std::string(owner), key, group);
                 !status) {
@@ -192,7 +254,8 @@ private:
                                         inQuotes(path), inQuotes(near));
             });
         }
-        m_reading.preset.unknown.push_back({group, key, std::string(m_text.substr(node.begin, node.end - node.begin))});
+        m_reading.preset.unknown.push_back(
+            {group, key, std::string(m_text.substr(node.begin, node.end - node.begin)), m_layer});
         return Done{};
     }
 
@@ -203,13 +266,13 @@ private:
             return errorAt(node, value.error().code, makeMessage("%1: %2", value.error().place, value.error().message),
                 value.error().remedy);
         }
-        if (setClamped(m_reading.preset.effect, parameter, value.value())) {
+        if (setClamped(m_part->effect, parameter, value.value())) {
             warn(node, [&] {
                 return makeMessage("%1 was out of range and is now %2", parameter.key,
-                    formatText(parameter, parameter.get(m_reading.preset.effect), true));
+                    formatText(parameter, parameter.get(m_part->effect), true));
             });
         }
-        m_seen.push_back(parameter.key);
+        m_part->seen.push_back(parameter.key);
         return Done{};
     }
 
@@ -275,17 +338,32 @@ private:
         }
     }
 
+    void putTogether()
+    {
+        Scene& scene = m_reading.preset.scene;
+        for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+            scene.assign(layer, m_layers[layer].effect);
+        }
+        scene.setSurroundings(m_surroundings.effect);
+    }
+
     void reportMissing()
     {
         std::size_t missing = 0;
         std::string first;
-        for (const Parameter& parameter : parameterTable()) {
-            const bool isSeen = std::find(m_seen.begin(), m_seen.end(), parameter.key) != m_seen.end();
-            if (!isSeen && parameter.since <= m_version) {
-                first = missing == 0 ? std::string(parameter.key) : first;
-                ++missing;
+        const auto look = [&](const Part& part, Scope scope) {
+            for (const Parameter& parameter : parameterTable()) {
+                const bool isSeen = std::find(part.seen.begin(), part.seen.end(), parameter.key) != part.seen.end();
+                if (parameter.scope == scope && !isSeen && parameter.since <= m_version) {
+                    first = missing == 0 ? std::string(parameter.key) : first;
+                    ++missing;
+                }
             }
+        };
+        for (const Part& layer : m_layers) {
+            look(layer, Scope::Layer);
         }
+        look(m_surroundings, Scope::Scene);
         if (missing > 0) {
             warnOfFile(makeMessage(
                 "%1 parameters are not in the preset and keep their defaults, the first is %2", missing, first));
@@ -298,7 +376,10 @@ private:
     int m_version = kPresetVersion; ///< that the preset was written in
     PresetReading m_reading;
     std::size_t m_warnings = 0; ///< all of them, shown or not
-    std::vector<std::string_view> m_seen;
+    Part m_surroundings;
+    std::vector<Part> m_layers{Part()};
+    Part* m_part = &m_surroundings; ///< that is being read
+    std::size_t m_layer = 0; ///< number of it among the layers
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
+#include "core/preset/preset_keys.h"
 #include "core/preset/preset.h"
 
 #include <nlohmann/json.hpp>
@@ -89,6 +90,17 @@ Json groupsSchema(Scope scope)
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(groups)}};
 }
 
+/// A layer: what stands beside its groups, and those.
+Json layerSchema()
+{
+    Json layer = groupsSchema(Scope::Layer);
+    layer["properties"][kLayerName] = {{"type", "string"}, {"maxLength", kMaxLayerName}};
+    layer["properties"][kLayerVisible] = {{"type", "boolean"}, {"default", true}};
+    layer["properties"][kLayerLocked] = {{"type", "boolean"}, {"default", false}};
+    layer["properties"][kLayerTag] = {{"enum", kColourTags}, {"default", kColourTags.front()}};
+    return layer;
+}
+
 } // namespace
 
 std::string presetSchema()
@@ -100,7 +112,7 @@ std::string presetSchema()
     properties["name"] = {{"type", "string"}};
     properties["description"] = {{"type", "string"}};
     properties["scene"] = groupsSchema(Scope::Scene);
-    properties["layers"] = {{"type", "array"}, {"minItems", 1}, {"maxItems", 1}, {"items", groupsSchema(Scope::Layer)}};
+    properties["layers"] = {{"type", "array"}, {"minItems", 1}, {"maxItems", kMaxLayers}, {"items", layerSchema()}};
     const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Fumage preset"},
         {"type", "object"}, {"required", {"format", "version"}}, {"additionalProperties", false},
         {"properties", std::move(properties)}};

@@ -21,12 +21,11 @@ int tilesAcross(int pixels, int tile)
     return (pixels + tile - 1) / tile;
 }
 
-/// Calls visit(sprite, tile) for the sprites of one block and the tiles that each touches, in their order.
+/// Calls visit(sprite, tile) for some sprites and the tiles that each touches, in their order.
 template <class Visit>
-void forTilesOfBlock(const SpriteBatch& batch, std::size_t block, int columns, const Visit& visit)
+void forTiles(const SpriteBatch& batch, std::size_t first, std::size_t last, int columns, const Visit& visit)
 {
-    const std::size_t last = std::min(batch.boxes.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < last; ++i) {
+    for (std::size_t i = first; i < last; ++i) {
         const SpriteBox box = batch.boxes[i];
         if (box.left > box.right) {
             continue;
@@ -48,18 +47,27 @@ struct Workspace {
 
 } // namespace
 
-void Compositor::countTiles(const SpriteBatch& batch, std::size_t tiles, int columns)
+void Compositor::countTiles(SpriteLayers layers, std::size_t tiles, int columns)
 {
-    m_counts.assign(m_blocks * tiles, 0U);
-    parallelFor(m_blocks, [&](std::size_t block) {
-        std::uint32_t* counts = m_counts.data() + block * tiles;
-        forTilesOfBlock(batch, block, columns, [&](std::size_t, std::size_t tile) { ++counts[tile]; });
+    m_blocks.clear();
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        const std::size_t sprites = layers[layer].batch->boxes.size();
+        for (std::size_t first = 0; first < sprites; first += kBlock) {
+            m_blocks.push_back({layer, first, std::min(sprites, first + kBlock)});
+        }
+    }
+    m_counts.assign(m_blocks.size() * tiles, 0U);
+    parallelFor(m_blocks.size(), [&](std::size_t number) {
+        std::uint32_t* counts = m_counts.data() + number * tiles;
+        const Block& block = m_blocks[number];
+        forTiles(*layers[block.layer].batch, block.first, block.last, columns,
+            [&](std::size_t, std::size_t tile) { ++counts[tile]; });
     });
     // Counts become the offset of each block within its tile: entries of a tile lie in the order of their slots.
     m_tileTotals.assign(tiles, 0U);
     for (std::size_t tile = 0; tile < tiles; ++tile) {
         std::uint32_t sum = 0;
-        for (std::size_t block = 0; block < m_blocks; ++block) {
+        for (std::size_t block = 0; block < m_blocks.size(); ++block) {
             std::uint32_t& count = m_counts[block * tiles + tile];
             const std::uint32_t here = count;
             count = sum;
@@ -69,7 +77,7 @@ void Compositor::countTiles(const SpriteBatch& batch, std::size_t tiles, int col
     }
 }
 
-void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns)
+void Compositor::fillTiles(SpriteLayers layers, std::size_t firstTile, std::size_t lastTile, int columns)
 {
     m_tileStarts.assign(lastTile - firstTile + 1, 0U);
     for (std::size_t tile = firstTile; tile < lastTile; ++tile) {
@@ -79,30 +87,30 @@ void Compositor::fillTiles(const SpriteBatch& batch, std::size_t firstTile, std:
         m_entries.resize(m_tileStarts.back());
     }
     const std::size_t tiles = m_tileTotals.size();
-    parallelFor(m_blocks, [&](std::size_t block) {
-        std::vector<std::uint32_t> at(m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + firstTile),
-            m_counts.begin() + static_cast<std::ptrdiff_t>(block * tiles + lastTile));
-        forTilesOfBlock(batch, block, columns, [&](std::size_t sprite, std::size_t tile) {
+    parallelFor(m_blocks.size(), [&](std::size_t number) {
+        std::vector<std::uint32_t> at(m_counts.begin() + static_cast<std::ptrdiff_t>(number * tiles + firstTile),
+            m_counts.begin() + static_cast<std::ptrdiff_t>(number * tiles + lastTile));
+        const Block& block = m_blocks[number];
+        const SpriteBatch& batch = *layers[block.layer].batch;
+        forTiles(batch, block.first, block.last, columns, [&](std::size_t sprite, std::size_t tile) {
             if (tile >= firstTile && tile < lastTile) {
                 m_entries[m_tileStarts[tile - firstTile] + at[tile - firstTile]++] =
-                    depthEntry(batch.depth[sprite], static_cast<std::uint32_t>(sprite));
+                    depthEntry(batch.depth[sprite], SpriteNumber(block.layer, sprite).bits);
             }
         });
     });
 }
 
-Status Compositor::compose(
-    const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop)
+Status Compositor::compose(SpriteLayers layers, Image& image, const std::stop_token& stop)
 {
     const RenderTarget own{nullptr, &image};
-    return composeAll(batch, texture, {&own, 1}, stop);
+    return composeAll(layers, {&own, 1}, stop);
 }
 
-Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& texture,
-    std::span<const RenderTarget> targets, const std::stop_token& stop)
+Status Compositor::composeAll(SpriteLayers layers, std::span<const RenderTarget> targets, const std::stop_token& stop)
 {
-    const int width = batch.view.width;
-    const int height = batch.view.height;
+    const int width = layers.front().batch->view.width;
+    const int height = layers.front().batch->view.height;
     if (width < 1 || height < 1 || width > kMaxImageEdge || height > kMaxImageEdge
         || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
         return Error{ErrorCode::TooLarge, makeMessage("a picture of %1 x %2 pixels", width, height), {},
@@ -114,8 +122,7 @@ Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& tex
     const int columns = tilesAcross(width, Tile::kWidth);
     const int rows = tilesAcross(height, Tile::kHeight);
     const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    m_blocks = (batch.sprites.size() + kBlock - 1) / kBlock;
-    countTiles(batch, tiles, columns);
+    countTiles(layers, tiles, columns);
 
     PerThread<Workspace> workspaces;
     for (std::size_t first = 0; first < tiles;) {
@@ -124,7 +131,7 @@ Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& tex
         do {
             entries += m_tileTotals[last++];
         } while (last < tiles && entries + m_tileTotals[last] <= kMaxEntries);
-        fillTiles(batch, first, last, columns);
+        fillTiles(layers, first, last, columns);
         parallelFor(last - first, [&](std::size_t index) {
             if (stop.stop_requested()) {
                 return;
@@ -137,7 +144,7 @@ Status Compositor::composeAll(const SpriteBatch& batch, const SpriteTexture& tex
             workspace.tile.bottom = std::min(height, workspace.tile.top + Tile::kHeight);
             const std::span<DepthEntry> list(m_entries.data() + m_tileStarts[index], m_tileTotals[first + index]);
             sortByDepth(list, workspace.scratch);
-            paintTile(batch, texture, targets, list, workspace.tile);
+            paintTile(layers, targets, list, workspace.tile);
         });
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, makeMessage("painting was cancelled"), {}, {}};

@@ -29,28 +29,34 @@ static_assert(kMaxImageEdge <= std::numeric_limits<decltype(SpriteBox::right)>::
 /// inside.
 class Compositor {
 public:
-    /// @param batch made for batch.view.width by batch.view.height pixels
-    /// @param image resized; every pixel is written
+    /// @param layers drawn together, made for view.width by view.height pixels of their view
+    /// @param image  resized; every pixel is written
     /// @error TooLarge, Cancelled
     /// O(sprites + covered pixels). The same bits for any thread count and instruction set.
-    [[nodiscard]] Status compose(
-        const SpriteBatch& batch, const SpriteTexture& texture, Image& image, const std::stop_token& stop = {});
+    [[nodiscard]] Status compose(SpriteLayers layers, Image& image, const std::stop_token& stop = {});
 
     /// Several pictures of the same sprites in other colours: they are binned and sorted once, and their opacities
     /// found once. As compose() else.
     /// @param targets at most kPassTargets
-    [[nodiscard]] Status composeAll(const SpriteBatch& batch, const SpriteTexture& texture,
-        std::span<const RenderTarget> targets, const std::stop_token& stop = {});
+    [[nodiscard]] Status composeAll(
+        SpriteLayers layers, std::span<const RenderTarget> targets, const std::stop_token& stop = {});
 
 private:
-    void countTiles(const SpriteBatch& batch, std::size_t tiles, int columns);
-    void fillTiles(const SpriteBatch& batch, std::size_t firstTile, std::size_t lastTile, int columns);
+    /// Sprites of one layer that are binned by one task.
+    struct Block {
+        std::size_t layer;
+        std::size_t first;
+        std::size_t last; ///< exclusive
+    };
+
+    void countTiles(SpriteLayers layers, std::size_t tiles, int columns);
+    void fillTiles(SpriteLayers layers, std::size_t firstTile, std::size_t lastTile, int columns);
 
     std::vector<std::uint32_t> m_counts; ///< block major: sprites of each block in each tile, then their offsets
     std::vector<std::uint64_t> m_tileTotals;
     AlignedArray<DepthEntry> m_entries;
     std::vector<std::uint64_t> m_tileStarts;
-    std::size_t m_blocks = 0;
+    std::vector<Block> m_blocks;
 };
 
 /// Puts a colour behind a picture with transparency, as light: for files of light. What is shown has it behind the view

@@ -111,10 +111,11 @@ OtherMoment momentOf(
 
 } // namespace
 
-void PassRenderer::makeOtherSprites(const Frame& frame, const Effect& other, const LightGrid& light)
+void PassRenderer::makeOtherSprites(
+    const LayerAmongOthers& layer, const Effect& other, const LightGrid& light, std::size_t number)
 {
-    makeSprites(frame, sampled(other), m_renderer.appearance(), light, *m_renderer.texture(), nullptr,
-        m_renderer.batch().view, m_other);
+    const LitLayer lit{layer.now, &other, &m_renderer.appearance(number), nullptr};
+    makeSprites(lit, light, *m_renderer.texture(number), {}, m_renderer.batch(number).view, m_other);
 }
 
 void PassRenderer::take(const float (Sprite::*colour)[3], SpriteTarget& to)
@@ -131,91 +132,122 @@ void PassRenderer::take(const float (Sprite::*colour)[3], SpriteTarget& to)
     });
 }
 
-void PassRenderer::makeTargets(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes)
+void PassRenderer::makeSixWays(const FrameAmongOthers& frames)
 {
-    const SpriteBatch& batch = m_renderer.batch();
-    for (const PassTarget each : {PassTarget::RightTopBack, PassTarget::LeftBottomFront, PassTarget::Motion,
-             PassTarget::Emission, PassTarget::Albedo, PassTarget::Inner}) {
-        if (needsTarget(passes, each)) {
-            target(each).colours.resize(batch.sprites.size() * SpriteTarget::kStride);
-        }
+    const View& view = m_renderer.batch().view;
+    const Axes axes{view.right, view.up, view.forward};
+    m_inView.resize(frames.layers.size());
+    std::vector<LitLayer> lit;
+    for (std::size_t i = 0; i < frames.layers.size(); ++i) {
+        const LayerAmongOthers& layer = frames.layers[i];
+        findAppearance(*layer.now, *layer.effect, axes, m_inView[i], m_renderer.texture(i)->greys(0));
+        const Effect& effect = *layer.effect;
+        lit.push_back({layer.now, &effect, &m_inView[i], m_renderer.detail(i)});
     }
-    target(PassTarget::RightTopBack).light = TargetLight::RightTopBack;
-    target(PassTarget::LeftBottomFront).light = TargetLight::LeftBottomFront;
+    lightSixWays(lit, axes, view.eye, m_lightWorkspace, m_sixWay);
+}
+
+void PassRenderer::makeTargets(const FrameAmongOthers& frames, PassSet passes)
+{
+    for (std::vector<SpriteTarget>& of : m_targets) {
+        of.resize(frames.layers.size());
+    }
     if (needsTarget(passes, PassTarget::RightTopBack)) {
-        const Axes axes{batch.view.right, batch.view.up, batch.view.forward};
-        findAppearance(*frames.now, effect, axes, m_inView, m_renderer.texture()->greys(0));
-        lightSixWays(
-            *frames.now, effect, m_inView, axes, batch.view.eye, m_renderer.detail(), m_lightWorkspace, m_sixWay);
+        makeSixWays(frames);
     }
     if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)) {
         m_even = m_renderer.light();
         for (std::size_t i = 0; i < m_even.light.size(); i += SixWayLight::kStride) {
             m_even.light[i] = 1.0F;
         }
-        makeOtherSprites(*frames.now, inWhiteSun(effect), m_even);
+    }
+    for (std::size_t i = 0; i < frames.layers.size(); ++i) {
+        makeTargetsOf(frames, i, passes);
+        fillColours(frames, i, passes);
+    }
+}
+
+void PassRenderer::makeTargetsOf(const FrameAmongOthers& frames, std::size_t layer, PassSet passes)
+{
+    const LayerAmongOthers& of = frames.layers[layer];
+    for (const PassTarget each : {PassTarget::RightTopBack, PassTarget::LeftBottomFront, PassTarget::Motion,
+             PassTarget::Emission, PassTarget::Albedo, PassTarget::Inner}) {
+        if (needsTarget(passes, each)) {
+            target(each, layer).colours.resize(m_renderer.batch(layer).sprites.size() * SpriteTarget::kStride);
+        }
+    }
+    target(PassTarget::RightTopBack, layer).light = TargetLight::RightTopBack;
+    target(PassTarget::LeftBottomFront, layer).light = TargetLight::LeftBottomFront;
+    if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)) {
+        makeOtherSprites(of, inWhiteSun(*of.effect), m_even, layer);
         if (needsTarget(passes, PassTarget::Emission)) {
-            take(&Sprite::ambient, target(PassTarget::Emission));
+            take(&Sprite::ambient, target(PassTarget::Emission, layer));
         }
         if (needsTarget(passes, PassTarget::Albedo)) {
-            take(&Sprite::direct, target(PassTarget::Albedo));
+            take(&Sprite::direct, target(PassTarget::Albedo, layer));
         }
     }
     if (needsTarget(passes, PassTarget::Inner)) {
-        makeOtherSprites(*frames.now, asThermometer(effect), m_renderer.light());
-        take(&Sprite::ambient, target(PassTarget::Inner));
+        makeOtherSprites(of, asThermometer(*of.effect), m_renderer.light(), layer);
+        take(&Sprite::ambient, target(PassTarget::Inner, layer));
     }
-    fillColours(frames, effect, passes);
 }
 
-void PassRenderer::fillColours(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes)
+void PassRenderer::fillColours(const FrameAmongOthers& frames, std::size_t layer, PassSet passes)
 {
-    const SpriteBatch& batch = m_renderer.batch();
+    const LayerAmongOthers& of = frames.layers[layer];
+    const SpriteBatch& batch = m_renderer.batch(layer);
     PassJob job;
-    job.particles = &frames.now->particles;
+    job.particles = &of.now->particles;
     job.batch = &batch;
     job.view = batch.view;
     if (needsTarget(passes, PassTarget::RightTopBack)) {
         job.sixWay = &m_sixWay;
-        job.above = &target(PassTarget::RightTopBack);
-        job.below = &target(PassTarget::LeftBottomFront);
+        job.above = &target(PassTarget::RightTopBack, layer);
+        job.below = &target(PassTarget::LeftBottomFront, layer);
     }
     if (needsTarget(passes, PassTarget::Motion)) {
         const glm::ivec2 size(batch.view.width, batch.view.height);
-        job.previous = momentOf(*frames.now, frames.previous, -frames.sincePrevious, effect, size, m_previous);
-        job.next = momentOf(*frames.now, frames.next, frames.untilNext, effect, size, m_next);
-        job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect->timeline.frameRate);
-        job.motion = &target(PassTarget::Motion);
+        const Effect& effect = *of.effect;
+        job.previous = momentOf(*of.now, of.previous, -frames.sincePrevious, effect, size, m_previous);
+        job.next = momentOf(*of.now, of.next, frames.untilNext, effect, size, m_next);
+        job.seconds = static_cast<float>(frames.untilNext) / static_cast<float>(effect.timeline.frameRate);
+        job.motion = &target(PassTarget::Motion, layer);
     }
     if (needsTarget(passes, PassTarget::Inner)) {
         job.light = &m_renderer.light();
-        job.inner = &target(PassTarget::Inner);
+        job.inner = &target(PassTarget::Inner, layer);
     }
     parallelFor(
         batch.sprites.size() / kSpriteBlock, [&](std::size_t block) { makePassBlock(job, block * kSpriteBlock); });
 }
 
-Status PassRenderer::render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height,
-    PassSet passes, PassImages& images, const std::stop_token& stop)
+Status PassRenderer::render(const FrameAmongOthers& frames, int width, int height, PassSet passes, PassImages& images,
+    const std::stop_token& stop)
 {
-    const int factor = effect->output.supersample;
-    const View view =
-        makeView(effect->camera, secondsOf(effect->timeline, frames.now->number), width * factor, height * factor);
-    if (Status status = m_renderer.prepare(*frames.now, effect, view, stop); !status) {
+    const Effect& effect = *frames.layers.front().effect;
+    const int factor = effect.output.supersample;
+    const View view = makeView(
+        effect.camera, secondsOf(effect.timeline, frames.layers.front().now->number), width * factor, height * factor);
+    std::vector<LayerFrame> layers;
+    for (const LayerAmongOthers& layer : frames.layers) {
+        layers.push_back({layer.now, layer.effect});
+    }
+    if (Status status = m_renderer.prepare(layers, view, stop); !status) {
         return status;
     }
-    makeTargets(frames, effect, passes);
+    makeTargets(frames, passes);
     PassImages& painted = factor == 1 ? images : m_large;
     std::vector<RenderTarget> wanted;
     for (std::size_t i = 0; i < kPassTargets; ++i) {
         const auto which = static_cast<PassTarget>(i);
         if (needsTarget(passes, which)) {
-            wanted.push_back({which == PassTarget::Colour ? nullptr : &m_targets[i], &painted.targets[i]});
+            wanted.push_back({which == PassTarget::Colour ? nullptr : m_targets[i].data(), &painted.targets[i]});
         } else {
             images.targets[i] = {};
         }
     }
-    if (Status status = m_compositor.composeAll(m_renderer.batch(), *m_renderer.texture(), wanted, stop); !status) {
+    if (Status status = m_compositor.composeAll(m_renderer.layers(), wanted, stop); !status) {
         return status;
     }
     for (std::size_t i = 0; factor > 1 && i < kPassTargets; ++i) {

@@ -4,13 +4,21 @@
 #include "core/rendering/passes.h"
 #include "core/rendering/renderer.h"
 
+#include <vector>
+
 namespace fumage {
 
-/// A frame and those that are shown before and after it, which tell where its particles come from and go to.
-struct FrameAmongOthers {
+/// A layer's frame and those that are shown before and after it, which tell where its particles come from and go to.
+struct LayerAmongOthers {
+    const SampledEffect* effect = nullptr; ///< its look
     const Frame* now = nullptr;
     const Frame* previous = nullptr; ///< null: none
     const Frame* next = nullptr; ///< null: none
+};
+
+/// The layers of a picture, one or more, and when the pictures before and after it are shown.
+struct FrameAmongOthers {
+    std::vector<LayerAmongOthers> layers;
     int sincePrevious = 1; ///< frames from the one before, whatever a loop calls them
     int untilNext = 1;
 };
@@ -29,27 +37,34 @@ public:
     /// premultiplied, without background
     /// @error TooLarge before allocating, Cancelled
     /// A pure function of its arguments, to the bit.
-    [[nodiscard]] Status render(const FrameAmongOthers& frames, const SampledEffect& effect, int width, int height,
-        PassSet passes, PassImages& images, const std::stop_token& stop = {});
+    [[nodiscard]] Status render(const FrameAmongOthers& frames, int width, int height, PassSet passes,
+        PassImages& images, const std::stop_token& stop = {});
 
-    /// What the look has made of the particles of the last frame.
-    [[nodiscard]] const Appearance& appearance() const { return m_renderer.appearance(); }
+    /// What the look has made of the particles of a layer in the last frame.
+    [[nodiscard]] const Appearance& appearance(std::size_t layer = 0) const { return m_renderer.appearance(layer); }
 
 private:
-    [[nodiscard]] SpriteTarget& target(PassTarget which) { return m_targets[static_cast<std::size_t>(which)]; }
-    void makeTargets(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes);
-    void makeOtherSprites(const Frame& frame, const Effect& other, const LightGrid& light);
+    /// The colours of a layer in one of the targets.
+    [[nodiscard]] SpriteTarget& target(PassTarget which, std::size_t layer)
+    {
+        return m_targets[static_cast<std::size_t>(which)][layer];
+    }
+    void makeTargets(const FrameAmongOthers& frames, PassSet passes);
+    void makeSixWays(const FrameAmongOthers& frames);
+    void makeTargetsOf(const FrameAmongOthers& frames, std::size_t layer, PassSet passes);
+    void makeOtherSprites(
+        const LayerAmongOthers& layer, const Effect& other, const LightGrid& light, std::size_t number);
     void take(const float (Sprite::*colour)[3], SpriteTarget& to);
-    void fillColours(const FrameAmongOthers& frames, const SampledEffect& effect, PassSet passes);
+    void fillColours(const FrameAmongOthers& frames, std::size_t layer, PassSet passes);
 
     Renderer m_renderer;
     Compositor m_compositor;
-    Appearance m_inView; ///< with bounds in the axes of the camera
+    std::vector<Appearance> m_inView; ///< of each layer, with bounds in the axes of the camera
     SixWayLight m_sixWay;
     LightWorkspace m_lightWorkspace;
-    SpriteBatch m_other; ///< the sprites under other light
+    SpriteBatch m_other; ///< the sprites of a layer under other light
     LightGrid m_even; ///< the light of the frame, but for the sun, which is everywhere
-    std::array<SpriteTarget, kPassTargets> m_targets;
+    std::array<std::vector<SpriteTarget>, kPassTargets> m_targets; ///< of each layer
     PassImages m_large;
     Particles m_previous; ///< those of other turns of a loop, in the slots of this one
     Particles m_next;

@@ -1,8 +1,12 @@
 #include "core/rendering/renderer.h"
 
 #include "core/lighting/appearance.h"
+#include "core/lighting/detail_light.h"
+#include "core/lighting/light_grid.h"
 #include "core/lighting/soft_light.h"
 #include "core/rendering/sprites.h"
+
+#include <algorithm>
 
 namespace fumage {
 
@@ -26,76 +30,119 @@ private:
 
 } // namespace
 
-Status Renderer::updateTexture(const Noise& noise, const std::stop_token& stop)
+Status Renderer::updateTexture(const Noise& noise, Layer& layer, const std::stop_token& stop)
 {
-    if (m_texture && m_noise == noise) {
+    if (layer.texture && layer.noise == noise) {
         return Done{};
     }
-    Result<SpriteTexture> baked = SpriteTexture::bake(noise, stop);
-    if (!baked) {
-        return baked.error();
+    const auto same = std::find_if(m_layers.begin(), m_layers.end(),
+        [&](const std::unique_ptr<Layer>& other) { return other->texture && other->noise == noise; });
+    if (same != m_layers.end()) {
+        layer.texture = (*same)->texture;
+    } else {
+        Result<SpriteTexture> baked = SpriteTexture::bake(noise, stop);
+        if (!baked) {
+            return baked.error();
+        }
+        layer.texture = std::make_shared<const SpriteTexture>(std::move(baked).value());
     }
-    m_texture = std::make_shared<const SpriteTexture>(std::move(baked).value());
-    m_noise = noise;
+    layer.noise = noise;
     return Done{};
 }
 
-Status Renderer::updateDetail(const Frame& frame, const Effect& effect, const std::stop_token& stop)
+Status Renderer::updateDetail(const LayerFrame& of, Layer& layer, const std::stop_token& stop)
 {
-    m_detail.reset();
-    if (!hasDetail(effect) || frame.model->air() == nullptr) {
+    layer.detail.reset();
+    const Effect& effect = *of.effect;
+    if (!hasDetail(effect) || of.frame->model->air() == nullptr) {
         return Done{};
     }
-    if (!m_coordinates) {
-        m_coordinates = std::make_unique<AdvectedCoordinates>();
+    if (!layer.coordinates) {
+        layer.coordinates = std::make_unique<AdvectedCoordinates>();
     }
-    if (Status status = m_coordinates->moveTo(frame.model, frame.step, effect.look.detailLife, stop); !status) {
+    if (Status status = layer.coordinates->moveTo(of.frame->model, of.frame->step, effect.look.detailLife, stop);
+        !status) {
         return status;
     }
-    m_detail.emplace(effect, *m_coordinates, m_phaseMix);
+    layer.detail.emplace(effect, *layer.coordinates, m_phaseMix);
     return Done{};
 }
 
-Status Renderer::prepare(const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop)
+/// Finds looks and light of all layers.
+Status Renderer::findSmoke(LayerFrames layers, const glm::vec3& eye)
 {
-    {
-        const Stopwatch stopwatch(m_times.texture);
-        if (Status status = updateTexture(effect->noise, stop); !status) {
+    m_lit.clear();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        Layer& own = *m_layers[i];
+        const Effect& effect = *layers[i].effect;
+        findAppearance(*layers[i].frame, *layers[i].effect, lightAxes(effect.light.direction), own.appearance,
+            own.texture->greys(0));
+        if (Status status = checkBounds(own.appearance); !status) {
             return status;
         }
-        if (Status status = updateDetail(frame, effect, stop); !status) {
-            return status;
+        m_lit.push_back({layers[i].frame, &effect, &own.appearance, detail(i)});
+    }
+    lightSmoke(m_lit, eye, m_lightWorkspace, m_light);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (m_lit[i].detail != nullptr) {
+            findBody(*m_lit[i].detail, m_light, m_layers[i]->body);
+        }
+    }
+    softenLight(m_light, m_lightWorkspace);
+    lightByFire(m_lit, m_fireWorkspace, m_lightWorkspace, m_light);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        inflateSparseParticles(
+            *layers[i].frame, *layers[i].effect, m_light, m_overlapWorkspace, m_layers[i]->appearance);
+    }
+    return Done{};
+}
+
+Status Renderer::prepare(LayerFrames layers, const View& view, const std::stop_token& stop)
+{
+    m_layers.resize(layers.size());
+    m_drawn.clear();
+    for (std::unique_ptr<Layer>& layer : m_layers) {
+        layer = layer ? std::move(layer) : std::make_unique<Layer>();
+    }
+    {
+        const Stopwatch stopwatch(m_times.texture);
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            if (Status status = updateTexture((*layers[i].effect)->noise, *m_layers[i], stop); !status) {
+                return status;
+            }
+            if (Status status = updateDetail(layers[i], *m_layers[i], stop); !status) {
+                return status;
+            }
         }
     }
     {
         const Stopwatch stopwatch(m_times.light);
-        findAppearance(frame, effect, lightAxes(effect->light.direction), m_appearance, m_texture->greys(0));
-        if (Status status = checkBounds(m_appearance); !status) {
+        if (Status status = findSmoke(layers, view.eye); !status) {
             return status;
         }
-        lightSmoke(frame, effect, m_appearance, view.eye, detail(), m_lightWorkspace, m_light);
-        softenLight(m_light, m_lightWorkspace);
-        lightByFire(frame, effect, m_appearance, m_fireWorkspace, m_lightWorkspace, m_light);
-        inflateSparseParticles(frame, effect, m_light, m_overlapWorkspace, m_appearance);
     }
     const Stopwatch stopwatch(m_times.sprites);
-    makeSprites(frame, effect, m_appearance, m_light, *m_texture, detail(), view, m_batch);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        Layer& own = *m_layers[i];
+        makeSprites(m_lit[i], m_light, *own.texture, own.body, view, own.batch);
+        m_drawn.push_back({&own.batch, own.texture.get()});
+    }
     return Done{};
 }
 
 Status Renderer::composite(Image& image, const std::stop_token& stop)
 {
     const Stopwatch stopwatch(m_times.composite);
-    return m_compositor.compose(m_batch, *m_texture, image, stop);
+    return m_compositor.compose(m_drawn, image, stop);
 }
 
-Status Renderer::render(
-    const Frame& frame, const SampledEffect& effect, int width, int height, Image& image, const std::stop_token& stop)
+Status Renderer::render(LayerFrames layers, int width, int height, Image& image, const std::stop_token& stop)
 {
-    const int factor = effect->output.supersample;
-    if (Status status = prepare(frame, effect,
-            makeView(effect->camera, secondsOf(effect->timeline, frame.number), width * factor, height * factor), stop);
-        !status) {
+    const Effect& effect = *layers.front().effect;
+    const int factor = effect.output.supersample;
+    const View view = makeView(
+        effect.camera, secondsOf(effect.timeline, layers.front().frame->number), width * factor, height * factor);
+    if (Status status = prepare(layers, view, stop); !status) {
         return status;
     }
     if (Status status = composite(factor == 1 ? image : m_large, stop); !status) {

@@ -10,7 +10,9 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
+#include <vector>
 
 namespace fumage {
 
@@ -22,19 +24,36 @@ struct RenderTimes {
     std::chrono::nanoseconds composite{0};
 };
 
+/// A layer of a picture: its particles and its look, whose simulation part is that of the frame. Both outlive it.
+struct LayerFrame {
+    const Frame* frame = nullptr;
+    const SampledEffect* effect = nullptr;
+};
+
+/// All layers of a picture, one or more, at the same moment. Their effects have the same surroundings: air, wind,
+/// light, camera, timeline and output.
+using LayerFrames = std::span<const LayerFrame>;
+
 /// Makes pictures of frames: looks, light, sprites, compositor and supersampling.
 ///
 /// Keeps the noise texture until the noise changes, and all buffers. Not thread-safe; uses all threads inside.
 class Renderer {
 public:
-    /// @param frame  the particles
-    /// @param effect the look; its simulation part must be that of the frame
+    /// @param layers drawn together
     /// @param width,height pixels; the picture is rendered effect.output.supersample times larger and averaged
     /// @param image  resized; linear premultiplied light, before exposure, view transform and background
     /// @error TooLarge before allocating, OutOfRange where a particle is nowhere, Cancelled
     /// A pure function of its arguments and of setPhaseMix(), to the bit.
+    [[nodiscard]] Status render(
+        LayerFrames layers, int width, int height, Image& image, const std::stop_token& stop = {});
+
+    /// The same of one layer.
     [[nodiscard]] Status render(const Frame& frame, const SampledEffect& effect, int width, int height, Image& image,
-        const std::stop_token& stop = {});
+        const std::stop_token& stop = {})
+    {
+        const LayerFrame layer{&frame, &effect};
+        return render({&layer, 1}, width, height, image, stop);
+    }
 
     /// How detail that the air carries is shown from the next picture on; at first as a blend of both phases, as
     /// exports have it.
@@ -43,41 +62,65 @@ public:
     /// The first part of render(), for those who draw the sprites themselves or look through a view of their own:
     /// afterwards batch() and texture() hold what there is to draw.
     /// @error OutOfRange where a particle is nowhere, Cancelled
+    [[nodiscard]] Status prepare(LayerFrames layers, const View& view, const std::stop_token& stop = {});
+
+    /// The same of one layer.
     [[nodiscard]] Status prepare(
-        const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop = {});
+        const Frame& frame, const SampledEffect& effect, const View& view, const std::stop_token& stop = {})
+    {
+        const LayerFrame layer{&frame, &effect};
+        return prepare({&layer, 1}, view, stop);
+    }
 
     /// Paints what prepare() has left, at the size of its view, with transparency.
     /// @error TooLarge before allocating, Cancelled
     [[nodiscard]] Status composite(Image& image, const std::stop_token& stop = {});
 
-    /// Valid after prepare() or render() and until the next of them.
-    [[nodiscard]] const SpriteBatch& batch() const { return m_batch; }
-    /// The noise that the sprites of batch() show; null before the first picture.
-    [[nodiscard]] const std::shared_ptr<const SpriteTexture>& texture() const { return m_texture; }
-    /// What the look has made of the particles; valid as batch() is, with bounds in the axes of the light.
-    [[nodiscard]] const Appearance& appearance() const { return m_appearance; }
-    /// The light that the sprites of batch() are in; valid as batch() is.
+    /// What there is to draw; valid after prepare() or render() and until the next of them.
+    [[nodiscard]] SpriteLayers layers() const { return m_drawn; }
+    /// The sprites of a layer; valid as layers() is.
+    [[nodiscard]] const SpriteBatch& batch(std::size_t layer = 0) const { return m_layers[layer]->batch; }
+    /// The noise that they show; null before the first picture.
+    [[nodiscard]] std::shared_ptr<const SpriteTexture> texture(std::size_t layer = 0) const
+    {
+        return layer < m_layers.size() ? m_layers[layer]->texture : nullptr;
+    }
+    /// What the look has made of the particles; valid as layers() is, with bounds in the axes of the light.
+    [[nodiscard]] const Appearance& appearance(std::size_t layer = 0) const { return m_layers[layer]->appearance; }
+    /// The light that all sprites are in; valid as layers() is.
     [[nodiscard]] const LightGrid& light() const { return m_light; }
-    /// The detail that the smoke of batch() has; null: none. Valid as batch() is.
-    [[nodiscard]] const DetailField* detail() const { return m_detail ? &*m_detail : nullptr; }
+    /// The detail that the smoke of a layer has; null: none. Valid as layers() is.
+    [[nodiscard]] const DetailField* detail(std::size_t layer = 0) const
+    {
+        return m_layers[layer]->detail ? &*m_layers[layer]->detail : nullptr;
+    }
     /// How long the parts of the last picture took.
     [[nodiscard]] const RenderTimes& times() const { return m_times; }
 
 private:
-    [[nodiscard]] Status updateTexture(const Noise& noise, const std::stop_token& stop);
-    [[nodiscard]] Status updateDetail(const Frame& frame, const Effect& effect, const std::stop_token& stop);
+    /// What is kept of a layer from one picture to the next.
+    struct Layer {
+        Noise noise;
+        std::shared_ptr<const SpriteTexture> texture;
+        std::unique_ptr<AdvectedCoordinates> coordinates; ///< where detail finds it, wherever the renderer is moved
+        std::optional<DetailField> detail;
+        Appearance appearance;
+        AlignedArray<float> body; ///< of where it has detail
+        SpriteBatch batch;
+    };
+
+    [[nodiscard]] Status updateTexture(const Noise& noise, Layer& layer, const std::stop_token& stop);
+    [[nodiscard]] Status updateDetail(const LayerFrame& of, Layer& layer, const std::stop_token& stop);
+    [[nodiscard]] Status findSmoke(LayerFrames layers, const glm::vec3& eye);
 
     PhaseMix m_phaseMix = PhaseMix::Blend;
-    Noise m_noise;
-    std::shared_ptr<const SpriteTexture> m_texture;
-    std::unique_ptr<AdvectedCoordinates> m_coordinates; ///< where m_detail finds it, wherever the renderer is moved
-    std::optional<DetailField> m_detail;
-    Appearance m_appearance;
+    std::vector<std::unique_ptr<Layer>> m_layers; ///< of the last picture
+    std::vector<LitLayer> m_lit;
+    std::vector<SpriteLayer> m_drawn;
     LightGrid m_light;
     LightWorkspace m_lightWorkspace;
     FireWorkspace m_fireWorkspace;
     OverlapWorkspace m_overlapWorkspace;
-    SpriteBatch m_batch;
     Compositor m_compositor;
     Image m_large;
     RenderTimes m_times;

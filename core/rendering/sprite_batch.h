@@ -4,11 +4,13 @@
 #include "core/noise/detail_texture.h"
 #include "core/rendering/camera.h"
 #include "core/rendering/sprite_texture.h"
+#include "core/simulation/particles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace fumage {
 
@@ -190,6 +192,36 @@ struct SpriteBatch {
         depth.push_back(at);
     }
 };
+
+/// A layer of sprites with the noise that they show; both outlive it.
+struct SpriteLayer {
+    const SpriteBatch* batch = nullptr;
+    const SpriteTexture* texture = nullptr;
+};
+
+/// What is drawn together, by depth: all batches have the same view.
+using SpriteLayers = std::span<const SpriteLayer>;
+
+/// Which sprite of which layer, in 32 bits: in the order of layers, and in each in that of its sprites.
+struct SpriteNumber {
+    static constexpr unsigned kSlotBits = 22;
+    static constexpr std::uint32_t kSlots = 1U << kSlotBits;
+    static constexpr std::size_t kMaxLayers = std::size_t{1} << (32U - kSlotBits);
+
+    std::uint32_t bits = 0;
+
+    explicit constexpr SpriteNumber(std::uint32_t packed)
+        : bits(packed)
+    {
+    }
+    constexpr SpriteNumber(std::size_t layer, std::size_t slot)
+        : bits(static_cast<std::uint32_t>(layer << kSlotBits | slot))
+    {
+    }
+    [[nodiscard]] constexpr std::size_t layer() const { return bits >> kSlotBits; }
+    [[nodiscard]] constexpr std::size_t slot() const { return bits & (kSlots - 1U); }
+};
+static_assert(kMaxParticles + Particles::kChunk <= SpriteNumber::kSlots);
 
 /// The lights of a target, one a channel, that shade the noise of sprites.
 enum class TargetLight {

@@ -13,6 +13,8 @@ struct SpriteJob {
     const Particles* particles = nullptr;
     const Appearance* appearance = nullptr;
     const LightGrid* light = nullptr;
+    const AlignedArray<float>* body =
+        nullptr; ///< how deep in smoke each cell is, where there is detail; see findBody()
     const SpriteTexture* texture = nullptr;
     SpriteBatch* out = nullptr;
 
@@ -44,7 +46,7 @@ inline constexpr std::size_t kSpriteBlock = kLitBlock;
 
 /// What a block of sprites knows of the smoke about them, for the detail that they show.
 struct SpriteSurroundings {
-    alignas(kAlignment) std::array<float, kSpriteBlock> body; ///< how deep in smoke, as in LightGrid
+    alignas(kAlignment) std::array<float, kSpriteBlock> body; ///< how deep in smoke, see findBody()
     alignas(kAlignment) std::array<float, kSpriteBlock> radius; ///< pixels
     alignas(kAlignment)
         std::array<float, kSpriteBlock> glowing; ///< share of glow in all light that does not come from the sun

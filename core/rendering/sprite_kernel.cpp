@@ -157,7 +157,7 @@ HWY_INLINE void lookAround(const SpriteJob& job, const SpriteBlock& block, std::
 {
     constexpr float kNone = 1e-12F;
     out.glowing[i] = glow / std::max(sprite.ambient[0], kNone);
-    out.body[i] = block.lit.at<float>(job.light->shape, job.light->body, i);
+    out.body[i] = block.lit.at<float>(job.light->shape, *job.body, i);
 }
 
 void spriteBlock(const SpriteJob& job, std::size_t begin, SpriteSurroundings* surroundings)

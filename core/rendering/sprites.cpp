@@ -71,21 +71,25 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
 
 } // namespace
 
-void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light,
-    const SpriteTexture& texture, const DetailField* detail, const View& view, SpriteBatch& out)
+void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteTexture& texture,
+    const AlignedArray<float>& body, const View& view, SpriteBatch& out)
 {
+    const Effect& effect = *layer.effect;
+    const Frame& frame = *layer.frame;
+    const DetailField* detail = layer.detail;
     SpriteJob job = makeJob(frame, effect, texture.slices(), view);
     job.particles = &frame.particles;
     job.deforms = frame.particles.deforms();
-    job.appearance = &appearance;
+    job.appearance = layer.appearance;
     job.light = &light;
+    job.body = &body;
     job.colours = particleLight(effect, light);
     job.texture = &texture;
     if (detail != nullptr) {
         job.contrast = 0.0F; // a picture in each sprite would blur what all show together
     }
-    if (effect->look.texture > 0.0F) {
-        fillEvenness(effect->look, texture, job);
+    if (effect.look.texture > 0.0F) {
+        fillEvenness(effect.look, texture, job);
     }
     job.out = &out;
     const std::size_t padded = frame.particles.x.size();
@@ -95,7 +99,7 @@ void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearan
     out.details.resize(detail != nullptr ? padded : 0);
     out.style = job.style;
     out.view = view;
-    const SpriteDetailJob of{detail, &frame.particles, effect->light.direction, &out};
+    const SpriteDetailJob of{detail, &frame.particles, effect.light.direction, &out};
     parallelFor(frame.particles.chunks(), [&](std::size_t chunk) {
         for (std::size_t block = 0; block < Particles::kChunk; block += kSpriteBlock) {
             const std::size_t begin = chunk * Particles::kChunk + block;

@@ -1,16 +1,17 @@
 #pragma once
 
-#include "core/lighting/detail_field.h"
-#include "core/lighting/light_grid.h"
+#include "core/lighting/light_field.h"
+#include "core/lighting/lit_layer.h"
 #include "core/rendering/sprite_batch.h"
 
 namespace fumage {
 
-/// Projects and lights every particle.
-/// @param effect the look to apply
-/// @param detail that the air carries, and the light knows; null: none
+/// Projects and lights every particle of a layer.
+/// @param layer its effect is the look to apply
+/// @param light that its layer is in, which knows its detail
+/// @param body  of where there is detail, see findBody(); else it is not looked at
 /// O(particles). The same bits for any thread count and instruction set.
-void makeSprites(const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const LightGrid& light,
-    const SpriteTexture& texture, const DetailField* detail, const View& view, SpriteBatch& out);
+void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteTexture& texture,
+    const AlignedArray<float>& body, const View& view, SpriteBatch& out);
 
 } // namespace fumage

@@ -103,18 +103,24 @@ enum : std::size_t {
 /// Targets beside the sprites' own colours.
 struct OtherTargets {
     struct One {
-        const float* colours; ///< of all sprites
+        const SpriteTarget* layers; ///< the colours of all sprites
         std::size_t red, green; ///< lights; nothing shades blue
     };
     std::array<One, kPassTargets> targets{};
     std::size_t count = 0;
 
+    /// The colour of a sprite in one of them.
+    [[nodiscard]] HWY_INLINE const float* colourOf(std::size_t target, SpriteNumber sprite) const
+    {
+        return targets[target].layers[sprite.layer()].colours.data() + sprite.slot() * SpriteTarget::kStride;
+    }
+
     explicit OtherTargets(std::span<const RenderTarget> all)
     {
         for (const RenderTarget& target : all) {
             if (target.colours != nullptr) {
-                targets[count++] = One{target.colours->colours.data(), lightOf(target, kFromRight, kFromLeft),
-                    lightOf(target, kFromTop, kFromBottom)};
+                targets[count++] =
+                    One{target.colours, lightOf(target, kFromRight, kFromLeft), lightOf(target, kFromTop, kFromBottom)};
             }
         }
     }
@@ -140,7 +146,7 @@ private:
 /// A sprite in the other targets of a tile; of no account where there are none.
 struct SpriteInTargets {
     const OtherTargets& targets;
-    std::size_t sprite;
+    SpriteNumber sprite;
 
     /// Puts it under what is there.
     /// @param weight what under() has found @param lights kTargetLights; null: all the same
@@ -149,7 +155,7 @@ struct SpriteInTargets {
     {
         for (std::size_t i = 0; i < targets.count; ++i, to += Tile::kPatchColours) {
             const OtherTargets::One& target = targets.targets[i];
-            const float* HWY_RESTRICT colour = target.colours + sprite * SpriteTarget::kStride;
+            const float* HWY_RESTRICT colour = targets.colourOf(i, sprite);
             const auto put = [&](std::size_t channel, V value) HWY_ATTR {
                 float* HWY_RESTRICT at = to + channel * Tile::kPatchPixels;
                 hn::Store(weight * value + hn::Load(d, at), d, at);

@@ -11,7 +11,7 @@ namespace fumage {
 
 /// A picture to compose.
 struct RenderTarget {
-    const SpriteTarget* colours = nullptr; ///< null: the sprites' own
+    const SpriteTarget* colours = nullptr; ///< one a layer, all of the same light; null: the sprites' own
     Image* image = nullptr; ///< resized; every pixel is written
 };
 

@@ -211,9 +211,9 @@ PaintTextured painterOf(const SpriteStyle& style)
     return isShaded ? paintTextured<false, true, kManyTargets> : paintTextured<false, false, kManyTargets>;
 }
 
-/// Calls paintSprite(index) near to far, until nothing behind can be seen.
+/// Calls paintSprite(number) near to far, until nothing behind can be seen.
 template <class PaintSprite>
-HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherTargets& others, std::span<const DepthEntry> entries,
+HWY_INLINE void forEntries(SpriteLayers layers, const OtherTargets& others, std::span<const DepthEntry> entries,
     const Tile& tile, const PaintSprite& paintSprite)
 {
     constexpr std::size_t kBetweenLooks = 32;
@@ -225,42 +225,46 @@ HWY_INLINE void forEntries(const SpriteBatch& batch, const OtherTargets& others,
         if (i + kAhead < entries.size()) {
             // Here and not in a function: GCC takes one that only fetches for one without effect, and leaves out its
             // calls.
-            const std::size_t next = entryIndex(entries[i + kAhead]);
-            hwy::Prefetch(&batch.sprites[next]);
+            const SpriteNumber next(entryIndex(entries[i + kAhead]));
+            const SpriteBatch& batch = *layers[next.layer()].batch;
+            hwy::Prefetch(&batch.sprites[next.slot()]);
             if (!batch.details.empty()) {
-                hwy::Prefetch(&batch.details[next].phases[0]);
-                hwy::Prefetch(&batch.details[next].strength);
+                hwy::Prefetch(&batch.details[next.slot()].phases[0]);
+                hwy::Prefetch(&batch.details[next.slot()].strength);
             }
             for (std::size_t target = 0; target < others.count; ++target) {
-                hwy::Prefetch(others.targets[target].colours + next * SpriteTarget::kStride);
+                hwy::Prefetch(others.colourOf(target, next));
             }
         }
-        paintSprite(entryIndex(entries[i]));
+        paintSprite(SpriteNumber(entryIndex(entries[i])));
     }
 }
 
 /// Paints the sprites' own colours and those of the other targets.
 template <bool kManyTargets>
-void paintAll(const SpriteBatch& batch, const SpriteTexture& texture, const OtherTargets& others,
-    std::span<const DepthEntry> entries, Tile& tile)
+void paintAll(SpriteLayers layers, const OtherTargets& others, std::span<const DepthEntry> entries, Tile& tile)
 {
-    const PaintTextured paintWithTexture = painterOf<kManyTargets>(batch.style);
-    const DetailTexture* const detail = batch.details.empty() ? nullptr : &DetailTexture::instance();
-    forEntries(batch, others, entries, tile, [&](std::uint32_t index) HWY_ATTR {
-        const Sprite& sprite = batch.sprites[index];
-        const SpriteInTargets inTargets{others, index};
-        if (isCoherent(batch, index)) {
-            paintCoherentSprite<kManyTargets>(batch, *detail, index, inTargets, tile);
+    std::array<PaintTextured, SpriteNumber::kMaxLayers> withTexture; // NOLINT: as many as there are layers are set
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        withTexture[i] = painterOf<kManyTargets>(layers[i].batch->style);
+    }
+    const DetailTexture& detail = DetailTexture::instance();
+    forEntries(layers, others, entries, tile, [&](SpriteNumber number) HWY_ATTR {
+        const SpriteLayer& layer = layers[number.layer()];
+        const SpriteBatch& batch = *layer.batch;
+        const Sprite& sprite = batch.sprites[number.slot()];
+        const SpriteInTargets inTargets{others, number};
+        if (isCoherent(batch, number.slot())) {
+            paintCoherentSprite<kManyTargets>(batch, detail, number.slot(), inTargets, tile);
         } else if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
             paintPlainSprite<kManyTargets>(batch.style, sprite, inTargets, tile);
         } else {
-            paintWithTexture(batch.style, texture, sprite, inTargets, tile);
+            withTexture[number.layer()](batch.style, *layer.texture, sprite, inTargets, tile);
         }
     });
 }
 
-void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const RenderTarget> targets,
-    std::span<const DepthEntry> entries, Tile& tile)
+void paint(SpriteLayers layers, std::span<const RenderTarget> targets, std::span<const DepthEntry> entries, Tile& tile)
 {
     if (entries.empty()) {
         for (const RenderTarget& target : targets) {
@@ -271,9 +275,9 @@ void paint(const SpriteBatch& batch, const SpriteTexture& texture, std::span<con
     const OtherTargets others(targets);
     clearTile(others, tile);
     if (others.count > 0) {
-        paintAll<true>(batch, texture, others, entries, tile);
+        paintAll<true>(layers, others, entries, tile);
     } else {
-        paintAll<false>(batch, texture, others, entries, tile);
+        paintAll<false>(layers, others, entries, tile);
     }
     const float* const through = tile.patches.data();
     const float* other = tile.others.data();
@@ -295,11 +299,11 @@ namespace fumage {
 
 HWY_EXPORT(paint);
 
-void paintTile(const SpriteBatch& batch, const SpriteTexture& texture, std::span<const RenderTarget> targets,
-    std::span<const DepthEntry> entries, Tile& tile)
+void paintTile(
+    SpriteLayers layers, std::span<const RenderTarget> targets, std::span<const DepthEntry> entries, Tile& tile)
 {
     const auto kernel = HWY_DYNAMIC_DISPATCH(paint);
-    kernel(batch, texture, targets, entries, tile);
+    kernel(layers, targets, entries, tile);
 }
 
 } // namespace fumage

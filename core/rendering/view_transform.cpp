@@ -256,6 +256,14 @@ Cover coverOf(const Glow& glow)
     return hasClearFlames(glow) ? Cover::Light : Cover::Alpha;
 }
 
+Cover coverOf(const Scene& scene)
+{
+    const std::vector<std::size_t> seen = scene.visibleLayers();
+    const bool byLight = std::any_of(
+        seen.begin(), seen.end(), [&](std::size_t layer) { return coverOf(scene.layers[layer].glow) == Cover::Light; });
+    return byLight ? Cover::Light : Cover::Alpha;
+}
+
 void encode(const Image& image, const Output& output, EncodedImage<std::uint8_t>& out, Cover cover)
 {
     encodeAll(image, output, out, cover);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 #include "core/rendering/image.h"
 
 #include <cstdint>
@@ -24,6 +24,8 @@ enum class Cover {
 
 /// How opaque smoke under this light is encoded: clear flames by their light.
 [[nodiscard]] Cover coverOf(const Glow& glow);
+/// The same of a scene: by their light if one of its layers that are seen has clear flames.
+[[nodiscard]] Cover coverOf(const Scene& scene);
 
 /// Encodes linear light for display: exposure, then the view transform, then the sRGB curve (IEC 61966-2-1), with
 /// straight alpha. Filmic is the fit of Narkowicz, "ACES Filmic Tone Mapping Curve", 2015, of the brightest channel;

@@ -90,7 +90,7 @@ Result<std::vector<PlannedStep>> plannedSteps(
         PlannedStep& planned = steps.emplace_back(
             PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
         if (model.air() != nullptr) {
-            const auto field = model.air()->field(step, stop);
+            const auto field = model.air()->field(model.airStep(step), stop);
             if (!field) {
                 return field.error();
             }
@@ -104,11 +104,11 @@ Result<std::vector<PlannedStep>> plannedSteps(
 /// Bakes the air of all steps up to one, so that somebody hears how far it is.
 Status bakeAir(const SimulationModel& model, std::int64_t last, const Task& task)
 {
-    if (model.air() == nullptr || model.air()->isBaked(last)) {
+    if (model.air() == nullptr || model.air()->isBaked(model.airStep(last))) {
         return Done{};
     }
     constexpr int kParts = 1000;
-    return model.air()->bake(last, task.stop,
+    return model.air()->bake(model.airStep(last), task.stop,
         [&](double share) { task.progress(ProgressPhase::Air, static_cast<int>(share * kParts), kParts); });
 }
 

@@ -15,20 +15,20 @@ std::int64_t floorDivided(std::int64_t a, std::int64_t b)
     return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-/// Carries a map from its age to a later one. Before step 0 the air is at rest.
-Status carryOn(BakedAir& air, std::int64_t seededAt, std::int64_t age, float dt, AdvectedPhase& phase,
+/// Carries a map from its age to a later one. Before step 0 of the air it is at rest.
+Status carryOn(const SimulationModel& model, std::int64_t seededAt, std::int64_t age, AdvectedPhase& phase,
     CoordinateMap& room, const std::stop_token& stop)
 {
     for (; phase.age < age; ++phase.age) {
-        const std::int64_t step = seededAt + phase.age + 1;
+        const std::int64_t step = model.airStep(seededAt + phase.age + 1);
         if (step <= 0) {
             continue;
         }
-        const Result<AirFieldPtr> field = air.field(step, stop);
+        const Result<AirFieldPtr> field = model.air()->field(step, stop);
         if (!field) {
             return field.error();
         }
-        stepCoordinates(phase.map, *field.value(), dt, room);
+        stepCoordinates(phase.map, *field.value(), model.schedule().dt, room);
     }
     return Done{};
 }
@@ -68,13 +68,14 @@ Status AdvectedCoordinates::moveTo(
     const std::shared_ptr<const SimulationModel>& model, std::int64_t step, float life, const std::stop_token& stop)
 {
     const SeedTimes times(model->schedule(), life);
-    if (!m_model || m_model->air() != model->air() || m_life != life) {
+    const bool sameAir =
+        m_model && m_model->air() == model->air() && m_model->clock().stepsBehind == model->clock().stepsBehind;
+    if (!sameAir || m_life != life) {
         m_phases[0].age = -1;
         m_phases[1].age = -1;
     }
     m_model = model;
     m_life = life;
-    BakedAir& air = *model->air();
     const std::int64_t latest = times.seedAt(step);
     const auto sinceSeed = static_cast<float>(step - times.stepOf(latest));
     const float way = sinceSeed / static_cast<float>(times.stepOf(latest + 1) - times.stepOf(latest));
@@ -83,11 +84,11 @@ Status AdvectedCoordinates::moveTo(
         const std::int64_t random = times.randomNumber(seed);
         const std::int64_t age = step - times.stepOf(seed);
         if (phase.age < 0 || phase.seed != random || phase.age > age) {
-            phase.map.seed(air.plan().grid);
+            phase.map.seed(model->air()->plan().grid);
             phase.seed = random;
             phase.age = 0;
         }
-        if (Status status = carryOn(air, times.stepOf(seed), age, model->schedule().dt, phase, m_room, stop); !status) {
+        if (Status status = carryOn(*model, times.stepOf(seed), age, phase, m_room, stop); !status) {
             phase.age = -1;
             return status;
         }

@@ -7,14 +7,15 @@
 
 namespace fumage {
 
-std::shared_ptr<BakedAir> AirCache::airOf(const SampledEffect& effect)
+std::shared_ptr<BakedAir> AirCache::airOf(SampledLayers layers)
 {
-    if (!effect->air.enabled) {
+    if (!layers.front()->air.enabled) {
         return nullptr;
     }
-    const Effect part = airPart(effect);
+    std::vector<Effect> parts = airParts(layers);
     const std::scoped_lock lock(m_mutex);
-    const auto found = std::find_if(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == part; });
+    const auto found =
+        std::find_if(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == parts; });
     if (found != m_airs.end()) {
         std::rotate(found, found + 1, m_airs.end());
         return m_airs.back().second;
@@ -22,7 +23,7 @@ std::shared_ptr<BakedAir> AirCache::airOf(const SampledEffect& effect)
     while (!m_airs.empty() && m_airs.size() >= m_most) {
         m_airs.erase(m_airs.begin());
     }
-    return m_airs.emplace_back(part, std::make_shared<BakedAir>(airPlan(SimulationModel(effect)))).second;
+    return m_airs.emplace_back(std::move(parts), std::make_shared<BakedAir>(airPlan(layers))).second;
 }
 
 void AirCache::clear()
@@ -31,16 +32,18 @@ void AirCache::clear()
     m_airs.clear();
 }
 
-std::int64_t AirCache::missingSteps(const SampledEffect& effect, std::int64_t step) const
+std::int64_t AirCache::missingSteps(SampledLayers layers, int frame) const
 {
-    const Effect part = airPart(effect);
+    const std::vector<Effect> parts = airParts(layers);
+    const Schedule schedule = makeSchedule(layers.front());
+    const std::int64_t step = firstAirStep(layers) + frame * schedule.stepsPerFrame;
     const std::scoped_lock lock(m_mutex);
-    const auto found = std::find_if(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == part; });
+    const auto found =
+        std::find_if(m_airs.begin(), m_airs.end(), [&](const auto& each) { return each.first == parts; });
     if (found != m_airs.end()) {
         return found->second->missingSteps(step);
     }
-    const Schedule schedule = makeSchedule(effect);
-    return schedule.firstStep + 2 * schedule.loopSteps + step + 1;
+    return firstAirStep(layers) + 2 * schedule.loopSteps + step + 1;
 }
 
 } // namespace fumage

@@ -20,26 +20,26 @@ public:
     {
     }
 
-    /// The air of an effect, baked or to be baked; nullptr where none carries the smoke.
-    /// @param effect for which checkAir() has nothing to say
-    [[nodiscard]] std::shared_ptr<BakedAir> airOf(const SampledEffect& effect);
+    /// The air of a scene, baked or to be baked; nullptr where none carries the smoke.
+    /// @param layers for which checkAir() has nothing to say
+    [[nodiscard]] std::shared_ptr<BakedAir> airOf(SampledLayers layers);
+    /// The same of one layer.
+    [[nodiscard]] std::shared_ptr<BakedAir> airOf(const SampledEffect& effect) { return airOf({&effect, 1}); }
 
     /// Lets go of all airs; those that somebody uses live on until they are done.
     void clear();
 
-    /// Whether the air of an effect is here and needs no more computing up to a step.
-    [[nodiscard]] bool isBaked(const SampledEffect& effect, std::int64_t step) const
-    {
-        return missingSteps(effect, step) == 0;
-    }
-    /// How many steps of the air of an effect are still to be computed up to a step, of a loop all of them; more than
+    /// Whether the air of a scene is here and needs no more computing up to a frame.
+    [[nodiscard]] bool isBaked(SampledLayers layers, int frame) const { return missingSteps(layers, frame) == 0; }
+    /// How many steps of the air of a scene are still to be computed up to a frame, of a loop all of them; more than
     /// there are steps where none is here.
-    [[nodiscard]] std::int64_t missingSteps(const SampledEffect& effect, std::int64_t step) const;
+    [[nodiscard]] std::int64_t missingSteps(SampledLayers layers, int frame) const;
 
 private:
     std::size_t m_most;
     mutable std::mutex m_mutex;
-    std::vector<std::pair<Effect, std::shared_ptr<BakedAir>>> m_airs; ///< by airPart(), the one used last at the end
+    std::vector<std::pair<std::vector<Effect>, std::shared_ptr<BakedAir>>>
+        m_airs; ///< by airParts(), the one used last at the end
 };
 
 } // namespace fumage

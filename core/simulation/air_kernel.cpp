@@ -52,6 +52,20 @@ struct Carried {
     }
 };
 
+/// The velocity after a touch of a surface: what goes into it turns round, with the restitution, and what goes along it
+/// is slowed.
+/// @param outward of the surface
+HWY_INLINE Vec3<V> afterTouch(D d, const AirConstants& air, const Vec3<V>& velocity, const Vec3<V>& outward)
+{
+    const V into = hn::Min(hn::Zero(d), dot(velocity, outward));
+    if (air.coupling == Coupling::Carried) {
+        return velocity - outward * into;
+    }
+    const Vec3<V> along = velocity - outward * dot(velocity, outward);
+    const auto isTouched = hn::Lt(into, hn::Zero(d));
+    return chosen(isTouched, along * (1.0F - air.friction) - outward * (into * air.restitution), velocity);
+}
+
 /// Puts places that lie inside a ball onto it, and takes what is left of the velocity into it.
 HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& velocity)
 {
@@ -72,9 +86,8 @@ HWY_INLINE void keepOutOfBall(D d, const AirConstants& air, Vec3<V>& place, Vec3
             air.obstaclePosition.z + ring * away.z};
         pushed = chosen(buried, beside, pushed);
     }
-    const V into = hn::Min(hn::Zero(d), dot(velocity, outward));
     place = chosen(inside, pushed, place);
-    velocity = chosen(inside, velocity - outward * into, velocity);
+    velocity = chosen(inside, afterTouch(d, air, velocity, outward), velocity);
 }
 
 /// The same for a box: out through its nearest face, and not through one that lies under the ground.
@@ -97,17 +110,31 @@ HWY_INLINE void keepOutOfBox(D d, const AirConstants& air, Vec3<V>& place, Vec3<
     place.x = hn::IfThenElse(throughX, air.obstaclePosition.x + hn::CopySign(half.x, away.x), place.x);
     place.y = hn::IfThenElse(throughY, air.obstaclePosition.y + half.y * up, place.y);
     place.z = hn::IfThenElse(throughZ, air.obstaclePosition.z + hn::CopySign(half.z, away.z), place.z);
-    velocity = {hn::IfThenZeroElse(throughX, velocity.x), hn::IfThenZeroElse(throughY, velocity.y),
-        hn::IfThenZeroElse(throughZ, velocity.z)};
+    if (air.coupling == Coupling::Carried) {
+        velocity = {hn::IfThenZeroElse(throughX, velocity.x), hn::IfThenZeroElse(throughY, velocity.y),
+            hn::IfThenZeroElse(throughZ, velocity.z)};
+        return;
+    }
+    const V zero3 = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
+    const Vec3<V> outward{hn::IfThenElseZero(throughX, hn::CopySign(one, away.x)), hn::IfThenElseZero(throughY, up),
+        hn::IfThenElseZero(throughZ, hn::CopySign(one, away.z))};
+    velocity = chosen(hn::Gt(dot(outward, outward), zero3), afterTouch(d, air, velocity, outward), velocity);
 }
 
-/// Keeps places out of obstacle and ground. They slide along: what velocity they have into it goes.
+/// Keeps places out of obstacle and ground. Smoke slides along: what velocity it has into it goes. What is not carried
+/// bounces.
 HWY_INLINE void keepOut(D d, const AirConstants& air, Vec3<V>& place, Vec3<V>& velocity)
 {
     if (air.hasGround) {
         const V ground = hn::Set(d, air.groundHeight);
         const auto under = hn::Lt(place.y, ground);
-        velocity.y = hn::IfThenElse(under, hn::Max(velocity.y, hn::Zero(d)), velocity.y);
+        if (air.coupling == Coupling::Carried) {
+            velocity.y = hn::IfThenElse(under, hn::Max(velocity.y, hn::Zero(d)), velocity.y);
+        } else {
+            const Vec3<V> upward{hn::Zero(d), hn::Set(d, 1.0F), hn::Zero(d)};
+            velocity = chosen(under, afterTouch(d, air, velocity, upward), velocity);
+        }
         place.y = hn::Max(place.y, ground);
     }
     if (air.obstacle == Obstacle::Sphere) {
@@ -140,11 +167,19 @@ HWY_INLINE void readHere(const StepConstants& constants, Way& way)
     way.gradient2 =
         dot(here.slope[0], here.slope[0]) + dot(here.slope[1], here.slope[1]) + dot(here.slope[2], here.slope[2]);
     way.here = here;
+    if (constants.air.coupling == Coupling::Free) {
+        const V nothing = hn::Zero(D());
+        way.here.velocity = uniform(nothing);
+        way.gradient2 = nothing;
+    }
 }
 
 template <class Time>
 HWY_INLINE void accelerate(D d, const StepConstants& constants, const Time& time, Way& way)
 {
+    if (constants.air.coupling != Coupling::Carried) {
+        way.relative = way.relative - way.here.velocity; // it was its own
+    }
     // The air carries what all heat does alike: only a particle's own share of it is left.
     const V lift = constants.buoyancy * heatDeviation(d, constants, way.key) * way.here.heat;
     const Vec3<V> before = way.relative;
@@ -158,7 +193,7 @@ HWY_INLINE void findDetail(D d, const StepConstants& constants, Way& way)
 {
     Vec3<V> detail = uniform(hn::Zero(d));
     Vec3<V> none = detail;
-    if (constants.octaves > 0) {
+    if (constants.octaves > 0 && constants.air.coupling == Coupling::Carried) {
         addTurbulence<false>(d, constants, way.position, constants.air.detail * hn::Sqrt(way.gradient2), detail, none);
     }
     way.detail = detail;
@@ -177,17 +212,25 @@ HWY_INLINE void arrive(D d, const StepConstants& constants, const Time& time, co
     Vec3<V>& velocity, Vec3<V>& relative, V& heat)
 {
     const AirThere<V> midway = airAt<false>(*constants.air.field, constants.air.reach, way.places);
-    heat = midway.heat;
+    // What is not carried keeps the heat that it was born with; how soon it is seen to glow no longer is its look's.
+    heat = constants.air.coupling == Coupling::Carried ? midway.heat : hn::Set(d, 1.0F);
     relative = way.relative;
-    velocity = midway.velocity + relative;
-    position = way.position + (midway.velocity + way.flown + way.detail) * time(constants.dt);
+    // Inertia is along a straight way: what is not carried has the air's push where the step began.
+    const Vec3<V> air = constants.air.coupling == Coupling::Carried ? midway.velocity : way.here.velocity;
+    velocity = air + relative;
+    position = way.position + (air + way.flown + way.detail) * time(constants.dt);
     if (constants.rotation != 0.0F) {
         const SineCosine<V> angle = time.rotation(d, constants);
         position = turnedAboutPivot(angle, constants, position);
         velocity = rotated(angle, velocity);
         relative = rotated(angle, relative);
     }
-    keepOut(d, constants.air, position, relative);
+    if (constants.air.coupling == Coupling::Carried) {
+        keepOut(d, constants.air, position, relative);
+        return;
+    }
+    keepOut(d, constants.air, position, velocity);
+    relative = velocity; // the next step takes the air's from it
 }
 
 /// Vectors that go through a step together, stage by stage: what one of them waits for is then hidden behind the
@@ -273,7 +316,8 @@ HWY_INLINE Carried throughParts(D d, std::span<const StepConstants> parts, VU ke
     Carried at = born;
     at.moving.position = positionInSource(d, whole, key, born.moving.position);
     // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
-    at.relative = born.moving.velocity - whole.air.sourceVelocity;
+    at.relative = whole.air.coupling == Coupling::Carried ? born.moving.velocity - whole.air.sourceVelocity
+                                                          : born.moving.velocity;
     at.shape = Shape::round(d);
     for (const StepConstants& constants : parts) {
         const PartOfStep time{clamp01(d, (share - hn::Set(d, constants.rest)) / hn::Set(d, constants.share))};

@@ -12,9 +12,10 @@ namespace fumage {
 /// With u the air at a place, n curl noise of the air's own strength there, and r the velocity relative to the air, all
 /// as in stepChunk(): r += (gravity + differences of heat + pull - D r) tau, then P += (u(P + dt/2 (u(P) + r)) + r +
 /// n(P)) dt. No particle enters ground or obstacle: it is put onto the surface and keeps what velocity it has along it.
-/// Where they deform, C follows the flow's gradient G: dC/dt = G C + C G^T - (C - 1) / tau, the squares of a particle's
-/// axes as a tensor. Source of the noise's strength: Kim, Thürey, James, Gross, "Wavelet Turbulence for Fluid
-/// Simulation", SIGGRAPH 2008, by the local gradient.
+/// What is dragged has r = v - u(P) with a velocity v of its own, keeps to it and bounces: P += (u(P) + r) dt; what is
+/// free the same with u = 0. Where they deform, C follows the flow's gradient G: dC/dt = G C + C G^T - (C - 1) / tau,
+/// the squares of a particle's axes as a tensor. Source of the noise's strength: Kim, Thürey, James, Gross, "Wavelet
+/// Turbulence for Fluid Simulation", SIGGRAPH 2008, by the local gradient.
 /// @param constants with the air of the step
 void carryChunk(const StepConstants& constants, Particles& particles, std::size_t chunk);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -75,14 +76,38 @@ Box fittedBox(const SampledEffect& effect)
     return box;
 }
 
-Box boxOf(const SampledEffect& effect)
+/// Whether a layer heats the air, or blows it up; of layers of which none does, the first stands for all.
+bool feeds(SampledLayers layers, std::size_t layer)
 {
-    const Air& air = effect->air;
-    Box box = fittedBox(effect);
-    const glm::vec3 foot = effect->emitter.position;
+    const auto gives = [](const SampledEffect& effect) { return effect->source.feeds; };
+    return gives(layers[layer]) || (layer == 0 && std::none_of(layers.begin(), layers.end(), gives));
+}
+
+/// The first of the layers that feed the air: the box, the wind and what stirs the air go by it.
+std::size_t firstFeeding(SampledLayers layers)
+{
+    std::size_t layer = 0;
+    while (!feeds(layers, layer)) {
+        ++layer;
+    }
+    return layer;
+}
+
+Box boxOf(SampledLayers layers)
+{
+    const SampledEffect& first = layers[firstFeeding(layers)];
+    const Air& air = first->air;
+    Box box = fittedBox(first);
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (feeds(layers, layer)) {
+            const Box other = fittedBox(layers[layer]);
+            box = {glm::min(box.low, other.low), glm::max(box.high, other.high)};
+        }
+    }
+    const glm::vec3 foot = first->emitter.position;
     if (!air.fit) {
         const glm::vec3 centre = foot + air.offset;
-        const float below = effect->emitter.shape == EmitterShape::Sphere ? sourceRadius(effect->emitter) : 0.0F;
+        const float below = first->emitter.shape == EmitterShape::Sphere ? sourceRadius(first->emitter) : 0.0F;
         box.low = {centre.x - 0.5F * air.size.x, centre.y - below, centre.z - 0.5F * air.size.z};
         box.high = box.low + air.size;
     }
@@ -97,9 +122,9 @@ Box boxOf(const SampledEffect& effect)
 }
 
 /// Whether the ground is the lower side of the box.
-bool standsOnGround(const SampledEffect& effect, const AirGrid& grid)
+bool standsOnGround(const Air& air, const AirGrid& grid)
 {
-    return effect->air.ground && std::abs(grid.corner.y - effect->air.groundHeight) < 0.01F * grid.cell;
+    return air.ground && std::abs(grid.corner.y - air.groundHeight) < 0.01F * grid.cell;
 }
 
 std::vector<Solid> solidsOf(const Air& air)
@@ -116,27 +141,71 @@ std::vector<Solid> solidsOf(const Air& air)
 constexpr double kMaxWork = 1e10;
 
 /// Cells that are stepped before the first picture is there: of a loop, all of it and the half into which it goes over.
-double workBeforeFirstFrame(const SampledEffect& effect, const AirGrid& grid)
+double workBeforeFirstFrame(SampledLayers layers, const AirGrid& grid)
 {
-    const Schedule schedule = makeSchedule(effect);
+    const Schedule schedule = makeSchedule(layers.front());
     const double cells = static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z;
-    const double steps = static_cast<double>(schedule.firstStep) + 1.5 * static_cast<double>(schedule.loopSteps);
-    return steps * piecesOfStep(effect, schedule.dt, effect->emitter.mode == EmissionMode::Continuous) * cells;
+    const double steps = static_cast<double>(firstAirStep(layers)) + 1.5 * static_cast<double>(schedule.loopSteps);
+    int pieces = 1;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (feeds(layers, layer)) {
+            const bool acts = layers[layer]->emitter.mode == EmissionMode::Continuous;
+            pieces = std::max(pieces, piecesOfStep(layers[layer], schedule.dt, acts));
+        }
+    }
+    return steps * pieces * cells;
+}
+
+/// Whether an emitter lies where there is air.
+Status checkEmitter(const SampledEffect& effect, const AirGrid& grid)
+{
+    const glm::vec3 place = effect->emitter.position;
+    if (!glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell))
+        && !glm::any(glm::greaterThan(place, grid.end()))) {
+        return Done{};
+    }
+    const bool isBuried = effect->air.ground && place.y < effect->air.groundHeight;
+    return isBuried ? Error{ErrorCode::OutOfRange, makeMessage("the emitter lies under the ground"), std::string("air"),
+               makeMessage("Lower air.ground_height or raise emitter.position")}
+                    : Error{ErrorCode::OutOfRange, makeMessage("the emitter lies outside the box of the air"),
+                        std::string("air"), makeMessage("Turn air.fit on, or change air.offset or air.size")};
+}
+
+/// A model that feeds the air, with the clock that says which of its steps is one of the air.
+AirFeeder feederAt(const SimulationModel& model, std::int64_t airStep)
+{
+    const Schedule& schedule = model.schedule();
+    AirFeeder feeder{&model, airStep - model.clock().stepsBehind, 0.0F};
+    if (schedule.loopSteps > 0 && feeder.number < 1) {
+        feeder.number += (schedule.loopSteps - feeder.number) / schedule.loopSteps * schedule.loopSteps;
+    }
+    const bool isBorn = feeder.number >= 1;
+    feeder.acts = isBorn && model.effect()->source.feeds ? schedule.actsAfter(feeder.number - 1) : 0.0F;
+    return feeder;
+}
+
+std::vector<AirFeeder> feedersAt(const std::vector<SimulationModel>& models, std::int64_t airStep)
+{
+    std::vector<AirFeeder> feeders;
+    for (const SimulationModel& model : models) {
+        feeders.push_back(feederAt(model, airStep));
+    }
+    return feeders;
 }
 
 } // namespace
 
-AirGrid airGrid(const SampledEffect& effect)
+AirGrid airGrid(SampledLayers layers)
 {
-    const Box box = boxOf(effect);
+    const Box box = boxOf(layers);
     const glm::vec3 size = box.high - box.low;
     const float longest = std::max({size.x, size.y, size.z});
     // Far from the origin floats are too coarse to tell smaller cells apart.
     const glm::vec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
     constexpr float kFinest = 0x1p-20F;
     AirGrid grid;
-    grid.cell = std::max(
-        longest / static_cast<float>(effect->air.resolution), kFinest * std::max({farthest.x, farthest.y, farthest.z}));
+    grid.cell = std::max(longest / static_cast<float>(layers.front()->air.resolution),
+        kFinest * std::max({farthest.x, farthest.y, farthest.z}));
     // Rounded to the nearest even number, and the box stays where its middle and its foot are.
     const auto even = [&](float length) {
         return std::clamp(2 * static_cast<int>(std::lround(0.5F * length / grid.cell)), kMinAirCells, kMaxAirCells);
@@ -149,26 +218,26 @@ AirGrid airGrid(const SampledEffect& effect)
     return grid;
 }
 
-Status checkAir(const SampledEffect& effect)
+Status checkAir(SampledLayers layers)
 {
+    const SampledEffect& effect = layers[firstFeeding(layers)];
     if (!effect->air.enabled) {
         return Done{};
     }
-    const AirGrid grid = airGrid(effect);
+    const AirGrid grid = airGrid(layers);
     if (!std::isfinite(grid.size().x + grid.size().y + grid.size().z)) {
         return Error{ErrorCode::OutOfRange, makeMessage("the box of the air has no finite size"), std::string("air"),
             makeMessage("Turn air.fit off and give air.size, or make the emitter smaller or slower")};
     }
-    const glm::vec3 place = effect->emitter.position;
-    if (glm::any(glm::lessThan(place, grid.corner - 0.5F * grid.cell))
-        || glm::any(glm::greaterThan(place, grid.end()))) {
-        const bool isBuried = effect->air.ground && place.y < effect->air.groundHeight;
-        return isBuried ? Error{ErrorCode::OutOfRange, makeMessage("the emitter lies under the ground"),
-                   std::string("air"), makeMessage("Lower air.ground_height or raise emitter.position")}
-                        : Error{ErrorCode::OutOfRange, makeMessage("the emitter lies outside the box of the air"),
-                            std::string("air"), makeMessage("Turn air.fit on, or change air.offset or air.size")};
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (!feeds(layers, layer)) {
+            continue;
+        }
+        if (Status status = checkEmitter(layers[layer], grid); !status) {
+            return status;
+        }
     }
-    if (workBeforeFirstFrame(effect, grid) > kMaxWork) {
+    if (workBeforeFirstFrame(layers, grid) > kMaxWork) {
         return effect->timeline.loop
             ? Error{ErrorCode::TooLarge,
                 makeMessage("the air of a loop of %1 frames is baked whole before its first picture, which would take "
@@ -191,34 +260,61 @@ Status checkAir(const SampledEffect& effect)
         std::string("air.obstacle_size"), makeMessage("Make the obstacle smaller, or move it")};
 }
 
-AirPlan airPlan(const SimulationModel& model)
+std::int64_t firstAirStep(SampledLayers layers)
 {
-    const SampledEffect& effect = model.effect();
+    std::int64_t first = std::numeric_limits<std::int64_t>::min();
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (feeds(layers, layer)) {
+            first = std::max(first, makeSchedule(layers[layer]).firstStep);
+        }
+    }
+    return std::max<std::int64_t>(0, first);
+}
+
+LayerClock layerClock(SampledLayers layers, std::size_t layer)
+{
+    return {firstAirStep(layers) - makeSchedule(layers[layer]).firstStep, layers[firstFeeding(layers)]->emitter.seed};
+}
+
+AirPlan airPlan(SampledLayers layers)
+{
+    const Air& air = layers.front()->air;
+    std::vector<SimulationModel> models;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (feeds(layers, layer)) {
+            models.emplace_back(layers[layer], layerClock(layers, layer));
+        }
+    }
     AirPlan plan;
-    plan.grid = airGrid(effect);
-    plan.boundaries.low[1] = standsOnGround(effect, plan.grid) ? Boundary::Solid : Boundary::Open;
-    plan.solids = solidsOf(effect->air);
-    plan.firstStep = model.schedule().firstStep;
-    plan.loopSteps = model.schedule().loopSteps;
-    plan.parts = usualParts(model);
-    plan.wind = windSpeed(model.windAt(0.0), effect->air);
-    plan.stepTo = [model = SimulationModel(effect), grid = plan.grid](std::int64_t number) {
-        return airStep(model, grid, number, model.schedule().actsAfter(number - 1));
-    };
+    plan.grid = airGrid(layers);
+    plan.boundaries.low[1] = standsOnGround(air, plan.grid) ? Boundary::Solid : Boundary::Open;
+    plan.solids = solidsOf(air);
+    plan.firstStep = firstAirStep(layers);
+    plan.loopSteps = models.front().schedule().loopSteps;
+    plan.parts = usualParts(feedersAt(models, 1));
+    plan.wind = windSpeed(models.front().windAt(static_cast<double>(-models.front().clock().stepsBehind)), air);
+    plan.stepTo = [models = std::move(models), grid = plan.grid](
+                      std::int64_t number) { return airStep(feedersAt(models, number), grid); };
     return plan;
 }
 
-Effect airPart(const Effect& effect)
+std::vector<Effect> airParts(SampledLayers layers)
 {
-    Effect part;
-    for (const Parameter& parameter : parameterTable()) {
-        // What does not loop goes on for ever: its length is that of the pictures.
-        if (parameter.dirties == DirtyStage::Air
-            && (effect.timeline.loop || &parameter != &knownParameter("timeline.length"))) {
-            parameter.set(part, parameter.get(effect));
+    std::vector<Effect> parts;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        if (!feeds(layers, layer)) {
+            continue;
+        }
+        Effect& part = parts.emplace_back();
+        for (const Parameter& parameter : parameterTable()) {
+            // What does not loop goes on for ever: its length is that of the pictures.
+            if (parameter.dirties == DirtyStage::Air
+                && (layers[layer]->timeline.loop || &parameter != &knownParameter("timeline.length"))) {
+                parameter.set(part, parameter.get(layers[layer]));
+            }
         }
     }
-    return part;
+    return parts;
 }
 
 } // namespace fumage

@@ -5,6 +5,8 @@
 #include "core/simulation/air_source.h"
 #include "core/simulation/air_step.h"
 
+#include <vector>
+
 namespace fumage {
 
 /// The box of the air: that of the effect, or where air.fit is on, one as large as the smoke is expected to become.
@@ -14,20 +16,46 @@ namespace fumage {
 /// momentum that the source gives off a second, or 2.4 (B V)^(1/4) t^(1/2) for a burst of volume V; and becomes a
 /// quarter as wide to each side. Heat lifts no longer than it lasts. Source: Turner, "Buoyancy Effects in Fluids",
 /// 1973, of plumes, jets and thermals; the factors are rounded up.
-[[nodiscard]] AirGrid airGrid(const SampledEffect& effect);
+/// Of several layers the box holds what is expected of each that feeds the air; a box of a given size stands at the
+/// first of them.
+[[nodiscard]] AirGrid airGrid(SampledLayers layers);
+
+/// The same of one layer.
+[[nodiscard]] inline AirGrid airGrid(const SampledEffect& effect)
+{
+    return airGrid({&effect, 1});
+}
 
 /// What would keep the air of an effect from being computed: an emitter outside its box, an obstacle that fills it, a
 /// box that no number holds, or a loop or a pre-warm that would be baked for very long before there is a picture.
 /// Without air there is nothing.
 /// @error OutOfRange, TooLarge
-[[nodiscard]] Status checkAir(const SampledEffect& effect);
+[[nodiscard]] Status checkAir(SampledLayers layers);
 
-/// Everything that the air of an effect depends on.
-/// @param model of the same effect, whose checkAir() found nothing
-[[nodiscard]] AirPlan airPlan(const SimulationModel& model);
+/// The same of one layer.
+[[nodiscard]] inline Status checkAir(const SampledEffect& effect)
+{
+    return checkAir({&effect, 1});
+}
 
-/// The part of an effect that its air depends on, everything else at its default: equal for effects that share their
+/// The first step of the air: that of the layer that has risen for longest at frame 0, among those that feed it.
+[[nodiscard]] std::int64_t firstAirStep(SampledLayers layers);
+
+/// How a layer lies in its scene.
+[[nodiscard]] LayerClock layerClock(SampledLayers layers, std::size_t layer);
+
+/// Everything that the air of a scene depends on.
+/// @param layers whose checkAir() found nothing
+[[nodiscard]] AirPlan airPlan(SampledLayers layers);
+
+/// The same of one layer.
+[[nodiscard]] inline AirPlan airPlan(const SampledEffect& effect)
+{
+    return airPlan({&effect, 1});
+}
+
+/// The parts of the layers that their air depends on, everything else at its default: equal for scenes that share their
 /// air.
-[[nodiscard]] Effect airPart(const Effect& effect);
+[[nodiscard]] std::vector<Effect> airParts(SampledLayers layers);
 
 } // namespace fumage

@@ -198,10 +198,15 @@ constexpr int kMaxParts = 8;
 
 /// A part of a step.
 struct Moment {
-    double begin = 0.0; ///< in steps
+    double start = 0.0; ///< of the stretch in which the same sources act, in steps from the step before
+    double begin = 0.0; ///< since then
     double end = 0.0;
     float share = 1.0F; ///< end - begin
-    bool acts = false;
+    float actsBeyond = 0.0F; ///< what acts for longer than this acts in it
+
+    /// When it begins and ends, in steps of a layer.
+    [[nodiscard]] double beginAfter(std::int64_t step) const { return static_cast<double>(step) + start + begin; }
+    [[nodiscard]] double endAfter(std::int64_t step) const { return static_cast<double>(step) + start + end; }
 };
 
 /// Parts of a span of time that are all alike.
@@ -210,72 +215,108 @@ struct Division {
     int pieces = 1; ///< of each
 };
 
-Division divisionOf(const SampledEffect& effect, float seconds, bool acts)
+/// What a source that acts adds to the air, of its own volume, 1/s at most.
+float mostGrowth(const SampledEffect& effect)
+{
+    return effect->source.expansion * (1.0F + (surges(effect) ? effect->source.surge : 0.0F));
+}
+
+/// @param growth of the strongest source that acts, 1/s
+Division divisionOf(float seconds, float growth)
 {
     constexpr float kRounding = 1e-4F;
-    const float most = 1.0F + (surges(effect) ? effect->source.surge : 0.0F);
-    const float growth = acts ? effect->source.expansion * most * seconds : 0.0F;
-    const float least = std::ceil(std::max(seconds / kLongestPiece, growth / kMaxGrowth) - kRounding);
+    const float least = std::ceil(std::max(seconds / kLongestPiece, growth * seconds / kMaxGrowth) - kRounding);
     const int pieces = std::max(1, static_cast<int>(least));
     const int parts = std::min(pieces, kMaxParts);
     return {parts, (pieces + parts - 1) / parts};
 }
 
-/// Calls visit(moment, pieces) for the parts of a step in their order.
+/// Calls visit(moment, pieces) for the parts of a step in their order: between two of them a source may stop.
 template <class Visit>
-void forParts(const SimulationModel& model, std::int64_t number, float acts, const Visit& visit)
+void forParts(std::span<const AirFeeder> feeders, const Visit& visit)
 {
-    const auto start = static_cast<double>(number - 1);
-    const auto divide = [&](double begin, double end, bool active) {
-        const auto span = static_cast<float>(end - begin);
-        const Division division = divisionOf(model.effect(), span * model.schedule().dt, active);
-        for (int i = 0; i < division.parts; ++i) {
-            const auto at = [&](int part) { return start + begin + (end - begin) * part / division.parts; };
-            visit(Moment{at(i), at(i + 1), span / static_cast<float>(division.parts), active}, division.pieces);
+    float begin = 0.0F;
+    while (begin < 1.0F) {
+        float end = 1.0F; // where the next of them stops
+        for (const AirFeeder& feeder : feeders) {
+            end = feeder.acts > begin ? std::min(end, feeder.acts) : end;
         }
-    };
-    const auto stop = static_cast<double>(acts);
-    if (acts > 0.0F) {
-        divide(0.0, stop, true);
-    }
-    if (acts < 1.0F) {
-        divide(stop, 1.0, false);
+        const auto span = static_cast<float>(static_cast<double>(end) - static_cast<double>(begin));
+        float growth = 0.0F;
+        for (const AirFeeder& feeder : feeders) {
+            growth = std::max(growth, feeder.acts > begin ? mostGrowth(feeder.model->effect()) : 0.0F);
+        }
+        const Division division = divisionOf(span * feeders.front().model->schedule().dt, growth);
+        for (int i = 0; i < division.parts; ++i) {
+            const auto at = [&](int part) {
+                return (static_cast<double>(end) - static_cast<double>(begin)) * part / division.parts;
+            };
+            visit(
+                Moment{static_cast<double>(begin), at(i), at(i + 1), span / static_cast<float>(division.parts), begin},
+                division.pieces);
+        }
+        begin = end;
     }
 }
 
-AirStep airPartOfStep(const SimulationModel& model, const AirGrid& grid, const Moment& moment, int pieces)
+/// What an emitter does to the air in a part of a step.
+/// @param dt of a piece
+AirFeed feedOf(const AirFeeder& feeder, const AirGrid& grid, const Moment& moment, float dt)
 {
+    const SampledEffect& effect = feeder.model->effect();
+    const Schedule& schedule = feeder.model->schedule();
+    const double begin = moment.beginAfter(feeder.number - 1);
+    const double end = moment.endAfter(feeder.number - 1);
+    AirFeed feed;
+    AirSource& source = feed.source;
+    source = steadySource(effect, grid);
+    source.acts = feeder.acts > moment.actsBeyond;
+    source.relaxation =
+        effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kRelaxation * alongNormal(effect->emitter) * dt) : 0.0F;
+    feed.vortex = vortexOf(effect, dt);
+    if (source.acts && (source.raggedness > 0.0F || source.unevenness > 0.0F)) {
+        const float radius = std::max(source.reach.x, source.reach.y);
+        const float rate =
+            0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(effect->air.buoyancy) * radius)) / radius;
+        moveSource(source, schedule, effect->emitter.seed, rate, end);
+    }
+    if (source.acts && surges(effect)) {
+        const float strength = surgeAt(effect, schedule, 0.5 * (begin + end));
+        source.heat *= strength;
+        source.speed *= strength;
+        source.expansion *= strength;
+    }
+    return feed;
+}
+
+AirStep airPartOfStep(std::span<const AirFeeder> feeders, const AirGrid& grid, const Moment& moment, int pieces)
+{
+    const SimulationModel& model = *feeders.front().model;
     const SampledEffect& effect = model.effect();
-    const Schedule& schedule = model.schedule();
     const Air& air = effect->air;
+    const double begin = moment.beginAfter(feeders.front().number - 1);
+    const double end = moment.endAfter(feeders.front().number - 1);
     AirStep step;
     step.share = moment.share;
     step.pieces = pieces;
-    step.dt = schedule.dt * moment.share / static_cast<float>(pieces);
+    step.dt = model.schedule().dt * moment.share / static_cast<float>(pieces);
     step.buoyancy = air.buoyancy;
     step.heatKept = portableExp(-air.cooling * step.dt);
     step.confinement = air.vorticity;
     step.friction = air.friction;
-    step.wind = windSpeed(model.windAt(moment.end), air);
-    step.windChange = (step.wind - windSpeed(model.windAt(moment.begin), air)) / static_cast<float>(pieces);
-    step.source = steadySource(effect, grid);
-    step.source.acts = moment.acts;
-    step.source.relaxation =
-        effect->emitter.speed > 0.0F ? 1.0F - portableExp(-kRelaxation * alongNormal(effect->emitter) * step.dt) : 0.0F;
-    step.vortex = vortexOf(effect, step.dt);
+    step.wind = windSpeed(model.windAt(end), air);
+    step.windChange = (step.wind - windSpeed(model.windAt(begin), air)) / static_cast<float>(pieces);
     if (air.turbulence > 0.0F) {
-        step.forcing = forcingAt(effect, grid, schedule, moment.end);
+        step.forcing = forcingAt(effect, grid, model.schedule(), end);
     }
-    if (moment.acts && (step.source.raggedness > 0.0F || step.source.unevenness > 0.0F)) {
-        const float radius = std::max(step.source.reach.x, step.source.reach.y);
-        const float rate = 0.5F * std::max(effect->emitter.speed, std::sqrt(std::abs(air.buoyancy) * radius)) / radius;
-        moveSource(step.source, schedule, effect->emitter.seed, rate, moment.end);
-    }
-    if (moment.acts && surges(effect)) {
-        const float strength = surgeAt(effect, schedule, 0.5 * (moment.begin + moment.end));
-        step.source.heat *= strength;
-        step.source.speed *= strength;
-        step.source.expansion *= strength;
+    for (const AirFeeder& feeder : feeders) {
+        AirFeed feed = feedOf(feeder, grid, moment, step.dt);
+        if (&feeder == &feeders.front()) {
+            step.source = feed.source;
+            step.vortex = feed.vortex;
+        } else {
+            step.others.push_back(std::move(feed));
+        }
     }
     return step;
 }
@@ -289,33 +330,42 @@ glm::vec3 windSpeed(const glm::vec3& acceleration, const Air& air)
 
 int piecesOfStep(const SampledEffect& effect, float seconds, bool acts)
 {
-    const Division division = divisionOf(effect, seconds, acts);
+    const Division division = divisionOf(seconds, acts ? mostGrowth(effect) : 0.0F);
     return division.parts * division.pieces;
 }
 
-std::size_t usualParts(const SimulationModel& model)
+std::size_t usualParts(std::span<const AirFeeder> feeders)
 {
     constexpr double kFewSteps = 64.0;
+    std::vector<AirFeeder> usual(feeders.begin(), feeders.end());
+    for (AirFeeder& feeder : usual) {
+        feeder.acts = feeder.model->schedule().emittingSteps > kFewSteps ? 1.0F : 0.0F;
+    }
     int parts = 0;
-    forParts(model, 1, model.schedule().emittingSteps > kFewSteps ? 1.0F : 0.0F,
-        [&](const Moment& /*moment*/, int /*pieces*/) { ++parts; });
+    forParts(usual, [&](const Moment& /*moment*/, int /*pieces*/) { ++parts; });
     return static_cast<std::size_t>(parts);
 }
 
-AirStep airStep(const SimulationModel& model, const AirGrid& grid, std::int64_t number, float acts)
+AirStep airStep(std::span<const AirFeeder> feeders, const AirGrid& grid)
 {
     std::vector<AirStep> earlier;
     AirStep last;
     bool isFirst = true;
-    forParts(model, number, acts, [&](const Moment& moment, int pieces) {
+    forParts(feeders, [&](const Moment& moment, int pieces) {
         if (!isFirst) {
             earlier.push_back(last);
         }
         isFirst = false;
-        last = airPartOfStep(model, grid, moment, pieces);
+        last = airPartOfStep(feeders, grid, moment, pieces);
     });
     last.earlier = std::move(earlier);
     return last;
+}
+
+AirStep airStep(const SimulationModel& model, const AirGrid& grid, std::int64_t number, float acts)
+{
+    const AirFeeder feeder{&model, number, acts};
+    return airStep({&feeder, 1}, grid);
 }
 
 } // namespace fumage

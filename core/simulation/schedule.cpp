@@ -90,27 +90,35 @@ Schedule makeSchedule(const SampledEffect& effect)
     schedule.loopSteps = timeline.loop ? static_cast<std::int64_t>(timeline.length) * timeline.stepsPerFrame : 0;
 
     const bool burst = effect->emitter.mode == EmissionMode::Burst;
+    const bool ends = burst || effect->emitter.length > 0.0F;
+    const double seconds = static_cast<double>(burst ? effect->emitter.burstDuration : effect->emitter.length);
+    const std::int64_t window = ends ? wholeSteps(seconds, dt) : 0;
+    const std::int64_t start = std::llround(static_cast<double>(effect->emitter.start) / dt);
     const std::int64_t lifetime = schedule.lifetimeSteps;
     if (timeline.loop) {
         schedule.periodSteps = schedule.loopSteps;
         schedule.birthsPerPeriod =
             burst ? count / ceilDivide(lifetime, schedule.loopSteps) : count * schedule.loopSteps / lifetime;
-        schedule.firstStep = ceilDivide(lifetime, schedule.loopSteps) * schedule.loopSteps;
+        schedule.firstStep = ceilDivide(lifetime + start, schedule.loopSteps) * schedule.loopSteps - start;
     } else {
-        schedule.periodSteps = burst ? kNever : lifetime;
+        schedule.periodSteps = ends ? kNever : lifetime;
         schedule.birthsPerPeriod = count;
-        schedule.firstStep = timeline.prewarm && !burst ? lifetime : 0;
+        schedule.firstStep = timeline.prewarm && !ends && start == 0 ? lifetime : -start;
+    }
+    schedule.windowSteps = ends ? std::min(schedule.periodSteps, window) : schedule.periodSteps;
+    if (ends && !burst) {
+        // As many at a time as if it went on.
+        schedule.birthsPerPeriod = timeline.loop
+            ? schedule.birthsPerPeriod * schedule.windowSteps / schedule.periodSteps
+            : count * schedule.windowSteps / lifetime;
     }
     schedule.birthsPerPeriod = std::max<std::int64_t>(1, schedule.birthsPerPeriod);
     // One that takes no time gives the air its speed and its expansion for as long as a frame of film, whatever a step
     // is.
     constexpr double kShortestBurst = 1.0 / 30.0; // s
-    const double emitting = std::max(static_cast<double>(effect->emitter.burstDuration), kShortestBurst) / dt;
-    schedule.emittingSteps = burst ? std::min(static_cast<double>(schedule.periodSteps), emitting)
-                                   : static_cast<double>(schedule.periodSteps);
-    schedule.windowSteps = burst
-        ? std::min(schedule.periodSteps, wholeSteps(static_cast<double>(effect->emitter.burstDuration), dt))
-        : schedule.periodSteps;
+    const double emitting = std::max(seconds, kShortestBurst) / dt;
+    schedule.emittingSteps = ends ? std::min(static_cast<double>(schedule.periodSteps), emitting)
+                                  : static_cast<double>(schedule.periodSteps);
     return schedule;
 }
 

@@ -20,7 +20,7 @@ struct Schedule {
     std::int64_t windowSteps = 1; ///< at most periodSteps
     /// Steps for which the source acts on the air in each period: windowSteps before they are made whole
     double emittingSteps = 1.0;
-    std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it
+    std::int64_t firstStep = 0; ///< the step of frame 0; smoke may have been rising before it, or starts after it (< 0)
     std::int64_t loopSteps = 0; ///< 0 where the effect does not loop
     std::int64_t stepsPerFrame = 1;
     bool betweenSteps = false; ///< births are spread over the time between two steps, each by its own random part of it

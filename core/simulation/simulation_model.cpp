@@ -100,7 +100,13 @@ void setDrag(float drag, float dt, float tau, StepConstants& out)
 } // namespace
 
 SimulationModel::SimulationModel(const SampledEffect& effect, std::shared_ptr<BakedAir> air)
+    : SimulationModel(effect, LayerClock{0, effect->emitter.seed}, std::move(air))
+{
+}
+
+SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& clock, std::shared_ptr<BakedAir> air)
     : m_effect(effect)
+    , m_clock(clock)
     , m_schedule(makeSchedule(m_effect))
     , m_air(std::move(air))
     , m_turbulence(effect->turbulence)
@@ -113,16 +119,19 @@ SimulationModel::SimulationModel(const SampledEffect& effect, std::shared_ptr<Ba
 
 SimulationModel::SimulationModel(const SampledEffect& effect, const AirGrid& grid)
     : m_effect(effect)
+    , m_clock{0, effect->emitter.seed}
     , m_schedule(makeSchedule(m_effect))
     , m_grid(grid)
     , m_turbulence(belowTheGrid(effect->turbulence, grid.cell, effect->turbulence.detail))
 {
 }
 
-float SimulationModel::wander(double step, float rate, std::uint32_t stream) const
+float SimulationModel::gustAt(double step, std::uint32_t stream) const
 {
-    const RowPosition row = rowPosition(step, m_schedule, static_cast<double>(rate * m_schedule.dt));
-    const std::uint32_t seed = streamBits(m_effect->emitter.seed, stream);
+    const double time = step + static_cast<double>(m_clock.stepsBehind);
+    const RowPosition row =
+        rowPosition(std::max(0.0, time), m_schedule, static_cast<double>(m_effect->wind.gustRate * m_schedule.dt));
+    const std::uint32_t seed = streamBits(m_clock.windSeed, stream);
     const float a = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.before)));
     const float b = signedFloat(keyOf(seed, static_cast<std::uint64_t>(row.after)));
     return a + (b - a) * smoothStep(row.fraction);
@@ -131,8 +140,8 @@ float SimulationModel::wander(double step, float rate, std::uint32_t stream) con
 glm::vec3 SimulationModel::windAt(double step) const
 {
     const Wind& wind = m_effect->wind;
-    const float strength = wind.strength * (1.0F + wind.gust * wander(step, wind.gustRate, kGustStrength));
-    const float angle = wind.angle + wind.gust * kGustAngleRange * wander(step, wind.gustRate, kGustAngle);
+    const float strength = wind.strength * (1.0F + wind.gust * gustAt(step, kGustStrength));
+    const float angle = wind.angle + wind.gust * kGustAngleRange * gustAt(step, kGustAngle);
     return strength * horizontalDirection(angle);
 }
 
@@ -220,7 +229,7 @@ void SimulationModel::placeRings(std::int64_t step, StepConstants& out) const
     out.ringCentre = static_cast<float>((passed - std::floor(passed)) * spacing);
     out.ringNumber = static_cast<float>(std::floor(passed));
     // Warm smoke has rings all the way up; otherwise the first one leaves at step 0.
-    out.ringsLead = m_schedule.firstStep == 0;
+    out.ringsLead = m_schedule.firstStep <= 0;
     out.ringFollowers = rings.followers;
     out.ringVariance = rings.variance;
     out.ringKey = streamBits(m_effect->emitter.seed, kRings);
@@ -301,6 +310,12 @@ void SimulationModel::placeAir(StepConstants& out) const
     out.air.obstacle = air.obstacle;
     out.air.obstaclePosition = air.obstaclePosition;
     out.air.obstacleHalf = 0.5F * air.obstacleSize;
+    out.air.coupling = m_effect->motion.coupling;
+    if (out.air.coupling != Coupling::Carried) {
+        out.buoyancy = 0.0F; // heat lifts smoke
+        out.air.restitution = m_effect->motion.restitution;
+        out.air.friction = m_effect->motion.friction;
+    }
     out.air.shapeLost = 1.0F - portableExp(-out.dt / m_effect->look.deformationTime);
 }
 

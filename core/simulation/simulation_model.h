@@ -41,6 +41,9 @@ struct AirConstants {
     glm::vec3 obstaclePosition{0.0F};
     glm::vec3 obstacleHalf{0.0F}; ///< half its edges, or its radius in x
     float shapeLost = 0.0F; ///< how much of a particle's deformation goes in a step
+    Coupling coupling = Coupling::Carried;
+    float restitution = 0.0F; ///< of what is not carried
+    float friction = 0.0F;
 };
 
 /// Everything about a step that is the same for all particles.
@@ -100,11 +103,20 @@ struct StepConstants {
     AirConstants air;
 };
 
+/// How a layer lies in its scene, whose air and wind have a clock of their own.
+struct LayerClock {
+    std::int64_t stepsBehind = 0; ///< the air's step less the layer's
+    std::uint32_t windSeed = 0; ///< of the gusts, which all layers feel
+    friend bool operator==(const LayerClock&, const LayerClock&) = default;
+};
+
 /// An effect as the simulation sees it: schedule and constants in base units.
 class SimulationModel {
 public:
     /// @param air that carries the particles, of the same effect; null where none does
     explicit SimulationModel(const SampledEffect& effect, std::shared_ptr<BakedAir> air = nullptr);
+    /// The same of a layer of a scene, whose air several feed.
+    SimulationModel(const SampledEffect& effect, const LayerClock& clock, std::shared_ptr<BakedAir> air = nullptr);
 
     /// An effect whose air somebody else computes, step by step, on a grid of his own; air() is then nullptr.
     SimulationModel(const SampledEffect& effect, const AirGrid& grid);
@@ -123,13 +135,16 @@ public:
 
     /// The baked air that carries the particles, or nullptr.
     [[nodiscard]] BakedAir* air() const { return m_air.get(); }
+    /// The step of that air at a step of the particles.
+    [[nodiscard]] std::int64_t airStep(std::int64_t step) const { return step + m_clock.stepsBehind; }
+    [[nodiscard]] const LayerClock& clock() const { return m_clock; }
 
     /// What moves particles from step - 1 to step; without the air's field, which has to be computed first.
     /// @param share of the step's time, for a part of it
     [[nodiscard]] StepConstants constants(std::int64_t step, float share = 1.0F) const;
 
     /// Wind acceleration with its gusts at a step, m/s^2: (Vw cos theta, 0, Vw sin theta), eq. III and V.
-    /// @param step 0 or more; parts of steps too
+    /// @param step of the particles; parts of steps too
     [[nodiscard]] glm::vec3 windAt(double step) const;
 
     /// Angle by which the whole cloud turns in one step, radians: particles and their velocities, not the emitter. The
@@ -138,8 +153,8 @@ public:
     [[nodiscard]] float rotationAt(std::int64_t step) const;
 
 private:
-    /// Smooth random value in [-1, 1] of time; whole in a loop.
-    [[nodiscard]] float wander(double step, float rate, std::uint32_t stream) const;
+    /// Smooth random value in [-1, 1] of the time of the wind; whole in a loop.
+    [[nodiscard]] float gustAt(double step, std::uint32_t stream) const;
     /// What random numbers that are drawn anew every step are multiplied by. The source draws once a frame; the sum of
     /// n draws in a frame spreads as far as one of them times sqrt(n), and n steps of a frame are each n times shorter.
     [[nodiscard]] float drawScale() const;
@@ -148,6 +163,7 @@ private:
     void placeAir(StepConstants& out) const;
 
     SampledEffect m_effect;
+    LayerClock m_clock;
     Schedule m_schedule;
     std::shared_ptr<BakedAir> m_air;
     std::optional<AirGrid> m_grid; ///< of the air that carries the particles; none where none does

@@ -25,6 +25,13 @@ Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, c
 {
 }
 
+Simulator::Simulator(std::shared_ptr<const SimulationModel> model, std::size_t checkpointBytes)
+    : m_airStatus(Done{})
+    , m_model(std::move(model))
+    , m_checkpoints(checkpointBytes)
+{
+}
+
 std::shared_ptr<const Frame> Simulator::nearestBefore(int number) const
 {
     std::shared_ptr<const Frame> checkpoint = m_checkpoints.nearestBefore(number);

@@ -21,6 +21,10 @@ public:
     explicit Simulator(const SampledEffect& effect, std::size_t checkpointBytes = kDefaultCheckpointBytes,
         const std::shared_ptr<AirCache>& shelf = nullptr);
 
+    /// Of a layer whose model is at hand.
+    explicit Simulator(
+        std::shared_ptr<const SimulationModel> model, std::size_t checkpointBytes = kDefaultCheckpointBytes);
+
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
     /// @param task hears of ProgressPhase::PreRoll where many steps lead to the frame, and of ProgressPhase::Air where
     /// it has to be baked
@@ -29,6 +33,7 @@ public:
 
     /// The constants and the schedule that the effect came to.
     [[nodiscard]] const SimulationModel& model() const { return *m_model; }
+    [[nodiscard]] const std::shared_ptr<const SimulationModel>& sharedModel() const { return m_model; }
 
     static constexpr std::size_t kDefaultCheckpointBytes = std::size_t{256} << 20U;
 

@@ -3,25 +3,42 @@
 uniform sampler2DArray noise; // one layer a slice, one mip level a resolution
 uniform sampler3D billows; // value and slopes, as fumage::DetailTexture; its finest level is mip level 0
 uniform bool hasDetail; // else what `detail` holds means nothing
-uniform bool square;
-uniform float hardness;
-uniform float textureAmount;
-uniform float erosionSoftness;
-uniform float textureScale;
-uniform vec2 light; // way of the light on the screen, y down
-uniform float relief;
-uniform float roundness;
+uniform vec4 styles[3 * 64]; // of each layer the members of fumage::SpriteStyle
 
 flat in vec4 rows;
 flat in vec4 sun;
 flat in vec3 around;
 flat in uint look;
+flat in uint layerOf;
 flat in uvec4 detail[8];
 in vec2 offset;
 
 out vec4 colour; // premultiplied
 
 const uint kPlain = 15u;
+
+// The style of the sprite's layer; main() finds it.
+bool square;
+float hardness;
+float textureAmount;
+float erosionSoftness;
+float textureScale;
+vec2 light; // way of the light on the screen, y down
+float relief;
+float roundness;
+
+void findStyle()
+{
+    int first = 3 * int(layerOf);
+    square = styles[first].x != 0.0;
+    hardness = styles[first].y;
+    textureAmount = styles[first].z;
+    erosionSoftness = styles[first].w;
+    textureScale = styles[first + 1].x;
+    light = styles[first + 1].yz;
+    relief = styles[first + 1].w;
+    roundness = styles[first + 2].x;
+}
 
 float profile(vec2 place)
 {
@@ -104,6 +121,7 @@ vec4 coherent(float mask, bool showsFirst, bool showsSecond)
 
 void main()
 {
+    findStyle();
     mat2 turn = mat2(rows.x, rows.z, rows.y, rows.w); // columns
     vec2 place = turn * offset;
     float mask = profile(place);

@@ -6,6 +6,7 @@ layout(location = 2) in vec4 direct; // colour of the sun's light, opacity
 layout(location = 3) in vec3 ambient;
 layout(location = 4) in uint packedLook;
 layout(location = 5) in uvec4 packedDetail[8]; // the words of fumage::SpriteDetail
+layout(location = 13) in uint ofLayer;
 
 uniform vec2 size; // pixels of the view that the sprites were made for
 
@@ -13,6 +14,7 @@ flat out vec4 rows;
 flat out vec4 sun;
 flat out vec3 around;
 flat out uint look;
+flat out uint layerOf;
 flat out uvec4 detail[8];
 out vec2 offset; // from the centre, pixels
 
@@ -26,5 +28,6 @@ void main()
     sun = direct;
     around = ambient;
     look = packedLook;
+    layerOf = ofLayer;
     detail = packedDetail;
 }

@@ -1355,6 +1355,140 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>LayerEdits</name>
+    <message>
+        <source>Layer %1</source>
+        <translation>Lager %1</translation>
+    </message>
+    <message>
+        <source>Add a layer</source>
+        <translation>Lägg till ett lager</translation>
+    </message>
+    <message>
+        <source>Add the layers of “%1”</source>
+        <translation>Lägg till lagren i ”%1”</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>Duplicera %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Ta bort %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Flytta %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Byt namn på %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Visa %1</translation>
+    </message>
+    <message>
+        <source>Mute %1</source>
+        <translation>Tysta %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>Lås %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>Lås upp %1</translation>
+    </message>
+    <message>
+        <source>Colour tag of %1</source>
+        <translation>Färgmärke på %1</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::LayerList</name>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Röd</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gul</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grön</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blå</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grå</translation>
+    </message>
+    <message>
+        <source>Add a layer</source>
+        <translation>Lägg till ett lager</translation>
+    </message>
+    <message>
+        <source>Duplicate the layer</source>
+        <translation>Duplicera lagret</translation>
+    </message>
+    <message>
+        <source>Delete the layer</source>
+        <translation>Ta bort lagret</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Byt namn</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Tysta</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Visa</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Lås upp</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Lås</translation>
+    </message>
+    <message>
+        <source>Colour tag</source>
+        <translation>Färgmärke</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicera</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::MainWindow</name>
     <message>
         <source>Unsaved work cannot be kept safe: %1</source>
@@ -2558,8 +2692,44 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Behåll det, eller starta en ny simulering</translation>
     </message>
     <message>
-        <source>the preset has %1 layers, this program reads presets of one</source>
-        <translation>förinställningen har %1 lager, detta program läser förinställningar med ett</translation>
+        <source>the eye&apos;s place is no number</source>
+        <translation>ögats plats är inget tal</translation>
+    </message>
+    <message>
+        <source>Pass finite numbers, or no eye</source>
+        <translation>Ge ändliga tal, eller inget öga</translation>
+    </message>
+    <message>
+        <source>the preset has %1 layers, from 1 to %2 are possible</source>
+        <translation>presetet har %1 lager, 1 till %2 är möjliga</translation>
+    </message>
+    <message>
+        <source>%1: expected %2</source>
+        <translation>%1: väntade %2</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>en text inom citattecken</translation>
+    </message>
+    <message>
+        <source>a layer&apos;s name of %1 bytes</source>
+        <translation>ett lagernamn på %1 byte</translation>
+    </message>
+    <message>
+        <source>Names have at most %1</source>
+        <translation>Namn har högst %1</translation>
+    </message>
+    <message>
+        <source>a colour: %1</source>
+        <translation>en färg: %1</translation>
+    </message>
+    <message>
+        <source>there is no one layer %1</source>
+        <translation>det finns inget enda lager %1</translation>
+    </message>
+    <message>
+        <source>Name one of %1, or give its number from 1 to %2</source>
+        <translation>Namnge ett av %1, eller ange dess nummer från 1 till %2</translation>
     </message>
 </context>
 <context>
@@ -4316,6 +4486,62 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Cetegen and Ahmed 1993</source>
         <translation>Cetegen och Ahmed 1993</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>When the emission begins. What starts late is not prewarmed; in a loop it comes as much later.</source>
+        <translation>När utsläppet börjar. Det som börjar sent är inte förvärmt; i en slinga kommer det så mycket senare.</translation>
+    </message>
+    <message>
+        <source>How long smoke is emitted; in a loop, in each turn of it. 0: for ever. What ends is not prewarmed.</source>
+        <translation>Hur länge rök släpps ut; i en slinga, i varje varv. 0: för alltid. Det som slutar är inte förvärmt.</translation>
+    </message>
+    <message>
+        <source>In the air</source>
+        <translation>I luften</translation>
+    </message>
+    <message>
+        <source>Carried: particles are the air&apos;s, as smoke is. Dragged: they have a velocity of their own, which drag takes towards the air&apos;s, as embers and debris have. Free: no air touches them. What is dragged or free bounces off ground and obstacle.</source>
+        <translation>Buren: partiklarna är luftens, som rök. Dragen: de har en egen fart, som motståndet drar mot luftens, som glöd och skräp. Fri: ingen luft rör dem. Det som är draget eller fritt studsar mot mark och hinder.</translation>
+    </message>
+    <message>
+        <source>Bounce</source>
+        <translation>Studs</translation>
+    </message>
+    <message>
+        <source>Share of its speed with which a dragged or free particle leaves ground and obstacle again.</source>
+        <translation>Andel av farten med vilken en dragen eller fri partikel lämnar mark och hinder igen.</translation>
+    </message>
+    <message>
+        <source>Contact friction</source>
+        <translation>Kontaktfriktion</translation>
+    </message>
+    <message>
+        <source>Share of its speed along ground or obstacle that a dragged or free particle loses in each touch.</source>
+        <translation>Andel av farten längs mark eller hinder som en dragen eller fri partikel förlorar vid varje beröring.</translation>
+    </message>
+    <message>
+        <source>Feeds the air</source>
+        <translation>Driver luften</translation>
+    </message>
+    <message>
+        <source>Whether the emitter heats, pushes and stirs the air. Without it its particles only follow the air that others move: embers, dust, debris.</source>
+        <translation>Om källan värmer, trycker och rör om luften. Utan det följer dess partiklar bara luften som andra rör: glöd, damm, skräp.</translation>
+    </message>
+    <message>
+        <source>carried</source>
+        <translation>buren</translation>
+    </message>
+    <message>
+        <source>dragged</source>
+        <translation>dragen</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>fri</translation>
     </message>
 </context>
 <context>

@@ -1355,6 +1355,140 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>LayerEdits</name>
+    <message>
+        <source>Layer %1</source>
+        <translation>图层 %1</translation>
+    </message>
+    <message>
+        <source>Add a layer</source>
+        <translation>添加图层</translation>
+    </message>
+    <message>
+        <source>Add the layers of “%1”</source>
+        <translation>添加“%1”的图层</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>复制 %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>删除 %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>重命名 %1</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Mute %1</source>
+        <translation>静音 %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>锁定 %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>解锁 %1</translation>
+    </message>
+    <message>
+        <source>Colour tag of %1</source>
+        <translation>%1 的颜色标签</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::LayerList</name>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>紫</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>灰</translation>
+    </message>
+    <message>
+        <source>Add a layer</source>
+        <translation>添加图层</translation>
+    </message>
+    <message>
+        <source>Duplicate the layer</source>
+        <translation>复制图层</translation>
+    </message>
+    <message>
+        <source>Delete the layer</source>
+        <translation>删除图层</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>静音</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>Colour tag</source>
+        <translation>颜色标签</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::MainWindow</name>
     <message>
         <source>Unsaved work cannot be kept safe: %1</source>
@@ -2558,8 +2692,44 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>请保持不变，或开始新的模拟</translation>
     </message>
     <message>
-        <source>the preset has %1 layers, this program reads presets of one</source>
-        <translation>该预设有 %1 个图层，本程序只能读取一个图层的预设</translation>
+        <source>the eye&apos;s place is no number</source>
+        <translation>视点位置不是数字</translation>
+    </message>
+    <message>
+        <source>Pass finite numbers, or no eye</source>
+        <translation>请给出有限的数字，或不给视点</translation>
+    </message>
+    <message>
+        <source>the preset has %1 layers, from 1 to %2 are possible</source>
+        <translation>预设有 %1 个图层，可为 1 到 %2 个</translation>
+    </message>
+    <message>
+        <source>%1: expected %2</source>
+        <translation>%1：应为%2</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>引号中的文本</translation>
+    </message>
+    <message>
+        <source>a layer&apos;s name of %1 bytes</source>
+        <translation>%1 字节的图层名称</translation>
+    </message>
+    <message>
+        <source>Names have at most %1</source>
+        <translation>名称最多 %1</translation>
+    </message>
+    <message>
+        <source>a colour: %1</source>
+        <translation>颜色：%1</translation>
+    </message>
+    <message>
+        <source>there is no one layer %1</source>
+        <translation>没有唯一的图层 %1</translation>
+    </message>
+    <message>
+        <source>Name one of %1, or give its number from 1 to %2</source>
+        <translation>请指定 %1 之一，或给出 1 到 %2 的编号</translation>
     </message>
 </context>
 <context>
@@ -4316,6 +4486,62 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Cetegen and Ahmed 1993</source>
         <translation>Cetegen 与 Ahmed 1993</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>When the emission begins. What starts late is not prewarmed; in a loop it comes as much later.</source>
+        <translation>发射开始的时间。延后开始的不预热；在循环中则相应推迟。</translation>
+    </message>
+    <message>
+        <source>How long smoke is emitted; in a loop, in each turn of it. 0: for ever. What ends is not prewarmed.</source>
+        <translation>烟雾发射多久；循环中指每一圈。0：永远。会结束的不预热。</translation>
+    </message>
+    <message>
+        <source>In the air</source>
+        <translation>在空气中</translation>
+    </message>
+    <message>
+        <source>Carried: particles are the air&apos;s, as smoke is. Dragged: they have a velocity of their own, which drag takes towards the air&apos;s, as embers and debris have. Free: no air touches them. What is dragged or free bounces off ground and obstacle.</source>
+        <translation>携带：粒子随空气而动，如同烟雾。拖曳：粒子有自己的速度，阻力使其趋向空气的速度，如余烬和碎屑。自由：不受空气影响。拖曳或自由的粒子会从地面和障碍物弹起。</translation>
+    </message>
+    <message>
+        <source>Bounce</source>
+        <translation>弹性</translation>
+    </message>
+    <message>
+        <source>Share of its speed with which a dragged or free particle leaves ground and obstacle again.</source>
+        <translation>拖曳或自由的粒子离开地面和障碍物时保留的速度比例。</translation>
+    </message>
+    <message>
+        <source>Contact friction</source>
+        <translation>接触摩擦</translation>
+    </message>
+    <message>
+        <source>Share of its speed along ground or obstacle that a dragged or free particle loses in each touch.</source>
+        <translation>拖曳或自由的粒子每次接触时沿地面或障碍物损失的速度比例。</translation>
+    </message>
+    <message>
+        <source>Feeds the air</source>
+        <translation>驱动空气</translation>
+    </message>
+    <message>
+        <source>Whether the emitter heats, pushes and stirs the air. Without it its particles only follow the air that others move: embers, dust, debris.</source>
+        <translation>发射器是否加热、推动和搅动空气。否则其粒子只跟随他者推动的空气：余烬、尘土、碎屑。</translation>
+    </message>
+    <message>
+        <source>carried</source>
+        <translation>携带</translation>
+    </message>
+    <message>
+        <source>dragged</source>
+        <translation>拖曳</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>自由</translation>
     </message>
 </context>
 <context>

@@ -98,7 +98,8 @@ void compose(
     Compositor compositor;
     Image image;
     for (auto _ : state) {
-        (void)compositor.compose(batch, texture(), image);
+        const SpriteLayer layer{&batch, &texture()};
+        (void)compositor.compose({&layer, 1}, image);
     }
     state.counters["frames/s"] =
         benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);

@@ -34,7 +34,7 @@ constexpr double kNanosecondsAMillisecond = 1e6;
 Preset smokeOf(int particles)
 {
     Preset preset;
-    preset.effect.emitter.count = particles;
+    preset.scene.layers[0].emitter.count = particles;
     return preset;
 }
 
@@ -201,7 +201,7 @@ void blockedWhileExporting(benchmark::State& state)
         plan.output = folder.filePath(QStringLiteral("smoke_####.png")).toStdString();
         plan.frames = {0, 10000, 1};
         worker.start(
-            std::make_shared<ExportJob>(ExportJob{"long", {.effect = editor.window->document().effect()}, plan}));
+            std::make_shared<ExportJob>(ExportJob{"long", {.scene = editor.window->document().scene()}, plan}));
         editor.window->player().play();
         Heartbeat heartbeat;
         Editor::waitFor(5000);

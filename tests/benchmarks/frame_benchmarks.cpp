@@ -59,7 +59,7 @@ void play(benchmark::State& state, const Effect& effect, int width, int height, 
 /// The default look with another number of particles, whose area is divided so that together they cover as much.
 Effect defaultLook(int count)
 {
-    Effect effect = newPreset().effect;
+    Effect effect = newPreset().scene.effect();
     effect.look.size *= std::sqrt(static_cast<float>(effect.emitter.count) / static_cast<float>(count));
     effect.emitter.count = count;
     return effect;
@@ -86,12 +86,12 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
             ->UseRealTime()
             ->Unit(benchmark::kMillisecond);
     };
-    add("frame/default", newPreset().effect, kWidth, kHeight, 2);
+    add("frame/default", newPreset().scene.effect(), kWidth, kHeight, 2);
     add("frame/default_100k", defaultLook(100000), kWidth, kHeight, 2);
     add("frame/default_1M", defaultLook(1000000), kWidth, kHeight, 2);
     add("frame/default_100k_1thread", defaultLook(100000), kWidth, kHeight, 1);
-    add("frame/default_512", newPreset().effect, 512, 512, 2);
-    Effect finest = newPreset().effect;
+    add("frame/default_512", newPreset().scene.effect(), 512, 512, 2);
+    Effect finest = newPreset().scene.effect();
     finest.output.quality = Quality::Final;
     add("frame/default_4k_final", finest, 3840, 2160, 2);
     benchmark::RegisterBenchmark("frame/encode_8bit", encodeForScreen)->UseRealTime()->Unit(benchmark::kMillisecond);
@@ -122,7 +122,7 @@ void addFrameBenchmarks(std::vector<Claim>& claims)
     }
     for (const Row& row :
         {Row{1000, 114.67}, Row{2500, 48.00}, Row{5000, 24.89}, Row{10000, 13.33}, Row{20000, 6.40}}) {
-        Effect effect = thesis.value().preset.effect;
+        Effect effect = thesis.value().preset.scene.effect();
         effect.emitter.count = row.particles;
         const std::string name = "frame/thesis_" + std::to_string(row.particles);
         add(name, effect, kWidth, kHeight, 2);

@@ -19,11 +19,11 @@ namespace {
 QString writeList(const QTemporaryDir& folder, QString jobs)
 {
     Preset preset;
-    preset.effect.emitter.count = 300;
-    preset.effect.noise.slices = 4;
-    preset.effect.noise.resolution = 16;
+    preset.scene.layers[0].emitter.count = 300;
+    preset.scene.layers[0].noise.slices = 4;
+    preset.scene.layers[0].noise.resolution = 16;
     for (const auto& [word, edge] : {std::pair{"$small", 32}, std::pair{"$large", 400}}) {
-        preset.effect.output.width = preset.effect.output.height = edge;
+        preset.scene.output.width = preset.scene.output.height = edge;
         jobs.replace(word, "\"preset\": " + QString::fromStdString(formatPreset(preset)));
     }
     const QString file = folder.filePath("list.json");
@@ -84,8 +84,8 @@ private slots:
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkpath("deep"));
         Preset preset;
-        preset.effect.emitter.count = 300;
-        preset.effect.output.width = preset.effect.output.height = 32;
+        preset.scene.layers[0].emitter.count = 300;
+        preset.scene.output.width = preset.scene.output.height = 32;
         QVERIFY(writePresetFile(folder.filePath("deep/my.json").toStdString(), preset).ok());
         const std::string list =
             R"({"format": "fumage-jobs", "version": 1, "jobs": [{"name": "A", "preset": "missing.json", "kind": "picture", "output": "a.png"},

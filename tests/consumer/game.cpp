@@ -60,7 +60,7 @@ static std::vector<SDL_Vertex> trianglesOf(const fumage::SpriteBatch& batch)
 int main(int count, char** arguments)
 {
     const auto preset = fumage::loadPreset(std::string(count > 1 ? arguments[1] : "chimney"));
-    fumage::Effect effect = preset ? preset.value().preset.effect : fumage::Effect();
+    fumage::Effect effect = preset ? preset.value().preset.scene.effect() : fumage::Effect();
     effect.air.resolution = std::min(effect.air.resolution, 24); // coarse, as a game has time for
     auto started =
         preset ? fumage::LiveSimulation::start(effect, {.stepsPerSecond = 60, .budgetMs = 8.0}) : preset.error();

@@ -12,7 +12,7 @@
 int main()
 {
     const fumage::SampledEffect effect =
-        fumage::sampled(fumage::loadPreset(std::string("thesis-2012")).value().preset.effect);
+        fumage::sampled(fumage::loadPreset(std::string("thesis-2012")).value().preset.scene.effect());
     fumage::Simulator simulator(effect);
     fumage::Renderer renderer;
     fumage::Image image;

@@ -27,7 +27,7 @@ Effect shortEffect()
 Preset presetOf(const Effect& effect)
 {
     Preset preset;
-    preset.effect = effect;
+    preset.scene = effect;
     return preset;
 }
 

@@ -40,10 +40,10 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"mine.json"_q);
         Preset saved;
-        saved.effect.motion.gravity = 1.0F;
+        saved.scene.layers[0].motion.gravity = 1.0F;
         QVERIFY(writePresetFile(path.toStdString(), saved).ok());
         Preset work = saved;
-        work.effect.motion.gravity = 6.5F;
+        work.scene.layers[0].motion.gravity = 6.5F;
         Document document;
         document.loadUnsaved(work, path);
         QCOMPARE(document.effect().motion.gravity, 6.5F);
@@ -190,7 +190,7 @@ private slots:
     {
         Document document;
         Preset preset;
-        preset.effect.motion.gravity = 4.0F;
+        preset.scene.layers[0].motion.gravity = 4.0F;
         document.load(preset, {});
         document.edit(knownParameter("motion.gravity"), 7.0F);
         document.reset(knownParameter("motion.gravity"));
@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(document.displayName(), u"smoke"_q);
         const Result<PresetReading> reading = readPresetFile(path.toStdString());
         QVERIFY(reading.ok());
-        QVERIFY(reading.value().preset.effect == document.effect());
+        QVERIFY(reading.value().preset.scene.effect() == document.effect());
         document.undoStack()->undo();
         QVERIFY(document.isModified());
     }
@@ -250,7 +250,7 @@ private slots:
         // Another value of the same parameter from among the built-in presets, or from a variation.
         Effect other = vary(Effect(), 0.3F, 5, [](const Parameter&) { return true; });
         for (const LibraryEntry& entry : builtinPresets()) {
-            const Effect effect = loadPreset(entry).value().preset.effect;
+            const Effect effect = loadPreset(entry).value().preset.scene.effect();
             if (!(parameter.get(effect) == parameter.get(Effect()))) {
                 other = effect;
             }

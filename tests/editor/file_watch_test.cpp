@@ -123,7 +123,7 @@ private:
     [[nodiscard]] static bool write(const QString& path, float gravity)
     {
         Preset preset;
-        preset.effect.motion.gravity = gravity;
+        preset.scene.layers[0].motion.gravity = gravity;
         return writePresetFile(path.toStdString(), preset).ok();
     }
 

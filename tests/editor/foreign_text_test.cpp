@@ -247,7 +247,7 @@ private slots:
         QVERIFY(window->messages().says(u"notice.onDisk"_q));
         VERIFY_NOTHING_TAKEN();
         Preset other;
-        other.effect.motion.gravity = 2.0F;
+        other.scene.layers[0].motion.gravity = 2.0F;
         QVERIFY(writePresetFile(toPath(path), other).ok());
         window->notices().look();
         window->document().edit(knownParameter("motion.gravity"), 3.0F);

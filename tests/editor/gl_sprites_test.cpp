@@ -76,7 +76,7 @@ private slots:
         QFETCH(bool, checker);
         QFETCH(bool, ownBackground);
         QFETCH(bool, detailed);
-        Effect effect = loadPreset(preset.toStdString()).value().preset.effect;
+        Effect effect = loadPreset(preset.toStdString()).value().preset.scene.effect();
         constexpr int kMax = 30000; // llvmpipe has to draw them all
         effect.emitter.count = qMin(effect.emitter.count, kMax);
         if (detailed) {
@@ -90,33 +90,33 @@ private slots:
             effect.output.background = Background::Colour;
             effect.output.backgroundColour = glm::vec3(1.0F);
         }
-        RenderRequest request;
-        request.effect = std::make_shared<const Effect>(effect);
-        request.frame = qMin(45, effect.timeline.length - 1);
-        request.width = kEdge;
-        request.height = kEdge;
-        request.backdrop.colour = {0.02F, 0.03F, 0.05F};
-        request.backdrop.kind = checker ? Backdrop::Kind::Checker : Backdrop::Kind::Colour;
-        PreviewRenderer previewRenderer;
-        const QImage reference = previewRenderer.make(request, {})->image;
-        request.sprites = true;
-        const PicturePtr scene = previewRenderer.make(request, {});
-        QVERIFY(scene->image.isNull() && scene->scene && !scene->scene->sprites.empty());
+        compare(preset, effect, checker ? Backdrop::Kind::Checker : Backdrop::Kind::Colour);
+    }
 
-        QVERIFY(m_context.makeCurrent(&m_surface));
-        QOpenGLFramebufferObject target(kEdge, kEdge);
-        m_sprites->draw(*scene, {kEdge, kEdge}, target.handle());
-        const QImage drawn = target.toImage().convertToFormat(QImage::Format_RGB32);
-        const double decibels = psnr(reference, drawn);
-        if (decibels < kMinPsnr) {
-            const QString stem = QStringLiteral(FUMAGE_GOLDEN_SEEN "/sprites_") + preset;
-            QVERIFY(QDir().mkpath(QStringLiteral(FUMAGE_GOLDEN_SEEN)));
-            reference.save(stem + u".expected.png"_q);
-            drawn.save(stem + u".png"_q);
-        }
-        QVERIFY2(decibels >= kMinPsnr,
-            qPrintable(QStringLiteral("%1 dB; see %2").arg(decibels).arg(QStringLiteral(FUMAGE_GOLDEN_SEEN))));
-        qInfo("%s: %.1f dB", qPrintable(preset), decibels);
+    /// Layers of their own styles and noises, drawn by depth together.
+    void theySeeLayersThroughOneAnother()
+    {
+        Effect effect = loadPreset("default").value().preset.scene.effect();
+        effect.emitter.count = 4000;
+        effect.air.resolution = kMinAirResolution;
+        Scene scene = effect;
+        effect.look.mask = MaskShape::Square;
+        effect.look.texture = 0.9F;
+        effect.look.detail = 0.0F;
+        effect.look.relief = 0.6F;
+        effect.look.colour = {0.8F, 0.3F, 0.1F};
+        effect.noise.seed = 3;
+        effect.noise.resolution = 32;
+        effect.emitter.seed = 4;
+        scene.layers.emplace_back();
+        scene.assign(1, effect);
+        effect.look.size *= 2.0F;
+        effect.look.softness = 0.3F;
+        effect.noise.seed = 9;
+        effect.emitter.seed = 5;
+        scene.layers.emplace_back();
+        scene.assign(2, effect);
+        compare(QStringLiteral("layers"), scene, Backdrop::Kind::Colour);
     }
 
     void aViewportOnAGraphicsCardShowsThem()
@@ -125,8 +125,8 @@ private slots:
         Player player;
         Viewport viewport(document, player, GlSupport::Hardware);
         Preset preset = loadPreset("chimney").value().preset;
-        preset.effect.emitter.count = 8000;
-        preset.effect.air.resolution = kMinAirResolution;
+        preset.scene.layers[0].emitter.count = 8000;
+        preset.scene.air.resolution = kMinAirResolution;
         document.load(preset, {});
         for (const Overlay overlay : {Overlay::Grid, Overlay::Emitter, Overlay::Gizmos, Overlay::Readout}) {
             viewport.setOverlay(overlay, false);
@@ -135,9 +135,9 @@ private slots:
         viewport.show();
         QVERIFY(QTest::qWaitForWindowExposed(&viewport));
         QTRY_VERIFY(viewport.isSettled());
-        QVERIFY(viewport.picture()->scene != nullptr);
+        QVERIFY(viewport.picture()->sprites != nullptr);
         RenderRequest request;
-        request.effect = std::make_shared<const Effect>(document.effect());
+        request.scene = std::make_shared<const Scene>(document.scene());
         request.width = kEdge;
         request.height = kEdge;
         request.backdrop = viewport.backdrop();
@@ -147,6 +147,37 @@ private slots:
     }
 
 private:
+    void compare(const QString& name, const Scene& scene, Backdrop::Kind backdrop)
+    {
+        RenderRequest request;
+        request.scene = std::make_shared<const Scene>(scene);
+        request.frame = qMin(45, scene.timeline.length - 1);
+        request.width = kEdge;
+        request.height = kEdge;
+        request.backdrop.colour = {0.02F, 0.03F, 0.05F};
+        request.backdrop.kind = backdrop;
+        PreviewRenderer previewRenderer;
+        const QImage reference = previewRenderer.make(request, {})->image;
+        request.sprites = true;
+        const PicturePtr picture = previewRenderer.make(request, {});
+        QVERIFY(picture->image.isNull() && picture->sprites && !picture->sprites->sprites.empty());
+
+        QVERIFY(m_context.makeCurrent(&m_surface));
+        QOpenGLFramebufferObject target(kEdge, kEdge);
+        m_sprites->draw(*picture, {kEdge, kEdge}, target.handle());
+        const QImage drawn = target.toImage().convertToFormat(QImage::Format_RGB32);
+        const double decibels = psnr(reference, drawn);
+        if (decibels < kMinPsnr) {
+            const QString stem = QStringLiteral(FUMAGE_GOLDEN_SEEN "/sprites_") + name;
+            QVERIFY(QDir().mkpath(QStringLiteral(FUMAGE_GOLDEN_SEEN)));
+            reference.save(stem + u".expected.png"_q);
+            drawn.save(stem + u".png"_q);
+        }
+        QVERIFY2(decibels >= kMinPsnr,
+            qPrintable(QStringLiteral("%1 dB; see %2").arg(decibels).arg(QStringLiteral(FUMAGE_GOLDEN_SEEN))));
+        qInfo("%s: %.1f dB", qPrintable(name), decibels);
+    }
+
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
     std::unique_ptr<GlSprites> m_sprites;

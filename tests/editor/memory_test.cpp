@@ -73,7 +73,7 @@ private slots:
         QSignalSpy failed(&worker, &ExportWorker::failed);
         {
             const MemoryLimit limit(kLittle);
-            worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.effect = effect}, plan}));
+            worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.scene = effect}, plan}));
             QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, 60000);
         }
         QVERIFY2(failed[0][0].toString().contains(u"memory"_q), qPrintable(failed[0][0].toString()));
@@ -81,14 +81,14 @@ private slots:
         effect.output.width = 16;
         effect.output.height = 16;
         QSignalSpy finished(&worker, &ExportWorker::finished);
-        worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.effect = effect}, plan}));
+        worker.start(std::make_shared<ExportJob>(ExportJob{"large", {.scene = effect}, plan}));
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, 60000);
     }
 
     void aPictureThatIsTooLargeIsGivenUpAndTheNextOneComes()
     {
         PreviewScheduler feed;
-        feed.setEffect(tinyEffect(), DirtyStage::Simulate);
+        feed.setScene(tinyEffect(), 0, DirtyStage::Simulate);
         QSignalSpy exhausted(&feed, &PreviewScheduler::exhausted);
         QSignalSpy ready(&feed, &PreviewScheduler::ready);
         {
@@ -112,12 +112,12 @@ private slots:
         effect.air.resolution = kMaxAirCells;
         {
             const MemoryLimit limit(rlim_t{64} << 20U);
-            feed.setEffect(effect, DirtyStage::Simulate);
+            feed.setScene(effect, 0, DirtyStage::Simulate);
             feed.setSeen(true);
             QTRY_VERIFY_WITH_TIMEOUT(!exhausted.isEmpty(), 60000);
         }
         effect.air.resolution = kMinAirCells;
-        feed.setEffect(effect, DirtyStage::Simulate);
+        feed.setScene(effect, 0, DirtyStage::Simulate);
         QTRY_VERIFY_WITH_TIMEOUT(feed.isSettled(), 60000);
         QCOMPARE(feed.picture()->image.size(), QSize(64, 48));
     }

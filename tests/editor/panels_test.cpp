@@ -95,7 +95,7 @@ private slots:
             const Preset preset = loadPreset(entry).value().preset;
             m_document->load(preset, {});
             QCoreApplication::processEvents();
-            QVERIFY2(m_document->effect() == preset.effect, entry.id.c_str());
+            QVERIFY2(m_document->effect() == preset.scene.effect(), entry.id.c_str());
             QCOMPARE(m_document->undoStack()->count(), 0);
         }
     }
@@ -113,11 +113,11 @@ private slots:
         QVERIFY(!(before == after));
         const Result<PresetReading> reading = parsePreset(formatPreset(m_document->preset()));
         QVERIFY(reading.ok() && reading.value().warnings.empty());
-        QVERIFY(parameter.get(reading.value().preset.effect) == after);
+        QVERIFY(parameter.get(reading.value().preset.scene.effect()) == after);
         Document second;
         second.load(reading.value().preset, {});
         EffectPanel other(second, *m_locks);
-        QVERIFY(second.effect() == reading.value().preset.effect);
+        QVERIFY(second.effect() == reading.value().preset.scene.effect());
         const auto fields = editor->findChildren<NumberField*>();
         const auto otherFields = other.findChild<ParameterEditor*>(key)->findChildren<NumberField*>();
         for (int i = 0; i < fields.size(); ++i) {

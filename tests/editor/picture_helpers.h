@@ -30,7 +30,7 @@ inline Effect tinyEffect()
 inline ui::RenderRequest requestFor(const Effect& effect, int frame = 20)
 {
     ui::RenderRequest request;
-    request.effect = std::make_shared<const Effect>(effect);
+    request.scene = std::make_shared<const Scene>(effect);
     request.frame = frame;
     request.width = 160;
     request.height = 120;

@@ -171,13 +171,17 @@ private:
             for (const float x : at) {
                 curve.storage[static_cast<std::size_t>(curve.count++)] = {x, 0.5F};
             }
-            parameter.set(preset.effect, curve);
+            Effect changed = preset.scene.effect();
+            parameter.set(changed, curve);
+            preset.scene = changed;
         } else {
             Gradient gradient;
             for (const float x : at) {
                 gradient.storage[static_cast<std::size_t>(gradient.count++)] = {x, {x, 0.5F, 0.2F}};
             }
-            parameter.set(preset.effect, gradient);
+            Effect changed = preset.scene.effect();
+            parameter.set(changed, gradient);
+            preset.scene = changed;
         }
         m_document->load(preset, {});
         m_row = std::make_unique<ParameterRow>(parameter, *m_document, *m_locks, nullptr);

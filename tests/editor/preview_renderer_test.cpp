@@ -62,7 +62,7 @@ private slots:
         const QImage still = previewRenderer.make(request, {})->image;
         Effect windy = smallEffect();
         windy.wind.strength = 4.0F;
-        request.effect = std::make_shared<const Effect>(windy);
+        request.scene = std::make_shared<const Scene>(windy);
         QCOMPARE(previewRenderer.make(request, {})->image, still); // the number is what counts
         request.simulation = 2;
         const QImage blown = previewRenderer.make(request, {})->image;
@@ -182,7 +182,7 @@ private slots:
     {
         Effect effect = smallEffect();
         effect.emitter.subframe = false;
-        const std::vector<Trail> trails = findTrails(effect, 60);
+        const std::vector<Trail> trails = findTrails(effect, 0, 60);
         int whole = 0;
         for (const Trail& trail : trails) {
             // Those that were born before the first frame that was looked at begin on their way.

@@ -48,7 +48,7 @@ struct Watched {
         QObject::connect(
             &feed, &PreviewScheduler::otherReady, &feed, [this](const PicturePtr& picture) { others += picture; });
         QObject::connect(&feed, &PreviewScheduler::waitingChanged, &feed, [this](bool now) { waiting += now; });
-        feed.setEffect(effect, DirtyStage::Simulate);
+        feed.setScene(effect, 0, DirtyStage::Simulate);
         feed.setSize(kSize);
         feed.setSeen(true);
     }
@@ -254,7 +254,7 @@ private slots:
         QVERIFY(watched.pictures.last()->coarseAir);
         Effect changed = effect;
         changed.wind.strength += 1.0F;
-        watched.feed.setEffect(changed, DirtyStage::Simulate);
+        watched.feed.setScene(changed, 0, DirtyStage::Simulate);
         QVERIFY(!watched.feed.isStopped()); // another question
     }
 
@@ -265,7 +265,7 @@ private slots:
         constexpr int kChanges = 30;
         for (int i = 1; i <= kChanges; ++i) {
             effect.look.opacity = 0.1F * static_cast<float>(i);
-            watched.feed.setEffect(effect, DirtyStage::Shade);
+            watched.feed.setScene(effect, 0, DirtyStage::Shade);
         }
         QVERIFY(watched.settles());
         QVERIFY(watched.pictures.size() < kChanges);
@@ -289,7 +289,7 @@ private slots:
         Effect effect = smallEffect();
         const Parameter& parameter = *findParameter(key.toStdString());
         parameter.set(effect, 4.0F);
-        watched.feed.setEffect(effect, parameter.dirties);
+        watched.feed.setScene(effect, 0, parameter.dirties);
         QVERIFY(watched.settles());
         QVERIFY(watched.feed.picture()->image != before);
         QCOMPARE(watched.feed.picture()->image, whole(effect, 20));
@@ -303,9 +303,9 @@ private slots:
         QVERIFY(watched.settles());
         Effect effect = smallEffect();
         effect.wind.strength = 4.0F;
-        watched.feed.setEffect(effect, DirtyStage::Simulate);
+        watched.feed.setScene(effect, 0, DirtyStage::Simulate);
         effect.look.opacity = 0.5F;
-        watched.feed.setEffect(effect, DirtyStage::Shade);
+        watched.feed.setScene(effect, 0, DirtyStage::Shade);
         QVERIFY(watched.settles());
         QCOMPARE(watched.feed.picture()->image, whole(effect, 20));
     }
@@ -328,11 +328,11 @@ private slots:
         Watched watched(smallEffect());
         watched.feed.setFrame(20);
         QVERIFY(watched.settles());
-        QVERIFY(watched.feed.picture()->trails.empty() && !watched.feed.picture()->scene);
+        QVERIFY(watched.feed.picture()->trails.empty() && !watched.feed.picture()->sprites);
         watched.feed.setTrails(true);
         watched.feed.setSprites(true);
         QVERIFY(watched.settles());
-        QVERIFY(!watched.feed.picture()->trails.empty() && watched.feed.picture()->scene);
+        QVERIFY(!watched.feed.picture()->trails.empty() && watched.feed.picture()->sprites);
     }
 
     // --- playing ----------------------------------------------------------------------------------------------------
@@ -364,7 +364,7 @@ private slots:
         Watched watched(smallEffect());
         QVERIFY(watched.settles());
         QSignalSpy changes(&watched.feed, &PreviewScheduler::cacheChanged);
-        watched.feed.setEffect(largeEffect(), DirtyStage::Simulate);
+        watched.feed.setScene(largeEffect(), 0, DirtyStage::Simulate);
         QVERIFY(watched.feed.cachedFrames().isEmpty());
         QCOMPARE(changes.size(), 1);
         QTRY_COMPARE(watched.feed.cachedFrames(), QList<int>{0});
@@ -412,7 +412,7 @@ private slots:
         QSignalSpy pictures(&feed, &PreviewScheduler::ready);
         QSignalSpy others(&feed, &PreviewScheduler::otherReady);
         QSignalSpy waiting(&feed, &PreviewScheduler::waitingChanged);
-        feed.setEffect(smallEffect(), DirtyStage::Simulate);
+        feed.setScene(smallEffect(), 0, DirtyStage::Simulate);
         feed.setSize(kSize);
         feed.setOther(smallEffect());
         feed.setPlaying(true);
@@ -440,7 +440,7 @@ private slots:
         QTRY_VERIFY(watched.feed.otherPicture() && watched.feed.otherPicture()->complete);
         Effect turned = smallEffect();
         turned.camera.yaw = 70.0F;
-        watched.feed.setEffect(turned, DirtyStage::Shade);
+        watched.feed.setScene(turned, 0, DirtyStage::Shade);
         other.camera = turned.camera;
         const QImage expected = whole(other, 20);
         QTRY_COMPARE(watched.feed.otherPicture()->image, expected);

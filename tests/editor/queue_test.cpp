@@ -28,12 +28,12 @@ constexpr int kEndMs = 60000;
 Preset tinyPreset()
 {
     Preset preset;
-    preset.effect.emitter.count = 200;
-    preset.effect.noise.resolution = 16;
-    preset.effect.noise.slices = 2;
-    preset.effect.light.resolution = 16;
-    preset.effect.output.width = 24;
-    preset.effect.output.height = 16;
+    preset.scene.layers[0].emitter.count = 200;
+    preset.scene.layers[0].noise.resolution = 16;
+    preset.scene.layers[0].noise.slices = 2;
+    preset.scene.light.resolution = 16;
+    preset.scene.output.width = 24;
+    preset.scene.output.height = 16;
     return preset;
 }
 
@@ -162,7 +162,7 @@ private slots:
         add("a");
         static_cast<void>(m_queue->add(jobFor("b", "/proc/nowhere/b.png")));
         ExportJob large = jobFor("large", at("large.png"));
-        large.preset.effect.output.width = large.preset.effect.output.height = 600;
+        large.preset.scene.output.width = large.preset.scene.output.height = 600;
         large.plan.format = ImageFormat::ExrFloat;
         large.plan.output = at("large.exr");
         static_cast<void>(m_queue->add(std::move(large)));

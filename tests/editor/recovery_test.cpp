@@ -185,7 +185,7 @@ private slots:
         adoptAndDie(folder.dir());
         Recovery::Leftovers left = Recovery::find(folder.dir());
         QCOMPARE(left.works.size(), std::size_t{1});
-        QCOMPARE(left.works[0].preset.effect.motion.gravity, 7.0F);
+        QCOMPARE(left.works[0].preset.scene.layers[0].motion.gravity, 7.0F);
         QCOMPARE(left.works[0].originalPath, folder.origin());
         left = {};
         adoptAndDie(folder.dir());
@@ -211,7 +211,7 @@ private slots:
         QVERIFY(writePresetFile(file.toStdString(), presetWith(3.0F)).ok());
         Recovery::Leftovers left = Recovery::find(copies);
         QCOMPARE(left.works.size(), std::size_t{1});
-        QCOMPARE(left.works[0].preset.effect.motion.gravity, 7.0F);
+        QCOMPARE(left.works[0].preset.scene.layers[0].motion.gravity, 7.0F);
         QCOMPARE(left.works[0].originalPath, file);
         QVERIFY(!began.isEmpty() && left.works[0].originalMark == began);
         // The file has changed since the work began with it.
@@ -245,7 +245,7 @@ private:
     static Preset presetWith(float gravity)
     {
         Preset preset;
-        preset.effect.motion.gravity = gravity;
+        preset.scene.layers[0].motion.gravity = gravity;
         return preset;
     }
 
@@ -275,7 +275,7 @@ private:
                 static_cast<void>(writePresetFile(m_parent.filePath(u"mine.json"_q).toStdString(), preset));
             }
             m_origin = origin == Origin::None ? QString() : m_parent.filePath(u"mine.json"_q);
-            preset.effect.motion.gravity = 7.0F;
+            preset.scene.layers[0].motion.gravity = 7.0F;
             dir().mkpath(u"."_q);
             static_cast<void>(writePresetFile(dir().filePath(u"left.json"_q).toStdString(), preset));
             QFile file(dir().filePath(u"left.json.origin"_q));

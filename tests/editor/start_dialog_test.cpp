@@ -48,7 +48,7 @@ private slots:
         QTRY_VERIFY(list.count() >= 14);
         click(list, list.item(2));
         QCOMPARE(shown.presets.size(), 1);
-        QVERIFY(shown.presets[0][0].value<Preset>().effect == list.presetOf(list.item(2))->effect);
+        QVERIFY(shown.presets[0][0].value<Preset>().scene == list.presetOf(list.item(2))->scene);
         QCOMPARE(shown.dialog.result(), static_cast<int>(QDialog::Accepted));
         QVERIFY(!shown.dialog.isVisible());
     }

@@ -83,7 +83,7 @@ private slots:
     {
         const QByteArray folder = qgetenv("FUMAGE_WRITE_THUMBNAILS"); // ./dev thumbnails
         for (const LibraryEntry& entry : builtinPresets()) {
-            const Effect effect = loadPreset(entry).value().preset.effect;
+            const Effect effect = loadPreset(entry).value().preset.scene.effect();
             const QString file = shippedThumbnailFile(QString::fromStdString(entry.id), effect);
             if (!folder.isEmpty()) {
                 constexpr int kQuality = 85;
@@ -102,7 +102,8 @@ private slots:
     {
         QStringList wanted;
         for (const LibraryEntry& entry : builtinPresets()) {
-            wanted += shippedThumbnailFile(QString::fromStdString(entry.id), loadPreset(entry).value().preset.effect);
+            wanted +=
+                shippedThumbnailFile(QString::fromStdString(entry.id), loadPreset(entry).value().preset.scene.effect());
         }
         qint64 bytes = 0;
         const QFileInfoList shipped = QDir(u":/thumbnails"_q).entryInfoList();
@@ -123,7 +124,8 @@ private slots:
         slow.emitter.count = 100000;
         thumbnailer.request(u"slow"_q, slow, kEdge);
         for (const LibraryEntry& entry : builtinPresets()) {
-            thumbnailer.request(QString::fromStdString(entry.id), loadPreset(entry).value().preset.effect, kEdge);
+            thumbnailer.request(
+                QString::fromStdString(entry.id), loadPreset(entry).value().preset.scene.effect(), kEdge);
         }
         const qsizetype all = static_cast<qsizetype>(builtinPresets().size()) + 2;
         QTRY_COMPARE_WITH_TIMEOUT(ready.size(), all, 60000);

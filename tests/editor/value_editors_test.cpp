@@ -297,12 +297,12 @@ private slots:
     {
         // The field shows five digits of a longer number; passing through it must not round the document.
         Preset preset;
-        preset.effect.wind.strength = 0.123456789F;
+        preset.scene.wind.strength = 0.123456789F;
         m_document->load(preset, {});
         NumberField* field = this->field("wind.strength.field");
         field->setFocus();
         QTest::keyClick(field, Qt::Key_Tab);
-        QVERIFY(m_document->effect() == preset.effect);
+        QVERIFY(m_document->effect() == preset.scene.effect());
         QCOMPARE(m_document->undoStack()->count(), 0);
     }
 
@@ -398,7 +398,7 @@ private slots:
     void aVerticalNormalDoesNotKeepTheYawOfTheDocumentBefore()
     {
         Preset oblique;
-        oblique.effect.emitter.normal = glm::normalize(glm::vec3(0.0F, 1.0F, 1.0F));
+        oblique.scene.layers[0].emitter.normal = glm::normalize(glm::vec3(0.0F, 1.0F, 1.0F));
         m_document->load(oblique, {});
         QCOMPARE(field("emitter.normal.yaw.field")->value(), 90.0);
         m_document->load(Preset(), {});

@@ -33,7 +33,7 @@ private slots:
         QTRY_VERIFY(viewport.otherPicture()->image != b);
         m_window->actions().get("compare.split").setChecked(false);
         trigger("compare.adopt");
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
     }
 
     void bIsSeenWhileItsKeyIsHeld()
@@ -116,12 +116,12 @@ private slots:
         QTRY_VERIFY(viewport.otherPicture() && viewport.otherPicture()->complete);
         const QImage before = viewport.otherPicture()->image;
         Preset red = smallPreset();
-        red.effect.look.colour = {1.0F, 0.1F, 0.1F};
+        red.scene.layers[0].look.colour = {1.0F, 0.1F, 0.1F};
         m_window->document().load(red, {});
         QTRY_VERIFY(viewport.otherPicture()->complete && viewport.otherPicture()->image != before);
         m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
         trigger("compare.adopt");
-        QVERIFY(m_window->document().effect() == red.effect);
+        QVERIFY(m_window->document().effect() == red.scene);
     }
 
 private:

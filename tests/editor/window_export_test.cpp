@@ -39,7 +39,8 @@ private slots:
         QTest::mouseClick(childOf<QPushButton>(*dialog, u"export.begin"_q), Qt::LeftButton);
         m_window->document().edit(knownParameter("motion.gravity"), 2.0F); // does not touch what is being written
         QTRY_COMPARE_WITH_TIMEOUT(stateOf(0), ExportState::Done, 60000);
-        QCOMPARE(queue().at(0).job->preset.effect.motion.gravity, smallPreset().effect.motion.gravity);
+        QCOMPARE(
+            queue().at(0).job->preset.scene.layers[0].motion.gravity, smallPreset().scene.layers[0].motion.gravity);
         QCOMPARE(QDir(m_folder.filePath(u"out"_q)).entryList({u"*.png"_q}),
             (QStringList{u"smoke_03.png"_q, u"smoke_04.png"_q, u"smoke_05.png"_q, u"smoke_06.png"_q}));
         const QImage image(m_folder.filePath(u"out/smoke_03.png"_q));
@@ -111,7 +112,7 @@ private slots:
         dialog->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(dialog));
         QTest::keyClick(dialog, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(m_window->document().effect().motion.gravity, smallPreset().effect.motion.gravity);
+        QCOMPARE(m_window->document().effect().motion.gravity, smallPreset().scene.layers[0].motion.gravity);
     }
 
     void anEngineIsThreeClicksAwayInTheNextProgram()
@@ -240,10 +241,10 @@ private slots:
         m_chosenAnswer = kSaveAs;
         trigger("file.exportAgain");
         QTRY_COMPARE_WITH_TIMEOUT(stateOf(1), ExportState::Done, 60000);
-        QCOMPARE(queue().at(1).job->preset.effect.motion.gravity, 2.0F);
+        QCOMPARE(queue().at(1).job->preset.scene.layers[0].motion.gravity, 2.0F);
         const Result<PresetReading> carried = readPresetFile(m_folder.filePath(u"a-2_03.png"_q).toStdString());
         QVERIFY(carried.ok());
-        QCOMPARE(carried.value().preset.effect.motion.gravity, 2.0F);
+        QCOMPARE(carried.value().preset.scene.layers[0].motion.gravity, 2.0F);
     }
 
     void filesThatAreThereAreAskedAbout()

@@ -53,7 +53,7 @@ private slots:
         QVERIFY(!m_window->close());
         answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Discard); });
         trigger("file.new");
-        QVERIFY(m_window->document().effect() == newPreset().effect);
+        QVERIFY(m_window->document().effect() == newPreset().scene.effect());
     }
 
     void savingFromTheQuestionKeepsTheWork()
@@ -63,7 +63,7 @@ private slots:
         m_window->document().edit(knownParameter("motion.gravity"), 3.0F);
         answerNext("unsavedBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Save); });
         trigger("file.new");
-        QCOMPARE(readPresetFile(path.toStdString()).value().preset.effect.motion.gravity, 3.0F);
+        QCOMPARE(readPresetFile(path.toStdString()).value().preset.scene.layers[0].motion.gravity, 3.0F);
     }
 
     void aBrokenFileIsToldAboutAndCostsNothing()
@@ -108,7 +108,7 @@ private slots:
         trigger("edit.pastePreset");
         QVERIFY(m_window->document().effect() == copied);
         trigger("edit.undo");
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
     }
 
     void savingTheFirstTimeAsksForAFile()
@@ -139,7 +139,7 @@ private slots:
         QCOMPARE(m_fileQuestions.size(), 1);
         QCOMPARE(m_fileQuestions[0].start, old);
         QCOMPARE(m_fileQuestions[0].ending, u"json"_q);
-        QCOMPARE(gravityIn(old), smallPreset().effect.motion.gravity);
+        QCOMPARE(gravityIn(old), smallPreset().scene.layers[0].motion.gravity);
         QCOMPARE(gravityIn(m_chosenFile), 2.0F);
         QVERIFY(m_window->windowTitle().contains(u"new"_q) && !m_window->isWindowModified());
         QCOMPARE(m_session->settings().recentFiles().constFirst(), m_chosenFile);
@@ -179,7 +179,7 @@ private slots:
         QCOMPARE(m_fileQuestions.size(), 1);
         QCOMPARE(m_fileQuestions[0].purpose, FileQuestion::Purpose::Open);
         QCOMPARE(m_fileQuestions[0].start, m_folder.path());
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
         m_chosenFile.clear();
         trigger("file.open");
         QVERIFY(!m_window->document().filePath().isEmpty());
@@ -217,7 +217,7 @@ private slots:
         nameNext(u"Mine"_q);
         answerNext("replaceBox", [](QMessageBox& box) { pressButton(box, QMessageBox::No); });
         trigger("file.saveToLibrary");
-        QCOMPARE(gravityIn(libraryFile(u"Mine"_q)), smallPreset().effect.motion.gravity);
+        QCOMPARE(gravityIn(libraryFile(u"Mine"_q)), smallPreset().scene.layers[0].motion.gravity);
         QVERIFY(m_window->isWindowModified());
         nameNext(u"Mine"_q);
         answerNext("replaceBox", [](QMessageBox& box) { pressButton(box, QMessageBox::Yes); });
@@ -241,7 +241,7 @@ private slots:
         m_window->document().edit(*findParameter("motion.gravity"), 2.0F);
         m_window->document().edit(*findParameter("emitter.speed"), 3.0F);
         trigger("file.revert");
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
         trigger("edit.undo");
         QCOMPARE(m_window->document().effect().motion.gravity, 2.0F);
         QCOMPARE(m_window->document().effect().emitter.speed, 3.0F);
@@ -282,25 +282,25 @@ private slots:
         QMimeData preset;
         preset.setData(PresetList::mimeType(), "campfire");
         drop(preset);
-        QTRY_VERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.effect);
+        QTRY_VERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.scene.effect());
     }
 
     void aPictureOpensAsThePresetThatItCarries()
     {
         Preset preset = smallPreset();
         preset.name = "Of a picture";
-        preset.effect.motion.gravity = 2.0F;
+        preset.scene.layers[0].motion.gravity = 2.0F;
         const QString path = m_folder.filePath(u"smoke.png"_q);
         ExportPlan plan;
         plan.kind = ExportKind::Picture;
         plan.output = path.toStdString();
         plan.frames = {7, 7, 1};
         plan.project = preset;
-        QVERIFY(runExport(preset.effect, plan).ok());
+        QVERIFY(runExport(preset.scene, plan).ok());
         QMimeData file;
         file.setUrls({QUrl::fromLocalFile(path)});
         drop(file);
-        QTRY_VERIFY(m_window->document().effect() == preset.effect);
+        QTRY_VERIFY(m_window->document().effect() == preset.scene.effect());
         QVERIFY(m_window->windowTitle().contains(u"Of a picture"_q));
         QCOMPARE(m_window->player().frame(), 7);
         QVERIFY(!m_window->player().isPlaying());
@@ -314,7 +314,7 @@ private slots:
         ExportPlan plan;
         plan.kind = ExportKind::Picture;
         plan.output = path.toStdString();
-        QVERIFY(runExport(smallPreset().effect, plan).ok());
+        QVERIFY(runExport(smallPreset().scene.effect(), plan).ok());
         QString seen;
         answerNext("errorBox", [&](QMessageBox& box) {
             seen = box.text();
@@ -330,7 +330,7 @@ private slots:
         preset.setData(PresetList::mimeType(), "of another program");
         drop(preset);
         QCoreApplication::processEvents();
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
     }
 
 private:
@@ -346,7 +346,7 @@ private:
 
     static float gravityIn(const QString& path)
     {
-        return readPresetFile(path.toStdString()).value().preset.effect.motion.gravity;
+        return readPresetFile(path.toStdString()).value().preset.scene.layers[0].motion.gravity;
     }
 
     static QString libraryFile(const QString& name)

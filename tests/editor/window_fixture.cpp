@@ -15,14 +15,14 @@ Preset smallPreset()
 {
     Preset preset;
     preset.name = "Small";
-    preset.effect.emitter.count = 1500;
-    preset.effect.look.size = 0.5F;
-    preset.effect.turbulence.octaves = 2;
-    preset.effect.light.resolution = 24;
-    preset.effect.noise.resolution = 32;
-    preset.effect.noise.slices = 8;
-    preset.effect.wind.strength = 0.8F;
-    preset.effect.timeline.length = 60;
+    preset.scene.layers[0].emitter.count = 1500;
+    preset.scene.layers[0].look.size = 0.5F;
+    preset.scene.layers[0].turbulence.octaves = 2;
+    preset.scene.light.resolution = 24;
+    preset.scene.layers[0].noise.resolution = 32;
+    preset.scene.layers[0].noise.slices = 8;
+    preset.scene.wind.strength = 0.8F;
+    preset.scene.timeline.length = 60;
     return preset;
 }
 

@@ -140,7 +140,7 @@ private slots:
     void recoveredWorkIsDiscardedAndHadBack()
     {
         Preset work = smallPreset();
-        work.effect.motion.gravity = 9.0F;
+        work.scene.layers[0].motion.gravity = 9.0F;
         writeMine(1.0F);
         m_window->document().loadUnsaved(work, mine());
         m_window->notices().sayRecovered();
@@ -157,7 +157,7 @@ private slots:
         const FileMark began = m_window->document().fileMark();
         writeMine(7.0F);
         Preset work = smallPreset();
-        work.effect.motion.gravity = 9.0F;
+        work.scene.layers[0].motion.gravity = 9.0F;
         m_window->document().loadUnsaved(work, mine(), began);
         trigger("file.save");
         QCOMPARE(m_choiceQuestions.size(), 1);
@@ -166,7 +166,7 @@ private slots:
 
     void allNewDocumentsAreTheSame()
     {
-        const Effect expected = newPreset().effect;
+        const Effect expected = newPreset().scene.effect();
         trigger("file.new");
         QVERIFY(m_window->document().effect() == expected);
         trigger("file.newWindow");
@@ -186,7 +186,7 @@ private slots:
         QVERIFY(!settled().isNull());
         int shown = 0;
         Preset other = smallPreset();
-        other.effect.motion.gravity = 2.0F;
+        other.scene.layers[0].motion.gravity = 2.0F;
         connect(&m_window->viewport(), &Viewport::pictureShown, this, [&] { ++shown; });
         m_window->document().load(other, {});
         QVERIFY(m_window->viewport().picture() == nullptr);
@@ -269,7 +269,7 @@ private slots:
         again->setChecked(true);
         childOf<QPushButton>(*start, u"startDefault"_q)->click();
         QVERIFY(m_session->settings().showsStartDialog());
-        QVERIFY(m_window->document().effect() == newPreset().effect);
+        QVERIFY(m_window->document().effect() == newPreset().scene.effect());
     }
 
     void preferencesAreFoundByTheWordsThatPeopleUse()
@@ -335,7 +335,7 @@ private:
     void writeMine(float gravity) const
     {
         Preset preset = smallPreset();
-        preset.effect.motion.gravity = gravity;
+        preset.scene.layers[0].motion.gravity = gravity;
         QVERIFY(writePresetFile(mine().toStdString(), preset).ok());
     }
     void openMine()
@@ -345,7 +345,7 @@ private:
     }
     static float gravityOf(const QString& path)
     {
-        return readPresetFile(path.toStdString()).value().preset.effect.motion.gravity;
+        return readPresetFile(path.toStdString()).value().preset.scene.layers[0].motion.gravity;
     }
 };
 

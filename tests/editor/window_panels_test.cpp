@@ -117,7 +117,7 @@ private slots:
         }
         QVERIFY(campfire != nullptr);
         emit list.itemActivated(campfire);
-        QVERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.effect);
+        QVERIFY(m_window->document().effect() == loadPreset("campfire").value().preset.scene.effect());
         QVERIFY(m_window->document().filePath().isEmpty());
     }
 
@@ -176,16 +176,16 @@ private slots:
         auto* cell = variations->findChild<QToolButton*>(u"variation.2"_q);
         QTRY_VERIFY(!cell->icon().isNull());
         const Effect chosen = variations->effectOf(2);
-        QVERIFY(!(chosen == smallPreset().effect));
+        QVERIFY(!(chosen == smallPreset().scene.effect()));
         QTest::mouseClick(cell, Qt::LeftButton);
         QVERIFY(m_window->document().effect() == chosen);
         trigger("edit.undo");
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
         trigger("edit.redo");
         auto* back = variations->findChild<QToolButton*>(u"variations.back"_q);
         QTRY_VERIFY(back->isEnabled());
         QTest::mouseClick(back, Qt::LeftButton);
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
     }
 
 private:

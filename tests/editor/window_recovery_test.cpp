@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(queue.rowCount(), 2);
         QCOMPARE(queue.held(), 2);
         QCOMPARE(queue.index(0).data().toString(), u"Long"_q);
-        QCOMPARE(queue.at(0).job->preset.effect.motion.gravity, 6.5F);
+        QCOMPARE(queue.at(0).job->preset.scene.layers[0].motion.gravity, 6.5F);
         for (const QFileInfo& file : QDir(m_folder.filePath(u"out"_q)).entryInfoList({u"*.png"_q}, QDir::Files)) {
             QVERIFY2(!QImage(file.filePath()).isNull(), qPrintable(file.filePath()));
         }
@@ -119,8 +119,8 @@ private:
 static void addExports(ExportQueue& queue, const QString& output)
 {
     ExportJob job{"Long", smallPreset(), {}};
-    job.preset.effect.motion.gravity = 6.5F;
-    job.preset.effect.output.width = job.preset.effect.output.height = 64;
+    job.preset.scene.layers[0].motion.gravity = 6.5F;
+    job.preset.scene.output.width = job.preset.scene.output.height = 64;
     job.plan.output = output.toStdString();
     job.plan.frames = {0, 100'000, 1};
     static_cast<void>(queue.add(job));

@@ -57,7 +57,7 @@ private slots:
         MainWindow* second = otherWindow();
         QVERIFY(second != nullptr);
         second->document().edit(knownParameter("motion.gravity"), 5.0F);
-        QVERIFY(m_window->document().effect() == smallPreset().effect);
+        QVERIFY(m_window->document().effect() == smallPreset().scene.effect());
         QVERIFY(!m_window->isWindowModified());
     }
     void aMaximisedWindowIsSoAgainAfterFullScreen()

@@ -146,7 +146,7 @@ private slots:
             trigger("edit.undo");
             QVERIFY(document.effect().camera == seen);
         }
-        QCOMPARE(document.effect().wind.strength, smallPreset().effect.wind.strength);
+        QCOMPARE(document.effect().wind.strength, smallPreset().scene.wind.strength);
         while (document.undoStack()->canRedo()) {
             trigger("edit.redo");
             QVERIFY(document.effect().camera == seen);

@@ -337,7 +337,7 @@ private slots:
         const QByteArray csv = QByteArray::fromStdString(dumpCsv(*frame, sampled(effect)));
         QCOMPARE(csv.count('\n'), alive + 1);
         QVERIFY(csv.startsWith("id,x,y,z,vx,vy,vz,age,life,alpha,radius,heat,red,green,blue\n"));
-        const std::string ply = dumpPly(*frame, sampled(effect));
+        const std::string ply = dumpPly(LayerOf(*frame, effect).span());
         const std::size_t body = ply.find("end_header\n") + 11;
         QVERIFY(ply.find("element vertex " + std::to_string(alive) + "\n") != std::string::npos);
         QCOMPARE(ply.size() - body, static_cast<std::size_t>(alive) * 51);
@@ -347,7 +347,7 @@ private slots:
     {
         const Effect effect = everythingOn();
         const auto frame = frameOf(effect, 4);
-        const std::string cache = dumpPcache(*frame, sampled(effect));
+        const std::string cache = dumpPcache(LayerOf(*frame, effect).span());
         const std::size_t body = cache.find("end_header\n") + 11;
         QVERIFY(cache.rfind("pcache\nformat binary 1.0\n", 0) == 0);
         QVERIFY(cache.find("elements " + std::to_string(livingCount(*frame)) + "\n") != std::string::npos);

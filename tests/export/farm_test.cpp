@@ -135,7 +135,7 @@ private slots:
 
     void airCostsMoreWithFinerCells()
     {
-        Effect effect = loadPreset("plume").value().preset.effect;
+        Effect effect = loadPreset("plume").value().preset.scene.effect();
         effect.air.resolution = 32;
         const double coarse = farmCost(effect).airStep;
         effect.air.resolution = 64;

@@ -146,7 +146,7 @@ private slots:
             plan.kind = kind;
             plan.fitCamera = true;
             plan.frames = {8, 8, 1};
-            const Effect seen = effectSeenBy(effect, plan).value();
+            const Effect seen = sceneSeenBy(effect, plan).value().effect();
             const Image image = render(seen, 8);
             const PictureReach reach = reachOf(image, 0.5F / 255.0F);
             const int width = image.width;

@@ -93,7 +93,7 @@ private slots:
     void coldSmokeDoesNotGlow()
     {
         QFETCH(QString, preset);
-        Effect effect = small(loadPreset(preset.toStdString()).value().preset.effect);
+        Effect effect = small(loadPreset(preset.toStdString()).value().preset.scene.effect());
         effect.glow.emission = 0.0F;
         const Glowing cold(sheetOf(effect));
         QVERIFY(largest(cold.pictures.picture(Pass::SixWayB), 0) > 0.0F); // there is smoke, in light
@@ -105,7 +105,7 @@ private slots:
 
     void blackSootDoesNotGlow()
     {
-        Effect effect = small(loadPreset("campfire").value().preset.effect);
+        Effect effect = small(loadPreset("campfire").value().preset.scene.effect());
         effect.glow.emission = 5.0F;
         effect.glow.emissionColour = EmissionColour::Gradient;
         effect.glow.emissionGradient = Gradient{{0.0F, glm::vec3(0.0F)}, {1.0F, glm::vec3(0.0F)}};
@@ -118,7 +118,7 @@ private slots:
     void theMapAndItsGradientMakeTheEmission()
     {
         QFETCH(QString, preset);
-        Effect effect = small(loadPreset(preset.toStdString()).value().preset.effect);
+        Effect effect = small(loadPreset(preset.toStdString()).value().preset.scene.effect());
         const bool burns = effect.glow.emission > 0.0F;
         effect.glow.emission = std::max(effect.glow.emission, 2.0F);
         const Glowing fire(sheetOf(effect));
@@ -149,7 +149,7 @@ private slots:
 
     void fireIsHotWhereItGlows()
     {
-        const Glowing fire(sheetOf(small(loadPreset("campfire").value().preset.effect)));
+        const Glowing fire(sheetOf(small(loadPreset("campfire").value().preset.scene.effect())));
         const DataImage heat = fire.pictures.picture(Pass::Temperature);
         QVERIFY(near(largest(heat, 0), 1.0, 1e-6));
         QVERIFY(fire.pictures.scales().temperature > 0.1F && fire.pictures.scales().temperature <= 1.0F);

@@ -20,11 +20,11 @@ Preset smallPreset()
     Preset preset;
     preset.name = "Small \"one\"";
     preset.description = "röd\n煙";
-    preset.effect = everythingOn();
-    preset.effect.emitter.count = 200;
-    preset.effect.output.width = 24;
-    preset.effect.output.height = 16;
-    preset.effect.timeline.length = 12;
+    preset.scene = everythingOn();
+    preset.scene.layers[0].emitter.count = 200;
+    preset.scene.output.width = 24;
+    preset.scene.output.height = 16;
+    preset.scene.timeline.length = 12;
     preset.unknown = {{"motion", "from_the_future", "{\n \"a\": 1}"}};
     return preset;
 }

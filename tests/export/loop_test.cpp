@@ -198,7 +198,7 @@ private slots:
         QTest::addColumn<int>("length");
         const std::vector<LibraryEntry> presets = builtinPresets();
         for (std::size_t i = 0; i < presets.size(); ++i) {
-            if (loadPreset(presets[i]).value().preset.effect.timeline.loop) {
+            if (loadPreset(presets[i]).value().preset.scene.timeline.loop) {
                 // Steps of 2 and 3 frames, of which the last is 2 and that at the seam 3; and steps of 2.
                 QTest::newRow((presets[i].id + ", uneven").c_str()) << static_cast<int>(i) << 150;
                 QTest::newRow((presets[i].id + ", even").c_str()) << static_cast<int>(i) << 128;
@@ -210,7 +210,7 @@ private slots:
         QFETCH(int, preset);
         QFETCH(int, length);
         const Effect effect =
-            small(loadPreset(builtinPresets()[static_cast<std::size_t>(preset)]).value().preset.effect, length);
+            small(loadPreset(builtinPresets()[static_cast<std::size_t>(preset)]).value().preset.scene.effect(), length);
         FlipbookOptions options;
         options.columns = options.rows = 8;
         options.frames = {0, length - 1, 1};
@@ -235,7 +235,7 @@ private slots:
     void framesOfALoopKnowTheOneBeforeTheFirst()
     {
         // What a farm renders of a turn is what follows it in the next one.
-        const Effect effect = small(loadPreset("steam").value().preset.effect, 24);
+        const Effect effect = small(loadPreset("steam").value().preset.scene.effect(), 24);
         const auto vectors = [&](int frame) {
             SequenceOptions options;
             options.frames = {frame, frame, 1};

@@ -105,7 +105,9 @@ std::vector<float> colourOf(const std::vector<std::byte>& bytes)
 
 Effect preset(const char* name)
 {
-    return readPresetFile(std::string(FUMAGE_SOURCE_DIR "/resources/presets/") + name + ".json").value().preset.effect;
+    return readPresetFile(std::string(FUMAGE_SOURCE_DIR "/resources/presets/") + name + ".json")
+        .value()
+        .preset.scene.effect();
 }
 
 } // namespace

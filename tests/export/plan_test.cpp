@@ -234,10 +234,10 @@ private slots:
         plan.particles = ParticleFormat::Ply;
         plan.output = pathOf(u"p.ply"_qs);
         QVERIFY(runExport(effect, plan).ok());
-        QVERIFY(readFile(plan.output, kMax).value() == dumpPly(*frame, sampled(effect)));
+        QVERIFY(readFile(plan.output, kMax).value() == dumpPly(LayerOf(*frame, effect).span()));
         plan.up = UpAxis::Z;
         QVERIFY(runExport(effect, plan).ok());
-        QVERIFY(readFile(plan.output, kMax).value() == dumpPly(*frame, sampled(effect), UpAxis::Z));
+        QVERIFY(readFile(plan.output, kMax).value() == dumpPly(LayerOf(*frame, effect).span(), UpAxis::Z));
     }
 
     void exportedVolumesAreThoseOfTheFrame()

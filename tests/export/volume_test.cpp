@@ -249,7 +249,7 @@ private slots:
         QTest::newRow("burst") << burst();
         QTest::newRow("growing") << growing();
         for (const LibraryEntry& preset : builtinPresets()) {
-            Effect effect = loadPreset(preset).value().preset.effect;
+            Effect effect = loadPreset(preset).value().preset.scene.effect();
             effect.timeline.length = 24;
             effect.timeline.stepsPerFrame = 1;
             effect.emitter.count = 400;

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const std::string json = formatPreset(first.value().preset);
     const Result<PresetReading> second = parsePreset(json);
-    if (!second || !(second.value().preset.effect == first.value().preset.effect)
+    if (!second || !(second.value().preset.scene.effect() == first.value().preset.scene.effect())
         || formatPreset(second.value().preset) != json) {
         std::abort();
     }

@@ -10,7 +10,7 @@ namespace fumage::tests {
 
 Effect goldenEffect(const std::string& id)
 {
-    return goldenEffect(loadPreset(LibraryEntry{id, {}}).value().preset.effect);
+    return goldenEffect(loadPreset(LibraryEntry{id, {}}).value().preset.scene.effect());
 }
 
 Effect goldenEffect(const Effect& preset)

@@ -99,7 +99,7 @@ private slots:
         const std::string id = QTest::currentDataTag();
         const Result<PresetReading> frozen = readPresetFile(FUMAGE_VERSION_1 "presets/" + id + ".json");
         QVERIFY2(frozen.ok(), frozen ? "" : frozen.error().text().c_str());
-        const Effect effect = goldenEffect(frozen.value().preset.effect);
+        const Effect effect = goldenEffect(frozen.value().preset.scene.effect());
         // Where the preset of today is the same, picturesOfThePresets() renders it.
         if (effect == goldenEffect(id) && expected == checksums().value(QByteArray::fromStdString(id))) {
             return;

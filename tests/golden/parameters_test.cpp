@@ -72,6 +72,10 @@ Effect stageFor(const Parameter& p)
     if (&p == &knownParameter("look.deformation_limit")) {
         effect.look.deformationLimit = 1.02F; // so early nothing is stretched by much
     }
+    if (&p == &knownParameter("motion.restitution") || &p == &knownParameter("motion.friction")) {
+        effect.motion.coupling = Coupling::Dragged;
+        effect.motion.gravity = 60.0F; // so that many have touched the ground soon
+    }
     if (&p == &knownParameter("noise.smooth")) {
         effect.noise.basis = NoiseBasis::Lattice;
     }
@@ -124,7 +128,7 @@ bool isSameField(const AirField& a, const AirField& b)
 AirFieldPtr fieldOf(const Effect& effect)
 {
     const SampledEffect whole = sampled(effect);
-    return BakedAir(airPlan(SimulationModel(whole))).field(frameOf(effect, kFrame)->step).value();
+    return BakedAir(airPlan(whole)).field(frameOf(effect, kFrame)->step).value();
 }
 
 } // namespace

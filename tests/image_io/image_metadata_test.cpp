@@ -47,13 +47,13 @@ Preset ownPreset()
     Preset preset = loadPreset("plume").value().preset;
     preset.name = "Rök \"von\" 烟";
     preset.description = "Line\nline";
-    preset.effect.air.enabled = false;
-    preset.effect.emitter.count = 300;
-    preset.effect.motion.buoyancy = 1.2345F;
-    preset.effect.noise.slices = 4;
-    preset.effect.noise.resolution = 16;
-    preset.effect.output.width = 32;
-    preset.effect.output.height = 32;
+    preset.scene.air.enabled = false;
+    preset.scene.layers[0].emitter.count = 300;
+    preset.scene.layers[0].motion.buoyancy = 1.2345F;
+    preset.scene.layers[0].noise.slices = 4;
+    preset.scene.layers[0].noise.resolution = 16;
+    preset.scene.output.width = 32;
+    preset.scene.output.height = 32;
     preset.unknown.push_back({"motion", "of_tomorrow", "[1, 2]"});
     return preset;
 }
@@ -161,7 +161,7 @@ private slots:
         const std::filesystem::path root = folder.path().toStdString();
         for (const ImageFormat format : kFormats) {
             const ExportPlan plan = planFor(root / "smoke_##", format);
-            QVERIFY(runExport(ownPreset().effect, plan).ok());
+            QVERIFY(runExport(ownPreset().scene, plan).ok());
             const std::filesystem::path last = lastFile(plan);
             const PresetReading reading = readPresetFile(last).value();
             QCOMPARE(formatPreset(reading.preset), formatPreset(ownPreset()));
@@ -170,7 +170,7 @@ private slots:
             ExportPlan again = plan;
             again.output = root / "again_##";
             again.project = reading.preset;
-            QVERIFY(runExport(reading.preset.effect, again).ok());
+            QVERIFY(runExport(reading.preset.scene, again).ok());
             QVERIFY(bytesOf(last) == bytesOf(lastFile(again)));
         }
     }
@@ -184,11 +184,11 @@ private slots:
         plan.frames = {5, 8, 1};
         plan.passes.add(Pass::Motion);
         plan.fitCamera = true;
-        QVERIFY(runExport(ownPreset().effect, plan).ok());
+        QVERIFY(runExport(ownPreset().scene, plan).ok());
         for (const std::filesystem::path& picture : picturesOf(flipbookOf(plan))) {
             const PresetReading reading = readPresetFile(picture).value();
             QCOMPARE(reading.frame.value(), 5);
-            QVERIFY(!(reading.preset.effect.camera == ownPreset().effect.camera)); // that which took the picture
+            QVERIFY(!(reading.preset.scene.camera == ownPreset().scene.camera)); // that which took the picture
         }
     }
 
@@ -198,7 +198,7 @@ private slots:
         ExportPlan plan =
             planFor(std::filesystem::path(folder.path().toStdString()) / "smoke_##.png", ImageFormat::Png8);
         plan.project.reset();
-        QVERIFY(runExport(ownPreset().effect, plan).ok());
+        QVERIFY(runExport(ownPreset().scene, plan).ok());
         const auto reading = readPresetFile(lastFile(plan));
         QVERIFY(!reading.ok());
         QCOMPARE(reading.error().code, ErrorCode::WrongType);
@@ -220,14 +220,14 @@ private slots:
             plan.passes.add(Pass::Alpha);
             plan.flipbook.packs.push_back(parsePack("masks=alpha,colour.r").value());
             plan.flipbook.retime = parseRetime("[[0,0.5],[1,1]]").value();
-            QVERIFY(runExport(ownPreset().effect, plan).ok());
+            QVERIFY(runExport(ownPreset().scene, plan).ok());
             const PresetReading reading = readPresetFile(picturesOf(flipbookOf(plan)).front()).value();
             const std::optional<FlipbookOptions> sheet = readSheetNote(reading.sheet);
             QVERIFY(sheet.has_value());
             FlipbookOptions again = *sheet;
             again.output = plan.output.parent_path() / ("again" + std::string(fileEnding(format)));
             again.preset = formatPreset(reading.preset);
-            QVERIFY(renderFlipbook(reading.preset.effect, again).ok());
+            QVERIFY(renderFlipbook(reading.preset.scene, again).ok());
             QVERIFY(bytesOf(picturesOf(flipbookOf(plan)).front()) == bytesOf(picturesOf(again).front()));
         }
         QVERIFY(!readSheetNote(""));

@@ -113,7 +113,7 @@ private slots:
         const double shown = coveredIn(image, renderer.batch().view);
         const double shaded =
             crossSection(renderer.light().density, renderer.light().shape.cells(), renderer.light().shape.cell);
-        const Volume volume = volumeOf(frame, sampled(effect), 0.05F, renderer.texture()->greys(0)).value();
+        const Volume volume = volumeOf(frame, sampled(effect), 0.05F).value();
         const double kept = crossSection(volume.density, volume.count(), volume.cell);
         QVERIFY(shown > 0.0);
         QVERIFY2(near(shaded / shown, 1.0, 0.03), "light");

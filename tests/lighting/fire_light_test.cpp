@@ -47,8 +47,9 @@ struct LitByFire {
         frame = cloud(effect, places);
         age(frame, 0.5F);
         findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
-        lightSmoke(frame, sampled(effect), appearance, {0.0F, 0.0F, 20.0F}, nullptr, room, grid);
-        lightByFire(frame, sampled(effect), appearance, fire, room, grid);
+        const LitLayer layer{&frame, &effect, &appearance, nullptr};
+        lightSmoke({&layer, 1}, {0.0F, 0.0F, 20.0F}, room, grid);
+        lightByFire({&layer, 1}, fire, room, grid);
     }
 
     /// Light at the cell nearest to a place, and how far its centre is from the middle.

@@ -77,7 +77,8 @@ struct Lit {
     Lit(const Frame& frame, const Effect& effect, const glm::vec3& eye = {0.0F, 0.5F, 100.0F})
     {
         findAppearance(frame, sampled(effect), lightAxes(effect.light.direction), appearance);
-        lightSmoke(frame, sampled(effect), appearance, eye, nullptr, room, grid);
+        const LitLayer layer{&frame, &effect, &appearance, nullptr};
+        lightSmoke({&layer, 1}, eye, room, grid);
     }
 };
 

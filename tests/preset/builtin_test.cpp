@@ -42,7 +42,7 @@ private slots:
     {
         const std::vector<LibraryEntry> presets = builtinPresets();
         const auto loops = [](const LibraryEntry& entry) {
-            return loadPreset(entry).value().preset.effect.timeline.loop;
+            return loadPreset(entry).value().preset.scene.timeline.loop;
         };
         QVERIFY(std::ranges::count_if(presets, loops) >= 8);
     }
@@ -51,7 +51,7 @@ private slots:
     {
         QTest::addColumn<std::string>("name");
         for (const LibraryEntry& entry : builtinPresets()) {
-            const Effect effect = loadPreset(entry).value().preset.effect;
+            const Effect effect = loadPreset(entry).value().preset.scene.effect();
             if (effect.emitter.mode == EmissionMode::Burst && !effect.timeline.loop) {
                 QTest::newRow(entry.id.c_str()) << entry.id;
             }
@@ -61,7 +61,7 @@ private slots:
     void whatBurstsIsGoneBeforeTheLastFrameAndTheLastCellOfASheet()
     {
         QFETCH(std::string, name);
-        Effect effect = loadPreset(name).value().preset.effect;
+        Effect effect = loadPreset(name).value().preset.scene.effect();
         effect.emitter.count = 2000;
         effect.air.resolution = kMinAirResolution;
         FlipbookOptions flipbook;
@@ -85,7 +85,7 @@ private slots:
     {
         QFETCH(std::string, name);
         const QTemporaryDir folder;
-        Effect effect = loadPreset(name).value().preset.effect;
+        Effect effect = loadPreset(name).value().preset.scene.effect();
         effect.emitter.count /= 4; // reach as far, and are simulated sooner
         effect.output.width = effect.output.height = kCell;
         effect.output.background = Background::Transparent;

@@ -72,13 +72,13 @@ private slots:
             for (std::size_t i = 0; members.type == JsonNode::Type::Object && i < members.items.size(); ++i) {
                 const Parameter* parameter = rowOf(root.value().keys[group] + "." + members.keys[i]);
                 QVERIFY(parameter != nullptr);
-                QCOMPARE(packed(formatJson(*parameter, parameter->get(reading.preset.effect))),
+                QCOMPARE(packed(formatJson(*parameter, parameter->get(reading.preset.scene.effect()))),
                     packed(text.substr(members.items[i].begin, members.items[i].end - members.items[i].begin)));
                 ++values;
             }
         }
         QCOMPARE(values, 152);
-        const Effect& effect = reading.preset.effect;
+        const Effect& effect = reading.preset.scene.effect();
         QCOMPARE(effect.air.buoyancy, effect.motion.buoyancy);
         QCOMPARE(effect.air.cooling, effect.motion.cooling);
         QCOMPARE(effect.air.drag, effect.motion.drag);
@@ -108,7 +108,7 @@ private slots:
                 + quoteJson(key.substr(0, dot)) + ": {" + quoteJson(key.substr(dot + 1)) + ": " + text + "}}");
             QVERIFY2(read.ok(), key.c_str());
             QVERIFY2(read.value().preset.unknown.empty(), key.c_str());
-            QVERIFY2(parameter.get(read.value().preset.effect) == parameter.get(other), key.c_str());
+            QVERIFY2(parameter.get(read.value().preset.scene.effect()) == parameter.get(other), key.c_str());
             Effect assigned;
             QVERIFY2(applyAssignment(assigned,
                          key + "=" + (parameter.kind == Kind::Choice ? std::string(parameter.choices[1]) : text))
@@ -131,16 +131,16 @@ private slots:
         const PresetReading reading = readingOf(file.toStdString());
         QVERIFY(reading.warnings.empty());
         QCOMPARE(reading.frame, std::optional(3));
-        QCOMPARE(reading.preset.effect.emitter.count, 300);
+        QCOMPARE(reading.preset.scene.layers[0].emitter.count, 300);
         // All else is the preset that they were made of.
-        Effect made =
-            readingOf(file.endsWith("png") ? "presets/campfire.json" : "presets/thesis-2012.json").preset.effect;
+        Effect made = readingOf(file.endsWith("png") ? "presets/campfire.json" : "presets/thesis-2012.json")
+                          .preset.scene.effect();
         made.emitter.count = 300;
         made.noise.slices = 4;
         made.noise.resolution = 16;
-        made.air.resolution = reading.preset.effect.air.resolution;
+        made.air.resolution = reading.preset.scene.air.resolution;
         made.output.width = made.output.height = 16;
-        for (const Parameter* parameter : differences(made, reading.preset.effect)) {
+        for (const Parameter* parameter : differences(made, reading.preset.scene.effect())) {
             QFAIL(std::string(parameter->key).c_str());
         }
     }
@@ -150,7 +150,8 @@ private slots:
         const Result<JobsReading> jobs = readJobsFile(kVersion1 + "files/jobs.json");
         QVERIFY2(jobs.ok(), jobs ? "" : jobs.error().text().c_str());
         QCOMPARE(jobs.value().jobs.size(), std::size_t(1));
-        QVERIFY(jobs.value().jobs.front().preset.effect == readingOf("presets/campfire.json").preset.effect);
+        QVERIFY(jobs.value().jobs.front().preset.scene.effect()
+            == readingOf("presets/campfire.json").preset.scene.effect());
     }
 
     void manifestsAreRead()
@@ -158,7 +159,7 @@ private slots:
         const std::string path = kVersion1 + "files/picture.manifest.json";
         const Result<Manifest> manifest = parseManifest(readFile(path, kMaxPresetBytes).value(), path);
         QVERIFY2(manifest.ok(), manifest ? "" : manifest.error().text().c_str());
-        QVERIFY(manifest.value().job.effect == readingOf("files/picture.png").preset.effect);
+        QVERIFY(manifest.value().job.scene == readingOf("files/picture.png").preset.scene.effect());
     }
 
     void whatVersion1DoesNotKnowIsKept()
@@ -166,7 +167,7 @@ private slots:
         const Result<PresetReading> read = parsePreset(
             R"({"format": "fumage-preset", "version": 1, "later": [1], "motion": {"gusto": 2}, "air": {"mist": 3}, "light": {"emission": 4, "laser": 5}})");
         QVERIFY(read.ok());
-        QCOMPARE(read.value().preset.effect.glow.emission, 4.0F);
+        QCOMPARE(read.value().preset.scene.layers[0].glow.emission, 4.0F);
         QCOMPARE(read.value().preset.unknown.size(), std::size_t(4));
         const std::string text = formatPreset(read.value().preset);
         const Result<PresetReading> again = parsePreset(text);

@@ -75,11 +75,11 @@ ExportJob smallJob(const std::string& folder, int number)
 {
     ExportJob job;
     job.name = std::to_string(QCoreApplication::applicationPid()) + "-" + std::to_string(number);
-    job.preset.effect.air.enabled = false;
-    job.preset.effect.emitter.count = 200;
-    job.preset.effect.noise.slices = 2;
-    job.preset.effect.noise.resolution = 16;
-    job.preset.effect.output.width = job.preset.effect.output.height = 16;
+    job.preset.scene.air.enabled = false;
+    job.preset.scene.layers[0].emitter.count = 200;
+    job.preset.scene.layers[0].noise.slices = 2;
+    job.preset.scene.layers[0].noise.resolution = 16;
+    job.preset.scene.output.width = job.preset.scene.output.height = 16;
     job.plan.kind = ExportKind::Picture;
     job.plan.output = std::filesystem::path(folder) / (job.name + ".png");
     return job;

@@ -16,6 +16,8 @@ constexpr float kRadius = 24.0F;
 struct Detailed {
     SpriteBatch batch;
     SpriteTexture texture = SpriteTexture::pack(4, {AlignedArray<float>(16, 0.5F)});
+
+    [[nodiscard]] std::array<SpriteLayer, 1> layers() const { return {SpriteLayer{&batch, &texture}}; }
 };
 
 /// A disc with two phases of the detail.
@@ -126,7 +128,7 @@ Image composed(const Detailed& all)
 {
     Image image;
     Compositor compositor;
-    if (!compositor.compose(all.batch, all.texture, image)) {
+    if (!compositor.compose(all.layers(), image)) {
         qFatal("not composed");
     }
     return image;
@@ -191,7 +193,7 @@ private slots:
             wanted.push_back({&targets[i], &images[i]});
         }
         Compositor compositor;
-        QVERIFY(compositor.composeAll(all.batch, all.texture, wanted).ok());
+        QVERIFY(compositor.composeAll(all.layers(), wanted).ok());
         const Image colour = composed(all);
         double differ = 0.0;
         for (std::size_t i = 0; i < colour.pixels.size(); i += 4) {

@@ -48,7 +48,8 @@ Image compose(const SpriteBatch& batch, const SpriteTexture& texture)
 {
     Compositor compositor;
     Image image;
-    if (!compositor.compose(batch, texture, image)) {
+    const SpriteLayer layer{&batch, &texture};
+    if (!compositor.compose({&layer, 1}, image)) {
         qFatal("compose");
     }
     return image;

@@ -18,7 +18,7 @@ constexpr std::array kRates{6, 8, 10, 12, 15, 24, 30, 60, 120};
 
 Effect presetOf(const std::string& name)
 {
-    return loadPreset(name).value().preset.effect;
+    return loadPreset(name).value().preset.scene.effect();
 }
 
 /// All parts of a step, one after another.
@@ -143,7 +143,7 @@ private slots:
     void shortStepsAreWhole()
     {
         for (const LibraryEntry& entry : builtinPresets()) {
-            Effect effect = loadPreset(entry).value().preset.effect;
+            Effect effect = loadPreset(entry).value().preset.scene.effect();
             if (!effect.air.enabled || effect.source.expansion > 17.0F) {
                 continue;
             }
@@ -322,7 +322,7 @@ private slots:
     void noBuiltInPresetIsBakedForTooLong()
     {
         for (const LibraryEntry& entry : builtinPresets()) {
-            Effect effect = loadPreset(entry).value().preset.effect;
+            Effect effect = loadPreset(entry).value().preset.scene.effect();
             QVERIFY(checkAir(sampled(effect)));
             effect.timeline.loop = true;
             effect.timeline.length = 600;

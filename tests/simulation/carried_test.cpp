@@ -248,7 +248,7 @@ private slots:
             Spread heat;
             for (std::uint32_t seed = 1; seed <= 60; ++seed) {
                 effect.emitter.seed = seed;
-                const AirPlan plan = airPlan(SimulationModel(sampled(effect)));
+                const AirPlan plan = airPlan(sampled(effect));
                 AirSolver air(plan.grid, plan.boundaries);
                 air.step(plan.stepTo(1));
                 forCells(plan.grid.cells, [&](const glm::ivec3& c) {
@@ -298,7 +298,7 @@ private slots:
         effect.air.turbulence = 7.0F;
         effect.air.turbulenceScale = 0.9F;
         const auto afterAStep = [&](float heat, const auto& visit) {
-            const AirPlan plan = airPlan(SimulationModel(sampled(effect)));
+            const AirPlan plan = airPlan(sampled(effect));
             AirStep step = plan.stepTo(1);
             step.source.acts = false;
             QCOMPARE(static_cast<int>(step.forcing.octaves), octaves);

@@ -22,7 +22,7 @@ constexpr std::array kTimes{1.0 / 6.0, 1.0 / 3.0};
 /// With little to compute, and no light but its own.
 Effect glowAlone()
 {
-    Effect effect = loadPreset(std::string("explosion")).value().preset.effect;
+    Effect effect = loadPreset(std::string("explosion")).value().preset.scene.effect();
     effect.air.resolution = 32;
     effect.emitter.count = 1000;
     effect.timeline.loop = false;

@@ -17,9 +17,10 @@ enum CommandId {
 
 } // namespace
 
-EditCommand::EditCommand(EffectHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture)
+EditCommand::EditCommand(SceneHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture)
     : QUndoCommand(text)
     , m_holder(holder)
+    , m_layer(holder.layer())
     , m_changes(std::move(changes))
     , m_isNamed(!text.isEmpty())
     , m_gesture(gesture)
@@ -52,13 +53,15 @@ void EditCommand::redo()
 
 void EditCommand::write(Value Change::*value)
 {
-    Effect effect = m_holder.effect();
+    Scene scene = m_holder.scene();
+    Effect effect = scene.effect(m_layer);
     std::vector<const Parameter*> changed;
     for (const Change& change : m_changes) {
         change.parameter->set(effect, change.*value);
         changed.push_back(change.parameter);
     }
-    m_holder.write(effect, std::move(changed));
+    scene.assign(m_layer, effect);
+    m_holder.write(scene, m_layer, std::move(changed));
 }
 
 int EditCommand::id() const
@@ -69,7 +72,7 @@ int EditCommand::id() const
 bool EditCommand::mergeWith(const QUndoCommand* other)
 {
     const auto* next = dynamic_cast<const EditCommand*>(other);
-    if (next == nullptr || next->m_gesture.id != m_gesture.id) {
+    if (next == nullptr || next->m_gesture.id != m_gesture.id || next->m_layer != m_layer) {
         return false;
     }
     for (const Change& change : next->m_changes) {
@@ -87,32 +90,36 @@ bool EditCommand::mergeWith(const QUndoCommand* other)
     return true;
 }
 
-ReplaceCommand::ReplaceCommand(EffectHolder& holder, const Effect& after, const QString& text, Gesture gesture)
+ReplaceCommand::ReplaceCommand(
+    SceneHolder& holder, const Scene& after, std::size_t layer, const QString& text, Gesture gesture)
     : QUndoCommand(text)
     , m_holder(holder)
-    , m_before(holder.effect())
+    , m_before(holder.scene())
     , m_after(after)
+    , m_layerBefore(holder.layer())
+    , m_layerAfter(layer)
     , m_gesture(gesture)
 {
 }
 
 void ReplaceCommand::undo()
 {
-    show(m_before);
+    show(m_before, m_layerBefore);
 }
 
 void ReplaceCommand::redo()
 {
-    show(m_after);
+    show(m_after, m_layerAfter);
 }
 
 /// Where both look from the same place the camera stays where it is now: moving it is no undo step.
-void ReplaceCommand::show(Effect effect)
+void ReplaceCommand::show(Scene scene, std::size_t layer)
 {
     if (m_before.camera == m_after.camera) {
-        effect.camera = m_holder.effect().camera;
+        scene.camera = m_holder.scene().camera;
     }
-    m_holder.write(effect, differences(m_before, m_after));
+    const Effect shown = m_holder.scene().effect(m_holder.layer());
+    m_holder.write(scene, layer, differences(shown, scene.effect(layer)));
 }
 
 int ReplaceCommand::id() const
@@ -127,6 +134,7 @@ bool ReplaceCommand::mergeWith(const QUndoCommand* other)
         return false;
     }
     m_after = next->m_after;
+    m_layerAfter = next->m_layerAfter;
     setObsolete(m_before == m_after);
     return true;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/effect/parameter.h"
+#include "core/scene/scene.h"
 
 #include <QUndoCommand>
 
@@ -15,17 +16,21 @@ struct Gesture {
 };
 
 /// What commands read and write.
-class EffectHolder {
+class SceneHolder {
 public:
-    [[nodiscard]] virtual const Effect& effect() const = 0;
+    [[nodiscard]] virtual const Scene& scene() const = 0;
+    /// The layer that is edited.
+    [[nodiscard]] virtual std::size_t layer() const = 0;
+    /// @param layer   that is edited from now on
     /// @param changed all parameters that differ from before
-    virtual void write(const Effect& effect, std::vector<const Parameter*> changed) = 0;
+    virtual void write(const Scene& scene, std::size_t layer, std::vector<const Parameter*> changed) = 0;
 
 protected:
-    ~EffectHolder() = default;
+    ~SceneHolder() = default;
 };
 
-/// Sets one or a few parameters; merges with the one before while the hand has not let go.
+/// Sets one or a few parameters of the layer that is edited, or of what all share; merges with the one before while the
+/// hand has not let go.
 class EditCommand : public QUndoCommand {
 public:
     struct Change {
@@ -35,7 +40,7 @@ public:
     };
 
     /// @param text empty: names and new values of what is changed
-    EditCommand(EffectHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture);
+    EditCommand(SceneHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture);
 
     void undo() override;
     void redo() override;
@@ -46,16 +51,18 @@ private:
     void write(Value Change::*value);
     void describe();
 
-    EffectHolder& m_holder;
+    SceneHolder& m_holder;
+    std::size_t m_layer;
     std::vector<Change> m_changes;
     bool m_isNamed; ///< by whoever made it
     Gesture m_gesture;
 };
 
-/// Exchanges the whole effect: a reset, a paste, a variation.
+/// Exchanges the whole scene: a reset, a paste, a variation, a layer more or less.
 class ReplaceCommand : public QUndoCommand {
 public:
-    ReplaceCommand(EffectHolder& holder, const Effect& after, const QString& text, Gesture gesture);
+    /// @param layer that is edited afterwards
+    ReplaceCommand(SceneHolder& holder, const Scene& after, std::size_t layer, const QString& text, Gesture gesture);
 
     void undo() override;
     void redo() override;
@@ -63,11 +70,13 @@ public:
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
-    void show(Effect effect);
+    void show(Scene scene, std::size_t layer);
 
-    EffectHolder& m_holder;
-    Effect m_before;
-    Effect m_after;
+    SceneHolder& m_holder;
+    Scene m_before;
+    Scene m_after;
+    std::size_t m_layerBefore;
+    std::size_t m_layerAfter;
     Gesture m_gesture;
 };
 

@@ -40,14 +40,42 @@ Camera clamped(const Camera& camera)
     return effect.camera;
 }
 
+/// The first stage of the work that has to be done again where one scene takes another's place.
+DirtyStage staleBetween(const Scene& before, const Scene& after)
+{
+    const std::vector<std::size_t> was = before.visibleLayers();
+    const std::vector<std::size_t> is = after.visibleLayers();
+    if (was.size() != is.size()) {
+        return DirtyStage::Air;
+    }
+    DirtyStage stale = DirtyStage::Shade;
+    for (std::size_t i = 0; i < is.size(); ++i) {
+        for (const Parameter* parameter : differences(before.effect(was[i]), after.effect(is[i]))) {
+            stale = std::max(stale, parameter->dirties);
+        }
+    }
+    return stale;
+}
+
+/// Whether lists of the layers of both look alike.
+bool hasSameLayers(const Scene& one, const Scene& other)
+{
+    const auto looksAlike = [](const Layer& a, const Layer& b) {
+        return a.name == b.name && a.visible == b.visible && a.locked == b.locked && a.tag == b.tag;
+    };
+    return std::equal(one.layers.begin(), one.layers.end(), other.layers.begin(), other.layers.end(), looksAlike);
+}
+
 } // namespace
 
 Document::Document(const Preset& first, QObject* parent)
     : QObject(parent)
     , m_preset(first)
-    , m_reference(first.effect)
+    , m_effect(first.scene.effect())
+    , m_referenceScene(first.scene)
+    , m_reference(m_effect)
 {
-    m_views.reset(first.effect.camera);
+    m_views.reset(first.scene.camera);
     connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
 
@@ -61,7 +89,7 @@ QString Document::displayName() const
 
 bool Document::isModified() const
 {
-    return m_unsavedFromStart || m_fileIsGone || !m_undo.isClean() || !(effect().camera == m_reference.camera);
+    return m_unsavedFromStart || m_fileIsGone || !m_undo.isClean() || !(scene().camera == m_referenceScene.camera);
 }
 
 Gesture Document::beginGesture()
@@ -92,8 +120,22 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
 
 void Document::replaceEffect(const Effect& effect, const QString& text, Gesture gesture)
 {
-    if (!(effect == m_preset.effect)) {
-        m_undo.push(new ReplaceCommand(*this, effect, text, gesture));
+    Scene scene = m_preset.scene;
+    scene.assign(m_layer, effect);
+    replaceScene(scene, m_layer, text, gesture);
+}
+
+void Document::replaceScene(const Scene& scene, std::size_t layer, const QString& text, Gesture gesture)
+{
+    if (!(scene == m_preset.scene)) {
+        m_undo.push(new ReplaceCommand(*this, scene, layer, text, gesture));
+    }
+}
+
+void Document::selectLayer(std::size_t layer)
+{
+    if (layer != m_layer) {
+        write(m_preset.scene, layer, differences(m_effect, m_preset.scene.effect(layer)));
     }
 }
 
@@ -125,9 +167,9 @@ void Document::nextView()
 void Document::setCamera(const Camera& camera)
 {
     const bool wasModified = isModified();
-    Effect moved = effect();
+    Scene moved = m_preset.scene;
     moved.camera = camera;
-    write(moved, differences(effect(), moved));
+    write(moved, m_layer, differences(effect(), moved.effect(m_layer)));
     emit viewsChanged();
     if (isModified() != wasModified) {
         emit titleChanged();
@@ -140,13 +182,16 @@ void Document::load(const Preset& preset, const QString& path, bool modified, co
     m_fileIsGone = false;
     m_undo.clear();
     m_preset = preset;
+    m_layer = 0;
+    m_effect = preset.scene.effect();
     m_path = path;
     m_read = read ? *read : path.isEmpty() ? FileMark() : markOfFile(path);
-    m_views.reset(preset.effect.camera);
+    m_views.reset(preset.scene.camera);
     rebase();
     emit loaded();
     emit viewsChanged();
-    announce(allParameters());
+    announce(allParameters(), DirtyStage::Air);
+    emit layersChanged();
 }
 
 void Document::loadUnsaved(const Preset& work, const QString& path, const std::optional<FileMark>& read)
@@ -159,7 +204,7 @@ void Document::loadUnsaved(const Preset& work, const QString& path, const std::o
     }
     // Never for a moment a document that is saved: the copy of the work would be taken from the disk.
     load(original.value().preset, path, true, read ? *read : now);
-    replaceEffect(work.effect, tr("Unsaved work"));
+    replaceScene(work.scene, 0, tr("Unsaved work"));
     m_unsavedFromStart = false;
     emit titleChanged();
 }
@@ -182,9 +227,9 @@ Result<PresetReading> Document::reload()
     if (!reading) {
         return reading;
     }
-    const Effect effect = reading.value().preset.effect;
+    const Scene& scene = reading.value().preset.scene;
     m_read = now;
-    replaceEffect(effect, tr("Reload"));
+    replaceScene(scene, std::min(m_layer, scene.layers.size() - 1), tr("Reload"));
     m_preset = reading.value().preset;
     m_unsavedFromStart = false;
     m_fileIsGone = false;
@@ -222,23 +267,28 @@ Status Document::save(const QString& path)
 
 void Document::rebase()
 {
-    m_reference = m_preset.effect;
+    m_referenceScene = m_preset.scene;
+    m_reference = m_referenceScene.effect(m_layer);
     emit titleChanged();
 }
 
-void Document::write(const Effect& effect, std::vector<const Parameter*> changed)
+void Document::write(const Scene& scene, std::size_t layer, std::vector<const Parameter*> changed)
 {
-    m_preset.effect = effect;
-    announce(std::move(changed));
+    const DirtyStage stale = staleBetween(m_preset.scene, scene);
+    const bool sameLayers = layer == m_layer && hasSameLayers(m_preset.scene, scene);
+    m_preset.scene = scene;
+    m_layer = layer;
+    m_effect = scene.effect(layer);
+    m_reference = m_referenceScene.effect(layer < m_referenceScene.layers.size() ? layer : 0);
+    announce(std::move(changed), stale);
+    if (!sameLayers) {
+        emit layersChanged();
+    }
 }
 
-void Document::announce(std::vector<const Parameter*> changed)
+void Document::announce(std::vector<const Parameter*> changed, DirtyStage stale)
 {
-    EffectChange change{std::move(changed)};
-    for (const Parameter* parameter : change.parameters) {
-        change.stale = std::max(change.stale, parameter->dirties);
-    }
-    emit effectChanged(change);
+    emit effectChanged({std::move(changed), stale});
 }
 
 } // namespace fumage::ui

@@ -22,9 +22,9 @@ struct Assignment {
     Value value;
 };
 
-/// What an edit has changed of the effect.
+/// What an edit has changed of the scene.
 struct EffectChange {
-    std::vector<const Parameter*> parameters;
+    std::vector<const Parameter*> parameters; ///< that differ in the layer that is edited, from the one before
     DirtyStage stale = DirtyStage::Shade; ///< the first stage of the work that has to be done again
 };
 
@@ -35,20 +35,30 @@ enum class DiskState {
     Gone, ///< deleted or moved
 };
 
-/// The effect that is being edited, its file and its undo stack; the only one who writes the effect.
+/// The scene that is being edited, its file and its undo stack; the only one who writes the scene.
 ///
-/// Panels, gizmos and menus call edit() or replaceEffect(), and follow effectChanged(). Lives on the GUI thread.
-class Document : public QObject, private EffectHolder {
+/// One of its layers is edited at a time: panels, gizmos and menus see it in its surroundings, as an effect, call
+/// edit() or replaceEffect(), and follow effectChanged(). Lives on the GUI thread.
+class Document : public QObject, private SceneHolder {
     Q_OBJECT
 
 public:
     /// @param first what it shows before it loads anything
     explicit Document(const Preset& first = {}, QObject* parent = nullptr);
 
-    [[nodiscard]] const Effect& effect() const override { return m_preset.effect; }
+    /// The layer that is edited, in its surroundings.
+    [[nodiscard]] const Effect& effect() const { return m_effect; }
+    [[nodiscard]] const Scene& scene() const override { return m_preset.scene; }
+    /// The number of the layer that is edited.
+    [[nodiscard]] std::size_t layer() const override { return m_layer; }
+    /// Edits another layer. That is no undo step.
+    void selectLayer(std::size_t layer);
     [[nodiscard]] const Preset& preset() const { return m_preset; }
-    /// The effect as it was loaded or last saved: what "changed" and "reset" are measured by.
+    /// The layer that is edited as it was loaded or last saved, by its number: what "changed" and "reset" are measured
+    /// by. A layer that was not there is measured by the first.
     [[nodiscard]] const Effect& reference() const { return m_reference; }
+    /// The scene as it was loaded or last saved.
+    [[nodiscard]] const Scene& referenceScene() const { return m_referenceScene; }
     [[nodiscard]] QUndoStack* undoStack() { return &m_undo; }
 
     /// Empty while the document has no file of its own: new, from a built-in preset, or recovered.
@@ -65,6 +75,9 @@ public:
     /// @param text of the undo step; empty: the parameters' names and their new values
     void edit(const std::vector<Assignment>& assignments, const QString& text, Gesture gesture = {});
     void replaceEffect(const Effect& effect, const QString& text, Gesture gesture = {});
+    /// Other layers, or others in another order.
+    /// @param layer that is edited afterwards, below their number
+    void replaceScene(const Scene& scene, std::size_t layer, const QString& text, Gesture gesture = {});
     void reset(const Parameter& parameter);
 
     /// Looks from somewhere else. That is a change, and no undo step: undoing a colour must not throw the camera away.
@@ -102,6 +115,8 @@ public:
 
 signals:
     void effectChanged(const fumage::ui::EffectChange& change);
+    /// Other layers, other names or marks of theirs, or another one that is edited.
+    void layersChanged();
     /// The document shows another preset: views start anew.
     void loaded();
     /// Name, file or modified state.
@@ -110,13 +125,16 @@ signals:
     void viewsChanged();
 
 private:
-    void write(const Effect& effect, std::vector<const Parameter*> changed) override;
-    void announce(std::vector<const Parameter*> changed);
+    void write(const Scene& scene, std::size_t layer, std::vector<const Parameter*> changed) override;
+    void announce(std::vector<const Parameter*> changed, DirtyStage stale);
     void rebase();
     void setCamera(const Camera& camera);
 
     Preset m_preset;
-    Effect m_reference;
+    std::size_t m_layer = 0;
+    Effect m_effect; ///< that layer
+    Scene m_referenceScene;
+    Effect m_reference; ///< that layer of it
     QString m_path;
     QUndoStack m_undo;
     Views m_views;

@@ -273,7 +273,7 @@ void ExportDialog::followPlan()
     if (!isVisible()) {
         return;
     }
-    m_flipbook->follow(m_document.effect());
+    m_flipbook->follow(m_document.scene());
     ExportPlan now = choiceOf(kind());
     showRowsOf(now);
     if (m_pathIsSuggested) {
@@ -281,12 +281,12 @@ void ExportDialog::followPlan()
         m_path->setText(suggestedPath(now, m_document));
     }
     addPath(now);
-    m_summary->follow(now, m_document.effect());
+    m_summary->follow(now, m_document.scene());
     if (kind() == ExportKind::Flipbook) {
-        m_flipbook->followPlan(m_document.effect(), now);
-        m_preview->follow(m_document.effect(), now);
+        m_flipbook->followPlan(m_document.scene(), now);
+        m_preview->follow(m_document.scene(), now);
     }
-    m_export->setEnabled(!m_entry.isBusy() && isPossible(now, m_document.effect()));
+    m_export->setEnabled(!m_entry.isBusy() && isPossible(now, m_document.scene()));
 }
 
 void ExportDialog::showRowsOf(const ExportPlan& plan)

@@ -20,12 +20,12 @@ namespace fumage::ui {
 namespace {
 
 /// What stands in the way of a flipbook, but for too few frames.
-Status checkFlipbook(const ExportPlan& plan, const Effect& effect)
+Status checkFlipbook(const ExportPlan& plan, const Scene& scene)
 {
     if (Status status = checkEngine(plan.flipbook.engine, plan.passes, plan.format); !status) {
         return status;
     }
-    const Result<Output> cell = outputFor(effect, plan);
+    const Result<Output> cell = outputFor(scene, plan);
     return cell ? checkPacks(plan.flipbook.packs, cell.value().width, cell.value().height) : Status(cell.error());
 }
 
@@ -53,7 +53,7 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
 }
 
 /// The files of a plan that is possible.
-QString filesTold(const ExportPlan& plan, const Effect& effect)
+QString filesTold(const ExportPlan& plan, const Scene& scene)
 {
     QString first = fromPath(firstFile(plan).filename());
     if (isNumbered(plan.kind) && plan.frames.count() > 1) {
@@ -62,8 +62,8 @@ QString filesTold(const ExportPlan& plan, const Effect& effect)
             .arg(first, fromPath(lastFile(plan).filename()));
     }
     if (plan.kind == ExportKind::Video) {
-        const std::array<int, 2> size = sizeOf(effect.output, plan.video.format);
-        const double rate = plan.video.rate.value_or(FrameRate{effect.timeline.frameRate, 1}).perSecond();
+        const std::array<int, 2> size = sizeOf(scene.output, plan.video.format);
+        const double rate = plan.video.rate.value_or(FrameRate{scene.timeline.frameRate, 1}).perSecond();
         const double seconds = static_cast<double>(plan.frames.count()) * plan.frames.step / rate;
         return QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, %4 s")
             .arg(first)
@@ -72,49 +72,49 @@ QString filesTold(const ExportPlan& plan, const Effect& effect)
             .arg(QLocale().toString(seconds, 'f', 1));
     }
     if (plan.kind == ExportKind::Flipbook) {
-        return flipbookSummary(plan, outputFor(effect, plan).value()); // it is possible
+        return flipbookSummary(plan, outputFor(scene, plan).value()); // it is possible
     }
     return first;
 }
 
 } // namespace
 
-bool isPossible(const ExportPlan& plan, const Effect& effect)
+bool isPossible(const ExportPlan& plan, const Scene& scene)
 {
     const bool flipbook = plan.kind != ExportKind::Flipbook
-        || (plan.frames.count() >= plan.flipbook.columns * plan.flipbook.rows && checkFlipbook(plan, effect).ok());
-    const bool carried = plan.kind != ExportKind::Air || effect.air.enabled;
+        || (plan.frames.count() >= plan.flipbook.columns * plan.flipbook.rows && checkFlipbook(plan, scene).ok());
+    const bool carried = plan.kind != ExportKind::Air || scene.air.enabled;
     return !plan.output.empty() && plan.frames.first <= plan.frames.last && flipbook && carried;
 }
 
-QString summaryOf(const ExportPlan& plan, const Effect& effect)
+QString summaryOf(const ExportPlan& plan, const Scene& scene)
 {
     if (plan.output.empty() || plan.frames.first > plan.frames.last) {
         return QCoreApplication::translate("Exports", "Choose a file, and a first frame that comes before the last.");
     }
     if (plan.kind == ExportKind::Flipbook) {
-        if (const Status status = checkFlipbook(plan, effect); !status) {
+        if (const Status status = checkFlipbook(plan, scene); !status) {
             return translated(status.error());
         }
     }
-    if (plan.kind == ExportKind::Air && !effect.air.enabled) {
+    if (plan.kind == ExportKind::Air && !scene.air.enabled) {
         return QCoreApplication::translate("Exports", "No air carries this smoke: switch it on in the group Air.");
     }
-    if (!isPossible(plan, effect)) {
+    if (!isPossible(plan, scene)) {
         return QCoreApplication::translate(
             "Exports", "%1 frames do not fill %2 cells: choose more frames or fewer columns and rows.")
             .arg(plan.frames.count())
             .arg(plan.flipbook.columns * plan.flipbook.rows);
     }
-    QString summary = filesTold(plan, effect);
-    for (const Message& remark : remarksOn(effect, plan)) {
+    QString summary = filesTold(plan, scene);
+    for (const Message& remark : remarksOn(scene, plan)) {
         const QString text = translated(remark);
         summary += QLatin1Char('\n') + text.left(1).toUpper() + text.mid(1) + QLatin1Char('.');
     }
     return summary;
 }
 
-std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect)
+std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Scene& scene)
 {
     if (plan.frames.first > plan.frames.last) {
         return std::nullopt;
@@ -126,8 +126,8 @@ std::optional<ExportOffer> offerFor(const ExportPlan& plan, const Effect& effect
         return ExportOffer{QCoreApplication::translate("Exports", "Use %1 × %2 cells").arg(columns).arg(rows),
             plan.frames, columns, rows};
     }
-    const std::optional<FrameRange> whole = closedInstead(effect.timeline, plan.frames, cells);
-    if (!whole || remarksOn(effect, plan).empty()) {
+    const std::optional<FrameRange> whole = closedInstead(scene.timeline, plan.frames, cells);
+    if (!whole || remarksOn(scene, plan).empty()) {
         return std::nullopt;
     }
     return ExportOffer{QCoreApplication::translate("Exports", "Use frames %1").arg(toQString(textOf(*whole))), *whole,

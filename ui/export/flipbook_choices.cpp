@@ -136,14 +136,14 @@ void FlipbookChoices::take(const ExportPlan& plan)
     setGrid(plan.flipbook.columns, plan.flipbook.rows);
 }
 
-void FlipbookChoices::follow(const Effect& effect)
+void FlipbookChoices::follow(const Scene& scene)
 {
-    m_extras->follow(effect);
+    m_extras->follow(scene);
 }
 
-void FlipbookChoices::followPlan(const Effect& effect, const ExportPlan& plan)
+void FlipbookChoices::followPlan(const Scene& scene, const ExportPlan& plan)
 {
-    m_extras->followPlan(effect, plan);
+    m_extras->followPlan(scene, plan);
 }
 
 } // namespace fumage::ui

@@ -20,9 +20,9 @@ public:
     explicit FlipbookChoices(QWidget* parent = nullptr);
 
     /// What cannot be chosen for this effect is out of reach.
-    void follow(const Effect& effect);
+    void follow(const Scene& scene);
     /// What is to be written, applyTo() included: a search for a sheet begins with it.
-    void followPlan(const Effect& effect, const ExportPlan& plan);
+    void followPlan(const Scene& scene, const ExportPlan& plan);
     /// Writes them into a plan, whose format says how light is stored.
     void applyTo(ExportPlan& plan) const;
     /// Shows what a plan that is remembered says.

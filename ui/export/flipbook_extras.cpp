@@ -126,16 +126,16 @@ void FlipbookExtras::removePack(PackRow* row)
     emit resized();
 }
 
-void FlipbookExtras::followPlan(const Effect& effect, const ExportPlan& plan)
+void FlipbookExtras::followPlan(const Scene& scene, const ExportPlan& plan)
 {
-    m_finder->follow(effect, plan);
+    m_finder->follow(scene, plan);
 }
 
-void FlipbookExtras::follow(const Effect& effect)
+void FlipbookExtras::follow(const Scene& scene)
 {
-    m_trim->setEnabled(!effect.timeline.loop);
-    m_trim->setToolTip(effect.timeline.loop ? tr("Not of a loop, which would no longer close")
-                                            : tr("Frames without smoke at the beginning and the end have no cells"));
+    m_trim->setEnabled(!scene.timeline.loop);
+    m_trim->setToolTip(scene.timeline.loop ? tr("Not of a loop, which would no longer close")
+                                           : tr("Frames without smoke at the beginning and the end have no cells"));
 }
 
 void FlipbookExtras::applyTo(ExportPlan& plan) const

@@ -26,9 +26,9 @@ public:
     explicit FlipbookExtras(QWidget* parent = nullptr);
 
     /// A loop has no frames to leave out.
-    void follow(const Effect& effect);
+    void follow(const Scene& scene);
     /// What is to be written, applyTo() included: a search for a sheet begins with it.
-    void followPlan(const Effect& effect, const ExportPlan& plan);
+    void followPlan(const Scene& scene, const ExportPlan& plan);
     /// Writes them into a plan, whether they are folded away or not.
     void applyTo(ExportPlan& plan) const;
     /// Shows what a plan that is remembered says.

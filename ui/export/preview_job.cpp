@@ -16,10 +16,10 @@ PreviewJob::PreviewJob(QObject* parent)
 {
 }
 
-void PreviewJob::start(const Effect& effect, const ExportPlan& plan)
+void PreviewJob::start(const Scene& scene, const ExportPlan& plan)
 {
     m_job.ask(
-        [this, effect, plan](const AsyncRequest::Report& report, const std::stop_token& stop) {
+        [this, scene, plan](const AsyncRequest::Report& report, const std::stop_token& stop) {
             const auto progress = [&](ProgressPhase part, int done, int total) {
                 if (part == ProgressPhase::Frames) {
                     constexpr int kPercent = 100;
@@ -27,7 +27,7 @@ void PreviewJob::start(const Effect& effect, const ExportPlan& plan)
                 }
             };
             const Result<std::shared_ptr<const SheetPreview>> preview =
-                previewFlipbook(effect, plan, kMaxEdge, kMaxPixels, {progress, stop});
+                previewFlipbook(scene, plan, kMaxEdge, kMaxPixels, {progress, stop});
             if (preview) {
                 report([this, made = preview.value()] { emit ready(made); });
             } else if (preview.error().code != ErrorCode::Cancelled) {

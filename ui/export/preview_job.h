@@ -16,7 +16,7 @@ class PreviewJob : public QObject {
 public:
     explicit PreviewJob(QObject* parent = nullptr);
 
-    void start(const Effect& effect, const ExportPlan& plan);
+    void start(const Scene& scene, const ExportPlan& plan);
     /// Nothing more comes of what was asked for.
     void stop() { m_job.forget(); }
 

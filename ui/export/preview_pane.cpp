@@ -98,12 +98,12 @@ void PreviewPane::connectJob()
     });
 }
 
-void PreviewPane::follow(const Effect& effect, const ExportPlan& plan)
+void PreviewPane::follow(const Scene& scene, const ExportPlan& plan)
 {
-    if (m_wanted && m_wanted->effect == effect && haveSameCells(m_wanted->plan, plan)) {
+    if (m_wanted && m_wanted->scene == scene && haveSameCells(m_wanted->plan, plan)) {
         return;
     }
-    m_wanted = {effect, plan};
+    m_wanted = {scene, plan};
     m_isStale = true;
     followMotion();
     if (isPlaying()) {
@@ -125,7 +125,7 @@ void PreviewPane::followMotion()
 
 void PreviewPane::render()
 {
-    if (!isPossible(m_wanted->plan, m_wanted->effect)) {
+    if (!isPossible(m_wanted->plan, m_wanted->scene)) {
         m_job.stop();
         m_preview.reset();
         m_canvas->say({});
@@ -134,7 +134,7 @@ void PreviewPane::render()
     if (!m_preview) {
         m_canvas->say(tr("Rendering the cells…"));
     }
-    m_job.start(m_wanted->effect, m_wanted->plan);
+    m_job.start(m_wanted->scene, m_wanted->plan);
 }
 
 void PreviewPane::take(const std::shared_ptr<const SheetPreview>& preview)

@@ -26,7 +26,7 @@ public:
     explicit PreviewPane(QWidget* parent = nullptr);
 
     /// What is to be written; renders anew where that makes another flipbook.
-    void follow(const Effect& effect, const ExportPlan& plan);
+    void follow(const Scene& scene, const ExportPlan& plan);
 
 signals:
     /// It was opened or closed.
@@ -48,7 +48,7 @@ private:
     void followMotion();
 
     struct Wanted {
-        Effect effect;
+        Scene scene;
         ExportPlan plan;
     };
     std::optional<Wanted> m_wanted;

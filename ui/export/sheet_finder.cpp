@@ -62,15 +62,15 @@ void SheetFinder::build()
     layout->addWidget(m_state);
 }
 
-void SheetFinder::follow(const Effect& effect, const ExportPlan& plan)
+void SheetFinder::follow(const Scene& scene, const ExportPlan& plan)
 {
     const bool isSame = !m_isSearching
-        || (effect == m_wanted->effect && haveSameCells(m_wanted->plan, plan) && m_wanted->plan.passes == plan.passes
+        || (scene == m_wanted->scene && haveSameCells(m_wanted->plan, plan) && m_wanted->plan.passes == plan.passes
             && m_wanted->plan.flipbook.packs == plan.flipbook.packs);
     if (!isSame) {
         end(tr("Cancelled: the flipbook has changed."));
     }
-    m_wanted = {effect, plan};
+    m_wanted = {scene, plan};
 }
 
 void SheetFinder::begin()
@@ -78,20 +78,20 @@ void SheetFinder::begin()
     if (!m_wanted) {
         return;
     }
-    Effect effect = m_wanted->effect;
-    const bool isAsChosen = m_taken && effect.output.width == m_taken->width && effect.output.height == m_taken->height;
+    Scene scene = m_wanted->scene;
+    const bool isAsChosen = m_taken && scene.output.width == m_taken->width && scene.output.height == m_taken->height;
     if (!isAsChosen) {
-        m_largest = effect.output;
+        m_largest = scene.output;
     }
     // A size that was found for another budget is no bound.
-    effect.output.width = m_largest.width;
-    effect.output.height = m_largest.height;
+    scene.output.width = m_largest.width;
+    scene.output.height = m_largest.height;
     m_isSearching = true;
     m_find->setText(tr("Cancel"));
     m_state->setText(tr("Trying sheets…"));
     m_state->show();
     emit resized();
-    m_search.start(effect, m_wanted->plan, static_cast<std::int64_t>(m_budget->value() * kBytesAMegabyte));
+    m_search.start(scene, m_wanted->plan, static_cast<std::int64_t>(m_budget->value() * kBytesAMegabyte));
 }
 
 void SheetFinder::end(const QString& said)

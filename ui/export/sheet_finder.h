@@ -21,7 +21,7 @@ public:
     explicit SheetFinder(QWidget* parent = nullptr);
 
     /// What is to be written; where it becomes another while a sheet is searched for, that ends.
-    void follow(const Effect& effect, const ExportPlan& plan);
+    void follow(const Scene& scene, const ExportPlan& plan);
 
 signals:
     void chosen(const fumage::SheetCandidate& sheet);
@@ -38,7 +38,7 @@ private:
     void take(const SheetCandidate& best);
 
     struct Wanted {
-        Effect effect;
+        Scene scene;
         ExportPlan plan;
     };
     std::optional<Wanted> m_wanted;

@@ -11,17 +11,17 @@ SheetSearch::SheetSearch(QObject* parent)
 {
 }
 
-void SheetSearch::start(const Effect& effect, const ExportPlan& plan, std::int64_t budget)
+void SheetSearch::start(const Scene& scene, const ExportPlan& plan, std::int64_t budget)
 {
     m_job.ask(
-        [this, effect, plan, budget](const AsyncRequest::Report& report, const std::stop_token& stop) {
+        [this, scene, plan, budget](const AsyncRequest::Report& report, const std::stop_token& stop) {
             const auto progress = [&](ProgressPhase part, int done, int total) {
                 if (part == ProgressPhase::Frames) {
                     report([this, share = static_cast<double>(done) / total] { emit progressed(share); });
                 }
             };
             Result<std::vector<SheetCandidate>> rated = std::vector<SheetCandidate>();
-            runBehindOthers([&] { rated = rateSheets(effect, plan, budget, {progress, stop}); });
+            runBehindOthers([&] { rated = rateSheets(scene, plan, budget, {progress, stop}); });
             if (rated) {
                 report([this, best = bestOf(rated.value())] { emit found(best); });
             } else if (rated.error().code != ErrorCode::Cancelled) {

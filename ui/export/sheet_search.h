@@ -16,7 +16,7 @@ public:
     explicit SheetSearch(QObject* parent = nullptr);
 
     /// @param plan for a flipbook @param budget bytes on the graphics card, as BC7
-    void start(const Effect& effect, const ExportPlan& plan, std::int64_t budget);
+    void start(const Scene& scene, const ExportPlan& plan, std::int64_t budget);
     /// Nothing more comes of it.
     void stop() { m_job.forget(); }
 

@@ -28,10 +28,10 @@ SummaryRow::SummaryRow(QWidget* parent)
     });
 }
 
-void SummaryRow::follow(const ExportPlan& plan, const Effect& effect)
+void SummaryRow::follow(const ExportPlan& plan, const Scene& scene)
 {
-    m_files->setText(summaryOf(plan, effect));
-    m_offered = offerFor(plan, effect);
+    m_files->setText(summaryOf(plan, scene));
+    m_offered = offerFor(plan, scene);
     m_offer->setText(m_offered ? m_offered->text : QString());
     m_offer->setVisible(m_offered.has_value());
 }

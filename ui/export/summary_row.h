@@ -16,7 +16,7 @@ class SummaryRow : public QWidget {
 public:
     explicit SummaryRow(QWidget* parent);
 
-    void follow(const ExportPlan& plan, const Effect& effect);
+    void follow(const ExportPlan& plan, const Scene& scene);
 
 signals:
     /// The way out is taken.

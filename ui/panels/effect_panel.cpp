@@ -3,6 +3,7 @@
 #include "ui/document/parameter_text.h"
 #include "ui/document/text.h"
 #include "ui/panels/arrange.h"
+#include "ui/panels/layer_list.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
@@ -85,6 +86,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     bar->addWidget(m_onlyChanged);
     top->addLayout(bar);
     top->addWidget(m_nothing);
+    layout->addWidget(new LayerList(document, this));
     layout->addLayout(top);
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);

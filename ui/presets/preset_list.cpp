@@ -114,7 +114,7 @@ void PresetList::add(const LibraryPreset& shelf)
     QPixmap blank(m_edge, m_edge);
     blank.fill(QColor(30, 34, 40));
     item->setIcon(blank);
-    m_thumbnailer.request(id, preset.effect, static_cast<int>(m_edge * devicePixelRatioF()));
+    m_thumbnailer.request(id, preset.scene, static_cast<int>(m_edge * devicePixelRatioF()));
 }
 
 void PresetList::label(QListWidgetItem& item) const

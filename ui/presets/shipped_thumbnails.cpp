@@ -28,28 +28,28 @@ const QHash<QString, QString>& shippedFiles()
 
 } // namespace
 
-QString contentsOf(const Effect& effect)
+QString contentsOf(const Scene& scene)
 {
     constexpr qsizetype kDigits = 16;
     Preset preset;
-    preset.effect = effect;
+    preset.scene = scene;
     const QByteArray text = QByteArray::fromStdString(formatPreset(preset));
     return QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex()).left(kDigits);
 }
 
-QString shippedThumbnailFile(const QString& id, const Effect& effect)
+QString shippedThumbnailFile(const QString& id, const Scene& scene)
 {
-    return id + QLatin1Char('.') + contentsOf(effect) + QStringLiteral(".jpg");
+    return id + QLatin1Char('.') + contentsOf(scene) + QStringLiteral(".jpg");
 }
 
-bool isThumbnailShipped(const Effect& effect)
+bool isThumbnailShipped(const Scene& scene)
 {
-    return shippedFiles().contains(contentsOf(effect));
+    return shippedFiles().contains(contentsOf(scene));
 }
 
-QImage shippedThumbnail(const Effect& effect, int edge)
+QImage shippedThumbnail(const Scene& scene, int edge)
 {
-    const QString file = shippedFiles().value(contentsOf(effect));
+    const QString file = shippedFiles().value(contentsOf(scene));
     const QImage image = file.isEmpty() ? QImage() : QImage(file);
     return image.isNull() ? image
                           : image.scaled(edge, edge, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)

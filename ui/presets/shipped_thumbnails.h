@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 
 #include <QByteArray>
 #include <QImage>
@@ -15,15 +15,15 @@ namespace fumage::ui {
 inline constexpr int kShippedThumbnailEdge = 256; ///< pixels
 
 /// Names the contents of an effect: 16 hexadecimal digits.
-[[nodiscard]] QString contentsOf(const Effect& effect);
+[[nodiscard]] QString contentsOf(const Scene& scene);
 
 /// The file of a preset's picture, in resources/thumbnails.
-[[nodiscard]] QString shippedThumbnailFile(const QString& id, const Effect& effect);
+[[nodiscard]] QString shippedThumbnailFile(const QString& id, const Scene& scene);
 
 /// Whether there is a picture of an effect. Some tens of microseconds.
-[[nodiscard]] bool isThumbnailShipped(const Effect& effect);
+[[nodiscard]] bool isThumbnailShipped(const Scene& scene);
 
 /// The picture of an effect, scaled; null: there is none.
-[[nodiscard]] QImage shippedThumbnail(const Effect& effect, int edge);
+[[nodiscard]] QImage shippedThumbnail(const Scene& scene, int edge);
 
 } // namespace fumage::ui

@@ -18,10 +18,10 @@ QDir ThumbnailStore::usualFolder()
         QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/fumage/thumbnails"));
 }
 
-QString ThumbnailStore::pathOf(const Effect& effect, int edge) const
+QString ThumbnailStore::pathOf(const Scene& scene, int edge) const
 {
     Preset preset;
-    preset.effect = effect;
+    preset.scene = scene;
     QCryptographicHash hash(QCryptographicHash::Sha1);
     hash.addData(QByteArray::fromStdString(formatPreset(preset)));
     hash.addData(QByteArray::number(edge));
@@ -30,9 +30,9 @@ QString ThumbnailStore::pathOf(const Effect& effect, int edge) const
     return m_folder.filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png"));
 }
 
-QImage ThumbnailStore::find(const Effect& effect, int edge) const
+QImage ThumbnailStore::find(const Scene& scene, int edge) const
 {
-    const QString path = pathOf(effect, edge);
+    const QString path = pathOf(scene, edge);
     QImage image(path);
     if (image.size() != QSize(edge, edge)) {
         return {};
@@ -44,9 +44,9 @@ QImage ThumbnailStore::find(const Effect& effect, int edge) const
     return image.convertToFormat(QImage::Format_RGB32);
 }
 
-void ThumbnailStore::put(const Effect& effect, int edge, const QImage& image) const
+void ThumbnailStore::put(const Scene& scene, int edge, const QImage& image) const
 {
-    QSaveFile file(pathOf(effect, edge));
+    QSaveFile file(pathOf(scene, edge));
     if (m_folder.mkpath(QStringLiteral(".")) && file.open(QIODevice::WriteOnly) && image.save(&file, "PNG")) {
         file.commit();
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 
 #include <QDir>
 #include <QImage>
@@ -19,9 +19,9 @@ public:
     }
 
     /// @return null: there is none
-    [[nodiscard]] QImage find(const Effect& effect, int edge) const;
+    [[nodiscard]] QImage find(const Scene& scene, int edge) const;
     /// A picture that cannot be kept is rendered again next time: nobody needs to know.
-    void put(const Effect& effect, int edge, const QImage& image) const;
+    void put(const Scene& scene, int edge, const QImage& image) const;
     /// Removes those that were not looked at for longest, down to a number that a large library needs.
     void prune() const;
 
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] static QDir usualFolder();
 
 private:
-    [[nodiscard]] QString pathOf(const Effect& effect, int edge) const;
+    [[nodiscard]] QString pathOf(const Scene& scene, int edge) const;
 
     QDir m_folder;
 };

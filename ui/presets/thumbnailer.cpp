@@ -3,8 +3,6 @@
 #include "ui/preview/preview_renderer.h"
 #include "ui/presets/shipped_thumbnails.h"
 
-#include "core/effect/sampling.h"
-
 #include <algorithm>
 
 namespace fumage::ui {
@@ -30,15 +28,24 @@ int tellingFrame(const Effect& effect)
 
 } // namespace
 
-QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop)
+QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop)
 {
-    Effect preview = thinned(sampled(effect), kParticles);
+    Scene preview = scene;
+    const std::int64_t particles = std::max<std::int64_t>(1, scene.particles());
+    for (Layer& layer : preview.layers) {
+        const Effect whole = scene.effect(static_cast<std::size_t>(&layer - preview.layers.data()));
+        const std::int64_t share = whole.emitter.count * std::int64_t{kParticles} / particles;
+        const Effect thin = thinned(sampled(whole), static_cast<int>(std::clamp<std::int64_t>(share, 1, kParticles)));
+        layer.emitter = thin.emitter;
+        layer.look = thin.look;
+    }
+    preview.output.quality = Quality::Good;
     preview.output.width = edge;
     preview.output.height = edge;
     preview.air.resolution = std::min(preview.air.resolution, kAirCells);
     RenderRequest request;
-    request.effect = std::make_shared<const Effect>(preview);
-    request.frame = tellingFrame(preview);
+    request.scene = std::make_shared<const Scene>(preview);
+    request.frame = tellingFrame(preview.effect());
     request.width = edge;
     request.height = edge;
     const PicturePtr picture = PreviewRenderer().make(request, stop);
@@ -75,19 +82,19 @@ Thumbnailer::~Thumbnailer()
     m_thread.requestStop();
 }
 
-void Thumbnailer::request(const QString& name, const Effect& effect, int edge)
+void Thumbnailer::request(const QString& name, const Scene& scene, int edge)
 {
     const std::lock_guard lock(m_mutex);
     const auto same = std::find_if(m_jobs.begin(), m_jobs.end(), [&](const Job& job) { return job.name == name; });
     if (same != m_jobs.end()) {
-        *same = {name, effect, edge, false};
+        *same = {name, scene, edge, false};
     } else {
         // What is at hand does not wait for what has to be rendered.
-        const bool isAtHand = isThumbnailShipped(effect);
+        const bool isAtHand = isThumbnailShipped(scene);
         const auto place = isAtHand
             ? std::find_if(m_jobs.begin(), m_jobs.end(), [](const Job& job) { return !job.isAtHand; })
             : m_jobs.end();
-        m_jobs.insert(place, {name, effect, edge, isAtHand});
+        m_jobs.insert(place, {name, scene, edge, isAtHand});
     }
     m_wake.notify_one();
 }
@@ -100,16 +107,16 @@ void Thumbnailer::clear()
 
 QImage Thumbnailer::pictureOf(const Job& job, const std::stop_token& stop) const
 {
-    QImage image = m_store ? m_store->find(job.effect, job.edge) : QImage();
+    QImage image = m_store ? m_store->find(job.scene, job.edge) : QImage();
     if (image.isNull()) {
-        image = shippedThumbnail(job.effect, job.edge);
+        image = shippedThumbnail(job.scene, job.edge);
     }
     if (!image.isNull()) {
         return image;
     }
-    image = renderThumbnail(job.effect, job.edge, stop);
+    image = renderThumbnail(job.scene, job.edge, stop);
     if (m_store && !image.isNull()) {
-        m_store->put(job.effect, job.edge, image);
+        m_store->put(job.scene, job.edge, image);
     }
     return image;
 }

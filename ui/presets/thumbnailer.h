@@ -24,7 +24,7 @@ public:
 
     /// Asks for a picture; one that was asked for under the same name and has not begun is replaced.
     /// @param edge pixels
-    void request(const QString& name, const Effect& effect, int edge);
+    void request(const QString& name, const Scene& scene, int edge);
     /// Forgets what has not begun.
     void clear();
 
@@ -34,7 +34,7 @@ signals:
 private:
     struct Job {
         QString name;
-        Effect effect;
+        Scene scene;
         int edge = 0;
         bool isAtHand = false;
     };
@@ -51,7 +51,7 @@ private:
 };
 
 /// A small picture of an effect at its most telling frame, over the dark of the viewport.
-[[nodiscard]] QImage renderThumbnail(const Effect& effect, int edge, const std::stop_token& stop = {});
+[[nodiscard]] QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop = {});
 
 /// Whether a picture shows something: it is neither empty nor full of one colour.
 [[nodiscard]] bool showsSomething(const QImage& image);

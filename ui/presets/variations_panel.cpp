@@ -171,7 +171,9 @@ void VariationsPanel::propose(int cell, int attempt)
         const auto seed = m_seed + static_cast<quint32>(cell + attempt * kCells);
         effect = vary(effect, amount, seed, [this](const Parameter& parameter) { return m_locks.mayVary(parameter); });
     }
-    m_thumbnailer.request(QStringLiteral("%1/%2/%3").arg(m_generation).arg(cell).arg(attempt), effect, thumbnailEdge());
+    Scene scene = m_document.scene();
+    scene.assign(m_document.layer(), effect);
+    m_thumbnailer.request(QStringLiteral("%1/%2/%3").arg(m_generation).arg(cell).arg(attempt), scene, thumbnailEdge());
 }
 
 void VariationsPanel::receive(const QString& name, const QImage& image)
@@ -197,7 +199,7 @@ void VariationsPanel::adopt(int cell)
         m_cells[kMiddle]->setChecked(true);
         return;
     }
-    m_lineage.push_back(m_document.effect());
+    m_lineage.push_back(m_document.scene());
     m_seed = QRandomGenerator::global()->generate();
     m_document.replaceEffect(effectOf(cell), tr("Adopt a variation"));
 }
@@ -205,9 +207,10 @@ void VariationsPanel::adopt(int cell)
 void VariationsPanel::goBack()
 {
     if (!m_lineage.empty()) {
-        const Effect before = m_lineage.back();
+        const Scene before = m_lineage.back();
         m_lineage.pop_back();
-        m_document.replaceEffect(before, tr("Back from a variation"));
+        m_document.replaceScene(
+            before, std::min(m_document.layer(), before.layers.size() - 1), tr("Back from a variation"));
     }
 }
 

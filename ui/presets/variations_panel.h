@@ -57,7 +57,7 @@ private:
     Thumbnailer m_thumbnailer;
     std::array<QToolButton*, kCells> m_cells{};
     std::array<Effect, kCells> m_effects;
-    std::vector<Effect> m_lineage; ///< what was adopted from, oldest first
+    std::vector<Scene> m_lineage; ///< what was adopted from, oldest first
     QSlider* m_amount;
     QToolButton* m_back;
     QLabel* m_locked;

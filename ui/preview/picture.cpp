@@ -6,18 +6,18 @@
 
 namespace fumage::ui {
 
-QRectF exportFrame(const Effect& effect, int width, int height)
+QRectF exportFrame(const Scene& scene, int width, int height)
 {
     const double scale =
-        std::min(static_cast<double>(width) / effect.output.width, static_cast<double>(height) / effect.output.height);
-    const QSizeF size(effect.output.width * scale, effect.output.height * scale);
+        std::min(static_cast<double>(width) / scene.output.width, static_cast<double>(height) / scene.output.height);
+    const QSizeF size(scene.output.width * scale, scene.output.height * scale);
     return {QPointF((width - size.width()) / 2.0, (height - size.height()) / 2.0), size};
 }
 
-View windowView(const Effect& effect, int frame, int width, int height)
+View windowView(const Scene& scene, int frame, int width, int height)
 {
-    View view = makeView(effect.camera, secondsOf(effect.timeline, frame), width, height);
-    const QRectF inside = exportFrame(effect, width, height);
+    View view = makeView(scene.camera, secondsOf(scene.timeline, frame), width, height);
+    const QRectF inside = exportFrame(scene, width, height);
     const double shorter = std::min(inside.width(), inside.height());
     view.focal *= static_cast<float>(shorter / std::min(width, height));
     return view;

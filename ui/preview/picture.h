@@ -1,9 +1,12 @@
 #pragma once
 
+#include "ui/preview/sprite_snapshot.h"
+
 #include "core/effect/effect.h"
 #include "core/rendering/camera.h"
 #include "core/rendering/renderer.h"
-#include "core/simulation/simulator.h"
+#include "core/scene/scene.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <QImage>
 #include <QMetaType>
@@ -46,9 +49,10 @@ enum class Phase {
 using WorkListener = std::function<void(Phase phase, double share)>;
 
 struct RenderRequest {
-    std::shared_ptr<const Effect> effect;
+    std::shared_ptr<const Scene> scene;
+    std::size_t layer = 0; ///< of it that trails and arrows are about
     quint64 revision = 0; ///< of all that is asked for: pictures of one revision and frame are alike
-    quint64 simulation = 0; ///< of what moves particles: effects of one simulation and count have the same ones, and a
+    quint64 simulation = 0; ///< of what moves particles: scenes of one simulation and count have the same ones, and a
                             ///< previewRenderer keeps them
     int frame = 0;
     int width = 1; ///< pixels of the screen
@@ -56,7 +60,7 @@ struct RenderRequest {
     Backdrop backdrop;
     PreviewQuality previewQuality = PreviewQuality::Full;
     bool mayBake = true; ///< else coarser air stands in for what is not baked, whatever the quality
-    std::shared_ptr<Simulator>
+    std::shared_ptr<SceneSimulator>
         prepared; ///< of this simulation, at a frame a moment ago; null: none. For the one who makes the picture
     bool trails = false; ///< find the ways of some particles
     bool air = false; ///< find what the air does that carries them
@@ -74,22 +78,13 @@ struct AirArrow {
     float gap = 0.0F; ///< to its neighbours, m
 };
 
-/// Sprites for a graphics card: far to near, with all that they need.
-struct SpriteBatchSnapshot {
-    std::vector<Sprite> sprites;
-    std::vector<SpriteDetail> details; ///< of the sprites; empty where the smoke has none
-    SpriteStyle style;
-    View view;
-    std::shared_ptr<const SpriteTexture> texture;
-};
-
 /// A picture of the smoke for the screen, or the sprites to make one.
 struct Picture {
     QImage image; ///< opaque; smaller than the screen where the quality gives up pixels
-    std::shared_ptr<const SpriteBatchSnapshot> scene; ///< instead of the image, where sprites were asked for
+    std::shared_ptr<const SpriteBatchSnapshot> sprites; ///< instead of the image, where sprites were asked for
     std::vector<Trail> trails; ///< where they were asked for
     std::vector<AirArrow> air; ///< where it was asked for and carries the smoke
-    Output output; ///< exposure and view transform for the scene
+    Output output; ///< exposure and view transform for the sprites
     Backdrop backdrop;
     quint64 revision = 0;
     int frame = 0;
@@ -104,9 +99,9 @@ struct Picture {
 using PicturePtr = std::shared_ptr<const Picture>;
 
 /// The camera's view in a window of another shape: the frame that is exported fits in, with its surroundings around it.
-[[nodiscard]] View windowView(const Effect& effect, int frame, int width, int height);
+[[nodiscard]] View windowView(const Scene& scene, int frame, int width, int height);
 
 /// Where the exported frame lies in such a window, in its pixels.
-[[nodiscard]] QRectF exportFrame(const Effect& effect, int width, int height);
+[[nodiscard]] QRectF exportFrame(const Scene& scene, int width, int height);
 
 } // namespace fumage::ui

@@ -8,7 +8,7 @@ namespace {
 
 qint64 bytesOf(const Picture& picture)
 {
-    const std::size_t sprites = picture.scene ? picture.scene->sprites.size() * sizeof(Sprite) : 0;
+    const std::size_t sprites = picture.sprites ? picture.sprites->sprites.size() * sizeof(Sprite) : 0;
     return picture.image.sizeInBytes() + static_cast<qint64>(sprites);
 }
 

@@ -12,7 +12,7 @@ Preparer::Preparer(std::shared_ptr<AirCache> shelf, QObject* parent)
 {
 }
 
-void Preparer::prepare(std::shared_ptr<const Effect> effect, quint64 simulation, int frame)
+void Preparer::prepare(std::shared_ptr<const Scene> scene, quint64 simulation, int frame)
 {
     setFrame(frame);
     if (m_busy && simulation == m_simulation) {
@@ -20,7 +20,7 @@ void Preparer::prepare(std::shared_ptr<const Effect> effect, quint64 simulation,
     }
     m_busy = true;
     m_simulation = simulation;
-    m_job.post({std::move(effect), simulation});
+    m_job.post({std::move(scene), simulation});
 }
 
 void Preparer::stop()
@@ -45,19 +45,20 @@ void Preparer::report(Phase phase, double share)
 
 void Preparer::work(const Request& request, const std::stop_token& stop)
 {
-    if (request.effect) {
-        std::shared_ptr<Simulator> simulator = simulatorAtFrame(request, stop);
+    if (request.scene) {
+        std::shared_ptr<SceneSimulator> simulator = simulatorAtFrame(request, stop);
         if (!stop.stop_requested()) {
             finish(request, std::move(simulator));
         }
     }
 }
 
-std::shared_ptr<Simulator> Preparer::simulatorAtFrame(const Request& request, const std::stop_token& stop)
+std::shared_ptr<SceneSimulator> Preparer::simulatorAtFrame(const Request& request, const std::stop_token& stop)
 {
-    Effect effect = *request.effect;
-    effect.output.quality = std::min(effect.output.quality, Quality::Good); // as pictures that are played have it
-    const auto simulator = std::make_shared<Simulator>(sampled(effect), Simulator::kDefaultCheckpointBytes, m_shelf);
+    Scene scene = *request.scene;
+    scene.output.quality = std::min(scene.output.quality, Quality::Good); // as pictures that are played have it
+    const auto simulator =
+        std::make_shared<SceneSimulator>(sampledLayers(scene), Simulator::kDefaultCheckpointBytes, m_shelf);
     constexpr int kBehind = 2; // frames that whoever plays takes no notice of
     while (true) {
         const int frame = m_frame.load();
@@ -75,7 +76,7 @@ std::shared_ptr<Simulator> Preparer::simulatorAtFrame(const Request& request, co
     }
 }
 
-void Preparer::finish(const Request& request, std::shared_ptr<Simulator> simulator)
+void Preparer::finish(const Request& request, std::shared_ptr<SceneSimulator> simulator)
 {
     QMetaObject::invokeMethod(
         this,

@@ -3,7 +3,8 @@
 #include "ui/preview/picture.h"
 #include "ui/concurrency/latest_only_worker.h"
 
-#include "core/simulation/simulator.h"
+#include "core/scene/scene.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <QObject>
 
@@ -12,7 +13,7 @@
 
 namespace fumage::ui {
 
-/// Does what takes long before the frames of an effect come one after the other: bakes the air, and steps all particles
+/// Does what takes long before the frames of a scene come one after the other: bakes the air, and steps all particles
 /// to the frame that is played. As important as pictures are, or on a busy machine it would never be done. Meanwhile a
 /// PreviewRenderer shows coarser air or fewer particles. Lives on one thread, and works on another.
 class Preparer : public QObject {
@@ -22,9 +23,9 @@ public:
     /// @param shelf that the air goes to
     explicit Preparer(std::shared_ptr<AirCache> shelf, QObject* parent = nullptr);
 
-    /// Begins with an effect, unless it is at it already.
+    /// Begins with a scene, unless it is at it already.
     /// @param simulation see RenderRequest::simulation
-    void prepare(std::shared_ptr<const Effect> effect, quint64 simulation, int frame);
+    void prepare(std::shared_ptr<const Scene> scene, quint64 simulation, int frame);
     /// The frame that is played now: what is prepared follows it.
     void setFrame(int frame) { m_frame.store(frame); }
     /// Gives up; what is baked stays.
@@ -35,19 +36,19 @@ signals:
     /// On the thread of this object. @param share that is done
     void working(fumage::ui::Phase phase, double share);
     /// The particles of the frame that was played a moment ago.
-    void prepared(std::shared_ptr<fumage::Simulator> simulator, quint64 simulation);
+    void prepared(std::shared_ptr<fumage::SceneSimulator> simulator, quint64 simulation);
     /// It is done, is not possible, or memory ran out; not where stop() was called.
     void ended();
 
 private:
     struct Request {
-        std::shared_ptr<const Effect> effect; ///< null: none
+        std::shared_ptr<const Scene> scene; ///< null: none
         quint64 simulation = 0;
     };
     void work(const Request& request, const std::stop_token& stop);
     /// @return null: it was stopped, or cannot be done
-    [[nodiscard]] std::shared_ptr<Simulator> simulatorAtFrame(const Request& request, const std::stop_token& stop);
-    void finish(const Request& request, std::shared_ptr<Simulator> simulator);
+    [[nodiscard]] std::shared_ptr<SceneSimulator> simulatorAtFrame(const Request& request, const std::stop_token& stop);
+    void finish(const Request& request, std::shared_ptr<SceneSimulator> simulator);
     void report(Phase phase, double share);
 
     std::shared_ptr<AirCache> m_shelf;

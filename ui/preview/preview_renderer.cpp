@@ -1,7 +1,10 @@
 #include "ui/preview/preview_renderer.h"
 
 #include "ui/preview/air_arrows.h"
+#include "ui/preview/sprite_snapshot.h"
 #include "ui/preview/trails.h"
+
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +40,27 @@ Backing backingOf(const Backdrop& backdrop, const Output& output)
     return backdrop.kind == Backdrop::Kind::Colour ? Backing{backdrop.colour} : Backing{kDark, kLight, kCheckerPixels};
 }
 
+/// The particles of all layers.
+int particlesOf(SampledLayers layers)
+{
+    int sum = 0;
+    for (const SampledEffect& layer : layers) {
+        sum += layer->emitter.count;
+    }
+    return sum;
+}
+
+/// The schedule of the layer whose particles live longest.
+Schedule longestOf(SampledLayers layers)
+{
+    Schedule longest = makeSchedule(layers.front());
+    for (const SampledEffect& layer : layers.subspan(1)) {
+        const Schedule own = makeSchedule(layer);
+        longest = own.lifetimeSteps > longest.lifetimeSteps ? own : longest;
+    }
+    return longest;
+}
+
 QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
 {
     const QImage view(encoded.pixels.data(), encoded.width, encoded.height, encoded.width * 4, QImage::Format_RGBX8888);
@@ -53,7 +77,7 @@ PreviewRenderer::PreviewRenderer(std::shared_ptr<AirCache> shelf, WorkListener l
 
 int PreviewRenderer::particlesWhileDragging(const Plan& plan, double preRoll) const
 {
-    const int all = plan.effect->emitter.count;
+    const int all = plan.particles;
     if (all <= m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach)) {
         return all;
     }
@@ -79,23 +103,23 @@ int PreviewRenderer::particlesToPlay(const Plan& plan, double preRoll, double st
 {
     // Those that have begun go on: a new pre-roll for others would be seen.
     if (m_settling && m_settling->simulation == plan.simulation && m_settling->coarseAir == plan.coarseAir
-        && m_settling->particles <= plan.effect->emitter.count) {
+        && m_settling->particles <= plan.particles) {
         return m_settling->particles;
     }
     const int soon = m_costs.particlesWithin(kSoonNs, preRoll);
     return CostEstimate::halvedInto(
-        plan.effect->emitter.count, std::min(soon, m_costs.particlesWithin(kParticleBudgetNs, stepsAFrame)));
+        plan.particles, std::min(soon, m_costs.particlesWithin(kParticleBudgetNs, stepsAFrame)));
 }
 
 bool PreviewRenderer::lacksAir(const RenderRequest& request, const Plan& plan, const Schedule& schedule) const
 {
-    const Air& air = plan.effect->air;
+    const Air& air = plan.layers.front()->air;
     if (!air.enabled || air.resolution <= kCoarseAir
         || (request.previewQuality != PreviewQuality::Interactive && request.previewQuality != PreviewQuality::Playback
             && request.mayBake)) {
         return false;
     }
-    const std::int64_t missing = m_shelf->missingSteps(plan.effect, schedule.stepOfFrame(request.frame));
+    const std::int64_t missing = m_shelf->missingSteps(plan.layers, request.frame);
     // The steps of one frame come with it.
     const bool areFew = request.previewQuality == PreviewQuality::Playback && request.mayBake
         && missing <= 2 * schedule.stepsPerFrame + 1;
@@ -115,40 +139,56 @@ bool PreviewRenderer::isSlowToBegin(const RenderRequest& request, const Plan& pl
 {
     const bool hasBegun = (m_complete && m_complete->isFor(plan)) || request.prepared;
     return request.previewQuality == PreviewQuality::Playback && !hasBegun
-        && m_costs.particlesWithin(kSoonNs, preRoll) < plan.effect->emitter.count;
+        && m_costs.particlesWithin(kSoonNs, preRoll) < plan.particles;
 }
 
 void PreviewRenderer::scaleDown(const RenderRequest& request, Quality quality, Plan& plan) const
 {
     const double pixels = static_cast<double>(request.width) * request.height;
-    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.effect->emitter.count, plan.stepsEach, pixels);
+    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.particles, plan.stepsEach, pixels);
     plan.phaseMix = PhaseMix::Choose;
-    plan.complete =
-        plan.keepsAll && plan.scale == 1.0 && quality == request.effect->output.quality && !hasDetail(*request.effect);
+    plan.complete = plan.keepsAll && plan.scale == 1.0 && quality == request.scene->output.quality
+        && std::none_of(
+            plan.layers.begin(), plan.layers.end(), [](const SampledEffect& layer) { return hasDetail(layer); });
+}
+
+void PreviewRenderer::thinTo(int most, Plan& plan)
+{
+    if (most >= plan.particles) {
+        return;
+    }
+    // Each layer gives up the same share of its particles.
+    const std::int64_t all = plan.particles;
+    for (SampledEffect& layer : plan.layers) {
+        const std::int64_t share = std::int64_t{layer->emitter.count} * most / all;
+        layer = thinned(layer, static_cast<int>(std::max<std::int64_t>(1, share)));
+    }
+    plan.particles = particlesOf(plan.layers);
 }
 
 PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) const
 {
     Plan plan;
     plan.simulation = request.simulation;
-    Effect asked = *request.effect;
+    Scene asked = *request.scene;
     if (request.previewQuality != PreviewQuality::Full) {
         // What the final quality adds would cost the motion more than it gives.
         asked.output.quality = std::min(asked.output.quality, Quality::Good);
     }
-    plan.effect = sampled(asked);
-    const Schedule schedule = makeSchedule(plan.effect);
+    plan.layers = sampledLayers(asked);
+    plan.particles = particlesOf(plan.layers);
+    const Schedule schedule = longestOf(plan.layers);
     plan.coarseAir = lacksAir(request, plan, schedule);
     if (plan.coarseAir) {
         asked.air.resolution = kCoarseAir;
-        plan.effect = sampled(asked);
+        plan.layers = sampledLayers(asked);
     }
     // Particles are of all ages: a pre-roll takes half a life each.
     const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
-    const int all = plan.effect->emitter.count;
+    const int all = plan.particles;
     const auto thinTo = [&](int count) {
         plan.keepsAll = count == all && !plan.coarseAir;
-        plan.effect = thinned(plan.effect, count);
+        PreviewRenderer::thinTo(count, plan);
     };
     plan.stepsEach = stepsTo(request.frame, m_complete, plan, schedule, preRoll);
     switch (request.previewQuality) {
@@ -160,7 +200,7 @@ PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) con
     case PreviewQuality::Intermediate:
         plan.settles = true;
         thinTo(particlesToSettle(all, preRoll));
-        plan.complete = plan.keepsAll && asked.output.quality == request.effect->output.quality;
+        plan.complete = plan.keepsAll && asked.output.quality == request.scene->output.quality;
         break;
     case PreviewQuality::Interactive:
         thinTo(particlesWhileDragging(plan, preRoll));
@@ -182,8 +222,8 @@ void PreviewRenderer::takePrepared(const RenderRequest& request, const Plan& pla
 {
     if (request.prepared && request.previewQuality == PreviewQuality::Playback && plan.keepsAll
         && !(m_complete && m_complete->isFor(plan))) {
-        m_complete.emplace(Running{
-            plan.simulation, plan.effect->emitter.count, plan.coarseAir, std::move(*request.prepared), std::nullopt});
+        m_complete.emplace(
+            Running{plan.simulation, plan.particles, plan.coarseAir, std::move(*request.prepared), std::nullopt});
         m_settling.reset();
     }
 }
@@ -192,11 +232,13 @@ PreviewRenderer::Running& PreviewRenderer::runningFor(const Plan& plan)
 {
     std::optional<Running>& running = plan.keepsAll ? m_complete : plan.settles ? m_settling : m_thinned;
     if (!running || !running->isFor(plan)) {
-        running.reset();
         // What cannot be seen needs no checkpoints to come back to.
         const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
-        running.emplace(Running{plan.simulation, plan.effect->emitter.count, plan.coarseAir,
-            Simulator(plan.effect, checkpoints, m_shelf), std::nullopt});
+        SceneSimulator simulator(plan.layers, checkpoints, m_shelf);
+        if (running) {
+            simulator.adopt(running->simulator);
+        }
+        running.emplace(Running{plan.simulation, plan.particles, plan.coarseAir, std::move(simulator), std::nullopt});
     }
     return *running;
 }
@@ -212,7 +254,7 @@ void PreviewRenderer::noteTrouble(const Error& error)
 bool PreviewRenderer::bakeAir(const Plan& plan, int frame, Picture& picture, const std::stop_token& stop)
 {
     const SimulationModel& model = runningFor(plan).simulator.model();
-    const std::int64_t last = model.schedule().stepOfFrame(frame);
+    const std::int64_t last = model.airStep(model.schedule().stepOfFrame(frame));
     if (model.air() == nullptr || model.air()->isBaked(last)) {
         return true;
     }
@@ -228,20 +270,20 @@ void PreviewRenderer::addOverlays(
     const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
 {
     if (request.trails) {
-        Effect effect = *request.effect;
-        effect.air.resolution = plan.effect->air.resolution; // of the stand-in, where there is one
-        picture.trails = findTrails(effect, request.frame, m_shelf);
+        Scene scene = *request.scene;
+        scene.air.resolution = plan.layers.front()->air.resolution; // of the stand-in, where there is one
+        picture.trails = findTrails(scene, request.layer, request.frame, m_shelf);
     }
     const SimulationModel& model = runningFor(plan).simulator.model();
     if (request.air && model.air() != nullptr) {
-        if (const auto field = model.air()->field(model.schedule().stepOfFrame(request.frame), stop)) {
-            picture.air = findAirArrows(*field.value(), request.effect->emitter.position,
-                windowView(plan.effect, request.frame, request.width, request.height).forward);
+        if (const auto field = model.air()->field(model.airStep(model.schedule().stepOfFrame(request.frame)), stop)) {
+            picture.air = findAirArrows(*field.value(), request.scene->layers[request.layer].emitter.position,
+                windowView(*request.scene, request.frame, request.width, request.height).forward);
         }
     }
 }
 
-std::shared_ptr<const Frame> PreviewRenderer::simulate(const Plan& plan, int frame, const std::stop_token& stop)
+std::optional<SceneFrame> PreviewRenderer::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
     Running& running = runningFor(plan);
     const auto progress = [this](ProgressPhase work, int done, int total) {
@@ -249,56 +291,28 @@ std::shared_ptr<const Frame> PreviewRenderer::simulate(const Plan& plan, int fra
             work == ProgressPhase::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total));
     };
     m_listener(Phase::Steps, kUnknownShare);
-    Result<std::shared_ptr<const Frame>> result = running.simulator.frame(frame, {progress, stop});
+    Result<SceneFrame> result = running.simulator.frame(frame, {progress, stop});
     if (!result) {
         noteTrouble(result.error());
-        return nullptr;
+        return std::nullopt;
     }
     running.lastFrame = frame;
-    return result.value();
-}
-
-std::shared_ptr<const SpriteBatchSnapshot> PreviewRenderer::collectSprites() const
-{
-    const SpriteBatch& batch = m_renderer.batch();
-    AlignedArray<DepthEntry> entries;
-    AlignedArray<DepthEntry> scratch;
-    entries.resize(batch.sprites.size());
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < batch.sprites.size(); ++i) {
-        if (batch.depth[i] != SpriteBatch::kHidden) {
-            entries[count++] = depthEntry(batch.depth[i], static_cast<std::uint32_t>(i));
-        }
-    }
-    sortByDepth({entries.data(), count}, scratch);
-    auto scene = std::make_shared<SpriteBatchSnapshot>();
-    scene->sprites.resize(count);
-    scene->details.resize(batch.details.empty() ? 0 : count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t from = entryIndex(entries[count - 1 - i]);
-        scene->sprites[i] = batch.sprites[from];
-        if (!batch.details.empty()) {
-            scene->details[i] = batch.details[from];
-        }
-    }
-    scene->style = batch.style;
-    scene->view = batch.view;
-    scene->texture = m_renderer.texture();
-    return scene;
+    return std::move(result).value();
 }
 
 bool PreviewRenderer::paint(
     const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop)
 {
     if (request.sprites) {
-        picture.scene = collectSprites();
+        picture.sprites = snapshotOf(m_renderer);
         return true;
     }
     if (const Status status = m_renderer.composite(m_image, stop); !status) {
         noteTrouble(status.error());
         return false;
     }
-    encodeOver(m_image, plan.effect->output, backingOf(request.backdrop, plan.effect->output), m_encoded);
+    encodeOver(
+        m_image, plan.layers.front()->output, backingOf(request.backdrop, plan.layers.front()->output), m_encoded);
     picture.image = toScreen(m_encoded);
     return true;
 }
@@ -321,12 +335,12 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     }
     QElapsedTimer timer;
     timer.start();
-    const std::shared_ptr<const Frame> frame = simulate(plan, request.frame, stop);
+    const std::optional<SceneFrame> frame = simulate(plan, request.frame, stop);
     if (!frame) {
         return nullptr;
     }
     picture->stepNs = timer.nsecsElapsed();
-    const int particles = plan.effect->emitter.count;
+    const int particles = plan.particles;
     m_costs.noteSteps(particles * plan.stepsEach, picture->stepNs);
 
     const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
@@ -335,8 +349,8 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     timer.restart();
     m_listener(Phase::Light, kUnknownShare);
     m_renderer.setPhaseMix(plan.phaseMix);
-    if (const Status status =
-            m_renderer.prepare(*frame, plan.effect, windowView(plan.effect, request.frame, width, height), stop);
+    if (const Status status = m_renderer.prepare(
+            layerFrames(*frame, plan.layers), windowView(*request.scene, request.frame, width, height), stop);
         !status) {
         noteTrouble(status.error());
         return nullptr;
@@ -350,7 +364,7 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     m_costs.notePixels(static_cast<double>(width) * height, timer.nsecsElapsed());
 
     addOverlays(request, plan, *picture, stop);
-    picture->output = plan.effect->output;
+    picture->output = plan.layers.front()->output;
     picture->backdrop = request.backdrop;
     picture->revision = request.revision;
     picture->frame = request.frame;

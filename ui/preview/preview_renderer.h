@@ -6,7 +6,7 @@
 #include "core/effect/sampling.h"
 #include "core/rendering/renderer.h"
 #include "core/rendering/view_transform.h"
-#include "core/simulation/simulator.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <functional>
 #include <memory>
@@ -32,7 +32,8 @@ private:
 
     struct Plan {
         quint64 simulation = 0;
-        SampledEffect effect; ///< thinned where need be
+        std::vector<SampledEffect> layers; ///< thinned where need be
+        int particles = 0; ///< of all of them
         double scale = 1.0;
         double stepsEach = 1.0;
         bool keepsAll = true; ///< particles
@@ -57,11 +58,11 @@ private:
     [[nodiscard]] int particlesWhileDragging(const Plan& plan, double preRoll) const;
     [[nodiscard]] int particlesToSettle(int all, double preRoll) const;
     [[nodiscard]] int particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const;
-    [[nodiscard]] std::shared_ptr<const Frame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
+    [[nodiscard]] std::optional<SceneFrame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
+    static void thinTo(int most, Plan& plan);
     void addOverlays(const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
     [[nodiscard]] bool paint(
         const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
-    [[nodiscard]] std::shared_ptr<const SpriteBatchSnapshot> collectSprites() const;
     [[nodiscard]] Running& runningFor(const Plan& plan);
 
     /// A simulator with what it was made for.
@@ -69,13 +70,12 @@ private:
         quint64 simulation = 0;
         int particles = 0;
         bool coarseAir = false;
-        Simulator simulator;
+        SceneSimulator simulator;
         std::optional<int> lastFrame{}; ///< that it was asked for
 
         [[nodiscard]] bool isFor(const Plan& plan) const
         {
-            return simulation == plan.simulation && particles == plan.effect->emitter.count
-                && coarseAir == plan.coarseAir;
+            return simulation == plan.simulation && particles == plan.particles && coarseAir == plan.coarseAir;
         }
     };
     std::shared_ptr<AirCache> m_shelf;

@@ -16,7 +16,7 @@ PreviewScheduler::PreviewScheduler(qint64 cacheBytes, QObject* parent)
     , m_worker(m_shelf)
     , m_preparer(m_shelf)
 {
-    m_wanted.effect = std::make_shared<const Effect>();
+    m_wanted.scene = std::make_shared<const Scene>();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &PreviewScheduler::rest);
@@ -32,7 +32,7 @@ PreviewScheduler::PreviewScheduler(qint64 cacheBytes, QObject* parent)
         emit working(Phase::Idle, 1.0);
     });
     connect(&m_preparer, &Preparer::prepared, this,
-        [this](const std::shared_ptr<Simulator>& simulator, quint64 simulation) {
+        [this](const std::shared_ptr<SceneSimulator>& simulator, quint64 simulation) {
             m_wanted.prepared = simulation == m_wanted.simulation ? simulator : nullptr;
             refresh(usualQuality());
         });
@@ -46,9 +46,10 @@ PreviewScheduler::PreviewScheduler(qint64 cacheBytes, QObject* parent)
     });
 }
 
-void PreviewScheduler::setEffect(const Effect& effect, DirtyStage stale)
+void PreviewScheduler::setScene(const Scene& scene, std::size_t layer, DirtyStage stale)
 {
-    m_wanted.effect = std::make_shared<const Effect>(effect);
+    m_wanted.scene = std::make_shared<const Scene>(scene);
+    m_wanted.layer = layer;
     if (stale >= DirtyStage::Simulate) {
         ++m_wanted.simulation;
         m_wanted.mayBake = true;
@@ -150,7 +151,7 @@ void PreviewScheduler::setSprites(bool wanted)
     refresh(PreviewQuality::Full);
 }
 
-void PreviewScheduler::setOther(const std::optional<Effect>& other)
+void PreviewScheduler::setOther(const std::optional<Scene>& other)
 {
     m_otherSimulation += other == m_other ? 0 : 1;
     m_other = other;
@@ -251,11 +252,12 @@ void PreviewScheduler::requestOther(PreviewQuality previewQuality)
     if (!m_other || !m_seen) {
         return;
     }
-    Effect effect = *m_other;
-    effect.camera = m_wanted.effect->camera;
-    effect.output = m_wanted.effect->output;
+    Scene scene = *m_other;
+    scene.camera = m_wanted.scene->camera;
+    scene.output = m_wanted.scene->output;
     RenderRequest other = m_wanted;
-    other.effect = std::make_shared<const Effect>(effect);
+    other.scene = std::make_shared<const Scene>(scene);
+    other.layer = 0;
     other.simulation = m_otherSimulation;
     other.previewQuality = previewQuality;
     other.sprites = false;
@@ -294,7 +296,7 @@ void PreviewScheduler::prepareBehind(const Picture& picture)
 {
     if (m_playing && !m_moving && m_seen && picture.thinned && m_wanted.mayBake && !m_wanted.prepared
         && isWanted(picture)) {
-        m_preparer.prepare(m_wanted.effect, m_wanted.simulation, m_wanted.frame);
+        m_preparer.prepare(m_wanted.scene, m_wanted.simulation, m_wanted.frame);
     }
 }
 

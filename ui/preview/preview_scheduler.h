@@ -15,7 +15,7 @@
 
 namespace fumage::ui {
 
-/// The pictures of an effect that is being changed, played and looked at: rough ones at once while something moves, the
+/// The pictures of a scene that is being changed, played and looked at: rough ones at once while something moves, the
 /// whole one when it rests, and each frame's kept for the next time.
 ///
 /// Takes values and asks by itself for the pictures that they need; for none while nobody sees them. Lives on one
@@ -29,7 +29,8 @@ public:
     explicit PreviewScheduler(qint64 cacheBytes = kUsualCacheBytes, QObject* parent = nullptr);
 
     /// @param stale the first stage of the work that has to be done again
-    void setEffect(const Effect& effect, DirtyStage stale);
+    /// @param layer of it that trails and arrows are about
+    void setScene(const Scene& scene, std::size_t layer, DirtyStage stale);
     /// Another effect comes next: what is shown and kept of this one is forgotten, and what is on its way is not shown.
     void startAnew();
     void setFrame(int frame);
@@ -46,13 +47,13 @@ public:
     void setAir(bool wanted);
     /// Whether pictures are handed over as sprites instead of painted ones.
     void setSprites(bool wanted);
-    /// An effect to compare with, seen by the camera of the first; nothing: none, and no more work for one.
-    void setOther(const std::optional<Effect>& other);
+    /// A scene to compare with, seen by the camera of the first; nothing: none, and no more work for one.
+    void setOther(const std::optional<Scene>& other);
 
     [[nodiscard]] const Backdrop& backdrop() const { return m_wanted.backdrop; }
     /// The newest picture; null before the first.
     [[nodiscard]] const PicturePtr& picture() const { return m_picture; }
-    /// The air of the effects that are looked at, as far as it is baked.
+    /// The air of the scenes that are looked at, as far as it is baked.
     [[nodiscard]] const std::shared_ptr<AirCache>& shelf() const { return m_shelf; }
     [[nodiscard]] const PicturePtr& otherPicture() const { return m_otherPicture; }
     /// Whether the picture is all there is to show: of this effect and frame, nothing given up, nothing on its way.
@@ -116,7 +117,7 @@ private:
     PictureWorker m_worker;
     Preparer m_preparer;
 
-    std::optional<Effect> m_other;
+    std::optional<Scene> m_other;
     quint64 m_otherSimulation = 0;
     PicturePtr m_otherPicture;
     std::unique_ptr<PictureWorker> m_otherWorker; ///< only while there is another effect

@@ -1,25 +1,33 @@
 #include "ui/preview/trails.h"
 
 #include "core/effect/sampling.h"
-#include "core/simulation/simulator.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <algorithm>
 
 namespace fumage::ui {
 
-std::vector<Trail> findTrails(const Effect& effect, int frame, const std::shared_ptr<AirCache>& shelf)
+std::vector<Trail> findTrails(const Scene& scene, std::size_t layer, int frame, const std::shared_ptr<AirCache>& shelf)
 {
     constexpr int kParticles = 60;
     constexpr int kFrames = 150;
-    Simulator simulator(thinned(sampled(effect), kParticles), 0, shelf);
+    Scene thin = scene;
+    thin.layers[layer].visible = true; // the ways of a layer that is not seen, too
+    std::vector<SampledEffect> layers = sampledLayers(thin);
+    const std::vector<std::size_t> visible = thin.visibleLayers();
+    const auto place = static_cast<std::size_t>(std::find(visible.begin(), visible.end(), layer) - visible.begin());
+    for (SampledEffect& each : layers) {
+        each = thinned(each, kParticles);
+    }
+    SceneSimulator simulator(layers, 0, shelf);
     std::vector<Trail> trails;
     std::vector<std::int32_t> births;
     for (int number = std::max(0, frame - kFrames); number <= frame; ++number) {
-        const Result<std::shared_ptr<const Frame>> result = simulator.frame(number);
+        const Result<SceneFrame> result = simulator.frame(number);
         if (!result) {
             return {};
         }
-        const Particles& particles = result.value()->particles;
+        const Particles& particles = result.value().layers[place]->particles;
         trails.resize(particles.capacity);
         births.resize(particles.capacity, Particles::kUnborn);
         for (std::size_t i = 0; i < particles.capacity; ++i) {

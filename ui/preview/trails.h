@@ -10,6 +10,6 @@ namespace fumage::ui {
 /// Particles never act on one another, so that a few of them go where they would go among many.
 /// @param shelf of baked air; about 2 ms where it has that of the effect
 [[nodiscard]] std::vector<Trail> findTrails(
-    const Effect& effect, int frame, const std::shared_ptr<AirCache>& shelf = nullptr);
+    const Scene& scene, std::size_t layer, int frame, const std::shared_ptr<AirCache>& shelf = nullptr);
 
 } // namespace fumage::ui

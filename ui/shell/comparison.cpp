@@ -14,10 +14,10 @@ Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& 
     , m_viewport(viewport)
     , m_split(actions.get("compare.split"))
     , m_hold(actions.get("compare.hold"))
-    , m_other(document.effect())
+    , m_other(document.scene())
 {
     actions.on("compare.remember", this, &Comparison::setReference);
-    actions.on("compare.adopt", this, [this] { m_document.replaceEffect(m_other, tr("Replace A with B")); });
+    actions.on("compare.adopt", this, [this] { m_document.replaceScene(m_other, 0, tr("Replace A with B")); });
     connect(&m_document, &Document::loaded, this, &Comparison::setReference);
     connect(&m_split, &QAction::toggled, this, &Comparison::show);
     connect(&m_hold, &QAction::toggled, this, &Comparison::show);
@@ -34,7 +34,7 @@ Comparison::Comparison(Document& document, Viewport& viewport, const ActionSet& 
 
 void Comparison::setReference()
 {
-    m_other = m_document.effect();
+    m_other = m_document.scene();
     show();
 }
 

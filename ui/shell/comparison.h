@@ -13,9 +13,9 @@ namespace fumage::ui {
 class ActionSet;
 class Viewport;
 
-/// The document (A) beside an effect that was put aside (B): both side by side, or B alone. The key of B switches when
-/// it is tapped, and shows B for a moment when it is held. B is the document as it was opened until another effect is
-/// put aside.
+/// The document (A) beside a scene that was put aside (B): both side by side, or B alone. The key of B switches when
+/// it is tapped, and shows B for a moment when it is held. B is the document as it was opened until another is put
+/// aside.
 class Comparison : public QObject {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
 
     Comparison(Document& document, Viewport& viewport, const ActionSet& actions);
 
-    [[nodiscard]] const Effect& other() const { return m_other; }
+    [[nodiscard]] const Scene& other() const { return m_other; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,7 +40,7 @@ private:
     Viewport& m_viewport;
     QAction& m_split;
     QAction& m_hold;
-    Effect m_other;
+    Scene m_other;
     QElapsedTimer m_sincePress;
     QPointer<QWindow> m_heldIn; ///< the window that will see the key released; null while it is up
 };

@@ -292,7 +292,7 @@ void DocumentFiles::saveToLibrary()
 
 void DocumentFiles::revert()
 {
-    m_document.replaceEffect(m_document.reference(), tr("Revert"));
+    m_document.replaceScene(m_document.referenceScene(), 0, tr("Revert"));
 }
 
 void DocumentFiles::copyPreset() const
@@ -307,7 +307,7 @@ void DocumentFiles::pastePreset()
         report(tr("Cannot paste a preset"), reading.error());
         return;
     }
-    m_document.replaceEffect(reading.value().preset.effect, tr("Paste a preset"));
+    m_document.replaceScene(reading.value().preset.scene, 0, tr("Paste a preset"));
     showWarnings(tr("The clipboard"), reading.value().warnings);
 }
 

@@ -208,7 +208,7 @@ void MainWindow::connectPresets()
     browser.setFavourites(settings.favourites());
     connect(&browser, &PresetBrowser::opened, &m_files, &DocumentFiles::openPreset);
     connect(&browser, &PresetBrowser::applied, &m_document, [this](const Preset& preset) {
-        m_document.replaceEffect(preset.effect, tr("Apply “%1”").arg(shortened(toQString(preset.name))));
+        m_document.replaceScene(preset.scene, 0, tr("Apply “%1”").arg(shortened(toQString(preset.name))));
     });
     connect(&browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
     connect(&settings, &Settings::favouritesChanged, &browser,

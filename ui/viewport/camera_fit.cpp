@@ -40,7 +40,7 @@ void CameraFit::start()
 
 void CameraFit::post()
 {
-    m_job.post({m_document.effect(), ++m_number});
+    m_job.post({m_document.scene(), ++m_number});
 }
 
 void CameraFit::report(const Request& request, std::function<void()> news)
@@ -66,8 +66,7 @@ void CameraFit::work(const Request& request, const std::stop_token& stop)
                 request, [this, percent] { emit news(tr("Looking for smoke in all frames: %1 %").arg(percent), 0); });
         }
     };
-    const Result<Camera> camera =
-        fitCamera(request.effect, {0, request.effect.timeline.length - 1, 1}, {progress, stop});
+    const Result<Camera> camera = fitCamera(request.scene, {0, request.scene.timeline.length - 1, 1}, {progress, stop});
     report(request, [this, camera] { end(camera); });
 }
 

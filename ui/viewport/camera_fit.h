@@ -27,7 +27,7 @@ signals:
 
 private:
     struct Request {
-        Effect effect;
+        Scene scene;
         int number = 0;
     };
     void post();

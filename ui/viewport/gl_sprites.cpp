@@ -5,7 +5,9 @@
 #include <QCoreApplication>
 #include <QVector2D>
 #include <QVector3D>
+#include <QVector4D>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace fumage::ui {
@@ -27,6 +29,7 @@ constexpr Attribute kFloats[] = {
 constexpr GLuint kPackedLocation = 4;
 constexpr GLuint kDetailLocation = 5; ///< of the first of kDetailQuads
 constexpr GLuint kDetailQuads = sizeof(SpriteDetail) / (4 * sizeof(GLuint));
+constexpr GLuint kLayerLocation = kDetailLocation + kDetailQuads;
 
 /// OpenGL takes an offset into a buffer as a pointer.
 const void* asPointer(std::size_t offset)
@@ -46,30 +49,29 @@ GlSprites::GlSprites()
     m_instances.create();
     m_instances.setUsagePattern(QOpenGLBuffer::StreamDraw);
     const QOpenGLVertexArrayObject::Binder binder(&m_vertices);
-    m_instances.bind();
     for (const Attribute& attribute : kFloats) {
         glEnableVertexAttribArray(attribute.location);
-        glVertexAttribPointer(
-            attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite), asPointer(attribute.offset));
         glVertexAttribDivisor(attribute.location, 1);
     }
-    glEnableVertexAttribArray(kPackedLocation);
-    glVertexAttribIPointer(kPackedLocation, 1, GL_UNSIGNED_INT, sizeof(Sprite), asPointer(offsetof(Sprite, texture)));
-    glVertexAttribDivisor(kPackedLocation, 1);
-    m_details.create();
-    m_details.setUsagePattern(QOpenGLBuffer::StreamDraw);
-    m_details.bind();
+    for (const GLuint location : {kPackedLocation, kLayerLocation}) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribDivisor(location, 1);
+    }
     for (GLuint quad = 0; quad < kDetailQuads; ++quad) {
-        glVertexAttribIPointer(kDetailLocation + quad, 4, GL_UNSIGNED_INT, sizeof(SpriteDetail),
-            asPointer(static_cast<std::size_t>(quad) * 4 * sizeof(GLuint)));
         glVertexAttribDivisor(kDetailLocation + quad, 1);
     }
-    m_details.release();
+    m_details.create();
+    m_details.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    m_layers.create();
+    m_layers.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    pointAt(0);
 }
 
 GlSprites::~GlSprites()
 {
-    glDeleteTextures(1, &m_noise);
+    for (const auto& [of, texture] : m_noise) {
+        glDeleteTextures(1, &texture);
+    }
     glDeleteTextures(1, &m_billows);
 }
 
@@ -85,11 +87,11 @@ void GlSprites::compile(QOpenGLShaderProgram& program, const QString& name)
     }
 }
 
-void GlSprites::uploadTexture(const SpriteTexture& texture)
+GLuint GlSprites::makeTexture(const SpriteTexture& texture)
 {
-    glDeleteTextures(1, &m_noise);
-    glGenTextures(1, &m_noise);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise);
+    GLuint noise = 0;
+    glGenTextures(1, &noise);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, noise);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, texture.levels() - 1);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -109,6 +111,26 @@ void GlSprites::uploadTexture(const SpriteTexture& texture)
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    return noise;
+}
+
+/// Those that are there already stay.
+void GlSprites::uploadTextures(const SpriteBatchSnapshot& scene)
+{
+    std::vector<std::pair<std::shared_ptr<const SpriteTexture>, GLuint>> before = std::exchange(m_noise, {});
+    for (const std::shared_ptr<const SpriteTexture>& wanted : scene.textures) {
+        const auto here =
+            std::find_if(before.begin(), before.end(), [&](const auto& each) { return each.first == wanted; });
+        if (here != before.end()) {
+            m_noise.push_back(std::move(*here));
+            before.erase(here);
+        } else {
+            m_noise.emplace_back(wanted, makeTexture(*wanted));
+        }
+    }
+    for (const auto& [of, texture] : before) {
+        glDeleteTextures(1, &texture);
+    }
 }
 
 void GlSprites::makeBillows()
@@ -154,11 +176,11 @@ void GlSprites::upload(const SpriteBatchSnapshot& scene)
     m_instances.bind();
     m_instances.allocate(scene.sprites.data(), static_cast<int>(scene.sprites.size() * sizeof(Sprite)));
     m_instances.release();
+    m_layers.bind();
+    m_layers.allocate(scene.layers.data(), static_cast<int>(scene.layers.size() * sizeof(std::uint32_t)));
+    m_layers.release();
     uploadDetail(scene);
-    if (scene.texture != m_uploadedTexture) {
-        uploadTexture(*scene.texture);
-        m_uploadedTexture = scene.texture;
-    }
+    uploadTextures(scene);
 }
 
 void GlSprites::drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixels)
@@ -177,27 +199,55 @@ void GlSprites::drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixel
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_3D, m_billows);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise);
-
-    const SpriteStyle& style = scene.style;
     m_spriteProgram.bind();
     m_spriteProgram.setUniformValue(
         "size", QVector2D(static_cast<float>(scene.view.width), static_cast<float>(scene.view.height)));
     m_spriteProgram.setUniformValue("noise", 0);
     m_spriteProgram.setUniformValue("billows", 1);
     m_spriteProgram.setUniformValue("hasDetail", !scene.details.empty());
-    m_spriteProgram.setUniformValue("square", style.square);
-    m_spriteProgram.setUniformValue("hardness", style.hardness);
-    m_spriteProgram.setUniformValue("textureAmount", style.texture);
-    m_spriteProgram.setUniformValue("erosionSoftness", style.erosionSoftness);
-    m_spriteProgram.setUniformValue("textureScale", style.textureScale);
-    m_spriteProgram.setUniformValue("light", QVector2D(style.lightX, style.lightY));
-    m_spriteProgram.setUniformValue("relief", style.relief);
-    m_spriteProgram.setUniformValue("roundness", style.roundness);
+    setStyles(scene);
     const QOpenGLVertexArrayObject::Binder binder(&m_vertices);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.sprites.size()));
+    for (const SpriteBatchSnapshot::Run& run : scene.runs) {
+        glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise[run.texture].second);
+        pointAt(run.first);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(run.count));
+    }
     m_spriteProgram.release();
     glDisable(GL_BLEND);
+}
+
+void GlSprites::setStyles(const SpriteBatchSnapshot& scene)
+{
+    std::vector<QVector4D> styles;
+    for (const SpriteStyle& style : scene.styles) {
+        styles.emplace_back(style.square ? 1.0F : 0.0F, style.hardness, style.texture, style.erosionSoftness);
+        styles.emplace_back(style.textureScale, style.lightX, style.lightY, style.relief);
+        styles.emplace_back(style.roundness, 0.0F, 0.0F, 0.0F);
+    }
+    m_spriteProgram.setUniformValueArray("styles", styles.data(), static_cast<int>(styles.size()));
+}
+
+/// Has instances counted from a sprite on.
+void GlSprites::pointAt(std::size_t first)
+{
+    m_instances.bind();
+    for (const Attribute& attribute : kFloats) {
+        glVertexAttribPointer(attribute.location, attribute.floats, GL_FLOAT, GL_FALSE, sizeof(Sprite),
+            asPointer(first * sizeof(Sprite) + attribute.offset));
+    }
+    glVertexAttribIPointer(kPackedLocation, 1, GL_UNSIGNED_INT, sizeof(Sprite),
+        asPointer(first * sizeof(Sprite) + offsetof(Sprite, texture)));
+    m_instances.release();
+    m_details.bind();
+    for (GLuint quad = 0; quad < kDetailQuads; ++quad) {
+        glVertexAttribIPointer(kDetailLocation + quad, 4, GL_UNSIGNED_INT, sizeof(SpriteDetail),
+            asPointer(first * sizeof(SpriteDetail) + static_cast<std::size_t>(quad) * 4 * sizeof(GLuint)));
+    }
+    m_details.release();
+    m_layers.bind();
+    glVertexAttribIPointer(
+        kLayerLocation, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t), asPointer(first * sizeof(std::uint32_t)));
+    m_layers.release();
 }
 
 void GlSprites::resolve(const Picture& picture, const QSize& pixels, GLuint target)
@@ -227,11 +277,11 @@ void GlSprites::draw(const Picture& picture, const QSize& pixels, GLuint target)
     if (!m_failure.isEmpty()) {
         return;
     }
-    if (picture.scene != m_uploaded) {
-        upload(*picture.scene);
-        m_uploaded = picture.scene;
+    if (picture.sprites != m_uploaded) {
+        upload(*picture.sprites);
+        m_uploaded = picture.sprites;
     }
-    drawSprites(*picture.scene, pixels);
+    drawSprites(*picture.sprites, pixels);
     resolve(picture, pixels, target);
 }
 

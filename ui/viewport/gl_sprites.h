@@ -9,6 +9,8 @@
 #include <QOpenGLVertexArrayObject>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace fumage::ui {
 
@@ -24,7 +26,7 @@ public:
     GlSprites(const GlSprites&) = delete;
     GlSprites& operator=(const GlSprites&) = delete;
 
-    /// @param picture with a scene
+    /// @param picture with sprites
     /// @param pixels  of the target
     /// @param target  framebuffer that is drawn into; all of it is written
     void draw(const Picture& picture, const QSize& pixels, GLuint target);
@@ -35,7 +37,10 @@ public:
 private:
     void compile(QOpenGLShaderProgram& program, const QString& name);
     void upload(const SpriteBatchSnapshot& scene);
-    void uploadTexture(const SpriteTexture& texture);
+    void uploadTextures(const SpriteBatchSnapshot& scene);
+    [[nodiscard]] GLuint makeTexture(const SpriteTexture& texture);
+    void setStyles(const SpriteBatchSnapshot& scene);
+    void pointAt(std::size_t first);
     void uploadDetail(const SpriteBatchSnapshot& scene);
     void makeBillows();
     void drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixels);
@@ -49,10 +54,10 @@ private:
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_details{QOpenGLBuffer::VertexBuffer}; ///< of the instances, where the smoke has any
     std::unique_ptr<QOpenGLFramebufferObject> m_light;
-    GLuint m_noise = 0;
+    QOpenGLBuffer m_layers{QOpenGLBuffer::VertexBuffer}; ///< of the instances
+    std::vector<std::pair<std::shared_ptr<const SpriteTexture>, GLuint>> m_noise; ///< of the last picture
     GLuint m_billows = 0; ///< 0: not needed yet
     std::shared_ptr<const SpriteBatchSnapshot> m_uploaded;
-    std::shared_ptr<const SpriteTexture> m_uploadedTexture;
 };
 
 } // namespace fumage::ui

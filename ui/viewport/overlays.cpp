@@ -146,12 +146,12 @@ void paintTrails(QPainter& painter, const std::vector<Trail>& trails, const View
     painter.restore();
 }
 
-void paintAirBox(QPainter& painter, const Effect& effect, const View& view)
+void paintAirBox(QPainter& painter, const Scene& scene, const View& view)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(QColor(140, 190, 220, 130), 1.0));
-    const AirGrid grid = airGrid(sampled(effect));
+    const AirGrid grid = airGrid(sampledLayers(scene));
     drawBox(painter, view, grid.corner, grid.end());
     painter.restore();
 }

@@ -36,7 +36,7 @@ void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& no
 /// Figure 2 of the 2012 model: the ways of particles, in green.
 void paintTrails(QPainter& painter, const std::vector<Trail>& trails, const View& view);
 /// The box of the air.
-void paintAirBox(QPainter& painter, const Effect& effect, const View& view);
+void paintAirBox(QPainter& painter, const Scene& scene, const View& view);
 /// The obstacle in it, if there is one.
 void paintObstacle(QPainter& painter, const Air& air, const View& view);
 /// What the air does: arrows as long as it goes in a tenth of a second, at most to the next one; warm air is orange.

@@ -90,7 +90,7 @@ protected:
 
     void paintGL() override
     {
-        if (m_picture && m_picture->scene) {
+        if (m_picture && m_picture->sprites) {
             if (!m_sprites) {
                 m_sprites = std::make_unique<GlSprites>();
             }
@@ -98,7 +98,7 @@ protected:
             m_sprites->draw(*m_picture, pixels, defaultFramebufferObject());
         }
         QPainter painter(this);
-        if (!m_picture || !m_picture->scene) {
+        if (!m_picture || !m_picture->sprites) {
             paintImage(painter, m_picture ? m_picture->image : QImage(), rect());
         }
         m_overlay(painter);

@@ -29,7 +29,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     layout->addWidget(surface);
 
     m_feed.setSprites(m_surface->drawsSprites());
-    m_feed.setEffect(document.effect(), DirtyStage::Simulate);
+    m_feed.setScene(document.scene(), document.layer(), DirtyStage::Simulate);
     m_feed.setFrame(player.frame());
     m_feed.setPlaying(player.isPlaying());
     connect(&m_feed, &PreviewScheduler::ready, this, &Viewport::display);
@@ -60,7 +60,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
 
 View Viewport::view() const
 {
-    return windowView(m_document.effect(), m_player.frame(), std::max(1, width()), std::max(1, height()));
+    return windowView(m_document.scene(), m_player.frame(), std::max(1, width()), std::max(1, height()));
 }
 
 void Viewport::setOverlay(Overlay overlay, bool on)
@@ -75,7 +75,7 @@ void Viewport::setOverlay(Overlay overlay, bool on)
     m_surface->widget()->update();
 }
 
-void Viewport::setCompare(Compare compare, const Effect& other)
+void Viewport::setCompare(Compare compare, const Scene& other)
 {
     m_split.setMode(compare);
     m_feed.setOther(compare == Compare::Off ? std::nullopt : std::optional(other));
@@ -84,7 +84,7 @@ void Viewport::setCompare(Compare compare, const Effect& other)
 
 void Viewport::followDocument(const EffectChange& change)
 {
-    m_feed.setEffect(m_document.effect(), change.stale);
+    m_feed.setScene(m_document.scene(), m_document.layer(), change.stale);
     m_workLine->showStopped(m_feed.isStopped());
 }
 
@@ -180,19 +180,19 @@ void Viewport::frameAll()
     glm::vec3 low = m_document.effect().emitter.position;
     glm::vec3 high = low;
     const Effect& effect = m_document.effect();
-    const SampledEffect smoke = sampled(effect);
-    const bool isAtHand =
-        !effect.air.enabled || m_feed.shelf()->isBaked(smoke, makeSchedule(smoke).stepOfFrame(m_player.frame()));
+    const std::vector<SampledEffect> layers = sampledLayers(m_document.scene());
+    const bool isAtHand = !effect.air.enabled || m_feed.shelf()->isBaked(layers, m_player.frame());
     if (!isAtHand) {
-        const AirGrid grid = airGrid(smoke); // where the smoke is expected
+        const AirGrid grid = airGrid(layers); // where the smoke is expected
         m_document.moveCamera(framing(effect.camera, grid.corner, grid.end()));
         return;
     }
-    const std::vector<Trail> trails = findTrails(effect, m_player.frame(), m_feed.shelf());
-    for (const Trail& trail : trails) {
-        if (!trail.empty()) {
-            low = glm::min(low, trail.back());
-            high = glm::max(high, trail.back());
+    for (const std::size_t layer : m_document.scene().visibleLayers()) {
+        for (const Trail& trail : findTrails(m_document.scene(), layer, m_player.frame(), m_feed.shelf())) {
+            if (!trail.empty()) {
+                low = glm::min(low, trail.back());
+                high = glm::max(high, trail.back());
+            }
         }
     }
     m_document.moveCamera(framing(m_document.effect().camera, low, high));
@@ -231,7 +231,7 @@ void Viewport::paintOverlays(QPainter& painter)
     const bool hasGizmos = m_overlays.testFlag(Overlay::Gizmos) && m_hand.isNear();
     const bool isAirTouched = hasGizmos && m_hand.gizmo() && isOfAir(*m_hand.gizmo());
     if (effect.air.enabled && (m_overlays.testFlag(Overlay::Air) || isAirTouched)) {
-        paintAirBox(painter, effect, seen);
+        paintAirBox(painter, m_document.scene(), seen);
     }
     if (effect.air.enabled && (m_overlays.testFlag(Overlay::Air) || hasGizmos)) {
         paintObstacle(painter, effect.air, seen);
@@ -249,7 +249,7 @@ void Viewport::paintOverlays(QPainter& painter)
         paintGizmos(painter, effect, seen, m_hand.gizmo());
     }
     if (m_overlays.testFlag(Overlay::Frame)) {
-        paintFrame(painter, exportFrame(effect, width(), height()), rect(),
+        paintFrame(painter, exportFrame(m_document.scene(), width(), height()), rect(),
             QStringLiteral("%1 × %2").arg(effect.output.width).arg(effect.output.height));
     }
     if (m_overlays.testFlag(Overlay::Readout) && picture()) {

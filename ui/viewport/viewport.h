@@ -44,7 +44,7 @@ public:
 
     using Compare = fumage::ui::Compare;
     /// Shows another effect beside or instead of the document's.
-    void setCompare(Compare compare, const Effect& other);
+    void setCompare(Compare compare, const Scene& other);
     [[nodiscard]] Compare compare() const { return m_split.mode(); }
     [[nodiscard]] const PicturePtr& otherPicture() const { return m_feed.otherPicture(); }
 

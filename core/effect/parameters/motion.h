@@ -4,11 +4,47 @@
 
 namespace fumage {
 
+inline constexpr std::array<std::string_view, 3> kCouplings{"carried", "dragged", "free"};
+
 template <>
 inline constexpr Group<Motion> kGroup<Motion>{&Effect::motion, "motion", "Motion", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Motion>{
+    row<&Motion::coupling>({
+        .key = "motion.coupling",
+        .since = 2,
+        .label = "In the air",
+        .synonyms = "advect carried dragged inertia ballistic free heavy sparks embers debris collide",
+        .tip = "Carried: particles are the air's, as smoke is. Dragged: they have a velocity of their own, which drag "
+               "takes towards the air's, as embers and debris have. Free: no air touches them. What is dragged or free "
+               "bounces off ground and obstacle.",
+        .choices = kCouplings,
+        .visible = when("air.enabled", true),
+        .varies = false,
+    }),
+    row<&Motion::restitution>({
+        .key = "motion.restitution",
+        .since = 2,
+        .label = "Bounce",
+        .synonyms = "restitution elastic rebound collision",
+        .hard = kUnit,
+        .step = 0.02,
+        .tip = "Share of its speed with which a dragged or free particle leaves ground and obstacle again.",
+        .visible = when("air.enabled", true),
+        .animates = Animates::Step,
+    }),
+    row<&Motion::friction>({
+        .key = "motion.friction",
+        .since = 2,
+        .label = "Contact friction",
+        .synonyms = "slide stick roll collision ground",
+        .hard = kUnit,
+        .step = 0.02,
+        .tip = "Share of its speed along ground or obstacle that a dragged or free particle loses in each touch.",
+        .visible = when("air.enabled", true),
+        .animates = Animates::Step,
+    }),
     row<&Motion::buoyancy>({
         .key = "motion.buoyancy",
         .label = "Buoyancy",

@@ -9,6 +9,17 @@ inline constexpr Group<Source> kGroup<Source>{&Effect::source, "source", "Source
 
 template <>
 inline constexpr std::array kRows<Source>{
+    row<&Source::feeds>({
+        .key = "source.feeds",
+        .since = 2,
+        .label = "Feeds the air",
+        .synonyms = "heat push drive passive emits heats influence follows",
+        .tip = "Whether the emitter heats, pushes and stirs the air. Without it its particles only follow the air that "
+               "others move: embers, dust, debris.",
+        .visible = when("air.enabled", true),
+        .dirties = DirtyStage::Air,
+        .varies = false,
+    }),
     row<&Source::raggedness>({
         .key = "source.raggedness",
         .formerly = "air.raggedness",

@@ -72,30 +72,31 @@ std::string encodeAir(const AirField& air, AirFormat format)
     return format == AirFormat::Fga ? encodeFga(air) : encodeVf(air);
 }
 
-Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options, const Task& task)
+Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, const Task& task)
 {
-    if (!effect.air.enabled) {
+    if (!scene.air.enabled) {
         return Error{ErrorCode::OutOfRange, makeMessage("no air carries this smoke"), {},
             makeMessage("Switch it on with air.enabled")};
     }
-    const SampledEffect smoke = sampled(effect);
-    if (Status status = checkAir(smoke); !status) {
+    const std::vector<SampledEffect> layers = sampledLayers(scene);
+    if (Status status = checkAir(layers); !status) {
         return status.error();
     }
     AirCache shelf;
-    const SimulationModel model(smoke, shelf.airOf(smoke));
+    const std::shared_ptr<BakedAir> baked = shelf.airOf(layers);
+    const auto stepOf = [&](int number) { return firstAirStep(layers) + number * scene.timeline.stepsPerFrame; };
     constexpr int kPercent = 100;
     const auto baking = [&](double share) {
         task.progress(ProgressPhase::Air, static_cast<int>(kPercent * share), kPercent);
     };
-    const std::int64_t last = model.schedule().stepOfFrame(options.frames.at(options.frames.count() - 1));
+    const std::int64_t last = stepOf(options.frames.at(options.frames.count() - 1));
     AirGrid grid;
     const auto bytesOf = [&](int number) -> Result<std::string> {
         // The first time; what is baked stays.
-        if (Status status = model.air()->bake(last, task.stop, baking); !status) {
+        if (Status status = baked->bake(last, task.stop, baking); !status) {
             return status.error();
         }
-        const Result<AirFieldPtr> air = model.air()->field(model.schedule().stepOfFrame(number), task.stop);
+        const Result<AirFieldPtr> air = baked->field(stepOf(number), task.stop);
         if (!air) {
             return air.error();
         }

@@ -2,6 +2,7 @@
 
 #include "core/export/sequence.h"
 #include "core/flow/field.h"
+#include "core/scene/scene.h"
 
 #include <array>
 #include <string>
@@ -40,6 +41,6 @@ struct AirSequenceOptions {
 /// @return the box that the air is in
 /// @error  OutOfRange where no air carries the smoke; that of checkAir(); WouldOverwrite; that of the first frame that
 /// fails: files before it stay
-[[nodiscard]] Result<AirGrid> writeAir(const Effect& effect, const AirSequenceOptions& options, const Task& task = {});
+[[nodiscard]] Result<AirGrid> writeAir(const Scene& scene, const AirSequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

@@ -7,7 +7,7 @@
 #include "core/export/output_name.h"
 #include "core/lighting/appearance.h"
 #include "core/rendering/view_transform.h"
-#include "core/simulation/simulator.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,10 @@ constexpr std::array<std::string_view, 11> kColumns{
     "x", "y", "z", "vx", "vy", "vz", "age", "life", "alpha", "radius", "heat"};
 constexpr std::array<std::string_view, 3> kColours{"red", "green", "blue"};
 
+constexpr std::string_view kLayerColumn = "layer"; // its number from 1, where there are several
+
 struct Row {
+    std::size_t layer = 0;
     std::int32_t id = 0;
     std::array<float, kColumns.size()> values{};
     glm::vec3 colour{1.0F};
@@ -40,22 +43,32 @@ std::int32_t idOf(const Frame& frame, std::size_t slot)
         frame.model->schedule().birthIndex(frame.step, static_cast<std::int64_t>(slot), slots) % kSigned);
 }
 
-std::vector<Row> livingRows(const Frame& frame, const SampledEffect& effect, UpAxis up)
+/// Adds the living particles of a layer.
+void addRows(std::size_t layer, const LayerFrame& of, UpAxis up, std::vector<Row>& rows)
 {
+    const Frame& frame = *of.frame;
+    const Effect& effect = *of.effect;
     Appearance appearance;
-    findAppearance(frame, effect, Axes{}, appearance);
+    findAppearance(frame, *of.effect, Axes{}, appearance);
     const Particles& p = frame.particles;
-    std::vector<Row> rows;
     for (std::size_t i = 0; i < p.capacity; ++i) {
         const Lifecycle cycle = lifecycle(frame, i);
         if (cycle.alive) {
             const glm::vec3 at = turned({p.x[i], p.y[i], p.z[i]}, up);
             const glm::vec3 velocity = turned({p.vx[i], p.vy[i], p.vz[i]}, up);
-            rows.push_back({idOf(frame, i),
+            rows.push_back({layer, idOf(frame, i),
                 {at.x, at.y, at.z, velocity.x, velocity.y, velocity.z, cycle.age, cycle.life, appearance.alpha[i],
                     appearance.radius[i], p.inAir() ? p.heat[i] : 0.0F},
-                effect->look.colour * effect->look.colourGradient.at(cycle.life)});
+                effect.look.colour * effect.look.colourGradient.at(cycle.life)});
         }
+    }
+}
+
+std::vector<Row> livingRows(LayerFrames layers, UpAxis up)
+{
+    std::vector<Row> rows;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+        addRows(layer, layers[layer], up, rows);
     }
     return rows;
 }
@@ -78,9 +91,10 @@ std::string_view fileEnding(ParticleFormat format)
     return {};
 }
 
-std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up)
+std::string dumpCsv(LayerFrames layers, UpAxis up)
 {
-    std::string out = "id";
+    const bool several = layers.size() > 1;
+    std::string out = several ? std::string(kLayerColumn) + ",id" : "id";
     for (const std::string_view column : kColumns) {
         out += ',';
         out += column;
@@ -90,7 +104,8 @@ std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up)
         out += colour;
     }
     out += '\n';
-    for (const Row& row : livingRows(frame, effect, up)) {
+    for (const Row& row : livingRows(layers, up)) {
+        out += several ? std::to_string(row.layer + 1) + "," : "";
         out += std::to_string(row.id);
         for (const float value : row.values) {
             out += ',';
@@ -105,11 +120,13 @@ std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up)
     return out;
 }
 
-std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
+std::string dumpPly(LayerFrames layers, UpAxis up)
 {
-    const std::vector<Row> rows = livingRows(frame, effect, up);
-    std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame " + std::to_string(frame.number)
-        + "\nelement vertex " + std::to_string(rows.size()) + "\nproperty int id\n";
+    const bool several = layers.size() > 1;
+    const std::vector<Row> rows = livingRows(layers, up);
+    std::string out = "ply\nformat binary_little_endian 1.0\ncomment Fumage frame "
+        + std::to_string(layers.front().frame->number) + "\nelement vertex " + std::to_string(rows.size()) + "\n"
+        + (several ? "property int " + std::string(kLayerColumn) + "\n" : "") + "property int id\n";
     for (const std::string_view column : kColumns) {
         out += "property float " + std::string(column) + "\n";
     }
@@ -118,6 +135,9 @@ std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
     }
     out += "end_header\n";
     for (const Row& row : rows) {
+        if (several) {
+            appendLittleEndian(out, static_cast<std::uint32_t>(row.layer + 1));
+        }
         appendLittleEndian(out, static_cast<std::uint32_t>(row.id));
         for (const float value : row.values) {
             appendLittleEndian(out, value);
@@ -129,13 +149,13 @@ std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up)
     return out;
 }
 
-std::string dumpPcache(const Frame& frame, const SampledEffect& effect)
+std::string dumpPcache(LayerFrames layers)
 {
     constexpr std::array<std::string_view, 14> kProperties{"position.x", "position.y", "position.z", "velocity.x",
         "velocity.y", "velocity.z", "age", "lifetime", "size", "color.r", "color.g", "color.b", "color.a", "heat"};
-    const std::vector<Row> rows = livingRows(frame, effect, UpAxis::Y);
-    std::string out = "pcache\nformat binary 1.0\ncomment Fumage frame " + std::to_string(frame.number) + "\nelements "
-        + std::to_string(rows.size()) + "\n";
+    const std::vector<Row> rows = livingRows(layers, UpAxis::Y);
+    std::string out = "pcache\nformat binary 1.0\ncomment Fumage frame " + std::to_string(layers.front().frame->number)
+        + "\nelements " + std::to_string(rows.size()) + "\n";
     for (const std::string_view property : kProperties) {
         out += "property float " + std::string(property) + "\n";
     }
@@ -153,34 +173,33 @@ std::string dumpPcache(const Frame& frame, const SampledEffect& effect)
 
 namespace {
 
-Result<std::string> dumpFrame(Simulator& simulator, int frame, ParticleFormat format, UpAxis up, const Task& task)
+Result<std::string> dumpFrame(SceneRenderer& smoke, int frame, ParticleFormat format, UpAxis up, const Task& task)
 {
-    const Result<std::shared_ptr<const Frame>> simulated = simulator.frame(frame, task);
+    const Result<SceneFrame> simulated = smoke.frame(frame, task);
     if (!simulated) {
         return simulated.error();
     }
-    const Frame& found = *simulated.value();
-    const SampledEffect& smoke = simulator.model().effect();
+    const std::vector<LayerFrame> layers = layerFrames(simulated.value(), smoke.layers());
     switch (format) {
-    case ParticleFormat::Csv: return dumpCsv(found, smoke, up);
-    case ParticleFormat::Ply: return dumpPly(found, smoke, up);
-    case ParticleFormat::Pcache: return dumpPcache(found, smoke);
+    case ParticleFormat::Csv: return dumpCsv(layers, up);
+    case ParticleFormat::Ply: return dumpPly(layers, up);
+    case ParticleFormat::Pcache: return dumpPcache(layers);
     }
     return std::string();
 }
 
 } // namespace
 
-Result<std::string> dumpParticles(const Effect& effect, int frame, ParticleFormat format, UpAxis up, const Task& task)
+Result<std::string> dumpParticles(const Scene& scene, int frame, ParticleFormat format, UpAxis up, const Task& task)
 {
-    Simulator simulator(sampled(effect));
-    return dumpFrame(simulator, frame, format, up, task);
+    SceneRenderer smoke(scene);
+    return dumpFrame(smoke, frame, format, up, task);
 }
 
-Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Task& task)
+Status dumpSequence(const Scene& scene, const ParticleSequenceOptions& options, const Task& task)
 {
-    Simulator simulator(sampled(effect));
-    const auto bytesOf = [&](int number) { return dumpFrame(simulator, number, options.format, options.up, task); };
+    SceneRenderer smoke(scene);
+    const auto bytesOf = [&](int number) { return dumpFrame(smoke, number, options.format, options.up, task); };
     const NumberedFiles files{
         options.output, options.frames, fileEnding(options.format), options.source, options.written};
     return writeNumbered(files, bytesOf, task);

@@ -2,7 +2,8 @@
 
 #include "core/export/sequence.h"
 #include "core/export/data/up_axis.h"
-#include "core/simulation/frame.h"
+#include "core/rendering/renderer.h"
+#include "core/scene/scene.h"
 
 #include <array>
 #include <string>
@@ -26,20 +27,27 @@ inline constexpr std::array kAllParticleFormats{ParticleFormat::Csv, ParticleFor
 /// id (the number of its birth modulo 2^31, the same at every frame), x, y, z (m), vx, vy, vz (m/s, without
 /// turbulence), age (s), life (0..1), alpha (0..1), radius (m), heat (of the air at the particle, 1 at the source; 0
 /// without air), red, green, blue (linear, before light). Shortest round-trip numbers.
-/// @param effect the look that alpha, radius and colour follow
-[[nodiscard]] std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y);
+/// Of several layers the first column is the layer's number from 1. Alpha, radius and colour follow their looks.
+[[nodiscard]] std::string dumpCsv(LayerFrames layers, UpAxis up = UpAxis::Y);
+
+/// The same of one layer.
+[[nodiscard]] inline std::string dumpCsv(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y)
+{
+    const LayerFrame layer{&frame, &effect};
+    return dumpCsv({&layer, 1}, up);
+}
 
 /// The same as a binary little-endian PLY of vertices; the colours are sRGB in 8 bits, as programs expect them there.
-[[nodiscard]] std::string dumpPly(const Frame& frame, const SampledEffect& effect, UpAxis up = UpAxis::Y);
+[[nodiscard]] std::string dumpPly(LayerFrames layers, UpAxis up = UpAxis::Y);
 
 /// The same for Unity's VFX Graph: position, velocity, age, lifetime (s), size (m, across), color (linear, and alpha),
 /// heat. Unity's axes are left-handed with y up: our (x, y, -z).
-[[nodiscard]] std::string dumpPcache(const Frame& frame, const SampledEffect& effect);
+[[nodiscard]] std::string dumpPcache(LayerFrames layers);
 
 /// Simulates up to a frame and returns its particles as the bytes of a file.
-/// @error those of Simulator::frame()
+/// @error those of SceneSimulator::frame()
 [[nodiscard]] Result<std::string> dumpParticles(
-    const Effect& effect, int frame, ParticleFormat format, UpAxis up = UpAxis::Y, const Task& task = {});
+    const Scene& scene, int frame, ParticleFormat format, UpAxis up = UpAxis::Y, const Task& task = {});
 
 struct ParticleSequenceOptions {
     std::filesystem::path output; ///< ## becomes the frame number; see framePath()
@@ -52,6 +60,6 @@ struct ParticleSequenceOptions {
 
 /// Writes the particles of frames into numbered files, each whole or not at all.
 /// @error WouldOverwrite; that of the first frame that fails: files before it stay
-[[nodiscard]] Status dumpSequence(const Effect& effect, const ParticleSequenceOptions& options, const Task& task = {});
+[[nodiscard]] Status dumpSequence(const Scene& scene, const ParticleSequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

@@ -4,8 +4,8 @@
 #include "core/base/text.h"
 #include "core/export/data/byte_writer.h"
 #include "core/export/data/vdb_tree.h"
+#include "core/rendering/scene_renderer.h"
 #include "core/rendering/sprite_texture.h"
-#include "core/simulation/simulator.h"
 
 #include <algorithm>
 #include <array>
@@ -230,7 +230,7 @@ std::string encodeVdb(const Volume& volume, UpAxis up)
     return out;
 }
 
-Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& options, const Task& task)
+Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& options, const Task& task)
 {
     if (options.longest < kMinVolumeCells || options.longest > kMaxVolumeCells) {
         return Error{ErrorCode::OutOfRange, makeMessage("a volume of %1 cells", options.longest), {},
@@ -240,24 +240,28 @@ Result<float> writeVolumes(const Effect& effect, const VolumeSequenceOptions& op
         return Error{ErrorCode::OutOfRange, makeMessage("voxels of %1 m", formatFloat(*options.voxel)), {},
             makeMessage("Use %1 to %2 m", formatFloat(kMinVoxel), formatFloat(kMaxVoxel))};
     }
-    const SampledEffect smoke = sampled(effect);
-    const Result<GreyCounts> greys = greysShown(smoke, task.stop);
-    if (!greys) {
-        return greys.error();
+    const std::vector<SampledEffect> layers = sampledLayers(scene);
+    std::vector<GreyCounts> greys;
+    for (const SampledEffect& layer : layers) {
+        Result<GreyCounts> found = greysShown(layer, task.stop);
+        if (!found) {
+            return found.error();
+        }
+        greys.push_back(std::move(found).value());
     }
-    Simulator simulator(smoke);
+    SceneSimulator simulator(layers);
     const Result<float> voxel =
-        options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, smoke, options.longest, task);
+        options.voxel ? Result<float>(*options.voxel) : voxelFor(simulator, layers, options.longest, task);
     if (!voxel) {
         return voxel;
     }
     const NumberedFiles files{options.output, options.frames, kVdbEnding, options.source, options.written};
     const auto bytesOf = [&](int number) -> Result<std::string> {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, task);
+        const Result<SceneFrame> frame = simulator.frame(number, task);
         if (!frame) {
             return frame.error();
         }
-        const Result<Volume> volume = volumeOf(*frame.value(), smoke, voxel.value(), greys.value());
+        const Result<Volume> volume = volumeOf(layerFrames(frame.value(), layers), voxel.value(), greys);
         return volume ? Result<std::string>(encodeVdb(volume.value(), options.up)) : volume.error();
     };
     const Status written = writeNumbered(files, bytesOf, task);

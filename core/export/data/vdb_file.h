@@ -3,6 +3,7 @@
 #include "core/export/sequence.h"
 #include "core/export/data/up_axis.h"
 #include "core/export/data/volume.h"
+#include "core/scene/scene.h"
 
 #include <optional>
 #include <string>
@@ -40,6 +41,6 @@ struct VolumeSequenceOptions {
 /// @return the edge of a voxel, m
 /// @error OutOfRange; TooLarge; WouldOverwrite; that of the first frame that fails: files before it stay
 [[nodiscard]] Result<float> writeVolumes(
-    const Effect& effect, const VolumeSequenceOptions& options, const Task& task = {});
+    const Scene& scene, const VolumeSequenceOptions& options, const Task& task = {});
 
 } // namespace fumage

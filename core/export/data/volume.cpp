@@ -44,20 +44,31 @@ float heatOf(const Frame& frame, std::size_t slot, const Effect& effect)
     return heat * portableExp(-effect.glow.emissionCooling * lifecycle(frame, slot).age);
 }
 
-std::vector<Ball> ballsOf(
-    const Frame& frame, const SampledEffect& effect, const Appearance& appearance, const Volume& volume)
+/// The brightest glow of a layer; 0: it has none.
+float brightestOf(const Effect& effect)
 {
-    const bool glows = effect->glow.emission > 0.0F;
-    const GlowColours colours = glows ? glowColours(effect->glow) : GlowColours{};
     float brightest = 0.0F;
-    for (const glm::vec3& colour : colours) {
-        brightest = std::max(brightest, glm::dot(colour, kLuminance));
+    if (effect.glow.emission > 0.0F) {
+        for (const glm::vec3& colour : glowColours(effect.glow)) {
+            brightest = std::max(brightest, glm::dot(colour, kLuminance));
+        }
     }
+    return brightest;
+}
+
+/// Adds the particles of a layer.
+/// @param brightest of all layers
+void addBalls(const LayerFrame& layer, const Appearance& appearance, float brightest, const Volume& volume,
+    std::vector<Ball>& balls)
+{
+    const Frame& frame = *layer.frame;
+    const Effect& effect = *layer.effect;
+    const bool glows = effect.glow.emission > 0.0F;
+    const GlowColours colours = glows ? glowColours(effect.glow) : GlowColours{};
     const float discs = kPi / 3.0F * (appearance.cover.mean / Coverage::kSoftDisc);
     const Particles& p = frame.particles;
     const glm::vec3 corner = volume.corner();
-    std::vector<Ball> balls;
-    balls.reserve(appearance.count);
+    balls.reserve(balls.size() + appearance.count);
     for (std::size_t i = 0; i < p.capacity; ++i) {
         const float mass = appearance.alpha[i] * appearance.radius[i] * appearance.radius[i]
             * (appearance.left.empty() ? 1.0F : appearance.left[i]);
@@ -69,7 +80,6 @@ std::vector<Ball> ballsOf(
             mass * discs / (volume.cell * volume.cell), heat, glowOf(colours, heat, brightest),
             {p.vx[i], p.vy[i], p.vz[i]}});
     }
-    return balls;
 }
 
 /// Calls visit(cell, share) for the cells whose centres are in a ball, or the one that it lies in. Shares are not
@@ -154,10 +164,8 @@ struct Bounds {
 constexpr int kMargin = 1;
 
 /// The box around all balls.
-Status placeBox(const Frame& frame, const Appearance& appearance, Volume& volume)
+Status placeBox(int frame, const Bounds& bounds, Volume& volume)
 {
-    Bounds bounds;
-    bounds.add(appearance);
     const glm::dvec3 low =
         glm::floor(glm::dvec3(bounds.low) / static_cast<double>(volume.cell)) - static_cast<double>(kMargin);
     const glm::dvec3 past =
@@ -167,8 +175,8 @@ Status placeBox(const Frame& frame, const Appearance& appearance, Volume& volume
     const bool isNear = std::max({-low.x, -low.y, -low.z, past.x, past.y, past.z}) <= kFarthest;
     if (!isNear || cells.x * cells.y * cells.z > static_cast<double>(kMaxVolumeSize)) {
         return Error{ErrorCode::TooLarge,
-            makeMessage("the box around the smoke of frame %1 has more than %2 voxels of %3 m", frame.number,
-                kMaxVolumeSize, formatFloat(volume.cell)),
+            makeMessage("the box around the smoke of frame %1 has more than %2 voxels of %3 m", frame, kMaxVolumeSize,
+                formatFloat(volume.cell)),
             {}, makeMessage("Choose larger voxels")};
     }
     volume.first = glm::ivec3(low);
@@ -194,18 +202,20 @@ double roundedUp(double number)
 
 } // namespace
 
-Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int longest, const Task& task)
+Result<float> voxelFor(SceneSimulator& simulator, SampledLayers layers, int longest, const Task& task)
 {
     Bounds bounds;
     Appearance appearance;
-    const int frames = effect->timeline.length;
+    const int frames = layers.front()->timeline.length;
     for (int number = 0; number < frames; ++number) {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, task);
+        const Result<SceneFrame> frame = simulator.frame(number, task);
         if (!frame) {
             return frame.error();
         }
-        findAppearance(*frame.value(), effect, Axes{}, appearance);
-        bounds.add(appearance);
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            findAppearance(*frame.value().layers[i], layers[i], Axes{}, appearance);
+            bounds.add(appearance);
+        }
         task.progress(ProgressPhase::Fitting, number + 1, frames);
     }
     const float edge = bounds.longestEdge();
@@ -218,31 +228,44 @@ Result<float> voxelFor(Simulator& simulator, const SampledEffect& effect, int lo
 Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel)
 {
     const Result<GreyCounts> greys = greysShown(effect);
-    return greys ? volumeOf(frame, effect, voxel, greys.value()) : greys.error();
+    const LayerFrame layer{&frame, &effect};
+    return greys ? volumeOf({&layer, 1}, voxel, {&greys.value(), 1}) : greys.error();
 }
 
-Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel, const GreyCounts& greys)
+Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys)
 {
-    Appearance appearance;
-    findAppearance(frame, effect, Axes{}, appearance, greys);
-    const bool glows = effect->glow.emission > 0.0F;
+    std::vector<Appearance> appearances(layers.size());
     Volume volume;
     volume.cell = voxel;
-    volume.hasTemperature = effect->air.enabled || glows;
-    volume.hasFlames = glows;
-    if (appearance.count == 0) {
+    Bounds bounds;
+    float brightest = 0.0F;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const Effect& effect = *layers[i].effect;
+        findAppearance(*layers[i].frame, *layers[i].effect, Axes{}, appearances[i], greys[i]);
+        bounds.add(appearances[i]);
+        count += appearances[i].count;
+        const bool glows = effect.glow.emission > 0.0F;
+        volume.hasTemperature = volume.hasTemperature || effect.air.enabled || glows;
+        volume.hasFlames = volume.hasFlames || glows;
+        brightest = std::max(brightest, brightestOf(effect));
+    }
+    if (count == 0) {
         return volume;
     }
-    if (Status status = placeBox(frame, appearance, volume); !status) {
+    if (Status status = placeBox(layers.front().frame->number, bounds, volume); !status) {
         return status.error();
     }
-    const std::size_t count = static_cast<std::size_t>(volume.cells.x) * static_cast<std::size_t>(volume.cells.y)
+    const std::size_t cells = static_cast<std::size_t>(volume.cells.x) * static_cast<std::size_t>(volume.cells.y)
         * static_cast<std::size_t>(volume.cells.z);
-    volume.density.assign(count, 0.0F);
-    volume.velocity.assign(count, glm::vec3(0.0F));
-    volume.temperature.assign(volume.hasTemperature ? count : 0, 0.0F);
-    volume.flames.assign(volume.hasFlames ? count : 0, 0.0F);
-    const std::vector<Ball> balls = ballsOf(frame, effect, appearance, volume);
+    volume.density.assign(cells, 0.0F);
+    volume.velocity.assign(cells, glm::vec3(0.0F));
+    volume.temperature.assign(volume.hasTemperature ? cells : 0, 0.0F);
+    volume.flames.assign(volume.hasFlames ? cells : 0, 0.0F);
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        addBalls(layers[i], appearances[i], brightest, volume, balls);
+    }
     std::vector<float> sums(balls.size(), 0.0F);
     parallelFor(balls.size(), [&](std::size_t i) {
         forCellsOf(balls[i], volume.cells, [&](const glm::ivec3& /*at*/, float share) { sums[i] += share; });
@@ -252,7 +275,7 @@ Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float v
         const int begin = static_cast<int>(task) * kPlanes;
         spread(balls, sums, volume, begin, std::min(begin + kPlanes, volume.cells.z));
     });
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < cells; ++i) {
         if (volume.density[i] > 0.0F) {
             volume.velocity[i] /= volume.density[i];
             if (!volume.temperature.empty()) {

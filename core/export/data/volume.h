@@ -3,7 +3,8 @@
 #include "core/base/task.h"
 #include "core/base/result.h"
 #include "core/lighting/appearance.h"
-#include "core/simulation/simulator.h"
+#include "core/rendering/renderer.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <cstdint>
 #include <vector>
@@ -49,20 +50,19 @@ inline constexpr std::int64_t kMaxVolumeSize = std::int64_t{kMaxVolumeCells} * k
 /// @error TooLarge before allocating, where the box around the smoke has more than kMaxVolumeSize cells
 /// O(cells that particles cover). The same bits for any thread count and instruction set.
 [[nodiscard]] Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel);
-/// The same for many frames, with greysShown() of the effect found before.
-[[nodiscard]] Result<Volume> volumeOf(
-    const Frame& frame, const SampledEffect& effect, float voxel, const GreyCounts& greys);
+/// The same of all layers together, with greysShown() of each found before.
+[[nodiscard]] Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys);
 
 /// The edge of cells, m, of which the smoke of a whole timeline has so many along the longest edge of the box around
 /// it, rounded up to three digits: the same whichever frames are written, so that those of several programs fit
 /// together. Of a timeline without smoke it is kVoxelWithoutSmoke.
-/// @param simulator of the effect
+/// @param simulator of the layers
 /// @param longest   kMinVolumeCells to kMaxVolumeCells
 /// @param task      hears of ProgressPhase::Fitting after each frame
-/// @error those of Simulator
+/// @error those of SceneSimulator
 /// O(frames of the timeline): each is simulated.
 [[nodiscard]] Result<float> voxelFor(
-    Simulator& simulator, const SampledEffect& effect, int longest, const Task& task = {});
+    SceneSimulator& simulator, SampledLayers layers, int longest, const Task& task = {});
 inline constexpr float kVoxelWithoutSmoke = 0.1F; // m
 
 } // namespace fumage

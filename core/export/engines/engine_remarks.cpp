@@ -32,15 +32,15 @@ std::array<double, 2> keptRates(Engine engine, double rate)
 
 /// How many frames, one after the other, the same cells may show so that the engine keeps their speed; the nearest
 /// number to those that are there.
-std::optional<int> framesThatFit(const Effect& effect, const FlipbookOptions& options)
+std::optional<int> framesThatFit(const Scene& scene, const FlipbookOptions& options)
 {
     const int cells = options.columns * options.rows;
-    const double rate = cellsPerSecond(effect, options);
+    const double rate = cellsPerSecond(scene, options);
     const double there = static_cast<double>(options.frames.count()) * options.frames.step;
     std::optional<int> best;
     for (const double kept : keptRates(options.engine, rate)) {
-        const int frames = static_cast<int>(std::lround(cells * static_cast<double>(effect.timeline.frameRate) / kept));
-        const double speed = cells * static_cast<double>(effect.timeline.frameRate) / std::max(1, frames);
+        const int frames = static_cast<int>(std::lround(cells * static_cast<double>(scene.timeline.frameRate) / kept));
+        const double speed = cells * static_cast<double>(scene.timeline.frameRate) / std::max(1, frames);
         if (frames >= cells && isKept(options.engine, speed)
             && (!best || std::abs(frames - there) < std::abs(*best - there))) {
             best = frames;
@@ -50,12 +50,12 @@ std::optional<int> framesThatFit(const Effect& effect, const FlipbookOptions& op
 }
 
 /// The rate of the timeline's frames at which those that are there fit.
-double frameRateThatFits(const Effect& effect, const FlipbookOptions& options)
+double frameRateThatFits(const Scene& scene, const FlipbookOptions& options)
 {
-    const double rate = cellsPerSecond(effect, options);
+    const double rate = cellsPerSecond(scene, options);
     const std::array<double, 2> kept = keptRates(options.engine, rate);
     const double nearest = std::abs(kept[0] - rate) <= std::abs(kept[1] - rate) ? kept[0] : kept[1];
-    return static_cast<double>(effect.timeline.frameRate) * nearest / rate;
+    return static_cast<double>(scene.timeline.frameRate) * nearest / rate;
 }
 
 std::string shown(double value)
@@ -64,15 +64,15 @@ std::string shown(double value)
     return formatFloat(static_cast<float>(std::round(value * kHundredths) / kHundredths));
 }
 
-Message speedRemark(const Effect& effect, const FlipbookOptions& options)
+Message speedRemark(const Scene& scene, const FlipbookOptions& options)
 {
-    const double rate = cellsPerSecond(effect, options);
+    const double rate = cellsPerSecond(scene, options);
     const int cells = options.columns * options.rows;
     const std::string played = shown(cells / playedRate(options.engine, rate));
     const std::string meant = shown(cells / rate);
     const std::string engine(titleOf(options.engine));
-    const std::string fps = shown(frameRateThatFits(effect, options));
-    if (const std::optional<int> frames = framesThatFit(effect, options)) {
+    const std::string fps = shown(frameRateThatFits(scene, options));
+    if (const std::optional<int> frames = framesThatFit(scene, options)) {
         return makeMessage("%1 plays this sheet in %2 s instead of %3 s, for it counts time in whole steps: %4 frames "
                            "in its cells, or %5 frames a second, would keep the speed",
             engine, played, meant, *frames, fps);
@@ -100,11 +100,11 @@ double playedRate(Engine engine, double cellsPerSecond)
     return cellsPerSecond;
 }
 
-std::vector<Message> engineRemarks(const Effect& effect, const FlipbookOptions& options)
+std::vector<Message> engineRemarks(const Scene& scene, const FlipbookOptions& options)
 {
     std::vector<Message> remarks;
-    if (!isKept(options.engine, cellsPerSecond(effect, options))) {
-        remarks.push_back(speedRemark(effect, options));
+    if (!isKept(options.engine, cellsPerSecond(scene, options))) {
+        remarks.push_back(speedRemark(scene, options));
     }
     // The material function takes floor(i / rows) for the row of cell i. Source: its graph in SideFX Labs' texture
     // sheets.

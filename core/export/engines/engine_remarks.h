@@ -2,6 +2,7 @@
 
 #include "core/base/message.h"
 #include "core/export/sheets/flipbook_options.h"
+#include "core/scene/scene.h"
 
 #include <vector>
 
@@ -14,6 +15,6 @@ namespace fumage {
 
 /// What an artist should know before an engine plays a sheet in another way than it is made: a speed that it cannot
 /// keep within 2 %, with what it could keep, and a grid that it is said to misread. Empty: nothing. O(1).
-[[nodiscard]] std::vector<Message> engineRemarks(const Effect& effect, const FlipbookOptions& options);
+[[nodiscard]] std::vector<Message> engineRemarks(const Scene& scene, const FlipbookOptions& options);
 
 } // namespace fumage

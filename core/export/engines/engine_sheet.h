@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 #include "core/export/image_file.h"
 #include "core/export/pass_picture.h"
 
@@ -23,7 +23,7 @@ struct EnginePicture {
 
 /// All that files for engines tell of a flipbook.
 struct EngineSheet {
-    const Effect& effect; ///< its output is a cell
+    const Scene& scene; ///< its output is a cell
     int columns = 1;
     int rows = 1;
     double cellsPerSecond = 1.0;

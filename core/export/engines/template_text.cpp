@@ -55,13 +55,14 @@ void addChannels(const PassStyle& style, TemplateFacts& facts)
     }
 }
 
-/// How large a cell is in the world, m, and where its middle lies, seen from the emitter.
-void addPlace(const Effect& effect, TemplateFacts& facts)
+/// How large a cell is in the world, m, and where its middle lies, seen from the first emitter.
+void addPlace(const Scene& scene, TemplateFacts& facts)
 {
-    const View view = makeView(effect.camera, 0.0F, effect.output.width, effect.output.height);
-    const glm::vec3 looked = effect.camera.mode == CameraMode::Orbit ? effect.camera.target : effect.emitter.position;
+    const View view = makeView(scene.camera, 0.0F, scene.output.width, scene.output.height);
+    const glm::vec3& source = scene.layers.front().emitter.position;
+    const glm::vec3 looked = scene.camera.mode == CameraMode::Orbit ? scene.camera.target : source;
     const float depth = std::max(kNear, glm::dot(looked - view.eye, view.forward));
-    const glm::vec3 middle = view.eye + depth * view.forward - effect.emitter.position;
+    const glm::vec3 middle = view.eye + depth * view.forward - source;
     const float width = static_cast<float>(view.width) / view.focal * depth;
     const float height = static_cast<float>(view.height) / view.focal * depth;
     facts.number("metres_wide", width);
@@ -141,7 +142,7 @@ bool addGlow(const EngineSheet& sheet, TemplateFacts& facts)
 
 void addGrid(const EngineSheet& sheet, TemplateFacts& facts)
 {
-    const Output& cell = sheet.effect.output;
+    const Output& cell = sheet.scene.output;
     const int cells = sheet.columns * sheet.rows;
     facts.number("columns", sheet.columns);
     facts.number("rows", sheet.rows);
@@ -186,7 +187,7 @@ TemplateFacts factsOf(Language language, const EngineSheet& sheet)
         static_cast<int>(sheet.pictures.size()) + 5
             + glowResources); // shader, material, quad and process, and the scene itself
     addChannels(sheet.style, facts);
-    addPlace(sheet.effect, facts);
+    addPlace(sheet.scene, facts);
     return facts;
 }
 

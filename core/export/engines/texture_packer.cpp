@@ -9,8 +9,8 @@ std::string texturePackerText(const EngineSheet& sheet)
     using Json = nlohmann::ordered_json;
     const std::filesystem::path& picture = sheet.pictures.front().file;
     const std::string stem = picture.stem().string();
-    const int width = sheet.effect.output.width;
-    const int height = sheet.effect.output.height;
+    const int width = sheet.scene.output.width;
+    const int height = sheet.scene.output.height;
     Json frames = Json::object();
     Json names = Json::array();
     for (int cell = 0; cell < sheet.columns * sheet.rows; ++cell) {

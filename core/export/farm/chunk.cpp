@@ -27,25 +27,35 @@ double FarmCost::reach(int number) const
     return start + static_cast<double>(airSteps) * airStep + static_cast<double>(particleSteps) * particleStep;
 }
 
-FarmCost farmCost(const Effect& effect)
+FarmCost farmCost(const Scene& scene)
 {
-    const SampledEffect smoke = sampled(effect);
-    const Schedule schedule = makeSchedule(smoke);
-    const auto particles = static_cast<double>(schedule.capacity());
-    const double edge = effect.output.supersample;
-    const double pixels = static_cast<double>(effect.output.width) * effect.output.height * edge * edge;
+    const std::vector<SampledEffect> layers = sampledLayers(scene);
+    const Schedule schedule = makeSchedule(layers.front());
+    double particles = 0.0;
+    std::int64_t lifetime = 0;
+    for (const SampledEffect& layer : layers) {
+        const Schedule own = makeSchedule(layer);
+        particles += static_cast<double>(own.capacity());
+        lifetime = std::max(lifetime, own.lifetimeSteps);
+    }
+    const double edge = scene.output.supersample;
+    const double pixels = static_cast<double>(scene.output.width) * scene.output.height * edge * edge;
     FarmCost cost;
     cost.start = kStart;
     cost.particleStep = particles * kPerParticleStep;
     cost.stepsPerFrame = schedule.stepsPerFrame;
-    cost.firstStep = schedule.firstStep;
+    cost.firstStep = firstAirStep(layers);
     cost.loopSteps = schedule.loopSteps;
-    cost.lifetimeSteps = schedule.lifetimeSteps;
+    cost.lifetimeSteps = lifetime;
     cost.frame = particles * kPerParticleDrawn + pixels * kPerPixel
         + static_cast<double>(schedule.stepsPerFrame) * cost.particleStep;
-    if (effect.air.enabled && checkAir(smoke)) {
-        const glm::ivec3 cells = airGrid(smoke).cells;
-        const int pieces = piecesOfStep(smoke, schedule.dt, smoke->emitter.mode == EmissionMode::Continuous);
+    if (scene.air.enabled && checkAir(layers)) {
+        const glm::ivec3 cells = airGrid(layers).cells;
+        int pieces = 1;
+        for (const SampledEffect& layer : layers) {
+            const bool acts = layer->emitter.mode == EmissionMode::Continuous;
+            pieces = std::max(pieces, piecesOfStep(layer, schedule.dt, acts));
+        }
         cost.airStep = static_cast<double>(cells.x) * cells.y * cells.z * pieces * kPerCellStep;
     }
     return cost;

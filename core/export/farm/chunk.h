@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/effect/effect.h"
+#include "core/scene/scene.h"
 #include "core/export/sequence.h"
 
 namespace fumage {
@@ -24,7 +24,7 @@ struct FarmCost {
 
 /// Steps times cells, steps times particles, particles and pixels, each with the time that one takes
 /// (resources/docs/performance.md).
-[[nodiscard]] FarmCost farmCost(const Effect& effect);
+[[nodiscard]] FarmCost farmCost(const Scene& scene);
 
 /// Most tasks that a job is divided into; Slurm takes 1001 where nobody has raised it.
 inline constexpr int kMaxTasks = 1000;

@@ -251,7 +251,7 @@ private:
         job.name = job.name.empty() ? job.plan.output.filename().string() : job.name;
         job.plan.output = withEnding(job.plan.output, fileEnding(job.plan));
         if (node.find("frames") == nullptr) {
-            job.plan.frames = framesOf(job.plan.kind, job.preset.effect.timeline, m_shown);
+            job.plan.frames = framesOf(job.plan.kind, job.preset.scene.timeline, m_shown);
         }
         if (m_shown.sheet && node.find("columns") == nullptr && node.find("rows") == nullptr) {
             job.plan.flipbook.columns = m_shown.sheet->columns;

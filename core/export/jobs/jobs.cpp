@@ -40,7 +40,7 @@ Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task)
     if (plan.project) {
         plan.project = job.preset;
     }
-    return runExport(job.preset.effect, plan, task);
+    return runExport(job.preset.scene, plan, task);
 }
 
 Status JobFiles::check(const ExportJob& job) const

@@ -21,10 +21,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string presetText(const Effect& effect)
+std::string presetText(const Scene& scene)
 {
     Preset preset;
-    preset.effect = effect;
+    preset.scene = scene;
     return formatPreset(preset);
 }
 
@@ -129,7 +129,7 @@ private:
         if (!reading) {
             return reading.error();
         }
-        job.effect = reading.value().preset.effect;
+        job.scene = reading.value().preset.scene;
         return Done{};
     }
 
@@ -240,13 +240,13 @@ std::string ManifestJob::hash() const
     for (const auto& [key, value] : settings) {
         sum.add(key + "=" + value + "\n");
     }
-    sum.add(presetText(effect));
+    sum.add(presetText(scene));
     return sum.finish();
 }
 
 std::string formatManifest(const Manifest& manifest)
 {
-    const std::string preset = presetText(manifest.job.effect);
+    const std::string preset = presetText(manifest.job.scene);
     Json json;
     json["format"] = kManifestFormat;
     json["version"] = kManifestVersion;

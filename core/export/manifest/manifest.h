@@ -44,7 +44,7 @@ struct Content {
 struct ManifestJob {
     std::string kind; ///< "frames", "flipbook", "volumes", "air", "particles"
     std::map<std::string, std::string> settings; ///< that change what files hold, beside the effect
-    Effect effect; ///< with the camera and the size that pictures are taken with
+    Scene scene; ///< with the camera and the size that pictures are taken with
     std::string program = FUMAGE_VERSION;
 
     /// SHA-256 of all of it.

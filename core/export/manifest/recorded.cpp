@@ -18,7 +18,7 @@ namespace {
 
 /// The content of a file, where it is the whole picture of a frame.
 std::optional<Content> contentOfFrame(
-    const std::filesystem::path& file, const Effect& effect, const SequenceOptions& options, int frame)
+    const std::filesystem::path& file, const Scene& scene, const SequenceOptions& options, int frame)
 {
     const Result<OpenFile> open = OpenFile::open(file);
     if (!open) {
@@ -27,8 +27,8 @@ std::optional<Content> contentOfFrame(
     const PartReader parts = [&](std::uint64_t at, std::size_t size) { return open.value().readAt(at, size); };
     const Result<PictureHash> picture = pictureHash(parts);
     const Result<ImageMetadata> notes = readImageMetadata(parts);
-    if (!picture || !notes || picture.value().width != effect.output.width
-        || picture.value().height != effect.output.height) {
+    if (!picture || !notes || picture.value().width != scene.output.width
+        || picture.value().height != scene.output.height) {
         return {};
     }
     const bool carries = !options.preset.empty() && !notes.value().preset.empty();
@@ -76,9 +76,9 @@ ExportPlan planOf(const FlipbookOptions& options)
 
 } // namespace
 
-ManifestJob jobOf(const Effect& effect, const SequenceOptions& options)
+ManifestJob jobOf(const Scene& scene, const SequenceOptions& options)
 {
-    ManifestJob job{std::string(kFramesKind), settingsOf(planOf(options)), effect};
+    ManifestJob job{std::string(kFramesKind), settingsOf(planOf(options)), scene};
     job.settings["format"] = nameOf(options.format);
     job.settings["step"] = std::to_string(options.frames.step);
     return job;
@@ -106,9 +106,9 @@ Result<SequenceOptions> sequenceOf(const ManifestJob& job)
     return options;
 }
 
-ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options)
+ManifestJob jobOf(const Scene& scene, const FlipbookOptions& options)
 {
-    ManifestJob job{std::string(kFlipbookKind), settingsOf(planOf(options)), effect};
+    ManifestJob job{std::string(kFlipbookKind), settingsOf(planOf(options)), scene};
     job.settings["name"] = options.output.filename().string();
     job.settings["format"] = nameOf(options.format);
     job.settings["frames"] = textOf(options.frames);
@@ -144,7 +144,7 @@ Result<FlipbookOptions> flipbookOf(const ManifestJob& job)
     return options;
 }
 
-Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options,
+Result<std::vector<int>> framesThere(const Scene& scene, const SequenceOptions& options,
     const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop)
 {
     std::vector<int> there;
@@ -152,7 +152,7 @@ Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions
         if (stop.stop_requested()) {
             return Error{ErrorCode::Cancelled, makeMessage("interrupted"), {}, {}};
         }
-        const std::optional<Content> content = contentOfFrame(framePath(options, frame), effect, options, frame);
+        const std::optional<Content> content = contentOfFrame(framePath(options, frame), scene, options, frame);
         if (!content) {
             continue;
         }
@@ -164,14 +164,14 @@ Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions
     return there;
 }
 
-Status renderRecorded(const Effect& effect, SequenceOptions options, const Recording& recording, const Task& task)
+Status renderRecorded(const Scene& scene, SequenceOptions options, const Recording& recording, const Task& task)
 {
     std::optional<ManifestRecorder> recorder;
     if (!recording.manifest.empty() && !isUtf8(withinFolderOf(recording.manifest, options.output).string())) {
         return nameNotUtf8(options.output);
     }
     if (!recording.manifest.empty()) {
-        recorder.emplace(jobOf(effect, options), recording.manifest, options.frames);
+        recorder.emplace(jobOf(scene, options), recording.manifest, options.frames);
         options.written = [&recorder, options](int frame, std::span<const std::byte> bytes) {
             return recorder->add(framePath(options, frame), frame, bytes);
         };
@@ -180,13 +180,13 @@ Status renderRecorded(const Effect& effect, SequenceOptions options, const Recor
         const auto keep = [&](int frame, const Content& content) {
             return recorder ? recorder->add(framePath(options, frame), frame, content) : Status(Done{});
         };
-        Result<std::vector<int>> there = framesThere(effect, options, keep, task.stop);
+        Result<std::vector<int>> there = framesThere(scene, options, keep, task.stop);
         if (!there) {
             return there.error();
         }
         options.leftOut = std::move(there).value();
     }
-    const Status rendered = renderSequence(effect, options, task);
+    const Status rendered = renderSequence(scene, options, task);
     const Status recorded = recorder ? recorder->write() : Status(Done{});
     return rendered ? recorded : rendered;
 }
@@ -208,9 +208,9 @@ Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manif
     return written ? recorded : written;
 }
 
-Status recordFlipbook(const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest)
+Status recordFlipbook(const Scene& scene, const FlipbookOptions& options, const std::filesystem::path& manifest)
 {
-    ManifestRecorder recorder(jobOf(effect, options), manifest, std::nullopt);
+    ManifestRecorder recorder(jobOf(scene, options), manifest, std::nullopt);
     for (const std::filesystem::path& file : filesOf(options)) {
         Result<Content> content = contentOfFile(file);
         if (!content) {

@@ -4,6 +4,7 @@
 #include "core/export/manifest/manifest.h"
 #include "core/export/manifest/recording.h"
 #include "core/export/sequence.h"
+#include "core/scene/scene.h"
 
 #include <filesystem>
 
@@ -13,7 +14,7 @@ namespace fumage {
 inline constexpr std::string_view kFramesKind = "frames";
 
 /// The job that frames are made by. Frames of one job are the same, whatever ranges it is divided into.
-[[nodiscard]] ManifestJob jobOf(const Effect& effect, const SequenceOptions& options);
+[[nodiscard]] ManifestJob jobOf(const Scene& scene, const SequenceOptions& options);
 
 /// How the frames of a job are rendered: format, passes and step; not their range and name.
 /// @error WrongType: it is not of frames, or has settings that are not known
@@ -23,7 +24,7 @@ inline constexpr std::string_view kFramesKind = "frames";
 inline constexpr std::string_view kFlipbookKind = "flipbook";
 
 /// The job that a flipbook is made by. Its name belongs to it: the file beside the picture names it.
-[[nodiscard]] ManifestJob jobOf(const Effect& effect, const FlipbookOptions& options);
+[[nodiscard]] ManifestJob jobOf(const Scene& scene, const FlipbookOptions& options);
 
 /// How the flipbook of a job is rendered; its output has no folder.
 /// @error WrongType: it is no flipbook, or does not say all of it, as those of Fumage before this was known
@@ -33,13 +34,13 @@ inline constexpr std::string_view kFlipbookKind = "flipbook";
 /// preset and a frame these are the right ones. O(pixels of those files).
 /// @param kept hears of each
 /// @error Cancelled; that of kept
-[[nodiscard]] Result<std::vector<int>> framesThere(const Effect& effect, const SequenceOptions& options,
+[[nodiscard]] Result<std::vector<int>> framesThere(const Scene& scene, const SequenceOptions& options,
     const std::function<Status(int frame, const Content& content)>& kept, const std::stop_token& stop = {});
 
 /// renderSequence(), but for frames that are there already, and with a manifest of them all. It is written too where
 /// the work ends early, of what was done until then.
 [[nodiscard]] Status renderRecorded(
-    const Effect& effect, SequenceOptions options, const Recording& recording, const Task& task = {});
+    const Scene& scene, SequenceOptions options, const Recording& recording, const Task& task = {});
 
 /// Writes numbered files that are no pictures, with a manifest of them. It is written too where the work ends early.
 /// @param manifest empty: none
@@ -51,6 +52,6 @@ inline constexpr std::string_view kFlipbookKind = "flipbook";
 /// Writes the manifest of a flipbook that has been written.
 /// @error those of readFile() and ManifestRecorder
 [[nodiscard]] Status recordFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const std::filesystem::path& manifest);
+    const Scene& scene, const FlipbookOptions& options, const std::filesystem::path& manifest);
 
 } // namespace fumage

@@ -125,7 +125,7 @@ Status renderFlipbookJob(
     if (std::ranges::none_of(shown, [&](int frame) { return wanted.has(frame); })) {
         return Done{};
     }
-    const Result<std::vector<FlipbookFile>> made = encodeFlipbook(job.job.effect, options.value(), task);
+    const Result<std::vector<FlipbookFile>> made = encodeFlipbook(job.job.scene, options.value(), task);
     if (!made) {
         return made.error();
     }
@@ -179,7 +179,7 @@ Status renderFrames(const Manifest& job, const FrameRange& wanted, std::vector<C
         made[frame] = std::move(content).value();
         return Done{};
     };
-    if (Status status = encodeFrames(job.job.effect, options.value(), keep, task); !status) {
+    if (Status status = encodeFrames(job.job.scene, options.value(), keep, task); !status) {
         return status;
     }
     for (const auto& [frame, entry] : entries) {

@@ -59,15 +59,15 @@ std::vector<int> framesOfCells(const FlipbookOptions& options)
     return frames;
 }
 
-CellFrames cellFramesOf(const Effect& effect, const FlipbookOptions& options)
+CellFrames cellFramesOf(const Scene& scene, const FlipbookOptions& options)
 {
-    return {framesOfCells(options), turnOf(effect.timeline, options)};
+    return {framesOfCells(options), turnOf(scene.timeline, options)};
 }
 
-double cellsPerSecond(const Effect& effect, const FlipbookOptions& options)
+double cellsPerSecond(const Scene& scene, const FlipbookOptions& options)
 {
     const double frames = static_cast<double>(options.frames.count()) * options.frames.step;
-    return options.columns * options.rows * static_cast<double>(effect.timeline.frameRate) / frames;
+    return options.columns * options.rows * static_cast<double>(scene.timeline.frameRate) / frames;
 }
 
 } // namespace fumage

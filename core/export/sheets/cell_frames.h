@@ -2,6 +2,7 @@
 
 #include "core/export/sheets/flipbook_options.h"
 #include "core/export/frame_neighbours.h"
+#include "core/scene/scene.h"
 
 #include <string>
 #include <string_view>
@@ -22,9 +23,9 @@ namespace fumage {
 /// Those of all cells.
 [[nodiscard]] std::vector<int> framesOfCells(const FlipbookOptions& options);
 /// The same, and whether the first comes again after the last.
-[[nodiscard]] CellFrames cellFramesOf(const Effect& effect, const FlipbookOptions& options);
+[[nodiscard]] CellFrames cellFramesOf(const Scene& scene, const FlipbookOptions& options);
 
 /// Cells that are to be shown in a second, so that the effect keeps its speed.
-[[nodiscard]] double cellsPerSecond(const Effect& effect, const FlipbookOptions& options);
+[[nodiscard]] double cellsPerSecond(const Scene& scene, const FlipbookOptions& options);
 
 } // namespace fumage

@@ -33,7 +33,7 @@ std::int64_t targetsOf(PassSet passes)
     return count;
 }
 
-Status check(const Effect& effect, const FlipbookOptions& options)
+Status check(const Scene& scene, const FlipbookOptions& options)
 {
     const auto inRange = [](int count) { return count >= 1 && count <= kMaxSheetCells; };
     if (!inRange(options.columns) || !inRange(options.rows)) {
@@ -46,7 +46,7 @@ Status check(const Effect& effect, const FlipbookOptions& options)
     if (Status status = checkEngine(options.engine, options.passes, options.format); !status) {
         return status;
     }
-    if (Status status = checkPacks(options.packs, effect.output.width, effect.output.height); !status) {
+    if (Status status = checkPacks(options.packs, scene.output.width, scene.output.height); !status) {
         return status;
     }
     if (options.passes == PassSet() && options.packs.empty()) {
@@ -60,8 +60,8 @@ Status check(const Effect& effect, const FlipbookOptions& options)
             makeMessage("%1 frames do not fill %2 cells", options.frames.count(), cells), {},
             makeMessage("Choose more frames or fewer columns and rows, such as %1x%2", columns, rows)};
     }
-    const std::int64_t width = static_cast<std::int64_t>(effect.output.width) * options.columns;
-    const std::int64_t height = static_cast<std::int64_t>(effect.output.height) * options.rows;
+    const std::int64_t width = static_cast<std::int64_t>(scene.output.width) * options.columns;
+    const std::int64_t height = static_cast<std::int64_t>(scene.output.height) * options.rows;
     const std::int64_t pixels = width * height;
     const bool isTooLong = width > kMaxSheetEdge || height > kMaxSheetEdge;
     const std::int64_t targetPixels = pixels * targetsOf(renderedPasses(options));
@@ -89,18 +89,22 @@ float maxBorderAlpha(const Image& cell)
 /// Looks for smoke on the borders of cells with a transparent background.
 class BorderWatch {
 public:
-    explicit BorderWatch(const SampledEffect& smoke)
-        : m_smoke(smoke)
-        , m_framing(smoke->camera, smoke->output.width, smoke->output.height)
+    explicit BorderWatch(const Scene& scene)
+        : m_scene(scene)
+        , m_framing(scene.camera, scene.output.width, scene.output.height)
     {
     }
 
-    void look(const Image& cell, const Frame& frame, const Appearance& appearance)
+    void look(const Image& cell, const FrameAmongOthers& frames, const PassRenderer& renderer)
     {
-        if (m_smoke->output.background != Background::Transparent) {
+        if (m_scene.output.background != Background::Transparent) {
             return;
         }
-        m_framing.addParticles(frame.particles, appearance, secondsOf(m_smoke->timeline, frame.number));
+        const Frame& frame = *frames.layers.front().now;
+        for (std::size_t layer = 0; layer < frames.layers.size(); ++layer) {
+            m_framing.addParticles(frames.layers[layer].now->particles, renderer.appearance(layer),
+                secondsOf(m_scene.timeline, frame.number));
+        }
         const float alpha = maxBorderAlpha(cell);
         m_alpha = std::max(m_alpha, alpha);
         constexpr float kSeen = 1.0F / 255.0F;
@@ -124,13 +128,13 @@ public:
     {
         flipbook.edgeAlpha = m_alpha;
         flipbook.cutOff = m_cutOff;
-        if (m_cutOff && m_smoke->camera.mode == CameraMode::Orbit) {
-            flipbook.cutOff->distance = m_framing.distanceFrom(m_smoke->camera.target);
+        if (m_cutOff && m_scene.camera.mode == CameraMode::Orbit) {
+            flipbook.cutOff->distance = m_framing.distanceFrom(m_scene.camera.target);
         }
     }
 
 private:
-    const SampledEffect& m_smoke;
+    const Scene& m_scene;
     Framing m_framing;
     float m_alpha = 0.0F;
     std::optional<CutOff> m_cutOff;
@@ -138,17 +142,15 @@ private:
 
 /// Renders the cells into the sheet, and says of the flipbook whether they hold all smoke.
 Status renderCells(
-    const Effect& effect, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Task& task)
+    const Scene& scene, const FlipbookOptions& options, PassSheet& sheet, Flipbook& flipbook, const Task& task)
 {
-    const SampledEffect smoke = sampled(effect);
-    BorderWatch borders(smoke);
+    BorderWatch borders(scene);
     PassSet rendered = renderedPasses(options);
     rendered.add(Pass::Alpha); // it tells what is cut off
-    const auto look = [&](const PassImages& cell, const Frame& frame, const Appearance& appearance) {
-        borders.look(cell.of(PassTarget::Colour), frame, appearance);
+    const auto look = [&](const PassImages& cell, const FrameAmongOthers& frame, const PassRenderer& renderer) {
+        borders.look(cell.of(PassTarget::Colour), frame, renderer);
     };
-    if (Status status =
-            renderSheet(effect, cellFramesOf(effect, options), options.columns, rendered, sheet, look, task);
+    if (Status status = renderSheet(scene, cellFramesOf(scene, options), options.columns, rendered, sheet, look, task);
         !status) {
         return status;
     }
@@ -157,26 +159,26 @@ Status renderCells(
 }
 
 Result<std::vector<std::byte>> encodeColour(
-    const PassSheet& sheet, const Effect& effect, ImageFormat format, const ImageMetadata& notes)
+    const PassSheet& sheet, const Scene& scene, ImageFormat format, const ImageMetadata& notes)
 {
     return encodeSheet(
-        sheet.targets.of(PassTarget::Colour), effect, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
+        sheet.targets.of(PassTarget::Colour), scene, format, sheet.grid.cellWidth, sheet.grid.cellHeight, notes);
 }
 
 /// The bytes of all pictures, each on a thread of its own.
 Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& sheet, const PassPictures& pictures,
-    const Effect& effect, const FlipbookOptions& options, const std::stop_token& stop)
+    const Scene& scene, const FlipbookOptions& options, const std::stop_token& stop)
 {
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
     const ImageMetadata notes{0, options.preset, frameOfCell(options, 0), sheetNoteOf(options)};
-    const Packer packer(sheet, pictures, options.style, effect, options.format);
+    const Packer packer(sheet, pictures, options.style, scene, options.format);
     std::vector<Result<std::vector<std::byte>>> encoded(files.size(), std::vector<std::byte>());
     parallelFor(files.size(), [&](std::size_t i) {
         if (i >= passes.size()) {
             encoded[i] = encodeData(packer.pack(options.packs[i - passes.size()]), options.format, notes, stop);
         } else if (passes[i] == Pass::Colour) {
-            encoded[i] = encodeColour(sheet, effect, options.format, notes);
+            encoded[i] = encodeColour(sheet, scene, options.format, notes);
         } else {
             encoded[i] = encodeData(pictures.picture(passes[i]), options.format, notes, stop);
         }
@@ -193,11 +195,11 @@ Result<std::vector<std::vector<std::byte>>> encodePictures(const PassSheet& shee
     return out;
 }
 
-EngineSheet engineSheet(const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook,
+EngineSheet engineSheet(const Scene& scene, const FlipbookOptions& options, const Flipbook& flipbook,
     const PassScales& scales, const std::vector<std::vector<std::byte>>& bytes)
 {
     EngineSheet sheet{
-        effect, options.columns, options.rows, flipbook.cellsPerSecond, flipbook.loops, options.style, scales, {}};
+        scene, options.columns, options.rows, flipbook.cellsPerSecond, flipbook.loops, options.style, scales, {}};
     const std::vector<Pass> passes = listOf(options.passes);
     const std::vector<std::filesystem::path> files = picturesOf(options);
     const auto areVectors = [](Pass pass) { return pass == Pass::Motion || pass == Pass::Normal; };
@@ -229,7 +231,7 @@ std::vector<std::byte> bytesOf(const std::string& text)
 }
 
 /// @param all filesOf() the options
-Result<MadeFlipbook> makeFlipbook(const Effect& effect, const FlipbookOptions& options,
+Result<MadeFlipbook> makeFlipbook(const Scene& scene, const FlipbookOptions& options,
     const std::vector<std::filesystem::path>& all, const CellFill& fill, const std::stop_token& stop)
 {
     MadeFlipbook made;
@@ -237,20 +239,20 @@ Result<MadeFlipbook> makeFlipbook(const Effect& effect, const FlipbookOptions& o
     flipbook.picture = all.front();
     flipbook.files = static_cast<int>(all.size());
     flipbook.description = all.back();
-    flipbook.cellsPerSecond = cellsPerSecond(effect, options);
-    flipbook.loops = turnOf(effect.timeline, options).has_value();
+    flipbook.cellsPerSecond = cellsPerSecond(scene, options);
+    flipbook.loops = turnOf(scene.timeline, options).has_value();
     PassSheet sheet;
     if (Status status = fill(sheet, flipbook); !status) {
         return status.error();
     }
     const PassPictures pictures = PassPictures::spending(sheet, renderedPasses(options), options.style);
-    Result<std::vector<std::vector<std::byte>>> bytes = encodePictures(sheet, pictures, effect, options, stop);
+    Result<std::vector<std::vector<std::byte>>> bytes = encodePictures(sheet, pictures, scene, options, stop);
     if (!bytes) {
         return bytes.error();
     }
     std::vector<std::string> texts =
-        makeEngineFiles(options.engine, engineSheet(effect, options, flipbook, pictures.scales(), bytes.value()));
-    texts.push_back(describeFlipbook(effect, options, flipbook, pictures.scales()));
+        makeEngineFiles(options.engine, engineSheet(scene, options, flipbook, pictures.scales(), bytes.value()));
+    texts.push_back(describeFlipbook(scene, options, flipbook, pictures.scales()));
     const std::size_t count = bytes.value().size(); // of pictures
     for (std::size_t i = 0; i < all.size(); ++i) {
         made.files.push_back({all[i], i < count ? std::move(bytes.value()[i]) : bytesOf(texts[i - count])});
@@ -259,16 +261,16 @@ Result<MadeFlipbook> makeFlipbook(const Effect& effect, const FlipbookOptions& o
 }
 
 Result<Flipbook> writeFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const CellFill& fill, const std::stop_token& stop)
+    const Scene& scene, const FlipbookOptions& options, const CellFill& fill, const std::stop_token& stop)
 {
-    if (Status status = check(effect, options); !status) {
+    if (Status status = check(scene, options); !status) {
         return status.error();
     }
     const std::vector<std::filesystem::path> all = filesOf(options);
     if (Status status = makeFolderOf(options.output); !status) {
         return status.error();
     }
-    const Result<MadeFlipbook> made = makeFlipbook(effect, options, all, fill, stop);
+    const Result<MadeFlipbook> made = makeFlipbook(scene, options, all, fill, stop);
     if (!made) {
         return made.error();
     }
@@ -288,38 +290,38 @@ Result<Flipbook> writeFlipbook(
 
 } // namespace
 
-Result<Flipbook> renderFlipbook(const Effect& effect, const FlipbookOptions& options, const Task& task)
+Result<Flipbook> renderFlipbook(const Scene& scene, const FlipbookOptions& options, const Task& task)
 {
     const auto fill = [&](PassSheet& sheet, Flipbook& flipbook) {
-        return renderCells(effect, options, sheet, flipbook, task);
+        return renderCells(scene, options, sheet, flipbook, task);
     };
-    return writeFlipbook(effect, options, fill, task.stop);
+    return writeFlipbook(scene, options, fill, task.stop);
 }
 
-Result<std::vector<FlipbookFile>> encodeFlipbook(const Effect& effect, const FlipbookOptions& options, const Task& task)
+Result<std::vector<FlipbookFile>> encodeFlipbook(const Scene& scene, const FlipbookOptions& options, const Task& task)
 {
-    if (Status status = check(effect, options); !status) {
+    if (Status status = check(scene, options); !status) {
         return status.error();
     }
     const auto fill = [&](PassSheet& sheet, Flipbook& flipbook) {
-        return renderCells(effect, options, sheet, flipbook, task);
+        return renderCells(scene, options, sheet, flipbook, task);
     };
-    Result<MadeFlipbook> made = makeFlipbook(effect, options, filesOf(options), fill, task.stop);
+    Result<MadeFlipbook> made = makeFlipbook(scene, options, filesOf(options), fill, task.stop);
     return made ? Result<std::vector<FlipbookFile>>(std::move(made.value().files)) : made.error();
 }
 
 Result<Flipbook> joinFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Task& task)
+    const Scene& scene, const FlipbookOptions& options, const FrameSource& frames, const Task& task)
 {
     if (renderedPasses(options) != PassSet{Pass::Colour}) {
         return Error{ErrorCode::OutOfRange, makeMessage("only the colour can be joined of frames"), {},
             makeMessage("Render a flipbook for its other passes")};
     }
     const auto fill = [&](PassSheet& sheet, Flipbook&) {
-        return joinSheet(cellFramesOf(effect, options), options.columns, frames,
-            {effect.output.width, effect.output.height}, sheet, task);
+        return joinSheet(cellFramesOf(scene, options), options.columns, frames,
+            {scene.output.width, scene.output.height}, sheet, task);
     };
-    return writeFlipbook(effect, options, fill, task.stop);
+    return writeFlipbook(scene, options, fill, task.stop);
 }
 
 } // namespace fumage

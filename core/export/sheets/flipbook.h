@@ -3,6 +3,7 @@
 #include "core/base/task.h"
 #include "core/export/frame_source.h"
 #include "core/export/sheets/flipbook_options.h"
+#include "core/scene/scene.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace fumage {
 /// not at all.
 /// @error TooLarge before allocating, OutOfRange, those of checkEngine(), checkPacks() and renderSequence()
 [[nodiscard]] Result<Flipbook> renderFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, const Task& task = {});
 
 /// A file of a flipbook, not written.
 struct FlipbookFile {
@@ -29,12 +30,12 @@ struct FlipbookFile {
 /// The files that renderFlipbook() writes, in the order of filesOf(); nothing is written.
 /// @error those of renderFlipbook()
 [[nodiscard]] Result<std::vector<FlipbookFile>> encodeFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, const Task& task = {});
 
 /// renderFlipbook() of frames that are there already. Nothing is known of smoke that is cut off.
 /// @param options whose only pass is the colour
 /// @error OutOfRange where other passes are asked for; those of renderFlipbook() and of the frames
 [[nodiscard]] Result<Flipbook> joinFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const FrameSource& frames, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, const FrameSource& frames, const Task& task = {});
 
 } // namespace fumage

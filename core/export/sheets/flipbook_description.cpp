@@ -121,7 +121,7 @@ void describeScale(Pass pass, const PassScales& scales, const PassStyle& style, 
 }
 
 /// A picture that somebody has packed: where each channel is from, what it holds, and how it is read.
-Json describePacked(const PackedPicture& pack, const std::string& file, const Effect& effect,
+Json describePacked(const PackedPicture& pack, const std::string& file, const Scene& scene,
     const FlipbookOptions& options, const PassScales& scales)
 {
     const bool shown = !holdsFloats(options.format);
@@ -129,8 +129,8 @@ Json describePacked(const PackedPicture& pack, const std::string& file, const Ef
     json["packed"] = pack.name;
     json["file"] = file;
     json["colour"] = isSrgb(pack, options.format) ? "sRGB" : "linear";
-    json["cell_width"] = effect.output.width / pack.divisor;
-    json["cell_height"] = effect.output.height / pack.divisor;
+    json["cell_width"] = scene.output.width / pack.divisor;
+    json["cell_height"] = scene.output.height / pack.divisor;
     json["channels"] = Json::array();
     for (const PackedChannel& channel : pack.channels) {
         Json each;
@@ -183,7 +183,7 @@ void describeTime(const FlipbookOptions& options, Json& json)
 } // namespace
 
 std::string describeFlipbook(
-    const Effect& effect, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales)
+    const Scene& scene, const FlipbookOptions& options, const Flipbook& flipbook, const PassScales& scales)
 {
     const bool shown = !holdsFloats(options.format);
     Json json;
@@ -192,8 +192,8 @@ std::string describeFlipbook(
     json["picture"] = flipbook.picture.filename().string();
     json["columns"] = options.columns;
     json["rows"] = options.rows;
-    json["cell_width"] = effect.output.width;
-    json["cell_height"] = effect.output.height;
+    json["cell_width"] = scene.output.width;
+    json["cell_height"] = scene.output.height;
     json["order"] = "left to right, then top to bottom";
     json["cells_per_second"] = flipbook.cellsPerSecond;
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
@@ -212,7 +212,7 @@ std::string describeFlipbook(
         }
     }
     for (const PackedPicture& pack : options.packs) {
-        json["pictures"].push_back(describePacked(pack, files[i++].filename().string(), effect, options, scales));
+        json["pictures"].push_back(describePacked(pack, files[i++].filename().string(), scene, options, scales));
     }
     return json.dump(2) + "\n";
 }

@@ -241,7 +241,7 @@ bool isSrgb(const PackedPicture& pack, ImageFormat format)
 DataImage Packer::colour(int divisor) const
 {
     const Image& image = m_sheet.targets.of(PassTarget::Colour);
-    return sheetNumbers(divisor > 1 ? downsample(image, divisor) : image, m_effect, m_format,
+    return sheetNumbers(divisor > 1 ? downsample(image, divisor) : image, m_scene, m_format,
         m_sheet.grid.cellWidth / divisor, m_sheet.grid.cellHeight / divisor);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/export/pass_picture.h"
+#include "core/scene/scene.h"
 
 #include <optional>
 #include <span>
@@ -63,13 +64,13 @@ inline constexpr int kMaxDivisor = 16;
 /// multiplied by it.
 class Packer {
 public:
-    /// @param sheet,pictures of all passes of the pictures; must stay, as must the effect
-    Packer(const PassSheet& sheet, const PassPictures& pictures, const PassStyle& style, const Effect& effect,
+    /// @param sheet,pictures of all passes of the pictures; must stay, as must the scene
+    Packer(const PassSheet& sheet, const PassPictures& pictures, const PassStyle& style, const Scene& scene,
         ImageFormat format)
         : m_sheet(sheet)
         , m_pictures(pictures)
         , m_style(style)
-        , m_effect(effect)
+        , m_scene(scene)
         , m_format(format)
     {
     }
@@ -86,7 +87,7 @@ private:
     const PassSheet& m_sheet;
     const PassPictures& m_pictures;
     PassStyle m_style;
-    const Effect& m_effect;
+    const Scene& m_scene;
     ImageFormat m_format;
 };
 

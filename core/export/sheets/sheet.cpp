@@ -29,18 +29,18 @@ void makeRoom(const SheetGrid& grid, Image& sheet)
 
 } // namespace
 
-Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet,
+Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet,
     const CellWatch& watch, const Task& task, const std::shared_ptr<AirCache>& shelf)
 {
-    const SampledEffect smoke = sampled(effect);
+    const std::vector<SampledEffect> layers = sampledLayers(scene);
     const int cells = static_cast<int>(frames.numbers.size());
-    sheet.grid = {columns, cells, effect.output.width, effect.output.height, frames.turn.has_value()};
+    sheet.grid = {columns, cells, scene.output.width, scene.output.height, frames.turn.has_value()};
     for (std::size_t i = 0; i < kPassTargets; ++i) {
         if (needsTarget(passes, static_cast<PassTarget>(i))) {
             makeRoom(sheet.grid, sheet.targets.targets[i]);
         }
     }
-    FrameNeighbours neighbours(smoke, frames, passes.has(Pass::Motion), 0, shelf);
+    FrameNeighbours neighbours(layers, frames, passes.has(Pass::Motion), 0, shelf);
     PassRenderer renderer;
     PassImages cell;
     for (int number = 0; number < cells; ++number) {
@@ -48,13 +48,13 @@ Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, 
         if (!frame) {
             return frame.error();
         }
-        if (Status status = renderer.render(
-                frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, passes, cell, task.stop);
+        if (Status status =
+                renderer.render(frame.value(), sheet.grid.cellWidth, sheet.grid.cellHeight, passes, cell, task.stop);
             !status) {
             return status;
         }
         if (watch) {
-            watch(cell, *frame.value().now, renderer.appearance());
+            watch(cell, frame.value(), renderer);
         }
         for (std::size_t i = 0; i < kPassTargets; ++i) {
             place(cell.targets[i], sheet.targets.targets[i], sheet.grid.cell(number));

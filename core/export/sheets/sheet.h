@@ -6,6 +6,7 @@
 #include "core/export/pass_picture.h"
 #include "core/rendering/pass_renderer.h"
 #include "core/simulation/air_cache.h"
+#include "core/scene/scene.h"
 
 #include <functional>
 #include <vector>
@@ -14,8 +15,9 @@
 
 namespace fumage {
 
-/// Sees each cell as it is placed: its targets, its frame, and what the look has made of it.
-using CellWatch = std::function<void(const PassImages& cell, const Frame& frame, const Appearance& appearance)>;
+/// Sees each cell as it is placed: its targets, its frame, and what the look has made of its layers.
+using CellWatch =
+    std::function<void(const PassImages& cell, const FrameAmongOthers& frame, const PassRenderer& renderer)>;
 
 /// Renders frames into the cells of a sheet, first at the top left, then along the rows, each of effect.output's size
 /// and without background.
@@ -25,7 +27,7 @@ using CellWatch = std::function<void(const PassImages& cell, const Frame& frame,
 /// @param passes  what the targets must do for
 /// @param shelf   with air that several sheets of one effect share; null: the sheet bakes its own
 /// @error those of Simulator and PassRenderer
-[[nodiscard]] Status renderSheet(const Effect& effect, const CellFrames& frames, int columns, PassSet passes,
+[[nodiscard]] Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, PassSet passes,
     PassSheet& sheet, const CellWatch& watch, const Task& task = {}, const std::shared_ptr<AirCache>& shelf = nullptr);
 
 /// Fills the colour of a sheet with frames that are there already.

@@ -6,7 +6,7 @@
 #include "core/export/sheets/sheet.h"
 #include "core/export/sheets/sheet_playback.h"
 #include "core/rendering/view_transform.h"
-#include "core/simulation/simulator.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <array>
@@ -63,8 +63,8 @@ float relit(const DataImage& a, const DataImage& b, std::size_t pixel, const glm
     return sum * scale * a.values[pixel * 4 + 3];
 }
 
-Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet,
-    const std::vector<int>& frames, int lit, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
+Status scoreSixWay(const Scene& scene, const FlipbookOptions& options, const PassSheet& sheet,
+    const std::vector<int>& frames, int lit, SceneRenderer& smoke, SheetScore& score, const std::stop_token& stop)
 {
     const PassPictures pictures(sheet, {Pass::SixWayA, Pass::SixWayB}, {});
     const PassScales& scales = pictures.scales();
@@ -77,16 +77,20 @@ Status scoreSixWay(const Effect& effect, const FlipbookOptions& options, const P
     for (int i = 0; i < lit; ++i) {
         const int number = static_cast<int>(
             (2 * static_cast<std::int64_t>(i) + 1) * static_cast<std::int64_t>(frames.size()) / (2 * lit));
-        const auto frame = simulator.frame(frames[static_cast<std::size_t>(number)], stop);
+        const Result<SceneFrame> frame = smoke.frame(frames[static_cast<std::size_t>(number)], stop);
         if (!frame) {
             return frame.error();
         }
-        const View view = makeView(effect.camera, secondsOf(effect.timeline, frame.value()->number),
+        const View view = makeView(scene.camera, secondsOf(scene.timeline, frame.value().layers.front()->number),
             sheet.grid.cellWidth, sheet.grid.cellHeight);
         const SheetCell cell = sheet.grid.cell(number);
         for (std::size_t direction = 0; direction < kDirections; ++direction) {
-            if (Status status = renderer.render(*frame.value(), sampled(litFrom(effect, view, directions[direction])),
-                    cell.width, cell.height, truth, stop);
+            std::vector<SampledEffect> layers;
+            for (const SampledEffect& layer : smoke.layers()) {
+                layers.push_back(sampled(litFrom(layer, view, directions[direction])));
+            }
+            if (Status status =
+                    renderer.render(layerFrames(frame.value(), layers), cell.width, cell.height, truth, stop);
                 !status) {
                 return status;
             }
@@ -136,15 +140,13 @@ struct Between {
     }
 };
 
-Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const PassSheet& sheet,
-    const CellFrames& frames, Simulator& simulator, SheetScore& score, const std::stop_token& stop)
+Status scoreMotion(const Scene& scene, const FlipbookOptions& options, const PassSheet& sheet, const CellFrames& frames,
+    SceneRenderer& renderer, SheetScore& score, const std::stop_token& stop)
 {
     const PassPictures pictures(sheet, {Pass::Motion}, {});
     const SheetPlayback playback(
         sheet, stored(pictures.picture(Pass::Motion), options.format), pictures.scales().motion);
     Between between;
-    const SampledEffect smoke = sampled(effect);
-    Renderer renderer;
     Image truth;
     const std::vector<int>& numbers = frames.numbers;
     for (std::size_t i = 0; i + (frames.turn ? 0 : 1) < numbers.size(); ++i) {
@@ -154,13 +156,9 @@ Status scoreMotion(const Effect& effect, const FlipbookOptions& options, const P
         if (middle == numbers[i]) {
             continue;
         }
-        const int length = effect.timeline.length; // of a loop that may be played backwards through its seam
-        const auto frame = simulator.frame(middle < 0 ? middle % length + length : middle, stop);
-        if (!frame) {
-            return frame.error();
-        }
-        if (Status status =
-                renderer.render(*frame.value(), smoke, sheet.grid.cellWidth, sheet.grid.cellHeight, truth, stop);
+        const int length = scene.timeline.length; // of a loop that may be played backwards through its seam
+        if (Status status = renderer.render(middle < 0 ? middle % length + length : middle, sheet.grid.cellWidth,
+                sheet.grid.cellHeight, truth, stop);
             !status) {
             return status;
         }
@@ -197,10 +195,10 @@ void scorePixels(const PassSheet& sheet, const Output& output, SheetScore& score
 
 } // namespace
 
-Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& options, int lit, const Task& task)
+Result<SheetScore> scoreSheet(const Scene& scene, const FlipbookOptions& options, int lit, const Task& task)
 {
-    const CellFrames frames = cellFramesOf(effect, options);
-    Effect seen = effect;
+    const CellFrames frames = cellFramesOf(scene, options);
+    Scene seen = scene;
     seen.output.background = Background::Transparent;
     PassSheet sheet;
     const auto shelf = std::make_shared<AirCache>(); // one bake of the air for the sheet and for the truth
@@ -209,13 +207,13 @@ Result<SheetScore> scoreSheet(const Effect& effect, const FlipbookOptions& optio
         !status) {
         return status.error();
     }
-    Simulator simulator(sampled(seen), Simulator::kDefaultCheckpointBytes, shelf);
+    SceneRenderer renderer(seen, shelf);
     SheetScore score;
     scorePixels(sheet, seen.output, score);
-    if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, simulator, score, task.stop); !status) {
+    if (Status status = scoreSixWay(seen, options, sheet, frames.numbers, lit, renderer, score, task.stop); !status) {
         return status.error();
     }
-    if (Status status = scoreMotion(seen, options, sheet, frames, simulator, score, task.stop); !status) {
+    if (Status status = scoreMotion(seen, options, sheet, frames, renderer, score, task.stop); !status) {
         return status.error();
     }
     return score;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/sheets/flipbook.h"
+#include "core/scene/scene.h"
 
 #include <optional>
 
@@ -39,6 +40,6 @@ struct SheetScore {
 /// @error those of renderFlipbook(); OutOfRange where no frame lies between two cells
 /// O(cells + 20 lit). For tests and for those who choose a grid.
 [[nodiscard]] Result<SheetScore> scoreSheet(
-    const Effect& effect, const FlipbookOptions& options, int lit, const Task& task = {});
+    const Scene& scene, const FlipbookOptions& options, int lit, const Task& task = {});
 
 } // namespace fumage

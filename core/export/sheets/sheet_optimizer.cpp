@@ -6,7 +6,7 @@
 #include "core/export/difference.h"
 #include "core/export/sheets/sheet.h"
 #include "core/export/sheets/sheet_playback.h"
-#include "core/simulation/simulator.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <array>
@@ -55,27 +55,20 @@ struct Moment {
 };
 
 Result<std::vector<Moment>> momentsOf(
-    const Effect& effect, const FlipbookOptions& options, const std::shared_ptr<AirCache>& shelf, const Task& task)
+    const Scene& scene, const FlipbookOptions& options, const std::shared_ptr<AirCache>& shelf, const Task& task)
 {
     FlipbookOptions halves = options;
     halves.columns = 2 * kMoments;
     halves.rows = 1;
-    const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke, Simulator::kDefaultCheckpointBytes, shelf);
-    Renderer renderer;
+    SceneRenderer renderer(scene, shelf);
     std::vector<Moment> moments(kMoments);
     for (int i = 0; i < kMoments; ++i) {
         const int number = frameOfCell(halves, 2 * i + 1);
-        const auto frame = simulator.frame(number, task);
-        if (!frame) {
-            return frame.error();
-        }
         Moment& moment = moments[static_cast<std::size_t>(i)];
         const int place = (number - options.frames.first) / options.frames.step; // in the range
         const double ofFrame = static_cast<double>(place) / options.frames.count();
         moment.share = options.retime ? (2.0 * i + 1.0) / (2.0 * kMoments) : ofFrame;
-        if (Status status = renderer.render(
-                *frame.value(), smoke, effect.output.width, effect.output.height, moment.truth, task.stop);
+        if (Status status = renderer.render(number, scene.output.width, scene.output.height, moment.truth, task);
             !status) {
             return status.error();
         }
@@ -107,10 +100,10 @@ Difference differenceOf(const Image& small, const Image& truth)
     return all;
 }
 
-Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCandidate& candidate,
+Result<double> rate(const Scene& seen, FlipbookOptions options, const SheetCandidate& candidate,
     const std::vector<Moment>& moments, const std::shared_ptr<AirCache>& shelf, const Task& task)
 {
-    Effect small = seen;
+    Scene small = seen;
     small.output.width = candidate.width;
     small.output.height = candidate.height;
     options.columns = candidate.columns;
@@ -139,7 +132,7 @@ Result<double> rate(const Effect& seen, FlipbookOptions options, const SheetCand
 }
 
 Result<std::vector<SheetCandidate>> rateAll(
-    const Effect& seen, const FlipbookOptions& options, std::vector<SheetCandidate> candidates, const Task& task)
+    const Scene& seen, const FlipbookOptions& options, std::vector<SheetCandidate> candidates, const Task& task)
 {
     const auto shelf = std::make_shared<AirCache>(); // the air knows nothing of the size of cells: one bake serves all
     const Result<std::vector<Moment>> moments = momentsOf(seen, options, shelf, task);
@@ -199,12 +192,12 @@ std::vector<SheetCandidate> sheetsWithin(std::int64_t budget, const Output& larg
 }
 
 Result<std::vector<SheetCandidate>> rateSheets(
-    const Effect& effect, const ExportPlan& plan, std::int64_t budget, const Task& task)
+    const Scene& scene, const ExportPlan& plan, std::int64_t budget, const Task& task)
 {
     return withinMemory([&]() -> Result<std::vector<SheetCandidate>> {
         ExportPlan anyGrid = plan;
         anyGrid.flipbook.powerOfTwo = false;
-        Result<Effect> seen = effectSeenBy(effect, anyGrid, task);
+        Result<Scene> seen = sceneSeenBy(scene, anyGrid, task);
         if (!seen) {
             return seen.error();
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/plan.h"
+#include "core/scene/scene.h"
 
 #include <vector>
 
@@ -28,10 +29,10 @@ struct SheetCandidate {
 /// Colours are linear, premultiplied and at most 1, so decibels are those of scoreSheet().
 /// @param plan for a flipbook; its columns and rows mean nothing here
 /// @return sheetsWithin(), with decibels
-/// @error OutOfRange where the budget is too small for any; those of effectSeenBy() and flipbookSeenBy(), Cancelled
+/// @error OutOfRange where the budget is too small for any; those of sceneSeenBy() and flipbookSeenBy(), Cancelled
 /// O(cells of all candidates).
 [[nodiscard]] Result<std::vector<SheetCandidate>> rateSheets(
-    const Effect& effect, const ExportPlan& plan, std::int64_t budget, const Task& task = {});
+    const Scene& scene, const ExportPlan& plan, std::int64_t budget, const Task& task = {});
 
 /// The best of them; of equals the one that needs less memory.
 /// @param candidates not empty

@@ -41,17 +41,17 @@ std::array<float, 256> linearOfBytes()
 }
 
 /// Makes of the sheet's colours what an engine has of them.
-void storeColours(const Effect& effect, ImageFormat format, SheetPreview& preview)
+void storeColours(const Scene& scene, ImageFormat format, SheetPreview& preview)
 {
     Image& colour = preview.sheet.targets.targets[static_cast<std::size_t>(PassTarget::Colour)];
     if (holdsFloats(format)) {
-        if (effect.output.background != Background::Transparent) {
-            fillBackground(colour, effect.output.backgroundColour);
+        if (scene.output.background != Background::Transparent) {
+            fillBackground(colour, scene.output.backgroundColour);
         }
         return;
     }
     EncodedImage<std::uint8_t> encoded;
-    encode(colour, effect.output, encoded, coverOf(effect.glow));
+    encode(colour, scene.output, encoded, coverOf(scene));
     const std::array<float, 256> linear = linearOfBytes();
     for (std::size_t i = 0; i < encoded.pixels.size(); i += 4) {
         const float alpha = static_cast<float>(encoded.pixels[i + 3]) / 255.0F;
@@ -68,10 +68,10 @@ void storeColours(const Effect& effect, ImageFormat format, SheetPreview& previe
 } // namespace
 
 Result<std::shared_ptr<const SheetPreview>> previewFlipbook(
-    const Effect& effect, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task)
+    const Scene& scene, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task)
 {
     return withinMemory([&]() -> Result<std::shared_ptr<const SheetPreview>> {
-        Result<Effect> seen = effectSeenBy(effect, plan, task);
+        Result<Scene> seen = sceneSeenBy(scene, plan, task);
         if (!seen) {
             return seen.error();
         }

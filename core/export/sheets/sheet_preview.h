@@ -2,6 +2,7 @@
 
 #include "core/export/plan.h"
 #include "core/export/sheets/sheet_playback.h"
+#include "core/scene/scene.h"
 
 #include <memory>
 
@@ -22,6 +23,6 @@ struct SheetPreview {
 /// @error those of runExport()
 /// O(cells).
 [[nodiscard]] Result<std::shared_ptr<const SheetPreview>> previewFlipbook(
-    const Effect& effect, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task = {});
+    const Scene& scene, const ExportPlan& plan, int mostEdge, std::int64_t mostPixels, const Task& task = {});
 
 } // namespace fumage

@@ -2,7 +2,7 @@
 
 #include "core/rendering/pass_renderer.h"
 #include "core/rendering/view_transform.h"
-#include "core/simulation/simulator.h"
+#include "core/simulation/scene_simulator.h"
 
 #include <algorithm>
 
@@ -13,9 +13,10 @@ namespace {
 /// Looks for smoke in frames.
 class SmokeWatch {
 public:
-    SmokeWatch(const Effect& effect, int total, const Task& task)
-        : m_smoke(sampled(effect))
-        , m_simulator(m_smoke)
+    SmokeWatch(const Scene& scene, int total, const Task& task)
+        : m_scene(scene)
+        , m_layers(sampledLayers(scene))
+        , m_simulator(m_layers)
         , m_total(total)
         , m_task(task)
     {
@@ -23,13 +24,16 @@ public:
 
     [[nodiscard]] Result<bool> isEmpty(int number)
     {
-        const Result<std::shared_ptr<const Frame>> frame = m_simulator.frame(number, m_task);
+        const Result<SceneFrame> frame = m_simulator.frame(number, m_task);
         if (!frame) {
             return frame.error();
         }
-        const Output& cell = m_smoke->output;
-        if (Status status = m_renderer.render(
-                {.now = frame.value().get()}, m_smoke, cell.width, cell.height, {Pass::Alpha}, m_images, m_task.stop);
+        FrameAmongOthers alone;
+        for (std::size_t layer = 0; layer < m_layers.size(); ++layer) {
+            alone.layers.push_back({.effect = &m_layers[layer], .now = frame.value().layers[layer].get()});
+        }
+        const Output& cell = m_scene.output;
+        if (Status status = m_renderer.render(alone, cell.width, cell.height, {Pass::Alpha}, m_images, m_task.stop);
             !status) {
             return status.error();
         }
@@ -41,8 +45,8 @@ private:
     [[nodiscard]] bool showsSmoke(const Image& image) const
     {
         constexpr float kSeen = 1.0F / 255.0F;
-        const bool byLight = coverOf(m_smoke->glow) == Cover::Light;
-        const float gain = exposureGain(m_smoke->output.exposure);
+        const bool byLight = coverOf(m_scene) == Cover::Light;
+        const float gain = exposureGain(m_scene.output.exposure);
         for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
             const float* p = image.pixels.data() + i;
             if (p[3] >= kSeen || (byLight && gain * std::max({p[0], p[1], p[2]}) >= kSeen)) {
@@ -52,8 +56,9 @@ private:
         return false;
     }
 
-    SampledEffect m_smoke;
-    Simulator m_simulator;
+    const Scene& m_scene;
+    std::vector<SampledEffect> m_layers;
+    SceneSimulator m_simulator;
     PassRenderer m_renderer;
     PassImages m_images;
     int m_done = 0;
@@ -63,14 +68,14 @@ private:
 
 } // namespace
 
-Result<FrameRange> trimmed(const Effect& effect, const FrameRange& frames, const Task& task)
+Result<FrameRange> trimmed(const Scene& scene, const FrameRange& frames, const Task& task)
 {
-    if (effect.timeline.loop) {
+    if (scene.timeline.loop) {
         return Error{ErrorCode::OutOfRange,
             makeMessage("a loop is not trimmed: without its empty frames it would no longer close"), {},
             makeMessage("Switch the loop off, or the trimming")};
     }
-    SmokeWatch watch(effect, frames.count(), task);
+    SmokeWatch watch(scene, frames.count(), task);
     const auto firstWithSmoke = [&](int from, int past, int step) -> Result<int> {
         for (int i = from; i != past; i += step) {
             const Result<bool> empty = watch.isEmpty(frames.at(i));

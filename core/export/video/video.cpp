@@ -5,9 +5,8 @@
 #include "core/system/file.h"
 #include "core/system/file_draft.h"
 #include "core/export/loop.h"
-#include "core/rendering/renderer.h"
+#include "core/rendering/scene_renderer.h"
 #include "core/rendering/view_transform.h"
-#include "core/simulation/simulator.h"
 
 #include <algorithm>
 #include <bit>
@@ -69,15 +68,15 @@ std::string programForVideos()
 }
 
 /// Frames of the timeline in a second of the video.
-FrameRate rateOf(const Effect& effect, const VideoOptions& options)
+FrameRate rateOf(const Scene& scene, const VideoOptions& options)
 {
-    return options.rate.value_or(FrameRate{effect.timeline.frameRate, 1});
+    return options.rate.value_or(FrameRate{scene.timeline.frameRate, 1});
 }
 
 /// How a file says how often it is played.
-std::vector<std::string> repeatsOf(const Effect& effect, const VideoOptions& options)
+std::vector<std::string> repeatsOf(const Scene& scene, const VideoOptions& options)
 {
-    const bool forever = options.repeat == Repeat::Auto ? turnOf(effect.timeline, options.frames).has_value()
+    const bool forever = options.repeat == Repeat::Auto ? turnOf(scene.timeline, options.frames).has_value()
                                                         : options.repeat == Repeat::Forever;
     switch (options.format) {
     case VideoFormat::Gif: return {"-loop", forever ? "0" : "-1"};
@@ -87,18 +86,18 @@ std::vector<std::string> repeatsOf(const Effect& effect, const VideoOptions& opt
 }
 
 std::vector<std::string> argumentsFor(
-    const Effect& effect, const VideoOptions& options, const Recipe& recipe, const std::filesystem::path& file)
+    const Scene& scene, const VideoOptions& options, const Recipe& recipe, const std::filesystem::path& file)
 {
-    const auto [width, height] = sizeOf(effect.output, options.format);
+    const auto [width, height] = sizeOf(scene.output, options.format);
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    const FrameRate played = rateOf(effect, options);
+    const FrameRate played = rateOf(scene, options);
     const std::string rate = std::to_string(played.frames) + "/"
-        + std::to_string(static_cast<std::int64_t>(played.seconds) * framesOf(effect, options).step);
+        + std::to_string(static_cast<std::int64_t>(played.seconds) * framesOf(scene, options).step);
     const std::string_view wide = std::endian::native == std::endian::little ? "rgba64le" : "rgba64be";
     std::vector<std::string> arguments{"-hide_banner", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt",
         std::string(recipe.wide ? wide : "rgba"), "-video_size", size, "-framerate", rate, "-i", "-"};
     arguments.insert(arguments.end(), recipe.arguments.begin(), recipe.arguments.end());
-    const std::vector<std::string> repeats = repeatsOf(effect, options);
+    const std::vector<std::string> repeats = repeatsOf(scene, options);
     arguments.insert(arguments.end(), repeats.begin(), repeats.end());
     arguments.insert(arguments.end(), {"-y", "file:" + file.string()});
     return arguments;
@@ -154,23 +153,23 @@ Status refuseEmpty(const std::filesystem::path& video)
 
 /// Frames as ffmpeg takes them.
 template <class Channel>
-Status feed(const SampledEffect& smoke, const VideoOptions& options, bool alpha, const FrameSource& frames,
+Status feed(const Scene& scene, const VideoOptions& options, bool alpha, const FrameSource& frames,
     ChildProcess& program, const Task& task)
 {
     Image image;
     EncodedImage<Channel> encoded;
-    Output output = smoke->output;
+    Output output = scene.output;
     if (!alpha) {
         output.background = Background::Colour;
     }
-    const FrameRange numbers = framesOf(smoke, options);
+    const FrameRange numbers = framesOf(scene, options);
     const int total = numbers.count();
     for (int i = 0; i < total; ++i) {
         if (Status status = frames(numbers.at(i), image); !status) {
             return status;
         }
-        encode(image, output, encoded, coverOf(smoke->glow));
-        widen(encoded, sizeOf(smoke->output, options.format));
+        encode(image, output, encoded, coverOf(scene));
+        widen(encoded, sizeOf(scene.output, options.format));
         if (Status status = program.write(std::as_bytes(std::span(encoded.pixels)), task.stop); !status) {
             return status;
         }
@@ -202,12 +201,12 @@ std::string_view nameOf(Repeat repeat)
     return kNames[static_cast<std::size_t>(repeat)];
 }
 
-FrameRange framesOf(const Effect& effect, const VideoOptions& options)
+FrameRange framesOf(const Scene& scene, const VideoOptions& options)
 {
     constexpr double kMaxOfGif = 50.0; // a second: browsers take a delay of less than 20 ms for 100
     constexpr double kRounding = 1e-9;
     FrameRange frames = options.frames;
-    const double rate = rateOf(effect, options).perSecond() / frames.step;
+    const double rate = rateOf(scene, options).perSecond() / frames.step;
     if (options.format != VideoFormat::Gif || rate <= kMaxOfGif) {
         return frames;
     }
@@ -226,37 +225,31 @@ std::array<int, 2> sizeOf(const Output& output, VideoFormat format)
     return {edge(output.width), edge(output.height)};
 }
 
-Status renderVideo(const Effect& effect, const VideoOptions& options, const Task& task)
+Status renderVideo(const Scene& scene, const VideoOptions& options, const Task& task)
 {
-    const SampledEffect smoke = sampled(effect);
-    Simulator simulator(smoke);
-    Renderer renderer;
+    SceneRenderer renderer(scene);
     const auto render = [&](int number, Image& image) -> Status {
-        const Result<std::shared_ptr<const Frame>> frame = simulator.frame(number, task);
-        return frame
-            ? renderer.render(*frame.value(), smoke, smoke->output.width, smoke->output.height, image, task.stop)
-            : Status(frame.error());
+        return renderer.render(number, scene.output.width, scene.output.height, image, task);
     };
-    return joinVideo(effect, options, render, task);
+    return joinVideo(scene, options, render, task);
 }
 
-Status joinVideo(const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Task& task)
+Status joinVideo(const Scene& scene, const VideoOptions& options, const FrameSource& frames, const Task& task)
 {
     if (Status status = makeFolderOf(options.output); !status) {
         return status;
     }
-    const SampledEffect smoke = sampled(effect);
     const Recipe& recipe = recipeOf(options.format);
     Result<FileDraft> draft = FileDraft::make(options.output, {}, FileAccess::Usual, FileDraft::Naming::Temporary);
     if (!draft) {
         return draft.error();
     }
-    Result<ChildProcess> program = startFfmpeg(argumentsFor(smoke, options, recipe, draft.value().path()));
+    Result<ChildProcess> program = startFfmpeg(argumentsFor(scene, options, recipe, draft.value().path()));
     if (!program) {
         return program.error();
     }
-    Status fed = recipe.wide ? feed<std::uint16_t>(smoke, options, recipe.alpha, frames, program.value(), task)
-                             : feed<std::uint8_t>(smoke, options, recipe.alpha, frames, program.value(), task);
+    Status fed = recipe.wide ? feed<std::uint16_t>(scene, options, recipe.alpha, frames, program.value(), task)
+                             : feed<std::uint8_t>(scene, options, recipe.alpha, frames, program.value(), task);
     if (!fed) {
         return fed;
     }

@@ -2,6 +2,7 @@
 
 #include "core/export/video/frame_rate.h"
 #include "core/export/frame_source.h"
+#include "core/scene/scene.h"
 
 #include <array>
 #include <optional>
@@ -49,7 +50,7 @@ struct VideoOptions {
 
 /// The frames that a video has: of a GIF every second, third, ... where it would have more than 50 a second, which
 /// browsers play at 10. Of several steps that do, one that divides the frames is taken, so that a loop stays one.
-[[nodiscard]] FrameRange framesOf(const Effect& effect, const VideoOptions& options);
+[[nodiscard]] FrameRange framesOf(const Scene& scene, const VideoOptions& options);
 
 /// Width and height of the video, pixels: even where its format asks for that.
 [[nodiscard]] std::array<int, 2> sizeOf(const Output& output, VideoFormat format);
@@ -60,11 +61,11 @@ struct VideoOptions {
 /// encoded while the next is made.
 /// @param task as renderSequence()
 /// @error FileNotFound without ffmpeg, WriteFailed with what it said, Cancelled, those of writeFileAtomically()
-[[nodiscard]] Status renderVideo(const Effect& effect, const VideoOptions& options, const Task& task = {});
+[[nodiscard]] Status renderVideo(const Scene& scene, const VideoOptions& options, const Task& task = {});
 
 /// The same of frames that are there already.
 /// @error those of renderVideo() and of the frames
 [[nodiscard]] Status joinVideo(
-    const Effect& effect, const VideoOptions& options, const FrameSource& frames, const Task& task = {});
+    const Scene& scene, const VideoOptions& options, const FrameSource& frames, const Task& task = {});
 
 } // namespace fumage

@@ -1,0 +1,92 @@
+#include "core/scene/layer_assignment.h"
+
+#include "core/base/text.h"
+#include "core/effect/assignment.h"
+
+namespace fumage {
+
+namespace {
+
+Result<std::size_t> layerNamed(const Scene& scene, std::string_view name)
+{
+    if (const std::optional<std::size_t> layer = findLayer(scene, name)) {
+        return *layer;
+    }
+    std::string names;
+    for (const Layer& layer : scene.layers) {
+        names += (names.empty() ? "" : ", ") + (layer.name.empty() ? std::string("?") : layer.name);
+    }
+    return Error{ErrorCode::UnknownName, makeMessage("there is no one layer %1", inQuotes(name)), {},
+        makeMessage("Name one of %1, or give its number from 1 to %2", names, scene.layers.size())};
+}
+
+/// Calls visit(layer) for the layers in a list of names.
+template <class Visit>
+Status forNamed(const Scene& scene, std::string_view names, const Visit& visit)
+{
+    while (true) {
+        const std::size_t comma = names.find(',');
+        const Result<std::size_t> layer = layerNamed(scene, trimmed(names.substr(0, comma)));
+        if (!layer) {
+            return layer.error();
+        }
+        visit(layer.value());
+        if (comma == std::string_view::npos) {
+            return Done{};
+        }
+        names.remove_prefix(comma + 1);
+    }
+}
+
+} // namespace
+
+Result<LayerAssignment> layerAssignment(const Scene& scene, std::string_view text)
+{
+    const std::string_view target = text.substr(0, text.find('='));
+    const std::size_t slash = target.rfind('/');
+    if (slash == std::string_view::npos) {
+        return LayerAssignment{0, text};
+    }
+    const Result<std::size_t> layer = layerNamed(scene, trimmed(target.substr(0, slash)));
+    return layer ? Result<LayerAssignment>(LayerAssignment{layer.value(), text.substr(slash + 1)}) : layer.error();
+}
+
+Result<bool> applyToScene(Scene& scene, std::string_view text)
+{
+    const Result<LayerAssignment> part = layerAssignment(scene, text);
+    if (!part) {
+        return part.error();
+    }
+    Effect effect = scene.effect(part.value().layer);
+    Result<bool> clamped = applyAssignment(effect, part.value().assignment);
+    if (clamped) {
+        scene.assign(part.value().layer, effect);
+    }
+    return clamped;
+}
+
+Status showOnly(Scene& scene, std::string_view names)
+{
+    std::vector<bool> shown(scene.layers.size(), false);
+    if (Status status = forNamed(scene, names, [&](std::size_t layer) { shown[layer] = true; }); !status) {
+        return status;
+    }
+    for (std::size_t layer = 0; layer < shown.size(); ++layer) {
+        scene.layers[layer].visible = shown[layer];
+    }
+    return Done{};
+}
+
+Status mute(Scene& scene, std::string_view names)
+{
+    std::vector<std::size_t> muted;
+    if (Status status = forNamed(scene, names, [&](std::size_t layer) { muted.push_back(layer); }); !status) {
+        return status;
+    }
+    for (const std::size_t layer : muted) {
+        scene.layers[layer].visible = false;
+    }
+    return Done{};
+}
+
+} // namespace fumage

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+
+#include <string_view>
+
+namespace fumage {
+
+/// An assignment and the layer that it is for.
+struct LayerAssignment {
+    std::size_t layer = 0;
+    std::string_view assignment; ///< "key=value"
+};
+
+/// Takes "flames/motion.drag=1" apart: a layer's name or its number from 1, and what is assigned in it. Without a slash
+/// it is for the first layer.
+/// @error UnknownName where there is no such layer, or several have the name
+[[nodiscard]] Result<LayerAssignment> layerAssignment(const Scene& scene, std::string_view text);
+
+/// Parses "key=value" or "layer/key=value" and applies it, as --set does. What all layers share is set in the scene,
+/// whatever layer is named.
+/// @return whether the value had to be clamped
+/// @error that of layerAssignment(), those of applyAssignment()
+[[nodiscard]] Result<bool> applyToScene(Scene& scene, std::string_view text);
+
+/// Mutes layers, or all but them, as --mute and --layers do.
+/// @param names "flames,2": names or numbers, with commas between
+/// @error UnknownName
+[[nodiscard]] Status showOnly(Scene& scene, std::string_view names);
+[[nodiscard]] Status mute(Scene& scene, std::string_view names);
+
+} // namespace fumage

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/effect/effect.h"
+#include "core/effect/sampling.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fumage {
+
+/// Most layers of a scene.
+inline constexpr std::size_t kMaxLayers = 64;
+
+/// Most bytes of a layer's name.
+inline constexpr std::size_t kMaxLayerName = 256;
+
+/// What tells layers apart in a list; none has no colour.
+enum class ColourTag {
+    None,
+    Red,
+    Orange,
+    Yellow,
+    Green,
+    Blue,
+    Violet,
+    Grey
+};
+
+/// One emitter of a scene, with all that its particles are: plain data, as in an Effect.
+struct Layer {
+    std::string name; ///< UTF-8; may be empty
+    bool visible = true; ///< else it is neither simulated nor drawn, and does not feed the air; in exports, too
+    bool locked = false; ///< against changes in the editor
+    ColourTag tag = ColourTag::None;
+    Emitter emitter;
+    Source source;
+    Motion motion;
+    Turbulence turbulence;
+    Vortex vortex;
+    Rings rings;
+    Life life;
+    Look look;
+    Noise noise;
+    Glow glow;
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+/// Everything that decides what a picture looks like: the surroundings, of which there is one each, and the layers that
+/// lie in them. A frame is a pure function of it and the frame number.
+///
+/// An Effect is a layer seen in its surroundings: what simulates, lights and draws one layer takes that.
+struct Scene {
+    Wind wind;
+    Air air;
+    Light light;
+    Camera camera;
+    Timeline timeline;
+    Output output;
+    std::vector<Layer> layers{Layer()}; ///< 1 to kMaxLayers
+
+    Scene() = default;
+    Scene(const Effect& effect); // NOLINT(google-explicit-constructor): an effect is a scene of one layer
+
+    /// A layer in its surroundings.
+    /// @param layer below layers.size()
+    [[nodiscard]] Effect effect(std::size_t layer = 0) const;
+    /// Takes an effect apart: the surroundings become its own, and the layer.
+    void assign(std::size_t layer, const Effect& effect);
+    /// Takes the surroundings alone.
+    void setSurroundings(const Effect& effect);
+    /// The layers that are seen, in their order; where none is, none.
+    [[nodiscard]] std::vector<std::size_t> visibleLayers() const;
+    /// Particles of all layers that are seen, once they are warm.
+    [[nodiscard]] std::int64_t particles() const;
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// Index of the layer that a name or a number (from 1) stands for; none: there is none, or several have the name.
+[[nodiscard]] std::optional<std::size_t> findLayer(const Scene& scene, std::string_view nameOrNumber);
+
+/// The visible layers of a scene as they are simulated and drawn, with the quality worked into their numbers, and with
+/// kMaxParticles in all at most. Where none is visible it is the first one, transparent: a picture has a camera.
+[[nodiscard]] std::vector<SampledEffect> sampledLayers(const Scene& scene);
+
+} // namespace fumage
