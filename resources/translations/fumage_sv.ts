@@ -4699,6 +4699,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Delete…</source>
         <translation>Ta bort…</translation>
     </message>
+    <message>
+        <source>Add its layers</source>
+        <translation>Lägg till dess lager</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PresetList</name>

@@ -4699,6 +4699,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Delete…</source>
         <translation>删除…</translation>
     </message>
+    <message>
+        <source>Add its layers</source>
+        <translation>添加其图层</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PresetList</name>

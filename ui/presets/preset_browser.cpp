@@ -85,6 +85,7 @@ void PresetBrowser::showMenu(const QPoint& at)
         // Copies: while the menu is open the list may be filled anew.
         menu.addAction(tr("Open"), this, [this, preset = *preset] { emit opened(preset); });
         menu.addAction(tr("Apply to this document"), this, [this, preset = *preset] { emit applied(preset); });
+        menu.addAction(tr("Add its layers"), this, [this, preset = *preset] { emit layersWanted(preset); });
         const QString id = m_list->idOf(item);
         const bool favourite = m_favourites.contains(id);
         menu.addAction(favourite ? tr("No longer a favourite") : tr("Make a favourite"), this,

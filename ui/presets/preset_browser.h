@@ -24,6 +24,8 @@ signals:
     void opened(const fumage::Preset& preset);
     /// Put its effect into the present document.
     void applied(const fumage::Preset& preset);
+    /// Put its layers beside those of the present document.
+    void layersWanted(const fumage::Preset& preset);
     void favouriteChanged(const QString& id, bool favourite);
 
 private:

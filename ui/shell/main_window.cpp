@@ -1,5 +1,6 @@
 #include "ui/shell/main_window.h"
 
+#include "ui/document/layer_edits.h"
 #include "ui/document/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/queue_panel.h"
@@ -210,6 +211,8 @@ void MainWindow::connectPresets()
     connect(&browser, &PresetBrowser::applied, &m_document, [this](const Preset& preset) {
         m_document.replaceScene(preset.scene, 0, tr("Apply “%1”").arg(shortened(toQString(preset.name))));
     });
+    connect(&browser, &PresetBrowser::layersWanted, &m_document,
+        [this](const Preset& preset) { addLayersOf(m_document, preset.scene, toQString(preset.name)); });
     connect(&browser, &PresetBrowser::favouriteChanged, &settings, &Settings::setFavourite);
     connect(&settings, &Settings::favouritesChanged, &browser,
         [&browser, &settings] { browser.setFavourites(settings.favourites()); });
