@@ -115,6 +115,25 @@ private slots:
         QVERIFY(!m_document.isModified());
     }
 
+    void aLockedLayerStaysAsItIs()
+    {
+        setLayerLocked(m_document, 0, true);
+        const Scene locked = m_document.scene();
+        QSignalSpy changed(&m_document, &Document::effectChanged);
+        m_document.edit(knownParameter("motion.gravity"), 4.0F);
+        QVERIFY(m_document.scene() == locked);
+        QCOMPARE(changed.size(), 1); // whoever asked shows again what is there
+        Effect other = m_document.effect();
+        other.motion.gravity = 4.0F;
+        m_document.replaceEffect(other, u"other"_q);
+        QVERIFY(m_document.scene() == locked);
+        m_document.edit(knownParameter("wind.strength"), 2.0F); // which all layers share
+        QCOMPARE(m_document.scene().wind.strength, 2.0F);
+        m_document.selectLayer(1);
+        m_document.edit(knownParameter("motion.gravity"), 4.0F);
+        QCOMPARE(m_document.effect().motion.gravity, 4.0F);
+    }
+
     void theLastLayerStays()
     {
         removeLayer(m_document, 0);

@@ -105,13 +105,21 @@ void Document::edit(const Parameter& parameter, const Value& value, Gesture gest
 void Document::edit(const std::vector<Assignment>& assignments, const QString& text, Gesture gesture)
 {
     std::vector<EditCommand::Change> changes;
+    std::vector<const Parameter*> refused;
     for (const Assignment& assignment : assignments) {
         const Parameter& stored = storedParameter(*assignment.parameter);
+        if (stored.scope == Scope::Layer && scene().layers[m_layer].locked) {
+            refused.push_back(&stored);
+            continue;
+        }
         const Value before = stored.get(effect());
         const Value after = clampValue(stored, storedValue(*assignment.parameter, assignment.value, effect())).value;
         if (before != after) {
             changes.push_back({&stored, before, after});
         }
+    }
+    if (!refused.empty()) {
+        announce(std::move(refused), DirtyStage::Shade); // editors show again what is there
     }
     if (!changes.empty()) {
         m_undo.push(new EditCommand(*this, std::move(changes), text, gesture));
@@ -121,7 +129,11 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
 void Document::replaceEffect(const Effect& effect, const QString& text, Gesture gesture)
 {
     Scene scene = m_preset.scene;
-    scene.assign(m_layer, effect);
+    if (scene.layers[m_layer].locked) {
+        scene.setSurroundings(effect);
+    } else {
+        scene.assign(m_layer, effect);
+    }
     replaceScene(scene, m_layer, text, gesture);
 }
 
