@@ -36,7 +36,9 @@ Status asText(const Preset& preset, const Shown& shown)
     for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
         const Schedule schedule = makeSchedule(sampled(scene.effect(layer)));
         out << (several ? "layer " + std::to_string(layer + 1) + "     " + printable(scene.layers[layer].name)
-                    + (scene.layers[layer].visible ? "" : " (muted)") + "\n"
+                    + (scene.layers[layer].visible ? "" : " (muted)")
+                    + (scene.layers[layer].from.empty() ? "" : ", born on " + printable(scene.layers[layer].from))
+                    + "\n"
                         : "");
         out << "particles   " << schedule.capacity() << " at most, each living "
             << static_cast<float>(schedule.lifetimeSteps) * schedule.dt << " s\n";
@@ -76,7 +78,8 @@ nlohmann::ordered_json asJson(const Preset& preset, const Schedule& schedule)
             }
         }
         layers.push_back({{"name", scene.layers[layer].name}, {"visible", scene.layers[layer].visible},
-            {"particles", makeSchedule(sampled(scene.effect(layer))).capacity()}, {"changed", own}});
+            {"from", scene.layers[layer].from}, {"particles", makeSchedule(sampled(scene.effect(layer))).capacity()},
+            {"changed", own}});
     }
     return {{"name", preset.name}, {"description", preset.description}, {"particles", schedule.capacity()},
         {"lifetime", static_cast<float>(schedule.lifetimeSteps) * schedule.dt}, {"frames", scene.timeline.length},

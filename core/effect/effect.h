@@ -83,6 +83,7 @@ struct Emitter {
     float speed = 1.0F;
     float velocityRandomness = 0.05F;
     float spread = 8.0F;
+    float inherit = 0.0F;
     bool subframe = true;
     std::uint32_t seed = 1;
     friend bool operator==(const Emitter&, const Emitter&) = default;

@@ -38,7 +38,9 @@ SampledEffect thinned(const SampledEffect& effect, int most)
         out.emitter.count = most;
         setClamped(out, knownParameter("look.size"), out.look.size * std::sqrt(ratio));
     }
-    return SampledEffect(out);
+    SampledEffect fewer(out);
+    fewer.m_parent = effect.m_parent;
+    return fewer;
 }
 
 } // namespace fumage

@@ -2,6 +2,7 @@
 
 #include "core/effect/effect.h"
 
+#include <memory>
 #include <span>
 
 namespace fumage {
@@ -20,6 +21,11 @@ public:
         return m_effect;
     } // NOLINT(google-explicit-constructor): whatever reads an effect reads this one
 
+    /// The layer on whose particles those of this one are born, as it is at good quality whatever is asked for; null:
+    /// they are born on the emitter.
+    [[nodiscard]] const std::shared_ptr<const SampledEffect>& parent() const { return m_parent; }
+    void setParent(std::shared_ptr<const SampledEffect> parent) { m_parent = std::move(parent); }
+
     /// Puts the emitter elsewhere, and turns it: that is the same for every quality.
     void placeEmitter(const glm::vec3& position, const glm::vec3& normal)
     {
@@ -27,7 +33,12 @@ public:
         m_effect.emitter.normal = normal;
     }
 
-    friend bool operator==(const SampledEffect&, const SampledEffect&) = default;
+    friend bool operator==(const SampledEffect& one, const SampledEffect& other)
+    {
+        const bool sameParent =
+            one.m_parent && other.m_parent ? *one.m_parent == *other.m_parent : one.m_parent == other.m_parent;
+        return sameParent && one.m_effect == other.m_effect;
+    }
 
 private:
     explicit SampledEffect(const Effect& effect)
@@ -38,6 +49,7 @@ private:
     friend SampledEffect thinned(const SampledEffect& effect, int most);
 
     Effect m_effect;
+    std::shared_ptr<const SampledEffect> m_parent;
 };
 
 /// The layers of a scene that are simulated and drawn together, one or more; their surroundings (air, wind, light,

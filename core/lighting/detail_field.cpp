@@ -52,4 +52,10 @@ DetailField::DetailField(const Effect& effect, const AdvectedCoordinates& coordi
     }
 }
 
+bool shadowsAlike(const DetailField& one, const DetailField& other)
+{
+    return one.phases == other.phases && one.mix == other.mix && one.shift == other.shift && one.wave == other.wave
+        && one.shadow == other.shadow;
+}
+
 } // namespace fumage

@@ -56,4 +56,7 @@ struct DetailField {
     float shadow = 0.0F; ///< by how much the mass changes that throws shadow, of its own
 };
 
+/// Whether two change the mass that throws shadow in the same way.
+[[nodiscard]] bool shadowsAlike(const DetailField& one, const DetailField& other);
+
 } // namespace fumage

@@ -5,11 +5,11 @@
 #include "core/base/vector.h"
 #include "core/lighting/detail_light.h"
 #include "core/lighting/light_kernel.h"
+#include "core/scene/scene.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace fumage {
 
@@ -133,24 +133,36 @@ void addCells(const GridShape& shape, const AlignedArray<float>& from, AlignedAr
     });
 }
 
-/// Densities of layers of which some have detail: each is put into the density of its own layer alone.
-void addDetailedLayers(LitLayers layers, LightWorkspace& room, LightGrid& out)
+/// Whether two layers are put into the density as one: the detail that they have changes it alike.
+bool isAlike(const LitLayer& one, const LitLayer& other)
 {
-    std::vector<LitLayer> smooth;
-    std::copy_if(layers.begin(), layers.end(), std::back_inserter(smooth),
-        [](const LitLayer& layer) { return layer.detail == nullptr; });
-    out.density.assign(out.shape.cells() + kPadding, 0.0F);
-    if (!smooth.empty()) {
-        splatParticles(smooth, out.shape, room, out.density);
-    }
-    out.plain = out.density;
+    return one.detail == nullptr || other.detail == nullptr ? one.detail == other.detail
+                                                            : shadowsAlike(*one.detail, *other.detail);
+}
+
+/// Densities of all layers: detail is put into the density of its own layers alone.
+void addDensities(LitLayers layers, LightWorkspace& room, LightGrid& out)
+{
+    const bool detailed = std::any_of(layers.begin(), layers.end(), [](const LitLayer& layer) { return layer.detail; });
     room.layer.shape = out.shape;
-    for (const LitLayer& layer : layers) {
-        if (layer.detail != nullptr && layer.appearance->count > 0) {
-            splatParticles({&layer, 1}, out.shape, room, room.layer.density);
-            putDetailIntoDensity(*layer.detail, room.layer);
-            addCells(out.shape, room.layer.plain, out.plain);
-            addCells(out.shape, room.layer.density, out.density);
+    std::array<LitLayer, kMaxLayers> group;
+    for (auto layer = layers.begin(); layer != layers.end(); ++layer) {
+        const auto isLike = [&](const LitLayer& other) { return isAlike(*layer, other); };
+        if (std::any_of(layers.begin(), layer, isLike)) {
+            continue; // it was put in with that one
+        }
+        const auto end = std::copy_if(layer, layers.end(), group.begin(), isLike);
+        const bool isFirst = layer == layers.begin();
+        LightGrid& grid = isFirst ? out : room.layer;
+        splatParticles(std::span(group.begin(), end), out.shape, room, grid.density);
+        if (layer->detail != nullptr) {
+            putDetailIntoDensity(*layer->detail, grid);
+        } else if (detailed) {
+            grid.plain = grid.density;
+        }
+        if (!isFirst) {
+            addCells(out.shape, grid.plain, out.plain);
+            addCells(out.shape, grid.density, out.density);
         }
     }
 }
@@ -227,22 +239,16 @@ void fillDensity(LitLayers layers, const Light& light, const Axes& axes, LightWo
     const bool dense = needsDensity(layers, light);
     out.shape = gridShape(LitBounds(layers), light, axes, finestResolution(light, dense));
     out.plain.clear();
-    const bool detailed = std::any_of(layers.begin(), layers.end(), [](const LitLayer& layer) { return layer.detail; });
-    if (!dense) {
-        out.density.assign(out.shape.cells() + kPadding, 0.0F);
-    } else if (layers.size() > 1 && detailed) {
-        addDetailedLayers(layers, room, out);
+    if (dense) {
+        addDensities(layers, room, out);
     } else {
-        splatParticles(layers, out.shape, room, out.density);
-        if (detailed) {
-            putDetailIntoDensity(*layers.front().detail, out);
-        }
+        out.density.assign(out.shape.cells() + kPadding, 0.0F);
     }
 }
 
 void lightSmoke(LitLayers layers, const glm::vec3& eye, LightWorkspace& room, LightGrid& out)
 {
-    if (LitBounds(layers).count == 0) {
+    if (std::all_of(layers.begin(), layers.end(), [](const LitLayer& each) { return each.appearance->count == 0; })) {
         out.shape = {};
         out.density.assign(1 + kPadding, 0.0F);
         out.plain.clear();

@@ -226,7 +226,7 @@ void LiveSimulation::moveParticles(const EmitterPose& pose, std::int64_t births)
             moveChunk(m_parts, particles, chunk);
         }
         ring.forChunk(chunk, m_next, end, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
-            spawnInChunk(place, m_parts, low, slot, slot + static_cast<std::size_t>(high - low), particles);
+            spawnInChunk(place, m_parts, low, slot, slot + static_cast<std::size_t>(high - low), {}, particles);
         });
         if (lives || ring.reaches(chunk, m_next, end)) {
             ring.clearOthers(particles, chunk, m_first, end); // moved too, though nobody lives there

@@ -45,6 +45,9 @@ void writeLayerHeader(const Layer& layer, const std::string& indent, std::string
     write(kLayerVisible, flag(layer.visible));
     write(kLayerLocked, flag(layer.locked));
     write(kLayerTag, quoteJson(kColourTags[static_cast<std::size_t>(layer.tag)]));
+    if (!layer.from.empty()) {
+        write(kLayerFrom, quoteJson(layer.from));
+    }
 }
 
 /// The groups of a scene or of its layer, and what is unknown beside them.

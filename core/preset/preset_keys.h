@@ -15,6 +15,7 @@ inline constexpr std::string_view kLayerName = "name";
 inline constexpr std::string_view kLayerVisible = "visible";
 inline constexpr std::string_view kLayerLocked = "locked";
 inline constexpr std::string_view kLayerTag = "tag";
+inline constexpr std::string_view kLayerFrom = "from";
 
 /// What a ColourTag is called in files.
 inline constexpr std::array<std::string_view, 8> kColourTags{

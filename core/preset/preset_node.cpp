@@ -5,6 +5,7 @@
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/preset/migration.h"
+#include "core/preset/parameter_node.h"
 #include "core/preset/preset_keys.h"
 
 #include <algorithm>
@@ -46,7 +47,10 @@ private:
     struct Part {
         Effect effect;
         std::vector<std::string_view> seen;
+        const JsonNode* from = nullptr; ///< what names the layer's parent
     };
+
+    static bool isText(const JsonNode& node) { return node.type == JsonNode::Type::String; }
 
     [[nodiscard]] Error errorAt(const JsonNode& node, ErrorCode code, Message message, Message remedy) const
     {
@@ -127,6 +131,17 @@ private:
         }
         m_part = &m_surroundings;
         m_layer = 0;
+        return checkParents();
+    }
+
+    [[nodiscard]] Status checkParents() const
+    {
+        for (std::size_t layer = 0; layer < m_layers.size(); ++layer) {
+            if (const Status status = checkParent(m_reading.preset.scene, layer); !status) {
+                return errorAt(
+                    *m_layers[layer].from, status.error().code, status.error().message, status.error().remedy);
+            }
+        }
         return Done{};
     }
 
@@ -137,7 +152,7 @@ private:
         const auto wrong = [&](const Message& expected) {
             return errorAt(node, ErrorCode::WrongType, makeMessage("%1: expected %2", key, expected), {});
         };
-        if (key == kLayerName) {
+        if (key == kLayerName || key == kLayerFrom) {
             if (!isText(node)) {
                 return wrong(makeMessage("a text in quotes"));
             }
@@ -145,7 +160,8 @@ private:
                 return errorAt(node, ErrorCode::TooLarge, makeMessage("a layer's name of %1 bytes", node.string.size()),
                     makeMessage("Names have at most %1", kMaxLayerName));
             }
-            layer.name = node.string;
+            (key == kLayerName ? layer.name : layer.from) = node.string;
+            m_part->from = key == kLayerFrom ? &node : m_part->from;
             return true;
         }
         if (key == kLayerVisible || key == kLayerLocked) {
@@ -261,7 +277,7 @@ private:
 
     Status readParameter(const Parameter& parameter, const JsonNode& node)
     {
-        const Result<Clamped> value = valueOf(parameter, node);
+        const Result<Clamped> value = valueOf(parameter, node, m_text);
         if (!value) {
             return errorAt(node, value.error().code, makeMessage("%1: %2", value.error().place, value.error().message),
                 value.error().remedy);
@@ -274,61 +290,6 @@ private:
         }
         m_part->seen.push_back(parameter.key);
         return Done{};
-    }
-
-    [[nodiscard]] Result<Clamped> valueOf(const Parameter& parameter, const JsonNode& node) const
-    {
-        const bool isChoice = isText(node) && parameter.kind == Kind::Choice;
-        const bool isFlag = node.type == JsonNode::Type::Bool && parameter.kind == Kind::Bool;
-        if (isChoice) {
-            return parseValue(parameter, node.string);
-        }
-        if (isFlag) {
-            return Clamped{node.flag};
-        }
-        std::vector<double> numbers;
-        if (!collectNumbers(parameter, node, numbers)) {
-            return Error{ErrorCode::WrongType,
-                makeMessage("expected %1, found %2", kindName(parameter.kind),
-                    inQuotes(isText(node) ? node.string : m_text.substr(node.begin, node.end - node.begin))),
-                std::string(parameter.key), {}};
-        }
-        return valueFromNumbers(parameter, numbers);
-    }
-
-    static bool isText(const JsonNode& node) { return node.type == JsonNode::Type::String; }
-
-    /// A number, a list of three, or a list of lists, just as the kind asks.
-    static bool collectNumbers(const Parameter& parameter, const JsonNode& node, std::vector<double>& numbers)
-    {
-        const auto flat = [&](const JsonNode& list, std::size_t count) {
-            for (const JsonNode& item : list.items) {
-                if (item.type != JsonNode::Type::Number) {
-                    return false;
-                }
-                numbers.push_back(item.number);
-            }
-            return list.type == JsonNode::Type::Array && list.items.size() == count;
-        };
-        switch (parameter.kind) {
-        case Kind::Int:
-        case Kind::Seed:
-        case Kind::Float: numbers.push_back(node.number); return node.type == JsonNode::Type::Number;
-        case Kind::Direction:
-        case Kind::Vector:
-        case Kind::Colour: return flat(node, 3);
-        case Kind::Curve:
-            return node.type == JsonNode::Type::Array
-                && std::all_of(
-                    node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 2); });
-        case Kind::Gradient:
-            return node.type == JsonNode::Type::Array
-                && std::all_of(
-                    node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 4); });
-        case Kind::Bool:
-        case Kind::Choice: return false;
-        }
-        return false;
     }
 
     void reportHidden()

@@ -98,6 +98,7 @@ Json layerSchema()
     layer["properties"][kLayerVisible] = {{"type", "boolean"}, {"default", true}};
     layer["properties"][kLayerLocked] = {{"type", "boolean"}, {"default", false}};
     layer["properties"][kLayerTag] = {{"enum", kColourTags}, {"default", kColourTags.front()}};
+    layer["properties"][kLayerFrom] = {{"type", "string"}, {"maxLength", kMaxLayerName}};
     return layer;
 }
 

@@ -50,22 +50,55 @@ Status Renderer::updateTexture(const Noise& noise, Layer& layer, const std::stop
     return Done{};
 }
 
-Status Renderer::updateDetail(const LayerFrame& of, Layer& layer, const std::stop_token& stop)
+/// Finds where the detail of a layer is; what is the same for several layers is moved once.
+Status Renderer::updateDetail(LayerFrames layers, std::size_t number, const std::stop_token& stop)
 {
+    Layer& layer = *m_layers[number];
     layer.detail.reset();
-    const Effect& effect = *of.effect;
-    if (!hasDetail(effect) || of.frame->model->air() == nullptr) {
+    const Effect& effect = *layers[number].effect;
+    const Frame& frame = *layers[number].frame;
+    if (!hasDetail(effect) || frame.model->air() == nullptr) {
         return Done{};
     }
-    if (!layer.coordinates) {
-        layer.coordinates = std::make_unique<AdvectedCoordinates>();
+    const float life = effect.look.detailLife;
+    const auto own = m_layers.begin() + static_cast<std::ptrdiff_t>(number);
+    const auto same = std::find_if(m_layers.begin(), own, [&](const std::unique_ptr<Layer>& other) {
+        return other->detail && other->coordinates->isFor(*frame.model, life);
+    });
+    if (same != own) {
+        layer.coordinates = (*same)->coordinates;
+    } else if (!layer.coordinates
+        || (layer.coordinates.use_count() > 1 && !layer.coordinates->isFor(*frame.model, life))) {
+        layer.coordinates = std::make_shared<AdvectedCoordinates>();
     }
-    if (Status status = layer.coordinates->moveTo(of.frame->model, of.frame->step, effect.look.detailLife, stop);
-        !status) {
+    if (Status status = layer.coordinates->moveTo(frame.model, frame.step, life, stop); !status) {
         return status;
     }
     layer.detail.emplace(effect, *layer.coordinates, m_phaseMix);
     return Done{};
+}
+
+/// How deep in smoke a cell is depends on the wave of the detail alone: found once for all layers that have the same.
+void Renderer::findBodies()
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < m_lit.size(); ++i) {
+        const DetailField* detail = m_lit[i].detail;
+        if (detail == nullptr) {
+            continue;
+        }
+        std::size_t same = 0;
+        while (m_lit[same].detail == nullptr || m_lit[same].detail->wave != detail->wave) {
+            ++same;
+        }
+        if (same < i) {
+            m_layers[i]->body = m_layers[same]->body;
+            continue;
+        }
+        m_bodies.resize(std::max(m_bodies.size(), count + 1));
+        findBody(*detail, m_light, m_bodies[count]);
+        m_layers[i]->body = count++;
+    }
 }
 
 /// Finds looks and light of all layers.
@@ -83,11 +116,7 @@ Status Renderer::findSmoke(LayerFrames layers, const glm::vec3& eye)
         m_lit.push_back({layers[i].frame, &effect, &own.appearance, detail(i)});
     }
     lightSmoke(m_lit, eye, m_lightWorkspace, m_light);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (m_lit[i].detail != nullptr) {
-            findBody(*m_lit[i].detail, m_light, m_layers[i]->body);
-        }
-    }
+    findBodies();
     softenLight(m_light, m_lightWorkspace);
     lightByFire(m_lit, m_fireWorkspace, m_lightWorkspace, m_light);
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -102,7 +131,9 @@ Status Renderer::prepare(LayerFrames layers, const View& view, const std::stop_t
     m_layers.resize(layers.size());
     m_drawn.clear();
     for (std::unique_ptr<Layer>& layer : m_layers) {
-        layer = layer ? std::move(layer) : std::make_unique<Layer>();
+        if (!layer) {
+            layer = std::make_unique<Layer>();
+        }
     }
     {
         const Stopwatch stopwatch(m_times.texture);
@@ -110,7 +141,7 @@ Status Renderer::prepare(LayerFrames layers, const View& view, const std::stop_t
             if (Status status = updateTexture((*layers[i].effect)->noise, *m_layers[i], stop); !status) {
                 return status;
             }
-            if (Status status = updateDetail(layers[i], *m_layers[i], stop); !status) {
+            if (Status status = updateDetail(layers, i, stop); !status) {
                 return status;
             }
         }
@@ -122,9 +153,10 @@ Status Renderer::prepare(LayerFrames layers, const View& view, const std::stop_t
         }
     }
     const Stopwatch stopwatch(m_times.sprites);
+    m_bodies.resize(std::max<std::size_t>(m_bodies.size(), 1)); // where no layer has detail, none is looked at
     for (std::size_t i = 0; i < layers.size(); ++i) {
         Layer& own = *m_layers[i];
-        makeSprites(m_lit[i], m_light, *own.texture, own.body, view, own.batch);
+        makeSprites(m_lit[i], m_light, *own.texture, m_bodies[own.body], view, own.batch);
         m_drawn.push_back({&own.batch, own.texture.get()});
     }
     return Done{};

@@ -102,20 +102,22 @@ private:
     struct Layer {
         Noise noise;
         std::shared_ptr<const SpriteTexture> texture;
-        std::unique_ptr<AdvectedCoordinates> coordinates; ///< where detail finds it, wherever the renderer is moved
+        std::shared_ptr<AdvectedCoordinates> coordinates; ///< of its detail, with all that have the same
         std::optional<DetailField> detail;
         Appearance appearance;
-        AlignedArray<float> body; ///< of where it has detail
+        std::size_t body = 0; ///< which of m_bodies it lies in, where it has detail
         SpriteBatch batch;
     };
 
     [[nodiscard]] Status updateTexture(const Noise& noise, Layer& layer, const std::stop_token& stop);
-    [[nodiscard]] Status updateDetail(const LayerFrame& of, Layer& layer, const std::stop_token& stop);
+    [[nodiscard]] Status updateDetail(LayerFrames layers, std::size_t number, const std::stop_token& stop);
     [[nodiscard]] Status findSmoke(LayerFrames layers, const glm::vec3& eye);
+    void findBodies();
 
     PhaseMix m_phaseMix = PhaseMix::Blend;
     std::vector<std::unique_ptr<Layer>> m_layers; ///< of the last picture
     std::vector<LitLayer> m_lit;
+    std::vector<AlignedArray<float>> m_bodies; ///< of each length of wave, see findBody()
     std::vector<SpriteLayer> m_drawn;
     LightGrid m_light;
     LightWorkspace m_lightWorkspace;

@@ -38,6 +38,18 @@ Status forNamed(const Scene& scene, std::string_view names, const Visit& visit)
     }
 }
 
+/// Lets a layer be born on another. Nothing is changed where that cannot be.
+Result<bool> setParent(Scene& scene, std::size_t layer, std::string_view name)
+{
+    Scene changed = scene;
+    changed.layers[layer].from = trimmed(name);
+    if (Status status = checkParent(changed, layer); !status) {
+        return status.error();
+    }
+    scene = std::move(changed);
+    return false;
+}
+
 } // namespace
 
 Result<LayerAssignment> layerAssignment(const Scene& scene, std::string_view text)
@@ -56,6 +68,10 @@ Result<bool> applyToScene(Scene& scene, std::string_view text)
     const Result<LayerAssignment> part = layerAssignment(scene, text);
     if (!part) {
         return part.error();
+    }
+    constexpr std::string_view kFrom = "from=";
+    if (part.value().assignment.substr(0, kFrom.size()) == kFrom) {
+        return setParent(scene, part.value().layer, part.value().assignment.substr(kFrom.size()));
     }
     Effect effect = scene.effect(part.value().layer);
     Result<bool> clamped = applyAssignment(effect, part.value().assignment);

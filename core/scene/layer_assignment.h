@@ -19,9 +19,10 @@ struct LayerAssignment {
 [[nodiscard]] Result<LayerAssignment> layerAssignment(const Scene& scene, std::string_view text);
 
 /// Parses "key=value" or "layer/key=value" and applies it, as --set does. What all layers share is set in the scene,
-/// whatever layer is named.
+/// whatever layer is named. "layer/from=name" lets a layer be born on another's particles, "layer/from=" on its
+/// emitter.
 /// @return whether the value had to be clamped
-/// @error that of layerAssignment(), those of applyAssignment()
+/// @error that of layerAssignment(), those of applyAssignment() and checkParent()
 [[nodiscard]] Result<bool> applyToScene(Scene& scene, std::string_view text);
 
 /// Mutes layers, or all but them, as --mute and --layers do.

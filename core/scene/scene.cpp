@@ -91,13 +91,120 @@ std::optional<std::size_t> findLayer(const Scene& scene, std::string_view nameOr
     return isThere ? std::optional(static_cast<std::size_t>(*number - 1)) : std::nullopt;
 }
 
+std::optional<std::size_t> parentOf(const Scene& scene, std::size_t layer)
+{
+    const std::string& name = scene.layers[layer].from;
+    const auto isNamed = [&](const Layer& other) { return other.name == name; };
+    const auto count = std::count_if(scene.layers.begin(), scene.layers.end(), isNamed);
+    if (name.empty() || count != 1) {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(
+        std::find_if(scene.layers.begin(), scene.layers.end(), isNamed) - scene.layers.begin());
+}
+
+Status checkParent(const Scene& scene, std::size_t layer)
+{
+    if (scene.layers[layer].from.empty()) {
+        return Done{};
+    }
+    std::optional<std::size_t> next = parentOf(scene, layer);
+    if (!next) {
+        return Error{ErrorCode::UnknownName,
+            makeMessage("there is no one layer %1 to be born on", inQuotes(scene.layers[layer].from)), {},
+            makeMessage("Name a layer that no other shares its name with")};
+    }
+    for (std::size_t steps = 0; next && steps <= scene.layers.size(); ++steps) {
+        if (*next == layer) {
+            return Error{ErrorCode::OutOfRange,
+                makeMessage("layer %1 would be born on itself, by way of %2", inQuotes(scene.layers[layer].name),
+                    inQuotes(scene.layers[layer].from)),
+                {}, makeMessage("Let one layer of the ring be born on its emitter")};
+        }
+        next = parentOf(scene, *next);
+    }
+    return Done{};
+}
+
+std::int64_t particlesOf(SampledLayers layers)
+{
+    std::int64_t sum = 0;
+    for (const SampledEffect& layer : layers) {
+        sum += layer->emitter.count;
+    }
+    return sum;
+}
+
+namespace {
+
+/// A layer in its surroundings; what is born on another has no source in the air.
+Effect effectInScene(const Scene& scene, std::size_t layer)
+{
+    Effect effect = scene.effect(layer);
+    effect.source.feeds = effect.source.feeds && !parentOf(scene, layer);
+    return effect;
+}
+
+/// The layer that others are born on is as many whatever the quality: by its numbers one knows what was born on what.
+SampledEffect atGoodQuality(const Scene& scene, std::size_t layer)
+{
+    Effect effect = effectInScene(scene, layer);
+    effect.output.quality = Quality::Good;
+    return sampled(effect);
+}
+
+/// A layer with those that it is born on.
+/// @param depth how many are on the way to it: a ring ends
+SampledEffect withParents(const Scene& scene, std::size_t layer, SampledEffect own, std::size_t depth = 0)
+{
+    const std::optional<std::size_t> parent = parentOf(scene, layer);
+    if (parent && depth < scene.layers.size()) {
+        own.setParent(std::make_shared<const SampledEffect>(
+            withParents(scene, *parent, atGoodQuality(scene, *parent), depth + 1)));
+    }
+    return own;
+}
+
+/// Whether another of the layers is born on one.
+bool isParent(SampledLayers layers, const SampledEffect& layer)
+{
+    return std::any_of(layers.begin(), layers.end(),
+        [&](const SampledEffect& other) { return other.parent() && *other.parent() == layer; });
+}
+
+} // namespace
+
+void thinLayers(std::vector<SampledEffect>& layers, std::int64_t most)
+{
+    std::vector<bool> keeps;
+    std::int64_t kept = 0;
+    for (const SampledEffect& layer : layers) {
+        keeps.push_back(layer->emitter.count <= kMaxKeptParents && isParent(layers, layer));
+        kept += keeps.back() ? layer->emitter.count : 0;
+    }
+    const std::int64_t all = particlesOf(layers) - kept;
+    const std::int64_t left = std::max<std::int64_t>(1, most - kept);
+    for (std::size_t i = 0; all > left && i < layers.size(); ++i) {
+        const std::int64_t share = layers[i]->emitter.count * left / all;
+        if (!keeps[i]) {
+            layers[i] = thinned(layers[i], static_cast<int>(std::max<std::int64_t>(1, share)));
+        }
+    }
+}
+
 std::vector<SampledEffect> sampledLayers(const Scene& scene)
 {
     std::vector<SampledEffect> out;
-    std::int64_t particles = 0;
+    std::vector<bool> isBornOn(scene.layers.size(), false);
+    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+        if (const std::optional<std::size_t> parent = parentOf(scene, layer)) {
+            isBornOn[*parent] = true;
+        }
+    }
     for (const std::size_t layer : scene.visibleLayers()) {
-        out.push_back(sampled(scene.effect(layer)));
-        particles += out.back()->emitter.count;
+        const bool keeps = isBornOn[layer] && scene.layers[layer].emitter.count <= kMaxKeptParents;
+        out.push_back(
+            withParents(scene, layer, keeps ? atGoodQuality(scene, layer) : sampled(effectInScene(scene, layer))));
     }
     if (out.empty()) {
         Effect nothing = scene.effect();
@@ -106,12 +213,7 @@ std::vector<SampledEffect> sampledLayers(const Scene& scene)
         nothing.source.feeds = false;
         return {sampled(nothing)};
     }
-    for (SampledEffect& layer : out) {
-        if (particles > kMaxParticles) {
-            const std::int64_t share = layer->emitter.count * std::int64_t{kMaxParticles} / particles;
-            layer = thinned(layer, static_cast<int>(std::max<std::int64_t>(1, share)));
-        }
-    }
+    thinLayers(out, kMaxParticles);
     return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/effect/effect.h"
 #include "core/effect/sampling.h"
 
@@ -36,6 +37,9 @@ struct Layer {
     bool visible = true; ///< else it is neither simulated nor drawn, and does not feed the air; in exports, too
     bool locked = false; ///< against changes in the editor
     ColourTag tag = ColourTag::None;
+    /// The name of the layer on whose particles its own are born, its parent; empty: on its emitter. Such a layer feeds
+    /// no air. The parent need not be visible.
+    std::string from;
     Emitter emitter;
     Source source;
     Motion motion;
@@ -83,8 +87,28 @@ struct Scene {
 /// Index of the layer that a name or a number (from 1) stands for; none: there is none, or several have the name.
 [[nodiscard]] std::optional<std::size_t> findLayer(const Scene& scene, std::string_view nameOrNumber);
 
+/// The layer on whose particles those of another are born; none: on its emitter, or there is no such layer.
+[[nodiscard]] std::optional<std::size_t> parentOf(const Scene& scene, std::size_t layer);
+
+/// Whether the parent of a layer is there and leads back to no layer that was on the way.
+/// @error UnknownName where no layer, or several, have the name; OutOfRange where layers are born on one another in a
+/// ring
+[[nodiscard]] Status checkParent(const Scene& scene, std::size_t layer);
+
+/// Particles of all layers.
+[[nodiscard]] std::int64_t particlesOf(SampledLayers layers);
+
+/// Thins layers to a number of particles in all, where they have more: each gives up the same share, and keeps one. Few
+/// that others are born on stay all, since they are known one by one.
+/// @param most of all layers, 1 or more
+void thinLayers(std::vector<SampledEffect>& layers, std::int64_t most);
+
+/// Most particles of a layer that others are born on that no quality and no preview changes.
+inline constexpr int kMaxKeptParents = 4096;
+
 /// The visible layers of a scene as they are simulated and drawn, with the quality worked into their numbers, and with
-/// kMaxParticles in all at most. Where none is visible it is the first one, transparent: a picture has a camera.
+/// kMaxParticles in all at most. Where none is visible it is the first one, transparent: a picture has a camera. A
+/// parent that is not there, or a ring of them, counts as none; see checkParent().
 [[nodiscard]] std::vector<SampledEffect> sampledLayers(const Scene& scene);
 
 } // namespace fumage

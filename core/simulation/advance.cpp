@@ -24,6 +24,7 @@ struct PlannedStep {
     std::shared_ptr<const AirField> air;
     std::int64_t firstBirth = 0;
     std::int64_t endBirth = 0;
+    std::vector<SubEmission> on; ///< of each birth, where they are on another layer's particles
 };
 
 class ChunkRunner {
@@ -46,7 +47,7 @@ public:
             }
             m_ring.forChunk(
                 chunk, step.firstBirth, step.endBirth, [&](std::int64_t low, std::int64_t high, std::size_t slot) {
-                    spawn(low, high, slot, step.parts);
+                    spawn(low, high, slot, step);
                     occupied = true;
                 });
         }
@@ -62,14 +63,17 @@ private:
     [[nodiscard]] std::int64_t firstUnborn(std::int64_t step) const { return m_schedule.birthsBefore(step + 1); }
 
     /// Gives birth to particles [first, last) of one lap, in runs that do not pass the end of a loop.
-    void spawn(std::int64_t first, std::int64_t last, std::size_t slot, std::span<const StepConstants> parts) const
+    void spawn(std::int64_t first, std::int64_t last, std::size_t slot, const PlannedStep& step) const
     {
         while (first < last) {
             const std::int64_t random = m_schedule.randomIndex(first);
             const std::int64_t count =
                 m_schedule.loopSteps == 0 ? last - first : std::min(last - first, m_schedule.birthsPerPeriod - random);
             const std::size_t end = slot + static_cast<std::size_t>(count);
-            spawnInChunk(m_spawner, parts, random, slot, end, m_particles);
+            const std::span<const SubEmission> on = step.on.empty()
+                ? std::span<const SubEmission>()
+                : std::span(step.on).subspan(static_cast<std::size_t>(first - step.firstBirth), end - slot);
+            spawnInChunk(m_spawner, step.parts, random, slot, end, on, m_particles);
             slot = end;
             first += count;
         }
@@ -82,13 +86,13 @@ private:
 };
 
 /// Plans steps (from, to].
-Result<std::vector<PlannedStep>> plannedSteps(
-    const SimulationModel& model, std::int64_t from, std::int64_t to, const std::stop_token& stop)
+Result<std::vector<PlannedStep>> plannedSteps(const SimulationModel& model, std::int64_t from, std::int64_t to,
+    SubEmissionSource* parents, const std::stop_token& stop)
 {
     std::vector<PlannedStep> steps;
     for (std::int64_t step = from + 1; step <= to; ++step) {
         PlannedStep& planned = steps.emplace_back(
-            PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1)});
+            PlannedStep{{}, nullptr, model.schedule().birthsBefore(step), model.schedule().birthsBefore(step + 1), {}});
         if (model.air() != nullptr) {
             const auto field = model.air()->field(model.airStep(step), stop);
             if (!field) {
@@ -97,6 +101,13 @@ Result<std::vector<PlannedStep>> plannedSteps(
             planned.air = field.value();
         }
         findParts(model, step, planned.air.get(), planned.parts);
+        if (parents != nullptr) {
+            if (Status status =
+                    parents->find(model, step, planned.firstBirth, planned.endBirth, planned.on, Task(stop));
+                !status) {
+                return status.error();
+            }
+        }
     }
     return steps;
 }
@@ -118,7 +129,7 @@ constexpr auto kAsItIs = [](std::size_t) {};
 /// @param prepare called for a chunk before its first step
 template <class Prepare>
 Status run(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
-    const Prepare& prepare, const Task& task)
+    const Prepare& prepare, SubEmissionSource* parents, const Task& task)
 {
     const ChunkRunner runner(model, particles);
     if (Status status = bakeAir(model, to, task); !status) {
@@ -129,7 +140,7 @@ Status run(const SimulationModel& model, Particles& particles, std::int64_t from
     std::int64_t done = from;
     do {
         const std::int64_t last = std::min(to, done + atOnce);
-        const Result<std::vector<PlannedStep>> planned = plannedSteps(model, done, last, task.stop);
+        const Result<std::vector<PlannedStep>> planned = plannedSteps(model, done, last, parents, task.stop);
         if (!planned) {
             return planned.error();
         }
@@ -160,13 +171,14 @@ Status run(const SimulationModel& model, Particles& particles, std::int64_t from
 
 } // namespace
 
-Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to, const Task& task)
+Status advance(const SimulationModel& model, Particles& particles, std::int64_t from, std::int64_t to,
+    SubEmissionSource* parents, const Task& task)
 {
-    return run(model, particles, from, to, kAsItIs, task);
+    return run(model, particles, from, to, kAsItIs, parents, task);
 }
 
 Status advanceInto(const SimulationModel& model, const Particles& before, Particles& after, std::int64_t from,
-    std::int64_t to, const Task& task)
+    std::int64_t to, SubEmissionSource* parents, const Task& task)
 {
     if (after.x.size() != before.x.size() || after.columns() != before.columns()) {
         after.reset(before.capacity, before.columns());
@@ -175,14 +187,15 @@ Status advanceInto(const SimulationModel& model, const Particles& before, Partic
     const auto copy = [&](std::size_t chunk) {
         after.copySlots(before, chunk * Particles::kChunk, (chunk + 1) * Particles::kChunk);
     };
-    return run(model, after, from, to, copy, task);
+    return run(model, after, from, to, copy, parents, task);
 }
 
-Status advanceFromNothing(const SimulationModel& model, Particles& particles, std::int64_t to, const Task& task)
+Status advanceFromNothing(
+    const SimulationModel& model, Particles& particles, std::int64_t to, SubEmissionSource* parents, const Task& task)
 {
     particles.reset(static_cast<std::size_t>(model.schedule().capacity()), columnsOf(model));
     const std::int64_t from = std::max<std::int64_t>(-1, to - model.schedule().lifetimeSteps);
-    return run(model, particles, from, to, kAsItIs, task);
+    return run(model, particles, from, to, kAsItIs, parents, task);
 }
 
 } // namespace fumage

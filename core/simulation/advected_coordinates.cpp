@@ -15,12 +15,12 @@ std::int64_t floorDivided(std::int64_t a, std::int64_t b)
     return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-/// Carries a map from its age to a later one. Before step 0 of the air it is at rest.
+/// Carries a map from its age to a later one, in steps of the air. Before step 0 of it the map is at rest.
 Status carryOn(const SimulationModel& model, std::int64_t seededAt, std::int64_t age, AdvectedPhase& phase,
     CoordinateMap& room, const std::stop_token& stop)
 {
     for (; phase.age < age; ++phase.age) {
-        const std::int64_t step = model.airStep(seededAt + phase.age + 1);
+        const std::int64_t step = seededAt + phase.age + 1;
         if (step <= 0) {
             continue;
         }
@@ -64,25 +64,29 @@ std::int64_t SeedTimes::randomNumber(std::int64_t seed) const
     return m_loops ? seed - floorDivided(seed, m_seeds) * m_seeds : seed;
 }
 
+bool AdvectedCoordinates::isFor(const SimulationModel& model, float life) const
+{
+    return m_model && m_model->air() == model.air() && m_life == life;
+}
+
 Status AdvectedCoordinates::moveTo(
     const std::shared_ptr<const SimulationModel>& model, std::int64_t step, float life, const std::stop_token& stop)
 {
     const SeedTimes times(model->schedule(), life);
-    const bool sameAir =
-        m_model && m_model->air() == model->air() && m_model->clock().stepsBehind == model->clock().stepsBehind;
-    if (!sameAir || m_life != life) {
+    if (!isFor(*model, life)) {
         m_phases[0].age = -1;
         m_phases[1].age = -1;
     }
     m_model = model;
     m_life = life;
-    const std::int64_t latest = times.seedAt(step);
-    const auto sinceSeed = static_cast<float>(step - times.stepOf(latest));
+    const std::int64_t now = model->airStep(step);
+    const std::int64_t latest = times.seedAt(now);
+    const auto sinceSeed = static_cast<float>(now - times.stepOf(latest));
     const float way = sinceSeed / static_cast<float>(times.stepOf(latest + 1) - times.stepOf(latest));
     for (const std::int64_t seed : {latest - 1, latest}) {
         AdvectedPhase& phase = m_phases[static_cast<std::size_t>(seed & 1)];
         const std::int64_t random = times.randomNumber(seed);
-        const std::int64_t age = step - times.stepOf(seed);
+        const std::int64_t age = now - times.stepOf(seed);
         if (phase.age < 0 || phase.seed != random || phase.age > age) {
             phase.map.seed(model->air()->plan().grid);
             phase.seed = random;

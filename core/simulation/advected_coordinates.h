@@ -41,15 +41,20 @@ struct AdvectedPhase {
 /// Coordinates for noise that the air carries: two maps that are seeded in turns, since air in time deforms each beyond
 /// use (Max and Becker 1995; Neyret, "Advected Textures", SCA 2003).
 ///
-/// A pure function of the air, the step and the life of a map: steps on from where it is if that is nearer, else from
-/// the seeds, at most a life and a half of steps of maps. Not thread-safe; uses all threads inside.
+/// A pure function of the air, the step and the life of a map, and so the same for all layers in one air: steps on from
+/// where it is if that is nearer, else from the seeds, at most a life and a half of steps of maps. Not thread-safe;
+/// uses all threads inside.
 class AdvectedCoordinates {
 public:
     /// @param model with baked air
+    /// @param step of the particles of the model
     /// @param life s from a seed of a map to its next
     /// @error Cancelled; that of the air
     [[nodiscard]] Status moveTo(const std::shared_ptr<const SimulationModel>& model, std::int64_t step, float life,
         const std::stop_token& stop);
+
+    /// Whether they were moved last in the air of a model, with this life: those of one moment serve all such layers.
+    [[nodiscard]] bool isFor(const SimulationModel& model, float life) const;
 
     [[nodiscard]] const std::array<AdvectedPhase, 2>& phases() const { return m_phases; }
 

@@ -314,7 +314,9 @@ HWY_INLINE Carried throughParts(D d, std::span<const StepConstants> parts, VU ke
 {
     const StepConstants& whole = parts.front();
     Carried at = born;
-    at.moving.position = positionInSource(d, whole, key, born.moving.position);
+    if (!whole.air.bornOnParent) {
+        at.moving.position = positionInSource(d, whole, key, born.moving.position);
+    }
     // The air of the source has the emitter's velocity; what a particle has of its own is the rest.
     at.relative = whole.air.coupling == Coupling::Carried ? born.moving.velocity - whole.air.sourceVelocity
                                                           : born.moving.velocity;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -76,33 +77,29 @@ Box fittedBox(const SampledEffect& effect)
     return box;
 }
 
-/// Whether a layer heats the air, or blows it up; of layers of which none does, the first stands for all.
-bool feeds(SampledLayers layers, std::size_t layer)
+/// The layers that heat the air, or blow it up; where none does one of them stands for all. They are in the order of
+/// their seeds, so that their order in a list means nothing: the box, the wind and what stirs the air go by the first.
+std::vector<std::size_t> feedingLayers(SampledLayers layers)
 {
-    const auto gives = [](const SampledEffect& effect) { return effect->source.feeds; };
-    return gives(layers[layer]) || (layer == 0 && std::none_of(layers.begin(), layers.end(), gives));
-}
-
-/// The first of the layers that feed the air: the box, the wind and what stirs the air go by it.
-std::size_t firstFeeding(SampledLayers layers)
-{
-    std::size_t layer = 0;
-    while (!feeds(layers, layer)) {
-        ++layer;
-    }
-    return layer;
+    std::vector<std::size_t> out(layers.size());
+    std::iota(out.begin(), out.end(), std::size_t{0});
+    std::stable_sort(out.begin(), out.end(),
+        [&](std::size_t a, std::size_t b) { return layers[a]->emitter.seed < layers[b]->emitter.seed; });
+    const auto gives = [&](std::size_t layer) { return layers[layer]->source.feeds; };
+    const auto end = std::stable_partition(out.begin(), out.end(), gives);
+    out.resize(std::max<std::size_t>(1, static_cast<std::size_t>(end - out.begin())));
+    return out;
 }
 
 Box boxOf(SampledLayers layers)
 {
-    const SampledEffect& first = layers[firstFeeding(layers)];
+    const std::vector<std::size_t> feeding = feedingLayers(layers);
+    const SampledEffect& first = layers[feeding.front()];
     const Air& air = first->air;
     Box box = fittedBox(first);
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        if (feeds(layers, layer)) {
-            const Box other = fittedBox(layers[layer]);
-            box = {glm::min(box.low, other.low), glm::max(box.high, other.high)};
-        }
+    for (const std::size_t layer : feeding) {
+        const Box other = fittedBox(layers[layer]);
+        box = {glm::min(box.low, other.low), glm::max(box.high, other.high)};
     }
     const glm::vec3 foot = first->emitter.position;
     if (!air.fit) {
@@ -147,11 +144,9 @@ double workBeforeFirstFrame(SampledLayers layers, const AirGrid& grid)
     const double cells = static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z;
     const double steps = static_cast<double>(firstAirStep(layers)) + 1.5 * static_cast<double>(schedule.loopSteps);
     int pieces = 1;
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        if (feeds(layers, layer)) {
-            const bool acts = layers[layer]->emitter.mode == EmissionMode::Continuous;
-            pieces = std::max(pieces, piecesOfStep(layers[layer], schedule.dt, acts));
-        }
+    for (const std::size_t layer : feedingLayers(layers)) {
+        const bool acts = layers[layer]->emitter.mode == EmissionMode::Continuous;
+        pieces = std::max(pieces, piecesOfStep(layers[layer], schedule.dt, acts));
     }
     return steps * pieces * cells;
 }
@@ -220,7 +215,7 @@ AirGrid airGrid(SampledLayers layers)
 
 Status checkAir(SampledLayers layers)
 {
-    const SampledEffect& effect = layers[firstFeeding(layers)];
+    const SampledEffect& effect = layers.front();
     if (!effect->air.enabled) {
         return Done{};
     }
@@ -229,10 +224,7 @@ Status checkAir(SampledLayers layers)
         return Error{ErrorCode::OutOfRange, makeMessage("the box of the air has no finite size"), std::string("air"),
             makeMessage("Turn air.fit off and give air.size, or make the emitter smaller or slower")};
     }
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        if (!feeds(layers, layer)) {
-            continue;
-        }
+    for (const std::size_t layer : feedingLayers(layers)) {
         if (Status status = checkEmitter(layers[layer], grid); !status) {
             return status;
         }
@@ -263,27 +255,23 @@ Status checkAir(SampledLayers layers)
 std::int64_t firstAirStep(SampledLayers layers)
 {
     std::int64_t first = std::numeric_limits<std::int64_t>::min();
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        if (feeds(layers, layer)) {
-            first = std::max(first, makeSchedule(layers[layer]).firstStep);
-        }
+    for (const std::size_t layer : feedingLayers(layers)) {
+        first = std::max(first, makeSchedule(layers[layer]).firstStep);
     }
     return std::max<std::int64_t>(0, first);
 }
 
-LayerClock layerClock(SampledLayers layers, std::size_t layer)
+LayerClock layerClock(SampledLayers layers, const SampledEffect& layer)
 {
-    return {firstAirStep(layers) - makeSchedule(layers[layer]).firstStep, layers[firstFeeding(layers)]->emitter.seed};
+    return {firstAirStep(layers) - makeSchedule(layer).firstStep, layers[feedingLayers(layers).front()]->emitter.seed};
 }
 
 AirPlan airPlan(SampledLayers layers)
 {
     const Air& air = layers.front()->air;
     std::vector<SimulationModel> models;
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        if (feeds(layers, layer)) {
-            models.emplace_back(layers[layer], layerClock(layers, layer));
-        }
+    for (const std::size_t layer : feedingLayers(layers)) {
+        models.emplace_back(layers[layer], layerClock(layers, layers[layer]));
     }
     AirPlan plan;
     plan.grid = airGrid(layers);
@@ -301,10 +289,7 @@ AirPlan airPlan(SampledLayers layers)
 std::vector<Effect> airParts(SampledLayers layers)
 {
     std::vector<Effect> parts;
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-        if (!feeds(layers, layer)) {
-            continue;
-        }
+    for (const std::size_t layer : feedingLayers(layers)) {
         Effect& part = parts.emplace_back();
         for (const Parameter& parameter : parameterTable()) {
             // What does not loop goes on for ever: its length is that of the pictures.

@@ -16,8 +16,8 @@ namespace fumage {
 /// momentum that the source gives off a second, or 2.4 (B V)^(1/4) t^(1/2) for a burst of volume V; and becomes a
 /// quarter as wide to each side. Heat lifts no longer than it lasts. Source: Turner, "Buoyancy Effects in Fluids",
 /// 1973, of plumes, jets and thermals; the factors are rounded up.
-/// Of several layers the box holds what is expected of each that feeds the air; a box of a given size stands at the
-/// first of them.
+/// Of several layers the box holds what is expected of each that feeds the air; a box of a given size stands at the one
+/// of least seed, by whose seed the wind blows, too.
 [[nodiscard]] AirGrid airGrid(SampledLayers layers);
 
 /// The same of one layer.
@@ -42,7 +42,8 @@ namespace fumage {
 [[nodiscard]] std::int64_t firstAirStep(SampledLayers layers);
 
 /// How a layer lies in its scene.
-[[nodiscard]] LayerClock layerClock(SampledLayers layers, std::size_t layer);
+/// @param layer one of them, or the parent of one
+[[nodiscard]] LayerClock layerClock(SampledLayers layers, const SampledEffect& layer);
 
 /// Everything that the air of a scene depends on.
 /// @param layers whose checkAir() found nothing

@@ -40,16 +40,40 @@ void moveChunk(std::span<const StepConstants> parts, Particles& particles, std::
     }
 }
 
+namespace {
+
+/// Takes particles that were born at the emitter to those that they are born on.
+void takeAlong(std::span<const SubEmission> on, std::size_t slot, Particles& particles)
+{
+    for (const SubEmission& place : on) {
+        particles.x[slot] += place.away.x;
+        particles.y[slot] += place.away.y;
+        particles.z[slot] += place.away.z;
+        particles.vx[slot] += place.velocity.x;
+        particles.vy[slot] += place.velocity.y;
+        particles.vz[slot] += place.velocity.z;
+        ++slot;
+    }
+}
+
+} // namespace
+
 void spawnInChunk(const Spawner& place, std::span<const StepConstants> parts, std::int64_t randomIndex,
-    std::size_t slot, std::size_t end, Particles& particles)
+    std::size_t slot, std::size_t end, std::span<const SubEmission> on, Particles& particles)
 {
     const StepConstants& constants = parts.back();
     particles.clearRoll(slot, end);
     spawnParticles(place, randomIndex, constants.step, slot, end - slot, particles);
+    takeAlong(on, slot, particles);
     if (constants.air.field != nullptr) {
         carryNewParticles(parts, particles, slot, end);
     } else if (constants.betweenSteps) {
         stepNewParticles(constants, particles, slot, end);
+    }
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        if (!on[i].isThere) {
+            particles.clear(slot + i, slot + i + 1);
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/simulation/emitter.h"
 #include "core/simulation/simulation_model.h"
 #include "core/simulation/particles.h"
+#include "core/simulation/sub_emission.h"
 
 #include <span>
 #include <vector>
@@ -25,8 +26,9 @@ void moveChunk(std::span<const StepConstants> parts, Particles& particles, std::
 /// @param parts of the step at which they first appear
 /// @param randomIndex of the first, see spawnParticles()
 /// @param slot,end  slots [slot, end) of one chunk
+/// @param on of each where it is born on another layer's; empty: at the emitter
 /// Thread-safe for different chunks.
 void spawnInChunk(const Spawner& place, std::span<const StepConstants> parts, std::int64_t randomIndex,
-    std::size_t slot, std::size_t end, Particles& particles);
+    std::size_t slot, std::size_t end, std::span<const SubEmission> on, Particles& particles);
 
 } // namespace fumage

@@ -5,17 +5,17 @@
 
 namespace fumage {
 
-Lifecycle lifecycle(const Frame& frame, std::size_t slot)
+Lifecycle lifecycle(const SimulationModel& model, const Particles& particles, std::int64_t step, std::size_t slot)
 {
-    const std::int32_t birth = frame.particles.birthStep[slot];
+    const std::int32_t birth = particles.birthStep[slot];
     if (birth == Particles::kUnborn) {
         return {};
     }
-    const Effect& effect = frame.model->effect();
-    const Schedule& schedule = frame.model->schedule();
-    const float beforeBirthStep = schedule.betweenSteps ? unitFloat(frame.particles.key[slot]) : 0.0F;
-    const float age = static_cast<float>(frame.step - birth) + beforeBirthStep;
-    const float random = unitFloat(streamBits(frame.particles.key[slot], kLifetimeStream));
+    const Effect& effect = model.effect();
+    const Schedule& schedule = model.schedule();
+    const float beforeBirthStep = schedule.betweenSteps ? unitFloat(particles.key[slot]) : 0.0F;
+    const float age = static_cast<float>(step - birth) + beforeBirthStep;
+    const float random = unitFloat(streamBits(particles.key[slot], kLifetimeStream));
     const float lifetime = static_cast<float>(schedule.lifetimeSteps) * (1.0F - effect.life.lifetimeVariance * random);
     Lifecycle out;
     out.age = age * schedule.dt;

@@ -25,6 +25,13 @@ struct Lifecycle {
 };
 
 /// @param slot index below particles.capacity
-[[nodiscard]] Lifecycle lifecycle(const Frame& frame, std::size_t slot);
+[[nodiscard]] Lifecycle lifecycle(
+    const SimulationModel& model, const Particles& particles, std::int64_t step, std::size_t slot);
+
+/// The same of a frame.
+[[nodiscard]] inline Lifecycle lifecycle(const Frame& frame, std::size_t slot)
+{
+    return lifecycle(*frame.model, frame.particles, frame.step, slot);
+}
 
 } // namespace fumage

@@ -12,13 +12,28 @@ namespace {
 /// Whether the particles of two models are the same: they may differ in their look alone.
 bool simulatesAlike(const SimulationModel& one, const SimulationModel& other)
 {
-    if (one.air() != other.air() || one.clock() != other.clock()) {
+    if (one.air() != other.air() || one.clock() != other.clock() || (one.parent() && !other.parent())
+        || (other.parent() && !one.parent())) {
+        return false;
+    }
+    if (one.parent() && !simulatesAlike(*one.parent(), *other.parent())) {
         return false;
     }
     const std::span<const Parameter> rows = parameterTable();
     return std::all_of(rows.begin(), rows.end(), [&](const Parameter& row) {
         return row.dirties < DirtyStage::Simulate || row.get(one.effect()) == row.get(other.effect());
     });
+}
+
+/// The model of a layer, with those that it is born on.
+std::shared_ptr<const SimulationModel> modelOf(
+    SampledLayers layers, const SampledEffect& layer, const std::shared_ptr<BakedAir>& air)
+{
+    auto model = std::make_shared<SimulationModel>(layer, layerClock(layers, layer), air);
+    if (layer.parent()) {
+        model->setParent(modelOf(layers, *layer.parent(), air));
+    }
+    return model;
 }
 
 } // namespace
@@ -31,9 +46,8 @@ SceneSimulator::SceneSimulator(
     if (m_airStatus) {
         air = shelf ? shelf->airOf(layers) : AirCache().airOf(layers);
     }
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        m_layers.emplace_back(std::make_shared<const SimulationModel>(layers[i], layerClock(layers, i), air),
-            checkpointBytes / layers.size());
+    for (const SampledEffect& layer : layers) {
+        m_layers.emplace_back(modelOf(layers, layer, air), checkpointBytes / layers.size());
     }
 }
 

@@ -238,6 +238,17 @@ void SimulationModel::placeRings(std::int64_t step, StepConstants& out) const
     out.ringSides = {-plane.along, -plane.across};
 }
 
+void SimulationModel::setParent(std::shared_ptr<const SimulationModel> parent)
+{
+    m_parent = std::move(parent);
+    m_parentAhead = m_clock.stepsBehind - m_parent->clock().stepsBehind;
+    const std::int64_t loop = m_schedule.loopSteps;
+    const std::int64_t early = m_parent->schedule().firstStep - m_parentAhead;
+    if (loop > 0 && early > 0) {
+        m_parentAhead += (early + loop - 1) / loop * loop;
+    }
+}
+
 StepConstants SimulationModel::constants(std::int64_t step, float share) const
 {
     const Motion& motion = m_effect->motion;
@@ -310,6 +321,10 @@ void SimulationModel::placeAir(StepConstants& out) const
     out.air.obstacle = air.obstacle;
     out.air.obstaclePosition = air.obstaclePosition;
     out.air.obstacleHalf = 0.5F * air.obstacleSize;
+    if (m_parent) {
+        out.air.bornOnParent = true;
+        out.air.sourceVelocity = glm::vec3(0.0F);
+    }
     out.air.coupling = m_effect->motion.coupling;
     if (out.air.coupling != Coupling::Carried) {
         out.buoyancy = 0.0F; // heat lifts smoke

@@ -42,6 +42,7 @@ struct AirConstants {
     glm::vec3 obstacleHalf{0.0F}; ///< half its edges, or its radius in x
     float shapeLost = 0.0F; ///< how much of a particle's deformation goes in a step
     Coupling coupling = Coupling::Carried;
+    bool bornOnParent = false; ///< and not in a source of the air
     float restitution = 0.0F; ///< of what is not carried
     float friction = 0.0F;
 };
@@ -127,6 +128,13 @@ public:
     /// depend on it.
     void placeEmitter(const glm::vec3& position, const glm::vec3& normal) { m_effect.placeEmitter(position, normal); }
 
+    /// Lets the particles be born on those of another layer, in the same air.
+    void setParent(std::shared_ptr<const SimulationModel> parent);
+    /// The layer on whose particles they are born; null: on the emitter.
+    [[nodiscard]] const std::shared_ptr<const SimulationModel>& parent() const { return m_parent; }
+    /// The parent's step at a step of the particles; in a loop one at which it is warm. Below 0 it has not begun.
+    [[nodiscard]] std::int64_t parentStep(std::int64_t step) const { return step + m_parentAhead; }
+
     /// Whether air carries the particles, baked or not.
     [[nodiscard]] bool inAir() const { return m_grid.has_value(); }
 
@@ -166,6 +174,8 @@ private:
     LayerClock m_clock;
     Schedule m_schedule;
     std::shared_ptr<BakedAir> m_air;
+    std::shared_ptr<const SimulationModel> m_parent;
+    std::int64_t m_parentAhead = 0; ///< its step less that of the particles
     std::optional<AirGrid> m_grid; ///< of the air that carries the particles; none where none does
     Turbulence m_turbulence; ///< the effect's, or in air the part of it that is below the grid
 };

@@ -28,6 +28,7 @@ Simulator::Simulator(const SampledEffect& effect, std::size_t checkpointBytes, c
 Simulator::Simulator(std::shared_ptr<const SimulationModel> model, std::size_t checkpointBytes)
     : m_airStatus(Done{})
     , m_model(std::move(model))
+    , m_subEmitter(m_model->parent() ? std::make_unique<SubEmitter>(*m_model) : nullptr)
     , m_checkpoints(checkpointBytes)
 {
 }
@@ -72,8 +73,8 @@ Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const Task& ta
     const std::int64_t preRollStart = step - schedule.lifetimeSteps;
     const std::shared_ptr<Frame> next = blankFrame();
     const Status status = start && start->step >= preRollStart
-        ? advanceInto(*m_model, start->particles, next->particles, start->step, step, task)
-        : advanceFromNothing(*m_model, next->particles, step, task);
+        ? advanceInto(*m_model, start->particles, next->particles, start->step, step, m_subEmitter.get(), task)
+        : advanceFromNothing(*m_model, next->particles, step, m_subEmitter.get(), task);
     if (!status) {
         return status.error();
     }

@@ -2,6 +2,7 @@
 
 #include "core/simulation/advance.h"
 #include "core/simulation/air_cache.h"
+#include "core/simulation/sub_emitter.h"
 #include "core/simulation/checkpoints.h"
 #include "core/simulation/frame.h"
 
@@ -43,6 +44,7 @@ private:
 
     Status m_airStatus; ///< of checkAir()
     std::shared_ptr<const SimulationModel> m_model;
+    std::unique_ptr<SubEmitter> m_subEmitter; ///< where they are on another layer's particles
     Checkpoints m_checkpoints;
     std::shared_ptr<const Frame> m_latest;
     std::vector<std::shared_ptr<Frame>> m_pool; ///< frames to write into again once nobody else holds them

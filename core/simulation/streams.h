@@ -23,6 +23,7 @@ enum ParticleStream : std::uint32_t {
     kRotationStream = 30,
     kSpinStream = 31,
     kSliceStream = 32,
+    kParentStream = 40, ///< and the seven after it: draws of the particle that it is born on
 };
 
 } // namespace fumage

@@ -5,6 +5,7 @@
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
+#include "core/rendering/scene_renderer.h"
 #include "core/rendering/view_transform.h"
 #include "core/simulation/air_plan.h"
 #include "core/simulation/air_cache.h"
@@ -107,6 +108,33 @@ Effect inAirFor(const Parameter& p)
     return effect;
 }
 
+/// The effect as the first layer of a scene: alone, or born on another where the parameter is about that.
+Scene sceneFor(const Parameter& p, const Effect& effect)
+{
+    Scene scene = effect;
+    if (&p == &knownParameter("emitter.inherit")) {
+        scene.layers.push_back(Scene(stageFor(p)).layers.front());
+        scene.layers.back().name = "parent";
+        scene.layers.front().from = "parent";
+    }
+    return scene;
+}
+
+std::shared_ptr<const Frame> frameFor(const Parameter& p, const Effect& effect)
+{
+    return SceneSimulator(sampledLayers(sceneFor(p, effect))).frame(kFrame).value().layers.front();
+}
+
+Image pictureFor(const Parameter& p, const Effect& effect)
+{
+    Image image;
+    SceneRenderer renderer(sceneFor(p, effect));
+    if (!renderer.render(kFrame, effect.output.width, effect.output.height, image)) {
+        qFatal("no picture");
+    }
+    return image;
+}
+
 /// Whether particles are the same, and live the same lives.
 bool isSameFrame(const Frame& a, const Frame& b)
 {
@@ -147,8 +175,8 @@ private slots:
         p.set(after, moved(p, before));
         QVERIFY(isVisible(p, before));
         QVERIFY(!differences(before, after).empty());
-        const Image a = render(before, kFrame);
-        const Image b = render(after, kFrame);
+        const Image a = pictureFor(p, before);
+        const Image b = pictureFor(p, after);
         EncodedImageOf first(a, before);
         EncodedImageOf second(b, after);
         QVERIFY2(first.bytes != second.bytes, "moving it changes no pixel");
@@ -162,7 +190,7 @@ private slots:
         const Effect before = stageFor(p);
         Effect after = before;
         p.set(after, moved(p, before));
-        QCOMPARE(isSameFrame(*frameOf(before, kFrame), *frameOf(after, kFrame)), p.dirties < DirtyStage::Simulate);
+        QCOMPARE(isSameFrame(*frameFor(p, before), *frameFor(p, after)), p.dirties < DirtyStage::Simulate);
         QCOMPARE(before.noise == after.noise, p.dirties != DirtyStage::Noise);
     }
 

@@ -6,6 +6,7 @@
 #include "core/preset/preset_file.h"
 #include "core/rendering/scene_renderer.h"
 #include "core/scene/layer_assignment.h"
+#include "core/simulation/air_plan.h"
 
 #include <algorithm>
 
@@ -223,6 +224,64 @@ private slots:
         QVERIFY(*std::max_element(one.density.begin(), one.density.end()) > 0.0F);
     }
 
+    /// The order of layers in a list means nothing to their particles, in air that several feed.
+    void orderMovesNoParticle()
+    {
+        const Scene scene = campfire();
+        const SceneFrame there = frameOf(scene);
+        for (const std::array<std::size_t, 3>& order :
+            {std::array<std::size_t, 3>{2, 1, 0}, std::array<std::size_t, 3>{1, 2, 0}}) {
+            Scene moved = scene;
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                moved.layers[i] = scene.layers[order[i]];
+            }
+            const SceneFrame here = frameOf(moved);
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                QVERIFY(tests::sameBits(here.layers[i]->particles, there.layers[order[i]]->particles));
+            }
+            QVERIFY(airParts(sampledLayers(moved)) == airParts(sampledLayers(scene))); // nor is it baked again
+        }
+    }
+
+    /// What layers have in common is found once: where their detail is, and how it lies in the density.
+    void layersShareTheirDetail()
+    {
+        Scene scene = smoke();
+        scene.layers[0].look.detail = 1.0F;
+        scene.layers.resize(3, scene.layers[0]);
+        scene.layers[1].emitter.seed = 7;
+        scene.layers[1].emitter.start = 0.1F; // another clock, the same air
+        scene.layers[2].look.detailLife *= 2.0F;
+        const std::vector<SampledEffect> layers = sampledLayers(scene);
+        const SceneFrame frame = frameOf(scene);
+        Renderer renderer;
+        Image image;
+        QVERIFY(renderer.render(layerFrames(frame, layers), 64, 64, image));
+        QCOMPARE(renderer.detail(0)->phases, renderer.detail(1)->phases);
+        QVERIFY(renderer.detail(0)->phases != renderer.detail(2)->phases);
+        QVERIFY(shadowsAlike(*renderer.detail(0), *renderer.detail(1)));
+        QVERIFY(!shadowsAlike(*renderer.detail(0), *renderer.detail(2)));
+        for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+            AdvectedCoordinates alone;
+            const Frame& of = *frame.layers[layer];
+            QVERIFY(alone.moveTo(of.model, of.step, layers[layer]->look.detailLife, {}));
+            for (std::size_t i = 0; i < 2; ++i) {
+                const AdvectedPhase& shared = (*renderer.detail(layer)->phases)[i];
+                QCOMPARE(shared.seed, alone.phases()[i].seed);
+                QCOMPARE(shared.weight, alone.phases()[i].weight);
+                QVERIFY(tests::sameBits(shared.map.quads, alone.phases()[i].map.quads));
+            }
+        }
+        // A life that is changed for one leaves the other's where they were.
+        std::vector<SampledEffect> changed = layers;
+        scene.layers[0].look.detailLife *= 4.0F;
+        changed[0] = sampled(scene.effect(0));
+        const std::array<AdvectedPhase, 2>* before = renderer.detail(1)->phases;
+        QVERIFY(renderer.render(layerFrames(frame, changed), 64, 64, image));
+        QCOMPARE(renderer.detail(1)->phases, before);
+        QVERIFY(renderer.detail(0)->phases != before);
+    }
+
     /// A transparent layer changes no pixel; one that is not lies in front or behind by its depth alone.
     void layersAreDrawnByDepth()
     {
@@ -344,11 +403,26 @@ private slots:
         for (Layer& layer : scene.layers) {
             layer.emitter.count = 1'000'000;
         }
-        std::int64_t sum = 0;
-        for (const SampledEffect& layer : sampledLayers(scene)) {
-            sum += layer->emitter.count;
-        }
+        const std::int64_t sum = particlesOf(sampledLayers(scene));
         QVERIFY(sum <= kMaxParticles && sum > kMaxParticles * 9 / 10);
+    }
+
+    /// Each layer gives up the same share, and none all.
+    void thinLayersKeepTheirShares()
+    {
+        Scene scene;
+        scene.layers.resize(3);
+        scene.layers[0].emitter.count = 6000;
+        scene.layers[1].emitter.count = 3000;
+        scene.layers[2].emitter.count = 1;
+        const std::vector<SampledEffect> whole = sampledLayers(scene);
+        std::vector<SampledEffect> layers = whole;
+        thinLayers(layers, 9001);
+        QCOMPARE(layers, whole);
+        thinLayers(layers, 3001);
+        QCOMPARE(layers[0]->emitter.count, 6000 * 3001 / 9001);
+        QCOMPARE(layers[1]->emitter.count, 3000 * 3001 / 9001);
+        QCOMPARE(layers[2]->emitter.count, 1);
     }
 };
 

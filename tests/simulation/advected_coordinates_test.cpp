@@ -62,7 +62,7 @@ private slots:
     void seedsFollowOneAnother()
     {
         QFETCH(bool, loop);
-        const Schedule& schedule = modelOf(smokeInAir(loop))->schedule();
+        const Schedule schedule = modelOf(smokeInAir(loop))->schedule();
         for (const float life : {0.01F, 0.2F, kLife, 3.0F}) {
             const SeedTimes times(schedule, life);
             for (std::int64_t step = -70; step < 170; ++step) {

@@ -2,8 +2,6 @@
 
 #include "ui/document/text.h"
 
-#include "core/base/hash.h"
-
 #include <algorithm>
 
 #include <QCoreApplication>

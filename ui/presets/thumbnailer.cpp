@@ -31,13 +31,12 @@ int tellingFrame(const Effect& effect)
 QImage renderThumbnail(const Scene& scene, int edge, const std::stop_token& stop)
 {
     Scene preview = scene;
-    const std::int64_t particles = std::max<std::int64_t>(1, scene.particles());
-    for (Layer& layer : preview.layers) {
-        const Effect whole = scene.effect(static_cast<std::size_t>(&layer - preview.layers.data()));
-        const std::int64_t share = whole.emitter.count * std::int64_t{kParticles} / particles;
-        const Effect thin = thinned(sampled(whole), static_cast<int>(std::clamp<std::int64_t>(share, 1, kParticles)));
-        layer.emitter = thin.emitter;
-        layer.look = thin.look;
+    std::vector<SampledEffect> thin = sampledLayers(scene);
+    thinLayers(thin, kParticles);
+    const std::vector<std::size_t> visible = scene.visibleLayers();
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        preview.layers[visible[i]].emitter = thin[i]->emitter;
+        preview.layers[visible[i]].look = thin[i]->look;
     }
     preview.output.quality = Quality::Good;
     preview.output.width = edge;

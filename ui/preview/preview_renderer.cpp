@@ -40,16 +40,6 @@ Backing backingOf(const Backdrop& backdrop, const Output& output)
     return backdrop.kind == Backdrop::Kind::Colour ? Backing{backdrop.colour} : Backing{kDark, kLight, kCheckerPixels};
 }
 
-/// The particles of all layers.
-int particlesOf(SampledLayers layers)
-{
-    int sum = 0;
-    for (const SampledEffect& layer : layers) {
-        sum += layer->emitter.count;
-    }
-    return sum;
-}
-
 /// The schedule of the layer whose particles live longest.
 Schedule longestOf(SampledLayers layers)
 {
@@ -152,20 +142,6 @@ void PreviewRenderer::scaleDown(const RenderRequest& request, Quality quality, P
             plan.layers.begin(), plan.layers.end(), [](const SampledEffect& layer) { return hasDetail(layer); });
 }
 
-void PreviewRenderer::thinTo(int most, Plan& plan)
-{
-    if (most >= plan.particles) {
-        return;
-    }
-    // Each layer gives up the same share of its particles.
-    const std::int64_t all = plan.particles;
-    for (SampledEffect& layer : plan.layers) {
-        const std::int64_t share = std::int64_t{layer->emitter.count} * most / all;
-        layer = thinned(layer, static_cast<int>(std::max<std::int64_t>(1, share)));
-    }
-    plan.particles = particlesOf(plan.layers);
-}
-
 PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) const
 {
     Plan plan;
@@ -176,7 +152,7 @@ PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) con
         asked.output.quality = std::min(asked.output.quality, Quality::Good);
     }
     plan.layers = sampledLayers(asked);
-    plan.particles = particlesOf(plan.layers);
+    plan.particles = static_cast<int>(particlesOf(plan.layers));
     const Schedule schedule = longestOf(plan.layers);
     plan.coarseAir = lacksAir(request, plan, schedule);
     if (plan.coarseAir) {
@@ -188,7 +164,8 @@ PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) con
     const int all = plan.particles;
     const auto thinTo = [&](int count) {
         plan.keepsAll = count == all && !plan.coarseAir;
-        PreviewRenderer::thinTo(count, plan);
+        thinLayers(plan.layers, count);
+        plan.particles = static_cast<int>(particlesOf(plan.layers));
     };
     plan.stepsEach = stepsTo(request.frame, m_complete, plan, schedule, preRoll);
     switch (request.previewQuality) {

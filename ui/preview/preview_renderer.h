@@ -59,7 +59,6 @@ private:
     [[nodiscard]] int particlesToSettle(int all, double preRoll) const;
     [[nodiscard]] int particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const;
     [[nodiscard]] std::optional<SceneFrame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
-    static void thinTo(int most, Plan& plan);
     void addOverlays(const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
     [[nodiscard]] bool paint(
         const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);

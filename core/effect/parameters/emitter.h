@@ -138,6 +138,18 @@ inline constexpr std::array kRows<Emitter>{
         .dirties = DirtyStage::Air,
         .animates = Animates::Birth,
     }),
+    row<&Emitter::inherit>({
+        .key = "emitter.inherit",
+        .since = 2,
+        .label = "Inherit velocity",
+        .synonyms = "parent trail born on sub emitter take along throw",
+        .hard = {-2, 2},
+        .soft = {0, 1},
+        .step = 0.01,
+        .tip = "Of a layer whose particles are born on those of another: the share of their velocity that they take "
+               "along. 0: a trail that stays where it was left. 1: what goes on with them.",
+        .animates = Animates::Birth,
+    }),
     row<&Emitter::mode>({
         .key = "emitter.mode",
         .label = "Emission",

@@ -1,0 +1,124 @@
+#include "core/simulation/sub_emitter.h"
+
+#include "core/base/hash.h"
+#include "core/simulation/advance.h"
+#include "core/simulation/frame.h"
+#include "core/simulation/particle_ring.h"
+#include "core/simulation/streams.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace fumage {
+
+namespace {
+
+/// The particles of a layer at one step that others may be born on.
+class Living {
+public:
+    Living(const SimulationModel& model, const Particles& particles, std::int64_t step)
+        : m_model(model)
+        , m_particles(particles)
+        , m_ring(particles)
+        , m_step(step)
+        , m_first(model.schedule().firstAlive(step))
+        , m_count(static_cast<std::uint64_t>(model.schedule().birthsBefore(step + 1) - m_first))
+    {
+    }
+
+    /// One of them, all with the same chance; nothing where there is none. Of those whose lives differ some have died:
+    /// where several draws in a row meet those, there is none.
+    [[nodiscard]] std::optional<std::size_t> chosenBy(std::uint32_t key) const
+    {
+        constexpr std::uint32_t kDraws = 8;
+        for (std::uint32_t draw = 0; m_count > 0 && draw < kDraws; ++draw) {
+            const std::uint64_t among = (streamBits(key, kParentStream + draw) * m_count) >> 32U;
+            const std::size_t slot = m_ring.slotOf(m_first + static_cast<std::int64_t>(among));
+            if (isAlive(slot)) {
+                return slot;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool isAlive(std::size_t slot) const { return lifecycle(m_model, m_particles, m_step, slot).alive; }
+
+    const SimulationModel& m_model;
+    const Particles& m_particles;
+    ParticleRing m_ring;
+    std::int64_t m_step;
+    std::int64_t m_first; ///< birth index
+    std::uint64_t m_count;
+};
+
+glm::vec3 positionOf(const Particles& particles, std::size_t slot)
+{
+    return {particles.x[slot], particles.y[slot], particles.z[slot]};
+}
+
+} // namespace
+
+SubEmitter::SubEmitter(const SimulationModel& child)
+{
+    if (child.parent()->parent()) {
+        m_subEmitter = std::make_unique<SubEmitter>(*child.parent());
+    }
+}
+
+Status SubEmitter::moveTo(const SimulationModel& parent, std::int64_t step, const Task& task)
+{
+    if (m_step == step) {
+        return Done{};
+    }
+    const std::int64_t before = step - 1;
+    const bool isAhead = m_step != kNowhere && m_step <= before && before - m_step < parent.schedule().lifetimeSteps;
+    Status status = isAhead ? advance(parent, m_now, m_step, before, m_subEmitter.get(), task)
+                            : advanceFromNothing(parent, m_now, before, m_subEmitter.get(), task);
+    m_step = kNowhere;
+    if (status) {
+        std::swap(m_before, m_now);
+        status = advanceInto(parent, m_before, m_now, before, step, m_subEmitter.get(), task);
+    }
+    m_step = status ? step : kNowhere;
+    return status;
+}
+
+Status SubEmitter::find(const SimulationModel& child, std::int64_t step, std::int64_t first, std::int64_t last,
+    std::vector<SubEmission>& out, const Task& task)
+{
+    const SimulationModel& parent = *child.parent();
+    const std::int64_t parentStep = child.parentStep(step);
+    out.assign(static_cast<std::size_t>(last - first), {});
+    if (first == last || parentStep < 0) {
+        return Done{};
+    }
+    if (Status status = moveTo(parent, parentStep, task); !status) {
+        return status;
+    }
+    const Living living(parent, m_now, parentStep);
+    const Effect& effect = child.effect();
+    const float dt = child.schedule().dt;
+    for (std::int64_t birth = first; birth < last; ++birth) {
+        const std::uint32_t key =
+            keyOf(effect.emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
+        const std::optional<std::size_t> slot = living.chosenBy(key);
+        if (!slot) {
+            continue;
+        }
+        // What has been born in this step was nowhere before it.
+        const bool isNew = m_now.birthStep[*slot] == static_cast<std::int32_t>(parentStep);
+        const glm::vec3 here = positionOf(m_now, *slot);
+        const glm::vec3 way = isNew ? dt * glm::vec3(m_now.vx[*slot], m_now.vy[*slot], m_now.vz[*slot])
+                                    : here - positionOf(m_before, *slot);
+        float back = child.schedule().betweenSteps ? unitFloat(key) : 0.0F;
+        if (isNew) {
+            back = std::min(back, parent.schedule().betweenSteps ? unitFloat(m_now.key[*slot]) : 0.0F);
+        }
+        out[static_cast<std::size_t>(birth - first)] = {
+            here - back * way - effect.emitter.position, (effect.emitter.inherit / dt) * way, true};
+    }
+    return Done{};
+}
+
+} // namespace fumage

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/simulation/particles.h"
+#include "core/simulation/sub_emission.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace fumage {
+
+/// Finds where particles are born that are born on those of another layer, its parent: each on one of the living,
+/// chosen by its own random bits, at the moment of its birth between two steps. Moves the parent beside its child.
+///
+/// A pure function of the child's model and the step, whatever was asked before. Births that follow one another cost
+/// the parent's steps; a jump costs at most one lifetime of it. Not thread-safe; uses all threads inside.
+class SubEmitter : public SubEmissionSource {
+public:
+    /// @param child with a parent; see SimulationModel::setParent()
+    explicit SubEmitter(const SimulationModel& child);
+
+    [[nodiscard]] Status find(const SimulationModel& child, std::int64_t step, std::int64_t first, std::int64_t last,
+        std::vector<SubEmission>& out, const Task& task) override;
+
+private:
+    [[nodiscard]] Status moveTo(const SimulationModel& parent, std::int64_t step, const Task& task);
+
+    std::unique_ptr<SubEmitter> m_subEmitter; ///< of the parent's own births, where it is born on yet another layer
+    Particles m_before; ///< the parent's, a step before
+    Particles m_now;
+    std::int64_t m_step = kNowhere; ///< of m_now
+
+    static constexpr std::int64_t kNowhere = -1;
+};
+
+} // namespace fumage
