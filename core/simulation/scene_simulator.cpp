@@ -4,25 +4,27 @@
 #include "core/simulation/air_plan.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace fumage {
 
 namespace {
 
-/// Whether the particles of two models are the same: they may differ in their look alone.
+/// Whether two effects move their particles alike: they may differ in their look alone.
+bool movesAlike(const Effect& one, const Effect& other)
+{
+    const std::span<const Parameter> rows = parameterTable();
+    return std::all_of(rows.begin(), rows.end(),
+        [&](const Parameter& row) { return row.dirties < DirtyStage::Simulate || row.get(one) == row.get(other); });
+}
+
 bool simulatesAlike(const SimulationModel& one, const SimulationModel& other)
 {
-    if (one.air() != other.air() || one.clock() != other.clock() || (one.parent() && !other.parent())
-        || (other.parent() && !one.parent())) {
+    if (one.parent() && other.parent() && !simulatesAlike(*one.parent(), *other.parent())) {
         return false;
     }
-    if (one.parent() && !simulatesAlike(*one.parent(), *other.parent())) {
-        return false;
-    }
-    const std::span<const Parameter> rows = parameterTable();
-    return std::all_of(rows.begin(), rows.end(), [&](const Parameter& row) {
-        return row.dirties < DirtyStage::Simulate || row.get(one.effect()) == row.get(other.effect());
-    });
+    return (one.parent() == nullptr) == (other.parent() == nullptr) && one.air() == other.air()
+        && one.clock() == other.clock() && movesAlike(one.effect(), other.effect());
 }
 
 /// The model of a layer, with those that it is born on.
@@ -51,15 +53,32 @@ SceneSimulator::SceneSimulator(
     }
 }
 
-void SceneSimulator::adopt(SceneSimulator& other)
+void SceneSimulator::adopt(SceneSimulator& other, SampledLayers muted)
 {
+    std::vector<Simulator> left = std::move(other.m_layers);
+    std::move(other.m_muted.begin(), other.m_muted.end(), std::back_inserter(left));
     for (Simulator& layer : m_layers) {
-        const auto same = std::find_if(other.m_layers.begin(), other.m_layers.end(),
+        const auto same = std::find_if(left.begin(), left.end(),
             [&](const Simulator& each) { return simulatesAlike(each.model(), layer.model()); });
-        if (same != other.m_layers.end()) {
+        if (same != left.end()) {
             std::swap(*same, layer);
         }
     }
+    for (const SampledEffect& layer : muted) {
+        const auto same = std::find_if(left.begin(), left.end(), [&](const Simulator& each) {
+            return each.model().air() == model().air() && movesAlike(each.model().effect(), layer);
+        });
+        if (same != left.end()) {
+            m_muted.push_back(std::move(*same));
+            left.erase(same);
+        }
+    }
+}
+
+double SceneSimulator::particleSteps(std::size_t layer, int number) const
+{
+    const Simulator& simulator = m_layers[layer];
+    return static_cast<double>(simulator.model().effect()->emitter.count) * simulator.stepsTo(number);
 }
 
 Result<SceneFrame> SceneSimulator::frame(int number, const Task& task)

@@ -24,8 +24,12 @@ public:
         const std::shared_ptr<AirCache>& shelf = nullptr);
 
     /// Takes over the layers of another simulator that are the same here, with their checkpoints: a change of one layer
-    /// does not simulate the others again.
-    void adopt(SceneSimulator& other);
+    /// does not simulate the others again. Of that one nothing is of use afterwards.
+    /// @param muted layers that may be seen again: where the other has them, they are kept for the one that adopts this
+    void adopt(SceneSimulator& other, SampledLayers muted = {});
+
+    /// How many steps the particles of a layer have to take, all together, until a frame is there; 0: it is at hand.
+    [[nodiscard]] double particleSteps(std::size_t layer, int number) const;
 
     /// @param number 0 or more; in a loop, frames that lie a whole loop apart are one frame
     /// @param progress as of Simulator::frame()
@@ -39,6 +43,7 @@ public:
 private:
     Status m_airStatus; ///< of checkAir()
     std::vector<Simulator> m_layers;
+    std::vector<Simulator> m_muted; ///< in the same air
 };
 
 } // namespace fumage

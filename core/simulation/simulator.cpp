@@ -33,6 +33,22 @@ Simulator::Simulator(std::shared_ptr<const SimulationModel> model, std::size_t c
 {
 }
 
+int Simulator::inLoop(int number) const
+{
+    return m_model->schedule().loopSteps != 0 ? number % m_model->effect()->timeline.length : number;
+}
+
+double Simulator::stepsTo(int number) const
+{
+    number = inLoop(number);
+    const std::int64_t step = m_model->schedule().stepOfFrame(number);
+    const std::int64_t lifetime = m_model->schedule().lifetimeSteps;
+    const std::shared_ptr<const Frame> start = nearestBefore(number);
+    // Particles are of all ages: a pre-roll takes half a life each.
+    return start && start->step >= step - lifetime ? static_cast<double>(step - start->step)
+                                                   : 0.5 * static_cast<double>(lifetime);
+}
+
 std::shared_ptr<const Frame> Simulator::nearestBefore(int number) const
 {
     std::shared_ptr<const Frame> checkpoint = m_checkpoints.nearestBefore(number);
@@ -62,9 +78,7 @@ Result<std::shared_ptr<const Frame>> Simulator::frame(int number, const Task& ta
         return m_airStatus.error();
     }
     const Schedule& schedule = m_model->schedule();
-    if (schedule.loopSteps != 0) {
-        number %= m_model->effect()->timeline.length;
-    }
+    number = inLoop(number);
     const std::shared_ptr<const Frame> start = nearestBefore(number);
     if (start && start->number == number) {
         return start;

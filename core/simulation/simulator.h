@@ -32,6 +32,9 @@ public:
     /// @error Cancelled; that of checkAir()
     [[nodiscard]] Result<std::shared_ptr<const Frame>> frame(int number, const Task& task = {});
 
+    /// How many steps each particle has to take on average until a frame is there; 0: it is at hand.
+    [[nodiscard]] double stepsTo(int number) const;
+
     /// The constants and the schedule that the effect came to.
     [[nodiscard]] const SimulationModel& model() const { return *m_model; }
     [[nodiscard]] const std::shared_ptr<const SimulationModel>& sharedModel() const { return m_model; }
@@ -39,6 +42,8 @@ public:
     static constexpr std::size_t kDefaultCheckpointBytes = std::size_t{256} << 20U;
 
 private:
+    /// Of a loop, the frame of its first turn.
+    [[nodiscard]] int inLoop(int number) const;
     [[nodiscard]] std::shared_ptr<const Frame> nearestBefore(int number) const;
     [[nodiscard]] std::shared_ptr<Frame> blankFrame();
 

@@ -1404,6 +1404,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Colour tag of %1</source>
         <translation>Färgmärke på %1</translation>
     </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 lager</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerList</name>
@@ -1452,10 +1456,6 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <translation>Ta bort lagret</translation>
     </message>
     <message>
-        <source>Layers</source>
-        <translation>Lager</translation>
-    </message>
-    <message>
         <source>Rename</source>
         <translation>Byt namn</translation>
     </message>
@@ -1486,6 +1486,33 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Delete</source>
         <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>No longer solo</source>
+        <translation>Inte längre solo</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>End solo</source>
+        <translation>Avsluta solo</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::LayerView</name>
+    <message>
+        <source>Layers</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>Show or mute, in exports, too (Alt: look at this layer alone)</source>
+        <translation>Visa eller tysta, också i exporter (Alt: se bara detta lager)</translation>
+    </message>
+    <message>
+        <source>Look at this layer alone: in the viewport, not in exports</source>
+        <translation>Se bara detta lager: i vyn, inte i exporter</translation>
     </message>
 </context>
 <context>
@@ -5274,6 +5301,33 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>fumage::ui::SoloLine</name>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>End solo</source>
+        <translation>Avsluta solo</translation>
+    </message>
+    <message>
+        <source>Show all layers again</source>
+        <translation>Visa alla lager igen</translation>
+    </message>
+    <message>
+        <source>%1 (muted)</source>
+        <translation>%1 (tystat)</translation>
+    </message>
+    <message>
+        <source>Solo: %1</source>
+        <translation>Solo: %1</translation>
+    </message>
+    <message>
+        <source>Solo: %1 layers</source>
+        <translation>Solo: %1 lager</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::StartDialog</name>
     <message>
         <source>Show this when Fumage starts</source>
@@ -5302,6 +5356,13 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Files that you open or save will be here</source>
         <translation>Filer som du öppnar eller sparar kommer att finnas här</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::SummaryRow</name>
+    <message>
+        <source>Solo is of the view only: %1 layers are exported.</source>
+        <translation>Solo gäller bara vyn: %1 lager exporteras.</translation>
     </message>
 </context>
 <context>

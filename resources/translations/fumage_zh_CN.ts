@@ -1404,6 +1404,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Colour tag of %1</source>
         <translation>%1 的颜色标签</translation>
     </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 个图层</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerList</name>
@@ -1452,10 +1456,6 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <translation>删除图层</translation>
     </message>
     <message>
-        <source>Layers</source>
-        <translation>图层</translation>
-    </message>
-    <message>
         <source>Rename</source>
         <translation>重命名</translation>
     </message>
@@ -1486,6 +1486,33 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Delete</source>
         <translation>删除</translation>
+    </message>
+    <message>
+        <source>No longer solo</source>
+        <translation>取消独显</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>独显</translation>
+    </message>
+    <message>
+        <source>End solo</source>
+        <translation>结束独显</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::LayerView</name>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Show or mute, in exports, too (Alt: look at this layer alone)</source>
+        <translation>显示或静音，导出时也一样（Alt：只看此图层）</translation>
+    </message>
+    <message>
+        <source>Look at this layer alone: in the viewport, not in exports</source>
+        <translation>只看此图层：仅在视口中，不影响导出</translation>
     </message>
 </context>
 <context>
@@ -5274,6 +5301,33 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>fumage::ui::SoloLine</name>
+    <message>
+        <source>Solo</source>
+        <translation>独显</translation>
+    </message>
+    <message>
+        <source>End solo</source>
+        <translation>结束独显</translation>
+    </message>
+    <message>
+        <source>Show all layers again</source>
+        <translation>重新显示所有图层</translation>
+    </message>
+    <message>
+        <source>%1 (muted)</source>
+        <translation>%1（已静音）</translation>
+    </message>
+    <message>
+        <source>Solo: %1</source>
+        <translation>独显：%1</translation>
+    </message>
+    <message>
+        <source>Solo: %1 layers</source>
+        <translation>独显：%1 个图层</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::StartDialog</name>
     <message>
         <source>Show this when Fumage starts</source>
@@ -5302,6 +5356,13 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Files that you open or save will be here</source>
         <translation>您打开或保存的文件将显示在这里</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::SummaryRow</name>
+    <message>
+        <source>Solo is of the view only: %1 layers are exported.</source>
+        <translation>独显只影响视图：将导出 %1 个图层。</translation>
     </message>
 </context>
 <context>

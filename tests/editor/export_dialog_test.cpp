@@ -60,6 +60,24 @@ private slots:
         m_queue.reset();
     }
 
+    void whileLayersAreSoloItSaysThatAllAreExported()
+    {
+        Scene scene = m_document->scene();
+        scene.layers.resize(3);
+        scene.layers[2].visible = false;
+        m_document->replaceScene(scene, 0, u"layers"_q);
+        Solo solo(*m_document);
+        m_dialog->setSolo(solo);
+        const auto* remark = child<QLabel>(u"export.solo"_q);
+        QVERIFY(!remark->isVisible());
+        solo.set({1}, true);
+        QVERIFY(remark->isVisible());
+        QVERIFY2(remark->text().contains(u"2 layers are exported"_q), qPrintable(remark->text()));
+        solo.end();
+        QVERIFY(!remark->isVisible());
+        m_dialog.reset(); // before the solo, which it hears
+    }
+
     void nothingIsCutOffAtItsSide()
     {
         const auto* scroll = child<QScrollArea>(u"export.scroll"_q);

@@ -122,8 +122,9 @@ private slots:
     void aViewportOnAGraphicsCardShowsThem()
     {
         Document document;
+        Solo solo(document);
         Player player;
-        Viewport viewport(document, player, GlSupport::Hardware);
+        Viewport viewport(document, solo, player, GlSupport::Hardware);
         Preset preset = loadPreset("chimney").value().preset;
         preset.scene.layers[0].emitter.count = 8000;
         preset.scene.air.resolution = kMinAirResolution;

@@ -4,6 +4,7 @@
 #include "ui/document/text.h"
 #include "ui/theme/language.h"
 #include "ui/noise_preview/noise_pane.h"
+#include "ui/document/solo.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/shell/action_table.h"
 
@@ -134,7 +135,8 @@ private slots:
         QVERIFY(applyLanguage(*qApp, u"sv"_q));
         Document document;
         Locks locks;
-        EffectPanel panel(document, locks);
+        Solo solo(document);
+        EffectPanel panel(document, locks, solo);
         QCOMPARE(panel.findChild<QLabel*>(u"motion.gravity.label"_q)->text(), u"Tyngdkraft"_q);
         QCOMPARE(panel.findChild<QLineEdit*>(u"parameterSearch"_q)->placeholderText(), u"Sök parametrar"_q);
         QCOMPARE(NoisePane(document).findChild<QComboBox*>(u"noiseChannel"_q)->itemText(0), u"Textur"_q);

@@ -59,6 +59,14 @@ private slots:
         QTest::newRow("tag") << 7 << QStringList{u"flames"_q, u"smoke"_q, u"embers"_q} << 1;
         QTest::newRow("layers of another")
             << 8 << QStringList{u"flames"_q, u"smoke 2"_q, u"ash"_q, u"smoke"_q, u"embers"_q} << 2;
+        QTest::newRow("duplicate two") << 9
+                                       << QStringList{u"flames"_q, u"smoke"_q, u"embers"_q, u"flames 2"_q,
+                                              u"embers 2"_q}
+                                       << 4;
+        QTest::newRow("delete two") << 10 << QStringList{u"embers"_q} << 0;
+        QTest::newRow("move two") << 11 << QStringList{u"smoke"_q, u"flames"_q, u"embers"_q} << 1;
+        QTest::newRow("mute two") << 12 << QStringList{u"flames"_q, u"smoke"_q, u"embers"_q} << 0;
+        QTest::newRow("lock two") << 13 << QStringList{u"flames"_q, u"smoke"_q, u"embers"_q} << 0;
     }
     void eachChangeIsAStep()
     {
@@ -72,14 +80,19 @@ private slots:
         other.layers[1].name = "ash";
         switch (change) {
         case 0: addLayer(m_document); break;
-        case 1: duplicateLayer(m_document, 1); break;
-        case 2: removeLayer(m_document, 1); break;
-        case 3: moveLayer(m_document, 0, 2); break;
+        case 1: duplicateLayers(m_document, {1}); break;
+        case 2: removeLayers(m_document, {1}); break;
+        case 3: moveLayers(m_document, {0}, 3); break;
         case 4: renameLayer(m_document, 1, u" steam "_q); break;
-        case 5: setLayerVisible(m_document, 1, false); break;
-        case 6: setLayerLocked(m_document, 1, true); break;
-        case 7: setLayerTag(m_document, 1, ColourTag::Green); break;
-        default: addLayersOf(m_document, other, u"other"_q);
+        case 5: setLayersVisible(m_document, {1}, false); break;
+        case 6: setLayersLocked(m_document, {1}, true); break;
+        case 7: setLayersTag(m_document, {1}, ColourTag::Green); break;
+        case 8: QCOMPARE(addLayersOf(m_document, other, u"other"_q), std::size_t{0}); break;
+        case 9: duplicateLayers(m_document, {0, 2}); break;
+        case 10: removeLayers(m_document, {0, 1}); break;
+        case 11: moveLayers(m_document, {0, 2}, 2); break;
+        case 12: setLayersVisible(m_document, {0, 2}, false); break;
+        default: setLayersLocked(m_document, {0, 2}, true);
         }
         QCOMPARE(names(m_document), expected);
         QCOMPARE(static_cast<int>(m_document.layer()), edited);
@@ -117,7 +130,7 @@ private slots:
 
     void aLockedLayerStaysAsItIs()
     {
-        setLayerLocked(m_document, 0, true);
+        setLayersLocked(m_document, {0}, true);
         const Scene locked = m_document.scene();
         QSignalSpy changed(&m_document, &Document::effectChanged);
         m_document.edit(knownParameter("motion.gravity"), 4.0F);
@@ -136,9 +149,11 @@ private slots:
 
     void theLastLayerStays()
     {
-        removeLayer(m_document, 0);
-        removeLayer(m_document, 0);
-        removeLayer(m_document, 0);
+        removeLayers(m_document, {0, 1, 2}); // none would be left
+        QCOMPARE(m_document.undoStack()->count(), 0);
+        removeLayers(m_document, {0});
+        removeLayers(m_document, {0});
+        removeLayers(m_document, {0});
         QCOMPARE(names(m_document), QStringList{u"embers"_q});
     }
 
@@ -146,16 +161,20 @@ private slots:
     {
         for (std::size_t i = 0; i < 2 * kMaxLayers; ++i) {
             addLayer(m_document);
-            duplicateLayer(m_document, 0);
+            duplicateLayers(m_document, {0, m_document.scene().layers.size() - 1});
         }
         QCOMPARE(m_document.scene().layers.size(), kMaxLayers);
+        Scene other;
+        other.layers.resize(2);
+        QCOMPARE(addLayersOf(m_document, other, u"other"_q), std::size_t{2});
     }
 
     void theListShowsAndChangesThem()
     {
-        LayerList list(m_document);
+        Solo solo(m_document);
+        LayerList list(m_document, solo);
         list.show();
-        auto& view = *list.findChild<QListView*>(u"layers"_q);
+        LayerView& view = list.view();
         QAbstractItemModel& model = *view.model();
         QCOMPARE(model.rowCount(), 3);
         QCOMPARE(model.index(1, 0).data().toString(), u"smoke"_q);
@@ -181,13 +200,139 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"scene.json"_q);
-        setLayerVisible(m_document, 1, false);
+        setLayersVisible(m_document, {1}, false);
         QVERIFY(m_document.save(path).ok());
         QVERIFY(readPresetFile(path.toStdString()).value().preset.scene == m_document.scene());
         m_document.selectLayer(2);
         Document other;
         other.load(readPresetFile(path.toStdString()).value().preset, path);
         QCOMPARE(names(other), names(m_document));
+    }
+
+    // --- several ----------------------------------------------------------------------------------------------------
+
+    void shiftAndControlChooseSeveral()
+    {
+        Solo solo(m_document);
+        LayerList list(m_document, solo);
+        list.show();
+        LayerView& view = list.view();
+        const auto click = [&](int row, Qt::KeyboardModifiers modifiers) {
+            const QRect place = view.visualRect(view.model()->index(row, 0));
+            QTest::mouseClick(view.viewport(), Qt::LeftButton, modifiers, place.center());
+        };
+        click(0, {});
+        click(2, Qt::ShiftModifier);
+        QCOMPARE(m_document.selection(), LayerSelection(2, {0, 1}));
+        click(1, Qt::ControlModifier);
+        QCOMPARE(m_document.selection().all(), (LayerPlaces{0, 2}));
+        view.model()->setData(view.model()->index(0, 0), Qt::Unchecked, Qt::CheckStateRole);
+        QVERIFY(!m_document.scene().layers[0].visible && !m_document.scene().layers[2].visible);
+        QVERIFY(m_document.scene().layers[1].visible);
+        QCOMPARE(m_document.selection().all(), (LayerPlaces{0, 2}));
+        // One that is not among them stands for itself.
+        view.model()->setData(view.model()->index(1, 0), Qt::Unchecked, Qt::CheckStateRole);
+        QCOMPARE(m_document.selection(), LayerSelection(1));
+        m_document.undoStack()->undo();
+        QCOMPARE(m_document.selection().all(), (LayerPlaces{0, 2}));
+        QTest::keyClick(&view, Qt::Key_Delete);
+        QCOMPARE(names(m_document), QStringList{u"smoke"_q});
+        m_document.undoStack()->undo();
+        QCOMPARE(m_document.selection().all(), (LayerPlaces{0, 2}));
+        QCOMPARE(view.selectionModel()->selectedIndexes().size(), 2);
+        // None chosen is the one that is edited.
+        click(1, {});
+        click(1, Qt::ControlModifier);
+        QCOMPARE(m_document.selection(), LayerSelection(1));
+        QCOMPARE(view.selectionModel()->selectedIndexes().size(), 1);
+    }
+
+    /// Choosing is no change of the smoke.
+    void whatIsChosenChangesNoPicture()
+    {
+        QSignalSpy changed(&m_document, &Document::effectChanged);
+        m_document.selectLayers({0, {2}});
+        QCOMPARE(changed.size(), 0);
+        m_document.selectLayers(1);
+        QCOMPARE(changed.size(), 1);
+        QVERIFY(!changed[0][0].value<EffectChange>().isOfScene);
+        QCOMPARE(m_document.undoStack()->count(), 0);
+        m_document.edit(knownParameter("motion.gravity"), 4.0F);
+        QVERIFY(changed[1][0].value<EffectChange>().isOfScene);
+    }
+
+    // --- solo -------------------------------------------------------------------------------------------------------
+
+    void soloIsOfTheViewAlone()
+    {
+        Solo solo(m_document);
+        QSignalSpy changed(&solo, &Solo::changed);
+        const std::string before = formatPreset(m_document.preset());
+        solo.set({2, 0}, true);
+        QCOMPARE(solo.layers(), (LayerPlaces{0, 2}));
+        QVERIFY(solo.isOn() && solo.contains(2) && !solo.contains(1));
+        QCOMPARE(formatPreset(m_document.preset()), before);
+        QCOMPARE(m_document.undoStack()->count(), 0);
+        solo.toggleAlone(1);
+        QCOMPARE(solo.layers(), LayerPlaces{1});
+        solo.toggleAlone(1);
+        QVERIFY(!solo.isOn());
+        solo.set({1}, true);
+        QCOMPARE(changed.size(), 4);
+        m_document.load(m_document.preset(), {});
+        QVERIFY(!solo.isOn());
+        QCOMPARE(changed.size(), 5);
+    }
+
+    void soloFollowsItsLayer()
+    {
+        Solo solo(m_document);
+        solo.set({2}, true);
+        moveLayers(m_document, {2}, 0);
+        QCOMPARE(solo.layers(), LayerPlaces{0});
+        addLayer(m_document); // after it
+        renameLayer(m_document, 0, u"sparks"_q);
+        QCOMPARE(solo.layers(), LayerPlaces{0});
+        m_document.edit(knownParameter("emitter.seed"), 99U);
+        QCOMPARE(solo.layers(), LayerPlaces{0});
+        duplicateLayers(m_document, {0});
+        moveLayers(m_document, {0}, m_document.scene().layers.size());
+        QCOMPARE(layerLabel(m_document.scene(), solo.layers().at(0)), u"sparks"_q);
+        while (m_document.undoStack()->canUndo()) {
+            m_document.undoStack()->undo();
+        }
+        QCOMPARE(solo.layers(), LayerPlaces{2});
+        removeLayers(m_document, {2});
+        QVERIFY(!solo.isOn());
+    }
+
+    void theButtonsInFrontOfANameLeaveTheChoiceAlone()
+    {
+        Solo solo(m_document);
+        LayerList list(m_document, solo);
+        list.show();
+        LayerView& view = list.view();
+        const auto click = [&](int row, LayerDelegate::Button button, Qt::KeyboardModifiers modifiers = {}) {
+            const QRect place = LayerDelegate::placeOf(button, view.visualRect(view.model()->index(row, 0)));
+            QTest::mouseClick(view.viewport(), Qt::LeftButton, modifiers, place.center());
+        };
+        click(2, LayerDelegate::Button::Solo);
+        QCOMPARE(solo.layers(), LayerPlaces{2});
+        click(1, LayerDelegate::Button::Eye, Qt::AltModifier);
+        QCOMPARE(solo.layers(), LayerPlaces{1});
+        click(1, LayerDelegate::Button::Eye, Qt::AltModifier);
+        QVERIFY(!solo.isOn());
+        QCOMPARE(m_document.layer(), std::size_t{0});
+        QCOMPARE(m_document.undoStack()->count(), 0);
+        click(1, LayerDelegate::Button::Eye);
+        QVERIFY(!m_document.scene().layers[1].visible);
+        QCOMPARE(m_document.undoStack()->count(), 1);
+        QTest::keyClick(&view, Qt::Key_Space);
+        QVERIFY(m_document.scene().layers[1].visible);
+        // A layer alone has no solo: what stands there is its name.
+        removeLayers(m_document, {1, 2});
+        click(0, LayerDelegate::Button::Solo);
+        QVERIFY(!solo.isOn());
     }
 
 private:

@@ -8,7 +8,8 @@ void PanelFixture::init()
 {
     m_document = std::make_unique<Document>();
     m_locks = std::make_unique<Locks>();
-    m_panel = std::make_unique<EffectPanel>(*m_document, *m_locks);
+    m_solo = std::make_unique<Solo>(*m_document);
+    m_panel = std::make_unique<EffectPanel>(*m_document, *m_locks, *m_solo);
     m_panel->resize(400, 900);
     QStringList all;
     for (const Parameter& parameter : parameterTable()) {
@@ -22,6 +23,7 @@ void PanelFixture::init()
 void PanelFixture::cleanup()
 {
     m_panel.reset();
+    m_solo.reset();
     m_document.reset();
 }
 

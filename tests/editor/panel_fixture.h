@@ -2,6 +2,7 @@
 
 #include "editor_helpers.h"
 
+#include "ui/document/solo.h"
 #include "ui/panels/effect_panel.h"
 #include "ui/panels/number_field.h"
 
@@ -25,6 +26,7 @@ protected:
 
     std::unique_ptr<Document> m_document;
     std::unique_ptr<Locks> m_locks;
+    std::unique_ptr<Solo> m_solo;
     std::unique_ptr<EffectPanel> m_panel;
 };
 

@@ -116,7 +116,8 @@ private slots:
         QVERIFY(parameter.get(reading.value().preset.scene.effect()) == after);
         Document second;
         second.load(reading.value().preset, {});
-        EffectPanel other(second, *m_locks);
+        Solo solo(second);
+        EffectPanel other(second, *m_locks, solo);
         QVERIFY(second.effect() == reading.value().preset.scene.effect());
         const auto fields = editor->findChildren<NumberField*>();
         const auto otherFields = other.findChild<ParameterEditor*>(key)->findChildren<NumberField*>();

@@ -9,6 +9,57 @@
 using namespace fumage;
 using namespace fumage::tests;
 
+namespace {
+
+/// A layer that feeds the air, and one that only goes with it.
+Scene smokeAndEmbers()
+{
+    Scene scene = smallEffect();
+    Layer embers = scene.layers[0];
+    embers.emitter.seed = 7;
+    embers.emitter.count = 500;
+    embers.motion.coupling = Coupling::Dragged;
+    embers.source.feeds = false;
+    embers.look.size *= 0.5F;
+    scene.layers.push_back(embers);
+    return scene;
+}
+
+RenderRequest requestFor(const Scene& scene, quint64 simulation)
+{
+    RenderRequest request = tests::requestFor(Effect());
+    request.scene = std::make_shared<const Scene>(scene);
+    request.simulation = simulation;
+    return request;
+}
+
+/// That were taken for a picture, by layer.
+std::vector<double> stepsOf(const Picture& picture)
+{
+    std::vector<double> steps;
+    for (const LayerWork& layer : picture.layers) {
+        steps.push_back(layer.particleSteps);
+    }
+    return steps;
+}
+
+/// Of any channel of any pixel.
+int largestDifference(const QImage& one, const QImage& other)
+{
+    int largest = 0;
+    for (int y = 0; y < one.height(); ++y) {
+        for (int x = 0; x < one.width(); ++x) {
+            const QRgb a = one.pixel(x, y);
+            const QRgb b = other.pixel(x, y);
+            largest = std::max(
+                {largest, std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+        }
+    }
+    return largest;
+}
+
+} // namespace
+
 class PreviewRendererTest : public QObject {
     Q_OBJECT
 
@@ -222,6 +273,98 @@ private slots:
         QCOMPARE(CostEstimate::halvedInto(7999, 4000), 7999);
         QCOMPARE(CostEstimate::halvedInto(100, 4000), 100);
         QCOMPARE(CostEstimate::halvedInto(300'000, 200'000), 150'000);
+    }
+
+    // --- layers -----------------------------------------------------------------------------------------------------
+
+    /// What a change leaves as it was is not simulated again, neither while the hand moves nor when it rests.
+    void aChangeOfOneLayerSimulatesThatAlone_data()
+    {
+        QTest::addColumn<PreviewQuality>("quality");
+        QTest::newRow("while the hand moves") << PreviewQuality::Interactive;
+        QTest::newRow("playing") << PreviewQuality::Playback;
+        QTest::newRow("at rest") << PreviewQuality::Full;
+    }
+    void aChangeOfOneLayerSimulatesThatAlone()
+    {
+        QFETCH(PreviewQuality, quality);
+        Scene scene = smokeAndEmbers();
+        PreviewRenderer previewRenderer;
+        QVERIFY(stepsOf(*previewRenderer.make(requestFor(scene, 1), {}))[0] > 0.0);
+        scene.layers[1].motion.gravity = 3.0F;
+        RenderRequest request = requestFor(scene, 2);
+        request.previewQuality = quality;
+        const PicturePtr dragged = previewRenderer.make(request, {});
+        QCOMPARE(stepsOf(*dragged)[0], 0.0);
+        QVERIFY(stepsOf(*dragged)[1] > 0.0);
+        QVERIFY(!dragged->thinned);
+        request.previewQuality = PreviewQuality::Full;
+        QCOMPARE(previewRenderer.make(request, {})->image, PreviewRenderer().make(requestFor(scene, 2), {})->image);
+    }
+
+    /// Nothing is simulated again but where the air changes.
+    void theEyeOfALayerSimulatesNothing()
+    {
+        Scene scene = smokeAndEmbers();
+        PreviewRenderer previewRenderer;
+        const QImage both = previewRenderer.make(requestFor(scene, 1), {})->image;
+        scene.layers[1].visible = false;
+        RenderRequest request = requestFor(scene, 2);
+        request.previewQuality = PreviewQuality::Interactive;
+        const PicturePtr muted = previewRenderer.make(request, {});
+        QCOMPARE(stepsOf(*muted), std::vector<double>{0.0});
+        QVERIFY(!muted->thinned && muted->image != both);
+        scene.layers[1].visible = true;
+        request = requestFor(scene, 3);
+        request.previewQuality = PreviewQuality::Interactive;
+        QCOMPARE(stepsOf(*previewRenderer.make(request, {})), (std::vector<double>{0.0, 0.0}));
+        request.previewQuality = PreviewQuality::Full;
+        QCOMPARE(previewRenderer.make(request, {})->image, both);
+        // A muted layer that has changed meanwhile is another.
+        scene.layers[1].visible = false;
+        QVERIFY(previewRenderer.make(requestFor(scene, 4), {}) != nullptr);
+        scene.layers[1].visible = true;
+        scene.layers[1].emitter.speed += 1.0F;
+        const PicturePtr other = previewRenderer.make(requestFor(scene, 5), {});
+        QVERIFY(stepsOf(*other)[0] == 0.0 && stepsOf(*other)[1] > 0.0);
+        QCOMPARE(other->image, PreviewRenderer().make(requestFor(scene, 5), {})->image);
+    }
+
+    /// The others are neither drawn nor in the light; what moves stays as it is among all.
+    void aSoloShowsItsLayersAloneInTheAirOfAll()
+    {
+        Scene scene = smokeAndEmbers();
+        scene.air.enabled = true;
+        scene.air.resolution = 20;
+        PreviewRenderer previewRenderer;
+        const PicturePtr all = previewRenderer.make(requestFor(scene, 1), {});
+        RenderRequest request = requestFor(scene, 1);
+        request.solo = {1};
+        const PicturePtr embers = previewRenderer.make(request, {});
+        QCOMPARE(stepsOf(*embers), (std::vector<double>{0.0, 0.0}));
+        QVERIFY(embers->complete && embers->image != all->image);
+        QCOMPARE(embers->particles, scene.layers[1].emitter.count);
+        // As if the smoke could not be seen.
+        Scene clear = scene;
+        clear.layers[0].look.opacity = 0.0F;
+        const QImage expected = previewRenderer.make(requestFor(clear, 1), {})->image;
+        QVERIFY(largestDifference(embers->image, expected) <= 2);
+        request.solo = {0, 1};
+        QCOMPARE(previewRenderer.make(request, {})->image, all->image);
+    }
+
+    /// Muting is of the file, and wins.
+    void aSoloOfAMutedLayerShowsNothing()
+    {
+        Scene scene = smokeAndEmbers();
+        scene.layers[1].visible = false;
+        RenderRequest request = requestFor(scene, 1);
+        request.solo = {1};
+        const QImage image = PreviewRenderer().make(request, {})->image;
+        QVERIFY(!image.isNull());
+        QImage empty = image;
+        empty.fill(image.pixel(0, 0));
+        QCOMPARE(image, empty);
     }
 
     void finalQualityWaitsForAStillPicture()

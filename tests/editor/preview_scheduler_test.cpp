@@ -104,6 +104,34 @@ class PreviewSchedulerTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // --- layers -----------------------------------------------------------------------------------------------------
+
+    void aSoloIsShownAndForgottenWithItsScene()
+    {
+        Scene scene = smallEffect();
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[1].emitter.seed = 5;
+        scene.layers[1].emitter.position.x = 1.0F;
+        Watched watched{Effect()};
+        watched.feed.setScene(scene, 0, DirtyStage::Air);
+        QVERIFY(watched.settles());
+        const QImage both = watched.feed.picture()->image;
+        watched.feed.setSolo({1});
+        QVERIFY(!watched.feed.isSettled() && watched.feed.cachedFrames().isEmpty());
+        QVERIFY(watched.settles());
+        QVERIFY(watched.feed.picture()->image != both);
+        for (const PicturePtr& picture : watched.pictures.mid(watched.pictures.size() - 1)) {
+            QCOMPARE(picture->layers[0].particleSteps + picture->layers[1].particleSteps, 0.0);
+        }
+        watched.feed.setSolo({1}); // what is so already is no change
+        QVERIFY(watched.feed.isSettled());
+        watched.feed.setLayer(1); // of which nothing is shown
+        QVERIFY(watched.feed.isSettled());
+        watched.feed.setScene(scene, 0, DirtyStage::Shade);
+        QVERIFY(watched.settles());
+        QCOMPARE(watched.feed.picture()->image, both);
+    }
+
     // --- the cache --------------------------------------------------------------------------------------------------
 
     void aCacheKeepsTheBestPictureOfAFrame()

@@ -11,6 +11,7 @@
 #include <QClipboard>
 #include <QColorDialog>
 #include <QMenu>
+#include <QToolButton>
 
 using namespace fumage;
 using namespace fumage::tests;
@@ -44,6 +45,35 @@ private slots:
         trigger("view.gizmos");
         QCOMPARE(seen(QEvent::Enter), away);
         QCOMPARE(seen(QEvent::Leave), away);
+    }
+
+    void soloShowsItsLayerAloneAndSaysSo()
+    {
+        Document& document = m_window->document();
+        Scene scene = document.scene();
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[0].name = "<b>one</b>";
+        scene.layers[0].emitter.position.x = -1.2F;
+        scene.layers[1].emitter.position.x = 1.2F;
+        document.replaceScene(scene, 0, u"two"_q);
+        const QImage both = settled();
+        const auto* line = m_window->findChild<SoloLine*>(u"soloLine"_q);
+        QVERIFY(line->isHidden());
+        m_window->solo().set({0}, true);
+        QVERIFY(line->isVisible());
+        QVERIFY2(line->text().contains(u"<b>one</b>"_q), qPrintable(line->text()));
+        const QImage one = settled();
+        QVERIFY(one != both);
+        trigger("view.smokeOnly");
+        QVERIFY(line->isHidden());
+        trigger("view.smokeOnly");
+        QVERIFY(line->isVisible());
+        m_window->findChild<QToolButton*>(u"soloLine.end"_q)->click();
+        QVERIFY(line->isHidden() && !m_window->solo().isOn());
+        QVERIFY(!settled().isNull());
+        m_window->solo().set({1}, true);
+        document.load(smallPreset(), {});
+        QVERIFY(line->isHidden() && !m_window->solo().isOn());
     }
 
     void theRightButtonOpensAMenuUnlessItDrags()

@@ -20,7 +20,7 @@ enum CommandId {
 EditCommand::EditCommand(SceneHolder& holder, std::vector<Change> changes, const QString& text, Gesture gesture)
     : QUndoCommand(text)
     , m_holder(holder)
-    , m_layer(holder.layer())
+    , m_layer(holder.selection().active())
     , m_changes(std::move(changes))
     , m_isNamed(!text.isEmpty())
     , m_gesture(gesture)
@@ -61,7 +61,8 @@ void EditCommand::write(Value Change::*value)
         changed.push_back(change.parameter);
     }
     scene.assign(m_layer, effect);
-    m_holder.write(scene, m_layer, std::move(changed));
+    const LayerSelection& now = m_holder.selection();
+    m_holder.write(scene, now.active() == m_layer ? LayerSelection(now) : LayerSelection(m_layer), std::move(changed));
 }
 
 int EditCommand::id() const
@@ -91,35 +92,35 @@ bool EditCommand::mergeWith(const QUndoCommand* other)
 }
 
 ReplaceCommand::ReplaceCommand(
-    SceneHolder& holder, const Scene& after, std::size_t layer, const QString& text, Gesture gesture)
+    SceneHolder& holder, const Scene& after, LayerSelection selection, const QString& text, Gesture gesture)
     : QUndoCommand(text)
     , m_holder(holder)
     , m_before(holder.scene())
     , m_after(after)
-    , m_layerBefore(holder.layer())
-    , m_layerAfter(layer)
+    , m_selectionBefore(holder.selection())
+    , m_selectionAfter(std::move(selection))
     , m_gesture(gesture)
 {
 }
 
 void ReplaceCommand::undo()
 {
-    show(m_before, m_layerBefore);
+    show(m_before, m_selectionBefore);
 }
 
 void ReplaceCommand::redo()
 {
-    show(m_after, m_layerAfter);
+    show(m_after, m_selectionAfter);
 }
 
 /// Where both look from the same place the camera stays where it is now: moving it is no undo step.
-void ReplaceCommand::show(Scene scene, std::size_t layer)
+void ReplaceCommand::show(Scene scene, const LayerSelection& selection)
 {
     if (m_before.camera == m_after.camera) {
         scene.camera = m_holder.scene().camera;
     }
-    const Effect shown = m_holder.scene().effect(m_holder.layer());
-    m_holder.write(scene, layer, differences(shown, scene.effect(layer)));
+    const Effect shown = m_holder.scene().effect(m_holder.selection().active());
+    m_holder.write(scene, selection, differences(shown, scene.effect(selection.active())));
 }
 
 int ReplaceCommand::id() const
@@ -134,7 +135,7 @@ bool ReplaceCommand::mergeWith(const QUndoCommand* other)
         return false;
     }
     m_after = next->m_after;
-    m_layerAfter = next->m_layerAfter;
+    m_selectionAfter = next->m_selectionAfter;
     setObsolete(m_before == m_after);
     return true;
 }

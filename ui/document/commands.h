@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/document/layer_selection.h"
+
 #include "core/effect/parameter.h"
 #include "core/scene/scene.h"
 
@@ -19,11 +21,11 @@ struct Gesture {
 class SceneHolder {
 public:
     [[nodiscard]] virtual const Scene& scene() const = 0;
-    /// The layer that is edited.
-    [[nodiscard]] virtual std::size_t layer() const = 0;
-    /// @param layer   that is edited from now on
-    /// @param changed all parameters that differ from before
-    virtual void write(const Scene& scene, std::size_t layer, std::vector<const Parameter*> changed) = 0;
+    /// The layers that are chosen, of which the active one is edited.
+    [[nodiscard]] virtual const LayerSelection& selection() const = 0;
+    /// @param selection that is chosen from now on
+    /// @param changed   all parameters that differ from before
+    virtual void write(const Scene& scene, const LayerSelection& selection, std::vector<const Parameter*> changed) = 0;
 
 protected:
     ~SceneHolder() = default;
@@ -61,8 +63,9 @@ private:
 /// Exchanges the whole scene: a reset, a paste, a variation, a layer more or less.
 class ReplaceCommand : public QUndoCommand {
 public:
-    /// @param layer that is edited afterwards
-    ReplaceCommand(SceneHolder& holder, const Scene& after, std::size_t layer, const QString& text, Gesture gesture);
+    /// @param selection that is chosen afterwards
+    ReplaceCommand(
+        SceneHolder& holder, const Scene& after, LayerSelection selection, const QString& text, Gesture gesture);
 
     void undo() override;
     void redo() override;
@@ -70,13 +73,13 @@ public:
     bool mergeWith(const QUndoCommand* other) override;
 
 private:
-    void show(Scene scene, std::size_t layer);
+    void show(Scene scene, const LayerSelection& selection);
 
     SceneHolder& m_holder;
     Scene m_before;
     Scene m_after;
-    std::size_t m_layerBefore;
-    std::size_t m_layerAfter;
+    LayerSelection m_selectionBefore;
+    LayerSelection m_selectionAfter;
     Gesture m_gesture;
 };
 

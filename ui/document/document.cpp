@@ -108,7 +108,7 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
     std::vector<const Parameter*> refused;
     for (const Assignment& assignment : assignments) {
         const Parameter& stored = storedParameter(*assignment.parameter);
-        if (stored.scope == Scope::Layer && scene().layers[m_layer].locked) {
+        if (stored.scope == Scope::Layer && scene().layers[layer()].locked) {
             refused.push_back(&stored);
             continue;
         }
@@ -119,7 +119,7 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
         }
     }
     if (!refused.empty()) {
-        announce(std::move(refused), DirtyStage::Shade); // editors show again what is there
+        emit effectChanged({std::move(refused), DirtyStage::Shade, false}); // editors show again what is there
     }
     if (!changes.empty()) {
         m_undo.push(new EditCommand(*this, std::move(changes), text, gesture));
@@ -129,25 +129,25 @@ void Document::edit(const std::vector<Assignment>& assignments, const QString& t
 void Document::replaceEffect(const Effect& effect, const QString& text, Gesture gesture)
 {
     Scene scene = m_preset.scene;
-    if (scene.layers[m_layer].locked) {
+    if (scene.layers[layer()].locked) {
         scene.setSurroundings(effect);
     } else {
-        scene.assign(m_layer, effect);
+        scene.assign(layer(), effect);
     }
-    replaceScene(scene, m_layer, text, gesture);
+    replaceScene(scene, m_selection, text, gesture);
 }
 
-void Document::replaceScene(const Scene& scene, std::size_t layer, const QString& text, Gesture gesture)
+void Document::replaceScene(const Scene& scene, const LayerSelection& selection, const QString& text, Gesture gesture)
 {
     if (!(scene == m_preset.scene)) {
-        m_undo.push(new ReplaceCommand(*this, scene, layer, text, gesture));
+        m_undo.push(new ReplaceCommand(*this, scene, selection, text, gesture));
     }
 }
 
-void Document::selectLayer(std::size_t layer)
+void Document::selectLayers(const LayerSelection& selection)
 {
-    if (layer != m_layer) {
-        write(m_preset.scene, layer, differences(m_effect, m_preset.scene.effect(layer)));
+    if (!(selection == m_selection)) {
+        write(m_preset.scene, selection, differences(m_effect, m_preset.scene.effect(selection.active())));
     }
 }
 
@@ -181,7 +181,7 @@ void Document::setCamera(const Camera& camera)
     const bool wasModified = isModified();
     Scene moved = m_preset.scene;
     moved.camera = camera;
-    write(moved, m_layer, differences(effect(), moved.effect(m_layer)));
+    write(moved, m_selection, differences(effect(), moved.effect(layer())));
     emit viewsChanged();
     if (isModified() != wasModified) {
         emit titleChanged();
@@ -194,7 +194,7 @@ void Document::load(const Preset& preset, const QString& path, bool modified, co
     m_fileIsGone = false;
     m_undo.clear();
     m_preset = preset;
-    m_layer = 0;
+    m_selection = {};
     m_effect = preset.scene.effect();
     m_path = path;
     m_read = read ? *read : path.isEmpty() ? FileMark() : markOfFile(path);
@@ -202,8 +202,9 @@ void Document::load(const Preset& preset, const QString& path, bool modified, co
     rebase();
     emit loaded();
     emit viewsChanged();
-    announce(allParameters(), DirtyStage::Air);
+    emit effectChanged({allParameters(), DirtyStage::Air});
     emit layersChanged();
+    emit selectionChanged();
 }
 
 void Document::loadUnsaved(const Preset& work, const QString& path, const std::optional<FileMark>& read)
@@ -241,7 +242,7 @@ Result<PresetReading> Document::reload()
     }
     const Scene& scene = reading.value().preset.scene;
     m_read = now;
-    replaceScene(scene, std::min(m_layer, scene.layers.size() - 1), tr("Reload"));
+    replaceScene(scene, std::min(layer(), scene.layers.size() - 1), tr("Reload"));
     m_preset = reading.value().preset;
     m_unsavedFromStart = false;
     m_fileIsGone = false;
@@ -280,27 +281,31 @@ Status Document::save(const QString& path)
 void Document::rebase()
 {
     m_referenceScene = m_preset.scene;
-    m_reference = m_referenceScene.effect(m_layer);
+    m_reference = m_referenceScene.effect(layer() < m_referenceScene.layers.size() ? layer() : 0);
     emit titleChanged();
 }
 
-void Document::write(const Scene& scene, std::size_t layer, std::vector<const Parameter*> changed)
+void Document::write(const Scene& scene, const LayerSelection& selection, std::vector<const Parameter*> changed)
 {
     const DirtyStage stale = staleBetween(m_preset.scene, scene);
-    const bool sameLayers = layer == m_layer && hasSameLayers(m_preset.scene, scene);
+    const bool isSameScene = &scene == &m_preset.scene;
+    const bool hasSameList = hasSameLayers(m_preset.scene, scene);
+    const bool isSameSelection = selection == m_selection;
+    const std::size_t active = selection.active();
+    const bool isSameLayer = active == layer();
     m_preset.scene = scene;
-    m_layer = layer;
-    m_effect = scene.effect(layer);
-    m_reference = m_referenceScene.effect(layer < m_referenceScene.layers.size() ? layer : 0);
-    announce(std::move(changed), stale);
-    if (!sameLayers) {
+    m_selection = selection;
+    m_effect = scene.effect(active);
+    m_reference = m_referenceScene.effect(active < m_referenceScene.layers.size() ? active : 0);
+    if (!isSameScene || !isSameLayer) {
+        emit effectChanged({std::move(changed), stale, !isSameScene});
+    }
+    if (!hasSameList) {
         emit layersChanged();
     }
-}
-
-void Document::announce(std::vector<const Parameter*> changed, DirtyStage stale)
-{
-    emit effectChanged({std::move(changed), stale});
+    if (!hasSameList || !isSameSelection) {
+        emit selectionChanged();
+    }
 }
 
 } // namespace fumage::ui

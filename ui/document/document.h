@@ -26,6 +26,7 @@ struct Assignment {
 struct EffectChange {
     std::vector<const Parameter*> parameters; ///< that differ in the layer that is edited, from the one before
     DirtyStage stale = DirtyStage::Shade; ///< the first stage of the work that has to be done again
+    bool isOfScene = true; ///< else nothing but another layer of it is edited
 };
 
 /// How the file of a document stands against what was read from it, or written to it, here.
@@ -50,9 +51,12 @@ public:
     [[nodiscard]] const Effect& effect() const { return m_effect; }
     [[nodiscard]] const Scene& scene() const override { return m_preset.scene; }
     /// The number of the layer that is edited.
-    [[nodiscard]] std::size_t layer() const override { return m_layer; }
-    /// Edits another layer. That is no undo step.
-    void selectLayer(std::size_t layer);
+    [[nodiscard]] std::size_t layer() const { return m_selection.active(); }
+    /// That layer, and others that go with it where something is done to whole layers.
+    [[nodiscard]] const LayerSelection& selection() const override { return m_selection; }
+    /// Edits another layer, and chooses others with it. That is no undo step.
+    void selectLayers(const LayerSelection& selection);
+    void selectLayer(std::size_t layer) { selectLayers(layer); }
     [[nodiscard]] const Preset& preset() const { return m_preset; }
     /// The layer that is edited as it was loaded or last saved, by its number: what "changed" and "reset" are measured
     /// by. A layer that was not there is measured by the first.
@@ -76,8 +80,8 @@ public:
     void edit(const std::vector<Assignment>& assignments, const QString& text, Gesture gesture = {});
     void replaceEffect(const Effect& effect, const QString& text, Gesture gesture = {});
     /// Other layers, or others in another order.
-    /// @param layer that is edited afterwards, below their number
-    void replaceScene(const Scene& scene, std::size_t layer, const QString& text, Gesture gesture = {});
+    /// @param selection that is chosen afterwards, all below their number
+    void replaceScene(const Scene& scene, const LayerSelection& selection, const QString& text, Gesture gesture = {});
     void reset(const Parameter& parameter);
 
     /// Looks from somewhere else. That is a change, and no undo step: undoing a colour must not throw the camera away.
@@ -115,8 +119,10 @@ public:
 
 signals:
     void effectChanged(const fumage::ui::EffectChange& change);
-    /// Other layers, other names or marks of theirs, or another one that is edited.
+    /// Other layers, or other names or marks of theirs.
     void layersChanged();
+    /// Other layers are chosen; comes after layersChanged().
+    void selectionChanged();
     /// The document shows another preset: views start anew.
     void loaded();
     /// Name, file or modified state.
@@ -125,14 +131,13 @@ signals:
     void viewsChanged();
 
 private:
-    void write(const Scene& scene, std::size_t layer, std::vector<const Parameter*> changed) override;
-    void announce(std::vector<const Parameter*> changed, DirtyStage stale);
+    void write(const Scene& scene, const LayerSelection& selection, std::vector<const Parameter*> changed) override;
     void rebase();
     void setCamera(const Camera& camera);
 
     Preset m_preset;
-    std::size_t m_layer = 0;
-    Effect m_effect; ///< that layer
+    LayerSelection m_selection;
+    Effect m_effect; ///< the active layer
     Scene m_referenceScene;
     Effect m_reference; ///< that layer of it
     QString m_path;

@@ -3,6 +3,7 @@
 #include "ui/document/text.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <QCoreApplication>
 
@@ -23,9 +24,10 @@ bool isTaken(const Scene& scene, const std::string& name)
 /// A name that no layer has: the one asked for, or with a number after it.
 std::string freeName(const Scene& scene, const QString& name)
 {
+    constexpr qsizetype kRoom = kMaxLayerName / 4 - 4; // with a number it is none that files refuse
     std::string free = name.toStdString();
     for (int number = 2; isTaken(scene, free); ++number) {
-        free = QStringLiteral("%1 %2").arg(name).arg(number).toStdString();
+        free = QStringLiteral("%1 %2").arg(name.left(kRoom)).arg(number).toStdString();
     }
     return free;
 }
@@ -40,18 +42,51 @@ std::uint32_t freeSeed(const Scene& scene, std::uint32_t seed)
     return seed;
 }
 
-void insertAfter(Scene& scene, std::size_t layer, Layer added)
+/// The layers that an edit was about, of which the one that was edited stays so.
+LayerSelection chosen(const Document& document, const LayerPlaces& layers)
 {
-    scene.layers.insert(scene.layers.begin() + static_cast<std::ptrdiff_t>(layer) + 1, std::move(added));
+    const bool isAmongThem = std::binary_search(layers.begin(), layers.end(), document.layer());
+    return {isAmongThem ? document.layer() : layers.front(), layers};
 }
 
-/// Changes a layer as a step that is named after it.
-template <class Change>
-void changeLayer(Document& document, std::size_t layer, const QString& text, const Change& change)
+/// Places that follow on one another.
+LayerPlaces placesFrom(std::size_t first, std::size_t count)
 {
+    LayerPlaces places(count);
+    std::iota(places.begin(), places.end(), first);
+    return places;
+}
+
+QString labelOf(const Scene& scene, const LayerPlaces& layers)
+{
+    return layers.size() == 1 ? layerLabel(scene, layers.front()) : LayerEdits::tr("%1 layers").arg(layers.size());
+}
+
+/// Changes layers as a step that is named after them.
+template <class Change>
+void changeLayers(Document& document, const LayerPlaces& layers, const QString& text, const Change& change)
+{
+    if (layers.empty()) {
+        return;
+    }
     Scene scene = document.scene();
-    change(scene.layers[layer]);
-    document.replaceScene(scene, layer, text.arg(layerLabel(document.scene(), layer)));
+    for (const std::size_t layer : layers) {
+        change(scene.layers[layer]);
+    }
+    document.replaceScene(scene, chosen(document, layers), text.arg(labelOf(document.scene(), layers)));
+}
+
+/// Takes layers out of a scene.
+std::vector<Layer> takeOut(Scene& scene, const LayerPlaces& layers)
+{
+    std::vector<Layer> taken;
+    std::vector<Layer> left;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        const bool isTaken = std::binary_search(layers.begin(), layers.end(), i);
+        (isTaken ? taken : left).push_back(std::move(scene.layers[i]));
+    }
+    scene.layers = std::move(left);
+    return taken;
 }
 
 } // namespace
@@ -72,80 +107,98 @@ void addLayer(Document& document)
     added.name = freeName(scene, LayerEdits::tr("Layer %1").arg(scene.layers.size() + 1));
     added.emitter.seed = freeSeed(scene, added.emitter.seed);
     added.emitter.position = scene.layers[document.layer()].emitter.position;
-    insertAfter(scene, document.layer(), added);
+    scene.layers.insert(scene.layers.begin() + static_cast<std::ptrdiff_t>(document.layer()) + 1, added);
     document.replaceScene(scene, document.layer() + 1, LayerEdits::tr("Add a layer"));
 }
 
-void addLayersOf(Document& document, const Scene& other, const QString& name)
+std::size_t insertLayers(
+    Document& document, std::size_t at, const Scene& other, const QString& name, const QString& text)
 {
     Scene scene = document.scene();
-    std::size_t at = document.layer();
-    for (Layer layer : other.layers) {
-        if (scene.layers.size() >= kMaxLayers) {
-            break;
-        }
+    const std::size_t fitting = std::min(other.layers.size(), kMaxLayers - scene.layers.size());
+    for (std::size_t i = 0; i < fitting; ++i) {
+        Layer layer = other.layers[i];
         layer.name = freeName(scene, layer.name.empty() ? name : toQString(layer.name));
         layer.emitter.seed = freeSeed(scene, layer.emitter.seed);
-        insertAfter(scene, at++, std::move(layer));
+        scene.layers.insert(scene.layers.begin() + static_cast<std::ptrdiff_t>(at + i), std::move(layer));
     }
-    document.replaceScene(scene, at, LayerEdits::tr("Add the layers of “%1”").arg(shortened(onOneLine(name))));
+    if (fitting > 0) {
+        document.replaceScene(scene, {at + fitting - 1, placesFrom(at, fitting)}, text);
+    }
+    return other.layers.size() - fitting;
 }
 
-void duplicateLayer(Document& document, std::size_t layer)
+std::size_t addLayersOf(Document& document, const Scene& other, const QString& name)
 {
-    Scene scene = document.scene();
-    if (scene.layers.size() >= kMaxLayers) {
+    return insertLayers(document, document.layer() + 1, other, name,
+        LayerEdits::tr("Add the layers of “%1”").arg(shortened(onOneLine(name))));
+}
+
+void duplicateLayers(Document& document, const LayerPlaces& layers)
+{
+    if (layers.empty()) {
         return;
     }
-    Layer copy = scene.layers[layer];
-    copy.name = freeName(scene, layerLabel(scene, layer));
-    copy.emitter.seed = freeSeed(scene, copy.emitter.seed);
-    insertAfter(scene, layer, std::move(copy));
-    document.replaceScene(scene, layer + 1, LayerEdits::tr("Duplicate %1").arg(layerLabel(document.scene(), layer)));
+    Scene copies;
+    copies.layers.clear();
+    for (const std::size_t layer : layers) {
+        copies.layers.push_back(document.scene().layers[layer]);
+        copies.layers.back().name = layerLabel(document.scene(), layer).toStdString();
+    }
+    insertLayers(
+        document, layers.back() + 1, copies, {}, LayerEdits::tr("Duplicate %1").arg(labelOf(document.scene(), layers)));
 }
 
-void removeLayer(Document& document, std::size_t layer)
+void removeLayers(Document& document, const LayerPlaces& layers, const QString& text)
 {
     Scene scene = document.scene();
-    if (scene.layers.size() == 1) {
+    if (layers.empty() || layers.size() >= scene.layers.size()) {
         return;
     }
-    scene.layers.erase(scene.layers.begin() + static_cast<std::ptrdiff_t>(layer));
-    const std::size_t active = document.layer();
-    const std::size_t next = std::min(active > layer ? active - 1 : active, scene.layers.size() - 1);
-    document.replaceScene(scene, next, LayerEdits::tr("Delete %1").arg(layerLabel(document.scene(), layer)));
+    takeOut(scene, layers);
+    const auto before = [&](std::size_t place) { // of those that are left
+        return place - static_cast<std::size_t>(std::count_if(layers.begin(), layers.end(), [&](std::size_t layer) {
+            return layer < place;
+        }));
+    };
+    document.replaceScene(scene, std::min(before(document.layer()), scene.layers.size() - 1),
+        text.isEmpty() ? LayerEdits::tr("Delete %1").arg(labelOf(document.scene(), layers)) : text);
 }
 
-void moveLayer(Document& document, std::size_t layer, std::size_t to)
+void moveLayers(Document& document, const LayerPlaces& layers, std::size_t before)
 {
     Scene scene = document.scene();
-    Layer moved = std::move(scene.layers[layer]);
-    scene.layers.erase(scene.layers.begin() + static_cast<std::ptrdiff_t>(layer));
-    scene.layers.insert(scene.layers.begin() + static_cast<std::ptrdiff_t>(to), std::move(moved));
-    document.replaceScene(scene, to, LayerEdits::tr("Move %1").arg(layerLabel(document.scene(), layer)));
+    std::vector<Layer> moved = takeOut(scene, layers);
+    const auto above = std::count_if(layers.begin(), layers.end(), [&](std::size_t layer) { return layer < before; });
+    const std::size_t at = before - static_cast<std::size_t>(above);
+    scene.layers.insert(scene.layers.begin() + static_cast<std::ptrdiff_t>(at), moved.begin(), moved.end());
+    const auto active = std::find(layers.begin(), layers.end(), document.layer());
+    const std::size_t place = active == layers.end() ? 0 : static_cast<std::size_t>(active - layers.begin());
+    document.replaceScene(scene, {at + place, placesFrom(at, moved.size())},
+        LayerEdits::tr("Move %1").arg(labelOf(document.scene(), layers)));
 }
 
 void renameLayer(Document& document, std::size_t layer, const QString& name)
 {
     const std::string text = name.trimmed().left(static_cast<qsizetype>(kMaxLayerName / 4)).toStdString();
-    changeLayer(document, layer, LayerEdits::tr("Rename %1"), [&](Layer& changed) { changed.name = text; });
+    changeLayers(document, {layer}, LayerEdits::tr("Rename %1"), [&](Layer& changed) { changed.name = text; });
 }
 
-void setLayerVisible(Document& document, std::size_t layer, bool visible)
+void setLayersVisible(Document& document, const LayerPlaces& layers, bool visible)
 {
-    changeLayer(document, layer, visible ? LayerEdits::tr("Show %1") : LayerEdits::tr("Mute %1"),
+    changeLayers(document, layers, visible ? LayerEdits::tr("Show %1") : LayerEdits::tr("Mute %1"),
         [&](Layer& changed) { changed.visible = visible; });
 }
 
-void setLayerLocked(Document& document, std::size_t layer, bool locked)
+void setLayersLocked(Document& document, const LayerPlaces& layers, bool locked)
 {
-    changeLayer(document, layer, locked ? LayerEdits::tr("Lock %1") : LayerEdits::tr("Unlock %1"),
+    changeLayers(document, layers, locked ? LayerEdits::tr("Lock %1") : LayerEdits::tr("Unlock %1"),
         [&](Layer& changed) { changed.locked = locked; });
 }
 
-void setLayerTag(Document& document, std::size_t layer, ColourTag tag)
+void setLayersTag(Document& document, const LayerPlaces& layers, ColourTag tag)
 {
-    changeLayer(document, layer, LayerEdits::tr("Colour tag of %1"), [&](Layer& changed) { changed.tag = tag; });
+    changeLayers(document, layers, LayerEdits::tr("Colour tag of %1"), [&](Layer& changed) { changed.tag = tag; });
 }
 
 } // namespace fumage::ui

@@ -2,27 +2,43 @@
 
 #include "ui/document/document.h"
 
+#include <vector>
+
 namespace fumage::ui {
 
-// What a list of layers does to a document: each is one undo step, and the layer it is about is edited afterwards.
+// What a list of layers does to a document: each is one undo step, and the layers that it is about are chosen
+// afterwards.
+
+/// Places of layers in a scene, in their order, each once.
+using LayerPlaces = std::vector<std::size_t>;
 
 /// What a layer is called in lists: its name, or its number.
 [[nodiscard]] QString layerLabel(const Scene& scene, std::size_t layer);
 
 /// Adds a new layer after the one that is edited. Nothing happens where there are kMaxLayers.
 void addLayer(Document& document);
-/// Adds the layers of another scene after the one that is edited, as many as fit: without its surroundings.
-void addLayersOf(Document& document, const Scene& other, const QString& name);
-/// Adds a copy of a layer after it.
-void duplicateLayer(Document& document, std::size_t layer);
-/// Nothing happens to the last one that is left.
-void removeLayer(Document& document, std::size_t layer);
-/// @param to place among the others afterwards
-void moveLayer(Document& document, std::size_t layer, std::size_t to);
+/// Adds the layers of another scene, as many as fit: without its surroundings, with names and seeds that none has yet.
+/// @param at   place of the first of them afterwards
+/// @param name of those that have none
+/// @param text of the undo step
+/// @return how many did not fit
+std::size_t insertLayers(
+    Document& document, std::size_t at, const Scene& other, const QString& name, const QString& text);
+/// The same of a preset, after the layer that is edited.
+std::size_t addLayersOf(Document& document, const Scene& other, const QString& name);
+/// Adds copies of layers after the last of them, as many as fit.
+void duplicateLayers(Document& document, const LayerPlaces& layers);
+/// Nothing happens where none would be left.
+/// @param text of the undo step; empty: it says that they are deleted
+void removeLayers(Document& document, const LayerPlaces& layers, const QString& text = {});
+/// Puts layers beside one another, in their order.
+/// @param before place of the layer that they come before, as long as they are where they are; the number of layers:
+/// to the end
+void moveLayers(Document& document, const LayerPlaces& layers, std::size_t before);
 void renameLayer(Document& document, std::size_t layer, const QString& name);
-/// Shows or mutes a layer; it stays so in files and exports.
-void setLayerVisible(Document& document, std::size_t layer, bool visible);
-void setLayerLocked(Document& document, std::size_t layer, bool locked);
-void setLayerTag(Document& document, std::size_t layer, ColourTag tag);
+/// Shows or mutes layers; they stay so in files and exports.
+void setLayersVisible(Document& document, const LayerPlaces& layers, bool visible);
+void setLayersLocked(Document& document, const LayerPlaces& layers, bool locked);
+void setLayersTag(Document& document, const LayerPlaces& layers, ColourTag tag);
 
 } // namespace fumage::ui

@@ -281,7 +281,7 @@ void ExportDialog::followPlan()
         m_path->setText(suggestedPath(now, m_document));
     }
     addPath(now);
-    m_summary->follow(now, m_document.scene());
+    m_summary->follow(now, m_document.scene(), m_solo != nullptr && m_solo->isOn());
     if (kind() == ExportKind::Flipbook) {
         m_flipbook->followPlan(m_document.scene(), now);
         m_preview->follow(m_document.scene(), now);

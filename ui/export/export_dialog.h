@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
+#include "ui/document/solo.h"
 #include "ui/export/export_submission.h"
 #include "ui/widgets/choice_question.h"
 #include "ui/widgets/file_question.h"
@@ -49,6 +50,13 @@ public:
     [[nodiscard]] std::vector<ExportPlan> choices() const;
     /// Shows choices that are remembered, but for frames and files.
     void take(std::span<const ExportPlan> choices);
+    /// Says that an export has all layers, while some are looked at alone. @param solo outlives this
+    void setSolo(const Solo& solo)
+    {
+        m_solo = &solo;
+        connect(&solo, &Solo::changed, this, &ExportDialog::followPlan);
+        followPlan();
+    }
     /// Whether an export is on its way into the queue: its files are looked for.
     [[nodiscard]] bool isEntering() const { return m_entry.isBusy(); }
 
@@ -114,6 +122,7 @@ private:
     PictureChoices* m_pictures;
     OutputRows* m_output;
     SummaryRow* m_summary;
+    const Solo* m_solo = nullptr;
     ExportProgress* m_progress;
     QPushButton* m_export;
     QPushButton* m_cancel;

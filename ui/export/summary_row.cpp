@@ -9,16 +9,22 @@ namespace fumage::ui {
 SummaryRow::SummaryRow(QWidget* parent)
     : QWidget(parent)
     , m_files(new QLabel(this))
+    , m_solo(new QLabel(this))
     , m_offer(new QPushButton(this))
 {
     m_files->setObjectName(QStringLiteral("export.files"));
     m_files->setProperty("role", QStringLiteral("secondary"));
     m_files->setWordWrap(true);
     m_files->setTextFormat(Qt::PlainText);
+    m_solo->setObjectName(QStringLiteral("export.solo"));
+    m_solo->setWordWrap(true);
+    m_solo->setTextFormat(Qt::PlainText);
+    m_solo->hide();
     m_offer->setObjectName(QStringLiteral("export.offer"));
     m_offer->hide();
     auto* box = new QVBoxLayout(this);
     box->setContentsMargins({});
+    box->addWidget(m_solo);
     box->addWidget(m_files);
     box->addWidget(m_offer, 0, Qt::AlignLeft);
     connect(m_offer, &QPushButton::clicked, this, [this] {
@@ -28,8 +34,10 @@ SummaryRow::SummaryRow(QWidget* parent)
     });
 }
 
-void SummaryRow::follow(const ExportPlan& plan, const Scene& scene)
+void SummaryRow::follow(const ExportPlan& plan, const Scene& scene, bool solo)
 {
+    m_solo->setText(tr("Solo is of the view only: %1 layers are exported.").arg(scene.visibleLayers().size()));
+    m_solo->setVisible(solo);
     m_files->setText(summaryOf(plan, scene));
     m_offered = offerFor(plan, scene);
     m_offer->setText(m_offered ? m_offered->text : QString());

@@ -16,7 +16,8 @@ class SummaryRow : public QWidget {
 public:
     explicit SummaryRow(QWidget* parent);
 
-    void follow(const ExportPlan& plan, const Scene& scene);
+    /// @param solo whether the viewport shows some of the layers alone
+    void follow(const ExportPlan& plan, const Scene& scene, bool solo);
 
 signals:
     /// The way out is taken.
@@ -24,6 +25,7 @@ signals:
 
 private:
     QLabel* m_files;
+    QLabel* m_solo; ///< says what is exported while the viewport shows less
     QPushButton* m_offer;
     std::optional<ExportOffer> m_offered;
 };

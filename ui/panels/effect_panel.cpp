@@ -49,9 +49,10 @@ std::vector<const Parameter*> essentialParameters()
 
 } // namespace
 
-EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
+EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_layers(new LayerList(document, solo, this))
     , m_search(new QLineEdit(this))
     , m_onlyChanged(new QToolButton(this))
     , m_nothing(new QLabel(this))
@@ -86,7 +87,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, QWidget* parent)
     bar->addWidget(m_onlyChanged);
     top->addLayout(bar);
     top->addWidget(m_nothing);
-    layout->addWidget(new LayerList(document, this));
+    layout->addWidget(m_layers);
     layout->addLayout(top);
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);

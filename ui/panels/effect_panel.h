@@ -14,13 +14,18 @@ class QVBoxLayout;
 
 namespace fumage::ui {
 
+class LayerList;
+class Solo;
+
 /// All parameters of the effect, generated from the parameter table: a search field above groups that fold. On top
 /// those that an artist needs first stand once more.
 class EffectPanel : public QWidget {
     Q_OBJECT
 
 public:
-    EffectPanel(Document& document, Locks& locks, QWidget* parent = nullptr);
+    EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* parent = nullptr);
+
+    [[nodiscard]] LayerList& layers() const { return *m_layers; }
 
     /// Scrolls to a group and opens it.
     void showGroup(std::string_view group);
@@ -44,6 +49,7 @@ private:
     [[nodiscard]] QWidget* makeGroups(Locks& locks);
 
     Document& m_document;
+    LayerList* m_layers;
     QLineEdit* m_search;
     QToolButton* m_onlyChanged;
     QLabel* m_nothing; ///< says that nothing was found

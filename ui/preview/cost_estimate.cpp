@@ -39,10 +39,12 @@ void CostEstimate::notePixels(double pixels, qint64 ns)
     }
 }
 
-int CostEstimate::particlesWithin(qint64 ns, double stepsEach) const
+int CostEstimate::particlesWithin(qint64 ns, double stepsEach, double drawnShare) const
 {
-    return static_cast<int>(std::clamp(static_cast<double>(ns) / (m_step * stepsEach + m_sprite),
-        static_cast<double>(kMinParticles), static_cast<double>(kMaxParticles)));
+    constexpr double kMinCost = 1e-3; // ns: of particles that neither move nor are drawn there may be any number
+    return static_cast<int>(
+        std::clamp(static_cast<double>(ns) / std::max(kMinCost, m_step * stepsEach + m_sprite * drawnShare),
+            static_cast<double>(kMinParticles), static_cast<double>(kMaxParticles)));
 }
 
 int CostEstimate::halvedInto(int count, int affordable)
@@ -53,9 +55,9 @@ int CostEstimate::halvedInto(int count, int affordable)
     return count;
 }
 
-double CostEstimate::scaleWithin(qint64 ns, int particles, double stepsEach, double pixels) const
+double CostEstimate::scaleWithin(qint64 ns, int particles, double stepsEach, double pixels, double drawnShare) const
 {
-    const double left = static_cast<double>(ns) - particles * (m_step * stepsEach + m_sprite);
+    const double left = static_cast<double>(ns) - particles * (m_step * stepsEach + m_sprite * drawnShare);
     // Few steps, so that the picture does not shimmer between sizes.
     constexpr std::array<double, 4> kScales{1.0, 0.75, 0.5, kSmallestScale};
     for (const double scale : kScales) {

@@ -18,11 +18,13 @@ public:
 
     /// @return how many particles can be stepped and drawn within a budget; at least kMinParticles
     /// @param stepsEach steps that each has to take, on average
-    [[nodiscard]] int particlesWithin(qint64 ns, double stepsEach) const;
+    /// @param drawnShare share of them that is drawn
+    [[nodiscard]] int particlesWithin(qint64 ns, double stepsEach, double drawnShare = 1.0) const;
 
     /// @return share of the picture's edge, from 1 down to kSmallestScale, that can be painted within what particles
     /// leave of a budget
-    [[nodiscard]] double scaleWithin(qint64 ns, int particles, double stepsEach, double pixels) const;
+    [[nodiscard]] double scaleWithin(
+        qint64 ns, int particles, double stepsEach, double pixels, double drawnShare = 1.0) const;
 
     /// @return a count that is halved until it is affordable, but no more often than leaves kMinParticles
     [[nodiscard]] static int halvedInto(int count, int affordable);

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace fumage::ui {
@@ -48,9 +49,21 @@ enum class Phase {
 /// @param share that is done, 0 to 1; below 0: not known
 using WorkListener = std::function<void(Phase phase, double share)>;
 
+/// A question which layer is seen at a place of a picture.
+struct Pick {
+    quint64 number = 0; ///< by which the answer is known; 0: nothing is asked
+    glm::vec2 place{0.0F}; ///< from the left and from the top, shares of the picture
+};
+struct Picked {
+    quint64 number = 0; ///< of the question; 0: nothing was asked
+    std::optional<std::size_t> layer; ///< of the scene; none is seen there
+};
+
 struct RenderRequest {
     std::shared_ptr<const Scene> scene;
     std::size_t layer = 0; ///< of it that trails and arrows are about
+    std::vector<std::size_t> solo; ///< layers that are looked at alone: the others are simulated, and neither drawn nor
+                                   ///< in the light; empty: all that are visible
     quint64 revision = 0; ///< of all that is asked for: pictures of one revision and frame are alike
     quint64 simulation = 0; ///< of what moves particles: scenes of one simulation and count have the same ones, and a
                             ///< previewRenderer keeps them
@@ -65,6 +78,7 @@ struct RenderRequest {
     bool trails = false; ///< find the ways of some particles
     bool air = false; ///< find what the air does that carries them
     bool sprites = false; ///< hand over the sprites instead of painting them
+    Pick pick;
 };
 
 /// Where a particle has been, from its birth on, m.
@@ -78,12 +92,20 @@ struct AirArrow {
     float gap = 0.0F; ///< to its neighbours, m
 };
 
+/// What a visible layer has of a picture.
+struct LayerWork {
+    std::size_t layer = 0; ///< of the scene
+    int particles = 0; ///< alive at most
+    double particleSteps = 0.0; ///< that were taken for this picture, of all its particles together
+};
+
 /// A picture of the smoke for the screen, or the sprites to make one.
 struct Picture {
     QImage image; ///< opaque; smaller than the screen where the quality gives up pixels
     std::shared_ptr<const SpriteBatchSnapshot> sprites; ///< instead of the image, where sprites were asked for
     std::vector<Trail> trails; ///< where they were asked for
     std::vector<AirArrow> air; ///< where it was asked for and carries the smoke
+    Picked picked;
     Output output; ///< exposure and view transform for the sprites
     Backdrop backdrop;
     quint64 revision = 0;
@@ -92,7 +114,8 @@ struct Picture {
     bool thinned = false; ///< fewer particles than the effect has, or coarser air
     bool coarseAir = false; ///< a coarser grid stands in
     qint64 bakeNs = 0; ///< that the air took for this picture
-    int particles = 0; ///< alive at most
+    int particles = 0; ///< alive at most, of all layers that are drawn
+    std::vector<LayerWork> layers; ///< those that are visible, in their order
     qint64 stepNs = 0;
     RenderTimes times;
 };

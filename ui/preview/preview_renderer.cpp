@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <QElapsedTimer>
 
@@ -40,15 +41,18 @@ Backing backingOf(const Backdrop& backdrop, const Output& output)
     return backdrop.kind == Backdrop::Kind::Colour ? Backing{backdrop.colour} : Backing{kDark, kLight, kCheckerPixels};
 }
 
-/// The schedule of the layer whose particles live longest.
-Schedule longestOf(SampledLayers layers)
+double particleSteps(const std::vector<LayerWork>& layers)
 {
-    Schedule longest = makeSchedule(layers.front());
-    for (const SampledEffect& layer : layers.subspan(1)) {
-        const Schedule own = makeSchedule(layer);
-        longest = own.lifetimeSteps > longest.lifetimeSteps ? own : longest;
-    }
-    return longest;
+    return std::accumulate(layers.begin(), layers.end(), 0.0,
+        [](double sum, const LayerWork& layer) { return sum + layer.particleSteps; });
+}
+
+/// The same that nobody sees.
+SampledEffect transparent(const SampledEffect& effect)
+{
+    Effect nothing = effect;
+    nothing.look.opacity = 0.0F;
+    return sampled(nothing);
 }
 
 QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
@@ -62,20 +66,22 @@ QImage toScreen(const EncodedImage<std::uint8_t>& encoded)
 PreviewRenderer::PreviewRenderer(std::shared_ptr<AirCache> shelf, WorkListener listener)
     : m_shelf(std::move(shelf))
     , m_listener(std::move(listener))
+    , m_simulators(m_shelf)
 {
 }
 
 int PreviewRenderer::particlesWhileDragging(const Plan& plan, double preRoll) const
 {
     const int all = plan.particles;
-    if (all <= m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach)) {
+    if (all <= m_costs.particlesWithin(kParticleBudgetNs, plan.stepsEach, plan.drawnShare())) {
         return all;
     }
     // A drag of the look keeps the particles that its first picture has chosen.
-    if (m_thinned && m_thinned->simulation == plan.simulation && m_thinned->particles < all) {
-        return m_thinned->particles;
+    const std::optional<RunningSimulator>& thinned = m_simulators.thinned();
+    if (thinned && thinned->simulation == plan.simulation && thinned->particles < all) {
+        return thinned->particles;
     }
-    return CostEstimate::halvedInto(all, m_costs.particlesWithin(kParticleBudgetNs, preRoll));
+    return CostEstimate::halvedInto(all, m_costs.particlesWithin(kParticleBudgetNs, preRoll, plan.drawnShare()));
 }
 
 int PreviewRenderer::particlesToSettle(int all, double preRoll) const
@@ -92,9 +98,10 @@ int PreviewRenderer::particlesToSettle(int all, double preRoll) const
 int PreviewRenderer::particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const
 {
     // Those that have begun go on: a new pre-roll for others would be seen.
-    if (m_settling && m_settling->simulation == plan.simulation && m_settling->coarseAir == plan.coarseAir
-        && m_settling->particles <= plan.particles) {
-        return m_settling->particles;
+    const std::optional<RunningSimulator>& settling = m_simulators.settling();
+    if (settling && settling->simulation == plan.simulation && settling->coarseAir == plan.coarseAir
+        && settling->particles <= plan.particles) {
+        return settling->particles;
     }
     const int soon = m_costs.particlesWithin(kSoonNs, preRoll);
     return CostEstimate::halvedInto(
@@ -116,58 +123,50 @@ bool PreviewRenderer::lacksAir(const RenderRequest& request, const Plan& plan, c
     return missing > 0 && !areFew;
 }
 
-double PreviewRenderer::stepsTo(
-    int frame, const std::optional<Running>& running, const Plan& plan, const Schedule& schedule, double preRoll)
+bool PreviewRenderer::isSlowToBegin(const RenderRequest& request, const Plan& plan) const
 {
-    const bool isWarm = running && running->isFor(plan) && running->lastFrame;
-    const int ahead = isWarm ? frame - *running->lastFrame : -1;
-    return ahead >= 0 ? std::min(preRoll, static_cast<double>(ahead) * static_cast<double>(schedule.stepsPerFrame))
-                      : preRoll;
-}
-
-bool PreviewRenderer::isSlowToBegin(const RenderRequest& request, const Plan& plan, double preRoll) const
-{
-    const bool hasBegun = (m_complete && m_complete->isFor(plan)) || request.prepared;
+    const RunningSimulator* complete = m_simulators.complete(plan);
+    const bool hasBegun = (complete != nullptr && complete->hasBegun) || request.prepared;
     return request.previewQuality == PreviewQuality::Playback && !hasBegun
-        && m_costs.particlesWithin(kSoonNs, preRoll) < plan.particles;
+        && m_costs.particlesWithin(kSoonNs, plan.stepsEach) < plan.particles;
 }
 
 void PreviewRenderer::scaleDown(const RenderRequest& request, Quality quality, Plan& plan) const
 {
     const double pixels = static_cast<double>(request.width) * request.height;
-    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.particles, plan.stepsEach, pixels);
+    plan.scale = m_costs.scaleWithin(kBudgetNs, plan.particles, plan.stepsEach, pixels, plan.drawnShare());
     plan.phaseMix = PhaseMix::Choose;
     plan.complete = plan.keepsAll && plan.scale == 1.0 && quality == request.scene->output.quality
         && std::none_of(
             plan.layers.begin(), plan.layers.end(), [](const SampledEffect& layer) { return hasDetail(layer); });
 }
 
-PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) const
+PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request)
 {
-    Plan plan;
-    plan.simulation = request.simulation;
     Scene asked = *request.scene;
     if (request.previewQuality != PreviewQuality::Full) {
         // What the final quality adds would cost the motion more than it gives.
         asked.output.quality = std::min(asked.output.quality, Quality::Good);
     }
-    plan.layers = sampledLayers(asked);
-    plan.particles = static_cast<int>(particlesOf(plan.layers));
-    const Schedule schedule = longestOf(plan.layers);
+    Plan plan(asked, request.solo);
+    plan.simulation = request.simulation;
+    const Schedule schedule = plan.longestSchedule();
     plan.coarseAir = lacksAir(request, plan, schedule);
     if (plan.coarseAir) {
         asked.air.resolution = kCoarseAir;
-        plan.layers = sampledLayers(asked);
+        plan.takeLayersOf(asked);
+    } else if (asked.output.quality == request.scene->output.quality) {
+        m_simulators.renew(plan);
     }
     // Particles are of all ages: a pre-roll takes half a life each.
     const double preRoll = 0.5 * static_cast<double>(schedule.lifetimeSteps);
     const int all = plan.particles;
     const auto thinTo = [&](int count) {
         plan.keepsAll = count == all && !plan.coarseAir;
-        thinLayers(plan.layers, count);
-        plan.particles = static_cast<int>(particlesOf(plan.layers));
+        plan.thinTo(count);
+        plan.stepsEach = m_simulators.stepsEach(plan, request.frame, preRoll);
     };
-    plan.stepsEach = stepsTo(request.frame, m_complete, plan, schedule, preRoll);
+    plan.stepsEach = m_simulators.stepsEach(plan, request.frame, preRoll);
     switch (request.previewQuality) {
     case PreviewQuality::Full:
         plan.settles = plan.coarseAir;
@@ -184,10 +183,9 @@ PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) con
         scaleDown(request, asked.output.quality, plan);
         break;
     case PreviewQuality::Playback:
-        if (plan.coarseAir || isSlowToBegin(request, plan, preRoll)) {
+        if (plan.coarseAir || isSlowToBegin(request, plan)) {
             plan.settles = true;
             thinTo(particlesToPlay(plan, preRoll, static_cast<double>(schedule.stepsPerFrame)));
-            plan.stepsEach = stepsTo(request.frame, m_settling, plan, schedule, preRoll);
         }
         scaleDown(request, asked.output.quality, plan);
         break;
@@ -197,27 +195,11 @@ PreviewRenderer::Plan PreviewRenderer::planFor(const RenderRequest& request) con
 
 void PreviewRenderer::takePrepared(const RenderRequest& request, const Plan& plan)
 {
+    const RunningSimulator* complete = m_simulators.complete(plan);
     if (request.prepared && request.previewQuality == PreviewQuality::Playback && plan.keepsAll
-        && !(m_complete && m_complete->isFor(plan))) {
-        m_complete.emplace(
-            Running{plan.simulation, plan.particles, plan.coarseAir, std::move(*request.prepared), std::nullopt});
-        m_settling.reset();
+        && !(complete != nullptr && complete->hasBegun)) {
+        m_simulators.take(plan, std::move(*request.prepared));
     }
-}
-
-PreviewRenderer::Running& PreviewRenderer::runningFor(const Plan& plan)
-{
-    std::optional<Running>& running = plan.keepsAll ? m_complete : plan.settles ? m_settling : m_thinned;
-    if (!running || !running->isFor(plan)) {
-        // What cannot be seen needs no checkpoints to come back to.
-        const std::size_t checkpoints = plan.keepsAll ? Simulator::kDefaultCheckpointBytes : 0;
-        SceneSimulator simulator(plan.layers, checkpoints, m_shelf);
-        if (running) {
-            simulator.adopt(running->simulator);
-        }
-        running.emplace(Running{plan.simulation, plan.particles, plan.coarseAir, std::move(simulator), std::nullopt});
-    }
-    return *running;
 }
 
 void PreviewRenderer::noteTrouble(const Error& error)
@@ -230,7 +212,7 @@ void PreviewRenderer::noteTrouble(const Error& error)
 /// Before particles are timed: what they cost does not depend on whether their air is there.
 bool PreviewRenderer::bakeAir(const Plan& plan, int frame, Picture& picture, const std::stop_token& stop)
 {
-    const SimulationModel& model = runningFor(plan).simulator.model();
+    const SimulationModel& model = m_simulators.runningFor(plan).simulator.model();
     const std::int64_t last = model.airStep(model.schedule().stepOfFrame(frame));
     if (model.air() == nullptr || model.air()->isBaked(last)) {
         return true;
@@ -251,7 +233,7 @@ void PreviewRenderer::addOverlays(
         scene.air.resolution = plan.layers.front()->air.resolution; // of the stand-in, where there is one
         picture.trails = findTrails(scene, request.layer, request.frame, m_shelf);
     }
-    const SimulationModel& model = runningFor(plan).simulator.model();
+    const SimulationModel& model = m_simulators.runningFor(plan).simulator.model();
     if (request.air && model.air() != nullptr) {
         if (const auto field = model.air()->field(model.airStep(model.schedule().stepOfFrame(request.frame)), stop)) {
             picture.air = findAirArrows(*field.value(), request.scene->layers[request.layer].emitter.position,
@@ -262,7 +244,7 @@ void PreviewRenderer::addOverlays(
 
 std::optional<SceneFrame> PreviewRenderer::simulate(const Plan& plan, int frame, const std::stop_token& stop)
 {
-    Running& running = runningFor(plan);
+    RunningSimulator& running = m_simulators.runningFor(plan);
     const auto progress = [this](ProgressPhase work, int done, int total) {
         m_listener(
             work == ProgressPhase::Air ? Phase::Air : Phase::Steps, static_cast<double>(done) / std::max(1, total));
@@ -273,8 +255,39 @@ std::optional<SceneFrame> PreviewRenderer::simulate(const Plan& plan, int frame,
         noteTrouble(result.error());
         return std::nullopt;
     }
-    running.lastFrame = frame;
+    running.hasBegun = true;
     return std::move(result).value();
+}
+
+std::vector<LayerWork> PreviewRenderer::workOf(const RenderRequest& request, const Plan& plan)
+{
+    const SceneSimulator& simulator = m_simulators.runningFor(plan).simulator;
+    const std::vector<std::size_t> visible = request.scene->visibleLayers();
+    std::vector<LayerWork> work;
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        work.push_back({visible[i], plan.layers[i]->emitter.count, simulator.particleSteps(i, request.frame)});
+    }
+    return work;
+}
+
+/// Light and sprites of what is drawn; where that is nothing, of a layer that nobody sees: a picture has a camera.
+Status PreviewRenderer::prepare(
+    const RenderRequest& request, const Plan& plan, const SceneFrame& frame, const std::stop_token& stop)
+{
+    const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
+    const View view = windowView(*request.scene, request.frame, scaled(request.width), scaled(request.height));
+    m_renderer.setPhaseMix(plan.phaseMix);
+    const std::vector<LayerFrame> all = layerFrames(frame, plan.layers);
+    std::vector<LayerFrame> drawn;
+    for (const std::size_t layer : plan.drawn) {
+        drawn.push_back(all[layer]);
+    }
+    if (drawn.empty()) {
+        const SampledEffect nothing = transparent(plan.layers.front());
+        const LayerFrame layer{all.front().frame, &nothing};
+        return m_renderer.prepare({&layer, 1}, view, stop);
+    }
+    return m_renderer.prepare(drawn, view, stop);
 }
 
 bool PreviewRenderer::paint(
@@ -310,6 +323,7 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     if (!bakeAir(plan, request.frame, *picture, stop)) {
         return nullptr;
     }
+    picture->layers = workOf(request, plan);
     QElapsedTimer timer;
     timer.start();
     const std::optional<SceneFrame> frame = simulate(plan, request.frame, stop);
@@ -317,18 +331,12 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
         return nullptr;
     }
     picture->stepNs = timer.nsecsElapsed();
-    const int particles = plan.particles;
-    m_costs.noteSteps(particles * plan.stepsEach, picture->stepNs);
+    m_costs.noteSteps(particleSteps(picture->layers), picture->stepNs);
 
-    const auto scaled = [&](int edge) { return std::max(1, static_cast<int>(std::lround(edge * plan.scale))); };
-    const int width = scaled(request.width);
-    const int height = scaled(request.height);
+    const int particles = static_cast<int>(std::lround(plan.particles * plan.drawnShare()));
     timer.restart();
     m_listener(Phase::Light, kUnknownShare);
-    m_renderer.setPhaseMix(plan.phaseMix);
-    if (const Status status = m_renderer.prepare(
-            layerFrames(*frame, plan.layers), windowView(*request.scene, request.frame, width, height), stop);
-        !status) {
+    if (const Status status = prepare(request, plan, *frame, stop); !status) {
         noteTrouble(status.error());
         return nullptr;
     }
@@ -338,7 +346,7 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     if (!paint(request, plan, *picture, stop)) {
         return nullptr;
     }
-    m_costs.notePixels(static_cast<double>(width) * height, timer.nsecsElapsed());
+    m_costs.notePixels(plan.scale * plan.scale * request.width * request.height, timer.nsecsElapsed());
 
     addOverlays(request, plan, *picture, stop);
     picture->output = plan.layers.front()->output;

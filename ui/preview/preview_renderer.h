@@ -1,9 +1,8 @@
 #pragma once
 
 #include "ui/preview/cost_estimate.h"
-#include "ui/preview/picture.h"
+#include "ui/preview/running_simulators.h"
 
-#include "core/effect/sampling.h"
 #include "core/rendering/renderer.h"
 #include "core/rendering/view_transform.h"
 #include "core/simulation/scene_simulator.h"
@@ -30,26 +29,12 @@ public:
 private:
     [[nodiscard]] PicturePtr makePicture(const RenderRequest& request, const std::stop_token& stop);
 
-    struct Plan {
-        quint64 simulation = 0;
-        std::vector<SampledEffect> layers; ///< thinned where need be
-        int particles = 0; ///< of all of them
-        double scale = 1.0;
-        double stepsEach = 1.0;
-        bool keepsAll = true; ///< particles
-        bool coarseAir = false; ///< the air of a coarser grid stands in until there is time for its own
-        bool settles = false; ///< particles as few as come soon, see PreviewQuality::Intermediate
-        PhaseMix phaseMix = PhaseMix::Blend;
-        bool complete = true; ///< and pixels, and both phases of the detail
-    };
-    [[nodiscard]] Plan planFor(const RenderRequest& request) const;
-    struct Running;
+    using Plan = PicturePlan;
+    [[nodiscard]] Plan planFor(const RenderRequest& request);
     /// Whether coarser air has to stand in for the air of a plan.
     [[nodiscard]] bool lacksAir(const RenderRequest& request, const Plan& plan, const Schedule& schedule) const;
     /// Whether all particles of a plan would be long in coming while frames are played.
-    [[nodiscard]] bool isSlowToBegin(const RenderRequest& request, const Plan& plan, double preRoll) const;
-    [[nodiscard]] static double stepsTo(
-        int frame, const std::optional<Running>& running, const Plan& plan, const Schedule& schedule, double preRoll);
+    [[nodiscard]] bool isSlowToBegin(const RenderRequest& request, const Plan& plan) const;
     /// Gives up pixels, so that a picture comes in time.
     void scaleDown(const RenderRequest& request, Quality quality, Plan& plan) const;
     void takePrepared(const RenderRequest& request, const Plan& plan);
@@ -59,30 +44,17 @@ private:
     [[nodiscard]] int particlesToSettle(int all, double preRoll) const;
     [[nodiscard]] int particlesToPlay(const Plan& plan, double preRoll, double stepsAFrame) const;
     [[nodiscard]] std::optional<SceneFrame> simulate(const Plan& plan, int frame, const std::stop_token& stop);
+    [[nodiscard]] std::vector<LayerWork> workOf(const RenderRequest& request, const Plan& plan);
+    [[nodiscard]] Status prepare(
+        const RenderRequest& request, const Plan& plan, const SceneFrame& frame, const std::stop_token& stop);
     void addOverlays(const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
     [[nodiscard]] bool paint(
         const RenderRequest& request, const Plan& plan, Picture& picture, const std::stop_token& stop);
-    [[nodiscard]] Running& runningFor(const Plan& plan);
 
-    /// A simulator with what it was made for.
-    struct Running {
-        quint64 simulation = 0;
-        int particles = 0;
-        bool coarseAir = false;
-        SceneSimulator simulator;
-        std::optional<int> lastFrame{}; ///< that it was asked for
-
-        [[nodiscard]] bool isFor(const Plan& plan) const
-        {
-            return simulation == plan.simulation && particles == plan.particles && coarseAir == plan.coarseAir;
-        }
-    };
     std::shared_ptr<AirCache> m_shelf;
     WorkListener m_listener;
     std::optional<Error> m_trouble;
-    std::optional<Running> m_complete;
-    std::optional<Running> m_thinned; ///< with fewer particles, while the hand drags
-    std::optional<Running> m_settling; ///< with more of them, when it rests or is played before all are there
+    RunningSimulators m_simulators;
     Renderer m_renderer;
     Image m_image;
     EncodedImage<std::uint8_t> m_encoded;

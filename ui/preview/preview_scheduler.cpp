@@ -46,10 +46,12 @@ PreviewScheduler::PreviewScheduler(qint64 cacheBytes, QObject* parent)
     });
 }
 
-void PreviewScheduler::setScene(const Scene& scene, std::size_t layer, DirtyStage stale)
+void PreviewScheduler::setScene(
+    const Scene& scene, std::size_t layer, DirtyStage stale, const std::vector<std::size_t>& solo)
 {
     m_wanted.scene = std::make_shared<const Scene>(scene);
     m_wanted.layer = layer;
+    m_wanted.solo = solo;
     if (stale >= DirtyStage::Simulate) {
         ++m_wanted.simulation;
         m_wanted.mayBake = true;
@@ -59,6 +61,25 @@ void PreviewScheduler::setScene(const Scene& scene, std::size_t layer, DirtyStag
     invalidate();
     beginMoving();
     refresh(PreviewQuality::Interactive);
+}
+
+void PreviewScheduler::setSolo(const std::vector<std::size_t>& solo)
+{
+    if (solo != m_wanted.solo) {
+        m_wanted.solo = solo;
+        invalidate();
+        beginMoving();
+        refresh(PreviewQuality::Interactive);
+    }
+}
+
+void PreviewScheduler::setLayer(std::size_t layer)
+{
+    m_wanted.layer = layer;
+    if (m_wanted.trails || m_wanted.air) {
+        invalidate();
+        refresh(usualQuality());
+    }
 }
 
 void PreviewScheduler::startAnew()
@@ -258,6 +279,7 @@ void PreviewScheduler::requestOther(PreviewQuality previewQuality)
     RenderRequest other = m_wanted;
     other.scene = std::make_shared<const Scene>(scene);
     other.layer = 0;
+    other.solo.clear();
     other.simulation = m_otherSimulation;
     other.previewQuality = previewQuality;
     other.sprites = false;

@@ -30,7 +30,12 @@ public:
 
     /// @param stale the first stage of the work that has to be done again
     /// @param layer of it that trails and arrows are about
-    void setScene(const Scene& scene, std::size_t layer, DirtyStage stale);
+    /// @param solo  see RenderRequest::solo
+    void setScene(const Scene& scene, std::size_t layer, DirtyStage stale, const std::vector<std::size_t>& solo = {});
+    /// Other layers are looked at alone.
+    void setSolo(const std::vector<std::size_t>& solo);
+    /// Trails and arrows are about another layer of the scene.
+    void setLayer(std::size_t layer);
     /// Another effect comes next: what is shown and kept of this one is forgotten, and what is on its way is not shown.
     void startAnew();
     void setFrame(int frame);

@@ -50,11 +50,12 @@ void bringToFront(QDockWidget& dock)
 
 } // namespace
 
-Docks::Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue& exports, const AskForFile& askForFile)
+Docks::Docks(QMainWindow& window, Document& document, Locks& locks, Solo& solo, ExportQueue& exports,
+    const AskForFile& askForFile)
     : m_window(window)
     , m_exports(exports)
     , m_browser(new PresetBrowser)
-    , m_effectPanel(new EffectPanel(document, locks))
+    , m_effectPanel(new EffectPanel(document, locks, solo))
     , m_noisePane(new NoisePane(document))
     , m_queuePanel(new QueuePanel(exports, askForFile))
     , m_presets(makeDock(QStringLiteral("dock.presets"), tr("Presets"), m_browser))

@@ -20,6 +20,7 @@ class ExportQueue;
 class NoisePane;
 class PresetBrowser;
 class QueuePanel;
+class Solo;
 class VariationsPanel;
 
 /// The panels of a window in their docks, which can be moved, put behind one another and put away.
@@ -28,7 +29,8 @@ class Docks : public QObject {
 
 public:
     /// @param askForFile for the names of files that panels write
-    Docks(QMainWindow& window, Document& document, Locks& locks, ExportQueue& exports, const AskForFile& askForFile);
+    Docks(QMainWindow& window, Document& document, Locks& locks, Solo& solo, ExportQueue& exports,
+        const AskForFile& askForFile);
 
     [[nodiscard]] EffectPanel& effectPanel() const { return *m_effectPanel; }
     [[nodiscard]] NoisePane& noisePane() const { return *m_noisePane; }

@@ -16,11 +16,12 @@ const QString kChoices = QStringLiteral("exports/choices");
 
 } // namespace
 
-ExportController::ExportController(ExportQueue& queue, Document& document, Player& player, Locks& locks,
-    const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, Settings& settings,
-    QWidget* window)
+ExportController::ExportController(ExportQueue& queue, Document& document, const Solo& solo, Player& player,
+    Locks& locks, const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice,
+    Settings& settings, QWidget* window)
     : m_queue(queue)
     , m_document(document)
+    , m_solo(solo)
     , m_player(player)
     , m_locks(locks)
     , m_actions(actions)
@@ -60,6 +61,7 @@ void ExportController::makeDialog()
         }
     }
     m_dialog->take(choices);
+    m_dialog->setSolo(m_solo);
     // A window of its own has the keys of its actions alone.
     for (const char* id : {"file.quit", "file.save", "edit.undo", "edit.redo"}) {
         m_dialog->addAction(&m_actions.get(id));

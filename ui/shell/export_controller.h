@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
+#include "ui/document/solo.h"
 #include "ui/export/export_submission.h"
 #include "ui/widgets/choice_question.h"
 #include "ui/widgets/file_question.h"
@@ -26,8 +27,9 @@ class ExportController : public QObject {
 public:
     /// @param askForFile for the names of files
     /// @param window parent of the dialog
-    ExportController(ExportQueue& queue, Document& document, Player& player, Locks& locks, const ActionSet& actions,
-        const AskForFile& askForFile, const AskForChoice& askForChoice, Settings& settings, QWidget* window);
+    ExportController(ExportQueue& queue, Document& document, const Solo& solo, Player& player, Locks& locks,
+        const ActionSet& actions, const AskForFile& askForFile, const AskForChoice& askForChoice, Settings& settings,
+        QWidget* window);
     ~ExportController() override;
 
     ExportDialog& openDialog();
@@ -55,6 +57,7 @@ private:
 
     ExportQueue& m_queue;
     Document& m_document;
+    const Solo& m_solo;
     Player& m_player;
     Locks& m_locks;
     const ActionSet& m_actions;

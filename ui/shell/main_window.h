@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/document/locks.h"
 #include "ui/document/recovery.h"
+#include "ui/document/solo.h"
 #include "ui/shell/action_table.h"
 #include "ui/shell/comparison.h"
 #include "ui/shell/docks.h"
@@ -36,6 +37,7 @@ public:
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] Solo& solo() { return m_solo; }
     [[nodiscard]] Player& player() { return m_player; }
     [[nodiscard]] Viewport& viewport() { return *m_viewport; }
     [[nodiscard]] NoisePane& noisePane() { return m_docks.noisePane(); }
@@ -78,6 +80,7 @@ private:
     // as children of the window too, but only when its members are gone: hence whoever looks at document or player is
     // owned here.
     Document m_document;
+    Solo m_solo;
     Player m_player;
     Locks m_locks;
     ActionSet m_actions;

@@ -12,13 +12,15 @@
 
 namespace fumage::ui {
 
-Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidget* parent)
+Viewport::Viewport(Document& document, Solo& solo, Player& player, GlSupport support, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_solo(solo)
     , m_player(player)
     , m_surface(makeSurface(support, openGlIsWanted(), this, [this](QPainter& painter) { paintOverlays(painter); }))
     , m_hand(document, m_split, *m_surface->widget(), [this] { return view(); })
     , m_workLine(new WorkLine(this))
+    , m_soloLine(new SoloLine(document, solo, this))
 {
     setObjectName(QStringLiteral("viewport"));
     QWidget* surface = m_surface->widget();
@@ -29,7 +31,7 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     layout->addWidget(surface);
 
     m_feed.setSprites(m_surface->drawsSprites());
-    m_feed.setScene(document.scene(), document.layer(), DirtyStage::Simulate);
+    m_feed.setScene(document.scene(), document.layer(), DirtyStage::Simulate, solo.layers());
     m_feed.setFrame(player.frame());
     m_feed.setPlaying(player.isPlaying());
     connect(&m_feed, &PreviewScheduler::ready, this, &Viewport::display);
@@ -44,13 +46,14 @@ Viewport::Viewport(Document& document, Player& player, GlSupport support, QWidge
     });
     connect(m_workLine, &WorkLine::shownChanged, this, [this] {
         m_readout.restart(); // frames do not come as often as they did
-        placeWorkLine();
+        placeLines();
         m_surface->widget()->update();
     });
     connect(&m_feed, &PreviewScheduler::exhausted, this, &Viewport::exhausted);
     connect(&m_feed, &PreviewScheduler::failed, this, [this](const Error& why) { emit failed(translated(why)); });
     connect(&m_feed, &PreviewScheduler::waitingChanged, &m_player, &Player::setHeld);
     connect(&m_document, &Document::effectChanged, this, &Viewport::followDocument);
+    connect(&solo, &Solo::changed, this, [this] { m_feed.setSolo(m_solo.layers()); });
     connect(&m_document, &Document::loaded, this, &Viewport::startAnew);
     connect(&m_player, &Player::frameChanged, &m_feed, &PreviewScheduler::setFrame);
     connect(&m_player, &Player::playingChanged, &m_feed, &PreviewScheduler::setPlaying);
@@ -84,7 +87,12 @@ void Viewport::setCompare(Compare compare, const Scene& other)
 
 void Viewport::followDocument(const EffectChange& change)
 {
-    m_feed.setScene(m_document.scene(), m_document.layer(), change.stale);
+    if (!change.isOfScene) {
+        m_feed.setLayer(m_document.layer());
+        m_surface->widget()->update();
+        return;
+    }
+    m_feed.setScene(m_document.scene(), m_document.layer(), change.stale, m_solo.layers());
     m_workLine->showStopped(m_feed.isStopped());
 }
 
@@ -98,6 +106,7 @@ void Viewport::startAnew()
 void Viewport::setBare(bool bare)
 {
     m_isBare = bare;
+    m_soloLine->setAway(bare);
     m_hand.setGizmos(!bare && m_overlays.testFlag(Overlay::Gizmos));
     m_surface->widget()->update();
 }
@@ -121,7 +130,7 @@ void Viewport::followWork(Phase phase, double share)
     if (phase == Phase::Idle) {
         m_workLine->showStopped(m_feed.isStopped());
     }
-    placeWorkLine();
+    placeLines();
 }
 
 void Viewport::stopWork()
@@ -130,11 +139,12 @@ void Viewport::stopWork()
     m_workLine->showStopped(true);
 }
 
-/// At the top, in the middle: nothing else is there.
-void Viewport::placeWorkLine()
+/// What waits at the top, in the middle, and what is solo in the corner: nothing else is there.
+void Viewport::placeLines()
 {
-    constexpr int kFromTop = 12;
-    m_workLine->move(std::max(0, (width() - m_workLine->width()) / 2), kFromTop);
+    constexpr int kFromEdge = 12;
+    m_workLine->move(std::max(0, (width() - m_workLine->width()) / 2), kFromEdge);
+    m_soloLine->move(kFromEdge, kFromEdge);
 }
 
 void Viewport::display(const PicturePtr& picture)
@@ -147,7 +157,7 @@ void Viewport::display(const PicturePtr& picture)
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    placeWorkLine();
+    placeLines();
     followSize();
 }
 

@@ -5,6 +5,7 @@
 #include "ui/timeline/player.h"
 #include "ui/viewport/split_view.h"
 #include "ui/viewport/overlays.h"
+#include "ui/viewport/solo_line.h"
 #include "ui/viewport/readout.h"
 #include "ui/viewport/surface.h"
 #include "ui/viewport/viewport_input.h"
@@ -20,7 +21,7 @@ class Viewport : public QWidget {
     Q_OBJECT
 
 public:
-    Viewport(Document& document, Player& player, GlSupport support, QWidget* parent = nullptr);
+    Viewport(Document& document, Solo& solo, Player& player, GlSupport support, QWidget* parent = nullptr);
 
     /// What is on the screen; null before the first picture.
     [[nodiscard]] const PicturePtr& picture() const { return m_feed.picture(); }
@@ -84,12 +85,13 @@ private:
     void followSize();
     void followWork(Phase phase, double share);
     void stopWork();
-    void placeWorkLine();
+    void placeLines();
     void followVisibility();
     void display(const PicturePtr& picture);
     void paintOverlays(QPainter& painter);
 
     Document& m_document;
+    const Solo& m_solo;
     Player& m_player;
     PreviewScheduler m_feed;
     Overlays m_overlays = Overlay::Grid | Overlay::Emitter | Overlay::Gizmos | Overlay::Readout;
@@ -99,6 +101,7 @@ private:
     std::unique_ptr<Surface> m_surface;
     ViewportInput m_hand; ///< after the surface, which it holds
     WorkLine* m_workLine;
+    SoloLine* m_soloLine;
 };
 
 } // namespace fumage::ui

@@ -1,0 +1,154 @@
+#include "ui/panels/layer_model.h"
+
+#include "ui/theme/icons.h"
+#include "ui/widgets/plain_text.h"
+
+#include <array>
+
+#include <QMimeData>
+#include <QPainter>
+
+namespace fumage::ui {
+
+namespace {
+
+const QString kRows = QStringLiteral("application/x-fumage-layers"); ///< of one document of this program
+
+/// The colours of tags, in their order.
+constexpr std::array<QRgb, 8> kTags{
+    0x00000000, 0xffd0594f, 0xffd98a3d, 0xffd0b63f, 0xff6faf59, 0xff5b93d6, 0xff9a75c9, 0xff9a9a9a};
+
+std::size_t layerOf(const QModelIndex& index)
+{
+    return static_cast<std::size_t>(index.row());
+}
+
+} // namespace
+
+QIcon LayerModel::iconOf(ColourTag tag)
+{
+    constexpr int kEdge = 12;
+    QPixmap pixmap(kEdge, kEdge);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor::fromRgba(kTags[static_cast<std::size_t>(tag)]));
+    painter.drawEllipse(pixmap.rect().adjusted(1, 1, -1, -1));
+    return pixmap;
+}
+
+LayerModel::LayerModel(Document& document, ui::Solo& solo, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_document(document)
+    , m_solo(solo)
+    , m_rows(static_cast<int>(document.scene().layers.size()))
+{
+    connect(&document, &Document::layersChanged, this, &LayerModel::follow);
+    connect(&solo, &ui::Solo::changed, this, &LayerModel::repaint);
+}
+
+void LayerModel::follow()
+{
+    const int rows = static_cast<int>(m_document.scene().layers.size());
+    if (rows == m_rows) { // what views have of them stays
+        repaint();
+        return;
+    }
+    beginResetModel();
+    m_rows = rows;
+    endResetModel();
+}
+
+void LayerModel::repaint()
+{
+    emit dataChanged(index(0), index(m_rows - 1));
+}
+
+int LayerModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : m_rows;
+}
+
+QVariant LayerModel::data(const QModelIndex& index, int role) const
+{
+    const Scene& scene = m_document.scene();
+    if (!index.isValid() || layerOf(index) >= scene.layers.size()) {
+        return {};
+    }
+    const Layer& layer = scene.layers[layerOf(index)];
+    switch (role) {
+    case Qt::DisplayRole: return layerLabel(scene, layerOf(index));
+    case Qt::EditRole: return QString::fromStdString(layer.name);
+    case Qt::CheckStateRole: return layer.visible ? Qt::Checked : Qt::Unchecked;
+    case Qt::DecorationRole: return layer.locked ? themedIcon(QStringLiteral("lock")) : iconOf(layer.tag);
+    case Qt::ToolTipRole: return plainToolTip(layerLabel(scene, layerOf(index)));
+    case Solo: return m_solo.contains(layerOf(index));
+    default: return {};
+    }
+}
+
+bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    switch (role) {
+    case Qt::CheckStateRole:
+        setLayersVisible(m_document, togetherWith(layerOf(index)), value.toInt() == Qt::Checked);
+        return true;
+    case Qt::EditRole: renameLayer(m_document, layerOf(index), value.toString()); return true;
+    case Solo: m_solo.set(togetherWith(layerOf(index)), value.toBool()); return true;
+    default: return false;
+    }
+}
+
+LayerPlaces LayerModel::togetherWith(std::size_t layer) const
+{
+    const LayerSelection& selection = m_document.selection();
+    return selection.contains(layer) ? selection.all() : LayerPlaces{layer};
+}
+
+Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
+{
+    if (!index.isValid()) {
+        return Qt::ItemIsDropEnabled; // between the rows
+    }
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsUserCheckable
+        | Qt::ItemIsDragEnabled;
+}
+
+QStringList LayerModel::mimeTypes() const
+{
+    return {kRows};
+}
+
+QMimeData* LayerModel::mimeData(const QModelIndexList& indexes) const
+{
+    QByteArrayList rows;
+    for (const QModelIndex& index : indexes) {
+        rows += QByteArray::number(index.row());
+    }
+    auto* data = new QMimeData;
+    data->setData(kRows, rows.join(' '));
+    return data;
+}
+
+bool LayerModel::dropMimeData(
+    const QMimeData* data, Qt::DropAction /*action*/, int row, int /*column*/, const QModelIndex& parent)
+{
+    LayerPlaces moved;
+    for (const QByteArray& number : data->data(kRows).split(' ')) {
+        bool isNumber = false;
+        const int from = number.toInt(&isNumber);
+        if (isNumber && from >= 0 && from < m_rows) {
+            moved.push_back(static_cast<std::size_t>(from));
+        }
+    }
+    std::sort(moved.begin(), moved.end());
+    moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+    const int before = row >= 0 ? row : parent.isValid() ? parent.row() : m_rows;
+    if (!moved.empty() && before <= m_rows) {
+        moveLayers(m_document, moved, static_cast<std::size_t>(before));
+    }
+    return false; // the rows are moved already: the view has nothing to take away
+}
+
+} // namespace fumage::ui

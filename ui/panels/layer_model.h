@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/document/layer_edits.h"
+#include "ui/document/solo.h"
+
+#include <QAbstractListModel>
+#include <QIcon>
+
+namespace fumage::ui {
+
+/// The layers of a document for views: name, tag, whether each is seen, and whether it is looked at alone. Changes of
+/// rows that are chosen together are changes of all of them.
+class LayerModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        Solo = Qt::UserRole, ///< bool
+    };
+
+    LayerModel(Document& document, ui::Solo& solo, QObject* parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    [[nodiscard]] QStringList mimeTypes() const override;
+    [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    bool dropMimeData(
+        const QMimeData* data, Qt::DropAction action, int row, int column, const QModelIndex& parent) override;
+
+    /// All that are chosen where a layer is one of them; else that layer.
+    [[nodiscard]] LayerPlaces togetherWith(std::size_t layer) const;
+    [[nodiscard]] static QIcon iconOf(ColourTag tag);
+
+private:
+    void follow();
+    void repaint();
+
+    Document& m_document;
+    ui::Solo& m_solo;
+    int m_rows; ///< as views know them
+};
+
+} // namespace fumage::ui
