@@ -291,6 +291,34 @@
         <source>Particle pa&amp;ths</source>
         <translation>Partikel&amp;banor</translation>
     </message>
+    <message>
+        <source>Cu&amp;t the layers</source>
+        <translation>Klipp &amp;ut lagren</translation>
+    </message>
+    <message>
+        <source>C&amp;opy the layers</source>
+        <translation>Kopie&amp;ra lagren</translation>
+    </message>
+    <message>
+        <source>Past&amp;e layers</source>
+        <translation>Klistra in &amp;lager</translation>
+    </message>
+    <message>
+        <source>Paste para&amp;meters…</source>
+        <translation>Klistra in para&amp;metrar…</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the layers</source>
+        <translation>&amp;Dubblera lagren</translation>
+    </message>
+    <message>
+        <source>Delete the la&amp;yers</source>
+        <translation>Ta b&amp;ort lagren</translation>
+    </message>
+    <message>
+        <source>End s&amp;olo</source>
+        <translation>Avsluta s&amp;olo</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -1355,6 +1383,13 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>LayerClipboard</name>
+    <message>
+        <source>Paste %1 of “%2”</source>
+        <translation>Klistra in %1 från ”%2”</translation>
+    </message>
+</context>
+<context>
     <name>LayerEdits</name>
     <message>
         <source>Layer %1</source>
@@ -1499,6 +1534,57 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>End solo</source>
         <translation>Avsluta solo</translation>
     </message>
+    <message>
+        <source>Cut</source>
+        <translation>Klipp ut</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiera</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Klistra in</translation>
+    </message>
+    <message>
+        <source>Paste parameters…</source>
+        <translation>Klistra in parametrar…</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::LayerTransfer</name>
+    <message>
+        <source>Cut %1</source>
+        <translation>Klipp ut %1</translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 layers: %2 were left out.</source>
+        <translation>En scen har högst %1 lager: %2 utelämnades.</translation>
+    </message>
+    <message>
+        <source>Cannot paste layers</source>
+        <translation>Lager kan inte klistras in</translation>
+    </message>
+    <message>
+        <source>Pasted layer</source>
+        <translation>Inklistrat lager</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Klistra in %1</translation>
+    </message>
+    <message>
+        <source>Cannot paste parameters</source>
+        <translation>Parametrar kan inte klistras in</translation>
+    </message>
+    <message>
+        <source>Cannot add layers</source>
+        <translation>Lager kan inte läggas till</translation>
+    </message>
+    <message>
+        <source>Add the layers of “%1”</source>
+        <translation>Lägg till lagren från ”%1”</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerView</name>
@@ -1528,6 +1614,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>There is not enough memory for this picture. Use fewer particles or a smaller window.</source>
         <translation>Minnet räcker inte till den här bilden. Använd färre partiklar eller ett mindre fönster.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -4569,6 +4663,29 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>free</source>
         <translation>fri</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PasteDialog</name>
+    <message>
+        <source>Paste parameters</source>
+        <translation>Klistra in parametrar</translation>
+    </message>
+    <message>
+        <source>Give %1 these parameters of “%2”:</source>
+        <translation>Ge %1 dessa parametrar från ”%2”:</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Klistra in</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alla</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Inga</translation>
     </message>
 </context>
 <context>

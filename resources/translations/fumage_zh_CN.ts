@@ -291,6 +291,34 @@
         <source>Particle pa&amp;ths</source>
         <translation>粒子路径(&amp;T)</translation>
     </message>
+    <message>
+        <source>Cu&amp;t the layers</source>
+        <translation>剪切图层(&amp;T)</translation>
+    </message>
+    <message>
+        <source>C&amp;opy the layers</source>
+        <translation>复制图层到剪贴板(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Past&amp;e layers</source>
+        <translation>粘贴图层(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Paste para&amp;meters…</source>
+        <translation>粘贴参数(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the layers</source>
+        <translation>创建图层副本(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the la&amp;yers</source>
+        <translation>删除图层(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>End s&amp;olo</source>
+        <translation>结束独显(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::CameraFit</name>
@@ -1355,6 +1383,13 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>LayerClipboard</name>
+    <message>
+        <source>Paste %1 of “%2”</source>
+        <translation>粘贴“%2”的 %1</translation>
+    </message>
+</context>
+<context>
     <name>LayerEdits</name>
     <message>
         <source>Layer %1</source>
@@ -1499,6 +1534,57 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>End solo</source>
         <translation>结束独显</translation>
     </message>
+    <message>
+        <source>Cut</source>
+        <translation>剪切</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>Paste parameters…</source>
+        <translation>粘贴参数…</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::LayerTransfer</name>
+    <message>
+        <source>Cut %1</source>
+        <translation>剪切 %1</translation>
+    </message>
+    <message>
+        <source>A scene has at most %1 layers: %2 were left out.</source>
+        <translation>一个场景最多 %1 个图层：略去了 %2 个。</translation>
+    </message>
+    <message>
+        <source>Cannot paste layers</source>
+        <translation>无法粘贴图层</translation>
+    </message>
+    <message>
+        <source>Pasted layer</source>
+        <translation>粘贴的图层</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>粘贴 %1</translation>
+    </message>
+    <message>
+        <source>Cannot paste parameters</source>
+        <translation>无法粘贴参数</translation>
+    </message>
+    <message>
+        <source>Cannot add layers</source>
+        <translation>无法添加图层</translation>
+    </message>
+    <message>
+        <source>Add the layers of “%1”</source>
+        <translation>添加“%1”的图层</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerView</name>
@@ -1528,6 +1614,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>There is not enough memory for this picture. Use fewer particles or a smaller window.</source>
         <translation>内存不足以生成这幅图像。请减少粒子数量或缩小窗口。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
     </message>
 </context>
 <context>
@@ -4569,6 +4663,29 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>free</source>
         <translation>自由</translation>
+    </message>
+</context>
+<context>
+    <name>fumage::ui::PasteDialog</name>
+    <message>
+        <source>Paste parameters</source>
+        <translation>粘贴参数</translation>
+    </message>
+    <message>
+        <source>Give %1 these parameters of “%2”:</source>
+        <translation>把“%2”的这些参数赋给 %1：</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>粘贴</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>

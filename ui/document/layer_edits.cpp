@@ -57,11 +57,6 @@ LayerPlaces placesFrom(std::size_t first, std::size_t count)
     return places;
 }
 
-QString labelOf(const Scene& scene, const LayerPlaces& layers)
-{
-    return layers.size() == 1 ? layerLabel(scene, layers.front()) : LayerEdits::tr("%1 layers").arg(layers.size());
-}
-
 /// Changes layers as a step that is named after them.
 template <class Change>
 void changeLayers(Document& document, const LayerPlaces& layers, const QString& text, const Change& change)
@@ -73,7 +68,7 @@ void changeLayers(Document& document, const LayerPlaces& layers, const QString& 
     for (const std::size_t layer : layers) {
         change(scene.layers[layer]);
     }
-    document.replaceScene(scene, chosen(document, layers), text.arg(labelOf(document.scene(), layers)));
+    document.replaceScene(scene, chosen(document, layers), text.arg(layersLabel(document.scene(), layers)));
 }
 
 /// Takes layers out of a scene.
@@ -95,6 +90,11 @@ QString layerLabel(const Scene& scene, std::size_t layer)
 {
     const std::string& name = scene.layers[layer].name;
     return name.empty() ? LayerEdits::tr("Layer %1").arg(layer + 1) : shortened(onOneLine(toQString(name)));
+}
+
+QString layersLabel(const Scene& scene, const LayerPlaces& layers)
+{
+    return layers.size() == 1 ? layerLabel(scene, layers.front()) : LayerEdits::tr("%1 layers").arg(layers.size());
 }
 
 void addLayer(Document& document)
@@ -145,8 +145,8 @@ void duplicateLayers(Document& document, const LayerPlaces& layers)
         copies.layers.push_back(document.scene().layers[layer]);
         copies.layers.back().name = layerLabel(document.scene(), layer).toStdString();
     }
-    insertLayers(
-        document, layers.back() + 1, copies, {}, LayerEdits::tr("Duplicate %1").arg(labelOf(document.scene(), layers)));
+    insertLayers(document, layers.back() + 1, copies, {},
+        LayerEdits::tr("Duplicate %1").arg(layersLabel(document.scene(), layers)));
 }
 
 void removeLayers(Document& document, const LayerPlaces& layers, const QString& text)
@@ -162,7 +162,7 @@ void removeLayers(Document& document, const LayerPlaces& layers, const QString& 
         }));
     };
     document.replaceScene(scene, std::min(before(document.layer()), scene.layers.size() - 1),
-        text.isEmpty() ? LayerEdits::tr("Delete %1").arg(labelOf(document.scene(), layers)) : text);
+        text.isEmpty() ? LayerEdits::tr("Delete %1").arg(layersLabel(document.scene(), layers)) : text);
 }
 
 void moveLayers(Document& document, const LayerPlaces& layers, std::size_t before)
@@ -175,7 +175,7 @@ void moveLayers(Document& document, const LayerPlaces& layers, std::size_t befor
     const auto active = std::find(layers.begin(), layers.end(), document.layer());
     const std::size_t place = active == layers.end() ? 0 : static_cast<std::size_t>(active - layers.begin());
     document.replaceScene(scene, {at + place, placesFrom(at, moved.size())},
-        LayerEdits::tr("Move %1").arg(labelOf(document.scene(), layers)));
+        LayerEdits::tr("Move %1").arg(layersLabel(document.scene(), layers)));
 }
 
 void renameLayer(Document& document, std::size_t layer, const QString& name)

@@ -14,6 +14,8 @@ using LayerPlaces = std::vector<std::size_t>;
 
 /// What a layer is called in lists: its name, or its number.
 [[nodiscard]] QString layerLabel(const Scene& scene, std::size_t layer);
+/// What several are called together: their number, or that of the only one.
+[[nodiscard]] QString layersLabel(const Scene& scene, const LayerPlaces& layers);
 
 /// Adds a new layer after the one that is edited. Nothing happens where there are kMaxLayers.
 void addLayer(Document& document);

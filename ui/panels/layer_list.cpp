@@ -38,7 +38,8 @@ LayerList::LayerList(Document& document, Solo& solo, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_solo(solo)
-    , m_view(new LayerView(document, solo, this))
+    , m_transfer(document, *this)
+    , m_view(new LayerView(document, solo, m_transfer, this))
     , m_add(makeIconButton(this, QStringLiteral("layers.add"), QStringLiteral("add"), tr("Add a layer")))
     , m_duplicate(makeIconButton(
           this, QStringLiteral("layers.duplicate"), QStringLiteral("duplicate"), tr("Duplicate the layer")))
@@ -105,6 +106,16 @@ void LayerList::addMarks(QMenu& menu, std::size_t layer)
     }
 }
 
+void LayerList::addTransfer(QMenu& menu, const LayerPlaces& layers)
+{
+    menu.addAction(tr("Cut"), this, [this, layers] { m_transfer.cut(layers); })
+        ->setEnabled(layers.size() < m_document.scene().layers.size());
+    menu.addAction(tr("Copy"), this, [this, layers] { m_transfer.copy(layers); });
+    menu.addAction(tr("Paste"), &m_transfer, &LayerTransfer::paste)->setEnabled(LayerTransfer::canPaste());
+    menu.addAction(tr("Paste parameters…"), this, [this, layers] { m_transfer.pasteParameters(layers); })
+        ->setEnabled(LayerTransfer::canPaste());
+}
+
 void LayerList::openMenu(const QPoint& at)
 {
     const QModelIndex index = m_view->indexAt(at);
@@ -118,7 +129,10 @@ void LayerList::openMenu(const QPoint& at)
     menu.addAction(tr("Rename"), this, [this, layer] { m_view->rename(layer); });
     addMarks(menu, layer);
     menu.addSeparator();
-    menu.addAction(tr("Duplicate"), this, [this, layers] { duplicateLayers(m_document, layers); });
+    addTransfer(menu, layers);
+    menu.addSeparator();
+    menu.addAction(tr("Duplicate"), this, [this, layers] { duplicateLayers(m_document, layers); })
+        ->setEnabled(m_add->isEnabled());
     menu.addAction(tr("Delete"), this, [this, layers] { removeLayers(m_document, layers); })
         ->setEnabled(layers.size() < m_document.scene().layers.size());
     menu.exec(m_view->viewport()->mapToGlobal(at));

@@ -17,15 +17,18 @@ public:
     LayerList(Document& document, Solo& solo, QWidget* parent = nullptr);
 
     [[nodiscard]] LayerView& view() const { return *m_view; }
+    [[nodiscard]] LayerTransfer& transfer() { return m_transfer; }
 
 private:
     void follow();
     void openMenu(const QPoint& at);
     void addMarks(QMenu& menu, std::size_t layer);
+    void addTransfer(QMenu& menu, const LayerPlaces& layers);
     [[nodiscard]] const LayerPlaces& chosen() const { return m_document.selection().all(); }
 
     Document& m_document;
     Solo& m_solo;
+    LayerTransfer m_transfer;
     LayerView* m_view;
     QToolButton* m_add;
     QToolButton* m_duplicate;

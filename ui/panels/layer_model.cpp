@@ -3,16 +3,16 @@
 #include "ui/theme/icons.h"
 #include "ui/widgets/plain_text.h"
 
+#include <algorithm>
 #include <array>
 
+#include <QCoreApplication>
 #include <QMimeData>
 #include <QPainter>
 
 namespace fumage::ui {
 
 namespace {
-
-const QString kRows = QStringLiteral("application/x-fumage-layers"); ///< of one document of this program
 
 /// The colours of tags, in their order.
 constexpr std::array<QRgb, 8> kTags{
@@ -38,10 +38,11 @@ QIcon LayerModel::iconOf(ColourTag tag)
     return pixmap;
 }
 
-LayerModel::LayerModel(Document& document, ui::Solo& solo, QObject* parent)
+LayerModel::LayerModel(Document& document, ui::Solo& solo, LayerTransfer& transfer, QObject* parent)
     : QAbstractListModel(parent)
     , m_document(document)
     , m_solo(solo)
+    , m_transfer(transfer)
     , m_rows(static_cast<int>(document.scene().layers.size()))
 {
     connect(&document, &Document::layersChanged, this, &LayerModel::follow);
@@ -115,39 +116,59 @@ Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
         | Qt::ItemIsDragEnabled;
 }
 
+/// Rows of another window, or of another program, are layers to be added and none of these.
+QString LayerModel::rowsMimeType() const
+{
+    return QStringLiteral("application/x-fumage-rows-%1-%2")
+        .arg(QCoreApplication::applicationPid())
+        .arg(reinterpret_cast<quintptr>(this), 0, 16);
+}
+
 QStringList LayerModel::mimeTypes() const
 {
-    return {kRows};
+    return {rowsMimeType(), layersMimeType(), QStringLiteral("text/uri-list")};
 }
 
 QMimeData* LayerModel::mimeData(const QModelIndexList& indexes) const
 {
+    LayerPlaces layers;
     QByteArrayList rows;
     for (const QModelIndex& index : indexes) {
+        layers.push_back(layerOf(index));
         rows += QByteArray::number(index.row());
     }
+    std::sort(layers.begin(), layers.end());
     auto* data = new QMimeData;
-    data->setData(kRows, rows.join(' '));
+    data->setData(rowsMimeType(), rows.join(' '));
+    addLayers(*data, m_document.preset(), layers);
     return data;
 }
 
-bool LayerModel::dropMimeData(
-    const QMimeData* data, Qt::DropAction /*action*/, int row, int /*column*/, const QModelIndex& parent)
+LayerPlaces LayerModel::rowsOf(const QMimeData& data) const
 {
-    LayerPlaces moved;
-    for (const QByteArray& number : data->data(kRows).split(' ')) {
+    LayerPlaces rows;
+    for (const QByteArray& number : data.data(rowsMimeType()).split(' ')) {
         bool isNumber = false;
-        const int from = number.toInt(&isNumber);
-        if (isNumber && from >= 0 && from < m_rows) {
-            moved.push_back(static_cast<std::size_t>(from));
+        const int row = number.toInt(&isNumber);
+        if (isNumber && row >= 0 && row < m_rows) {
+            rows.push_back(static_cast<std::size_t>(row));
         }
     }
-    std::sort(moved.begin(), moved.end());
-    moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
-    const int before = row >= 0 ? row : parent.isValid() ? parent.row() : m_rows;
-    if (!moved.empty() && before <= m_rows) {
-        moveLayers(m_document, moved, static_cast<std::size_t>(before));
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
+}
+
+bool LayerModel::dropMimeData(
+    const QMimeData* data, Qt::DropAction action, int row, int /*column*/, const QModelIndex& parent)
+{
+    const int at = row >= 0 ? row : parent.isValid() ? parent.row() : m_rows;
+    const auto before = static_cast<std::size_t>(std::min(at, m_rows));
+    const LayerPlaces rows = rowsOf(*data);
+    if (rows.empty() || action == Qt::CopyAction) {
+        return m_transfer.drop(*data, before);
     }
+    moveLayers(m_document, rows, before);
     return false; // the rows are moved already: the view has nothing to take away
 }
 

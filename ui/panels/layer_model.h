@@ -2,6 +2,7 @@
 
 #include "ui/document/layer_edits.h"
 #include "ui/document/solo.h"
+#include "ui/panels/layer_transfer.h"
 
 #include <QAbstractListModel>
 #include <QIcon>
@@ -18,13 +19,15 @@ public:
         Solo = Qt::UserRole, ///< bool
     };
 
-    LayerModel(Document& document, ui::Solo& solo, QObject* parent = nullptr);
+    /// @param transfer takes what is dropped from elsewhere
+    LayerModel(Document& document, ui::Solo& solo, LayerTransfer& transfer, QObject* parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction | Qt::CopyAction; }
+    [[nodiscard]] Qt::DropActions supportedDragActions() const override { return Qt::MoveAction | Qt::CopyAction; }
     [[nodiscard]] QStringList mimeTypes() const override;
     [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
     bool dropMimeData(
@@ -37,9 +40,13 @@ public:
 private:
     void follow();
     void repaint();
+    /// What rows of this list alone are dragged as.
+    [[nodiscard]] QString rowsMimeType() const;
+    [[nodiscard]] LayerPlaces rowsOf(const QMimeData& data) const;
 
     Document& m_document;
     ui::Solo& m_solo;
+    LayerTransfer& m_transfer;
     int m_rows; ///< as views know them
 };
 

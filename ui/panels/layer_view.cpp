@@ -96,17 +96,20 @@ bool LayerDelegate::editorEvent(QEvent* /*event*/, QAbstractItemModel* /*model*/
     return false;
 }
 
-LayerView::LayerView(Document& document, Solo& solo, QWidget* parent)
+LayerView::LayerView(Document& document, Solo& solo, LayerTransfer& transfer, QWidget* parent)
     : QListView(parent)
     , m_document(document)
     , m_solo(solo)
-    , m_model(new LayerModel(document, solo, this))
+    , m_model(new LayerModel(document, solo, transfer, this))
 {
     setObjectName(QStringLiteral("layers"));
     setAccessibleName(tr("Layers"));
     setModel(m_model);
     setItemDelegate(new LayerDelegate(this));
-    setDragDropMode(QAbstractItemView::InternalMove);
+    setDragDropMode(QAbstractItemView::DragDrop);
+    setDefaultDropAction(Qt::MoveAction);
+    setDropIndicatorShown(true);
+    setDragDropOverwriteMode(false);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);

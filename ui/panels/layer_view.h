@@ -40,7 +40,7 @@ class LayerView : public QListView {
     Q_OBJECT
 
 public:
-    LayerView(Document& document, Solo& solo, QWidget* parent);
+    LayerView(Document& document, Solo& solo, LayerTransfer& transfer, QWidget* parent);
 
     [[nodiscard]] LayerModel& layers() const { return *m_model; }
     /// Offers to change the name of a layer.

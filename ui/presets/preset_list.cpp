@@ -1,5 +1,6 @@
 #include "ui/presets/preset_list.h"
 
+#include "ui/document/layer_clipboard.h"
 #include "ui/document/text.h"
 #include "ui/widgets/plain_text.h"
 
@@ -228,6 +229,9 @@ QMimeData* PresetList::mimeData(const QList<QListWidgetItem*>& items) const
     auto* dragged = new QMimeData;
     if (!items.isEmpty()) {
         dragged->setData(mimeType(), idOf(items.constFirst()).toUtf8());
+        if (const Preset* preset = presetOf(items.constFirst())) {
+            addLayers(*dragged, *preset);
+        }
     }
     return dragged;
 }

@@ -28,7 +28,8 @@ public:
     [[nodiscard]] const Preset* presetOf(const QListWidgetItem* item) const;
     [[nodiscard]] QString idOf(const QListWidgetItem* item) const;
 
-    /// What is dragged out of the list: an id that presetOfId() knows.
+    /// What is dragged out of the list: an id that presetOfId() knows; beside it the preset itself, for lists of
+    /// layers.
     static QString mimeType();
     [[nodiscard]] const Preset* presetOfId(const QString& id) const;
 

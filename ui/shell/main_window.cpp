@@ -7,10 +7,13 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/noise_preview/noise_pane.h"
+#include "ui/panels/effect_panel.h"
+#include "ui/panels/layer_list.h"
 #include "ui/presets/preset_browser.h"
 #include "ui/presets/start_dialog.h"
 #include "ui/shell/command_search.h"
 #include "ui/shell/help.h"
+#include "ui/shell/layer_actions.h"
 #include "ui/shell/menus.h"
 #include "ui/shell/play_actions.h"
 #include "ui/shell/preferences.h"
@@ -75,6 +78,7 @@ MainWindow::MainWindow(AppServices& services)
     connectWindowActions();
     connectViews();
     connectPresets();
+    connectLayers();
     connectMemory();
     connectExports();
     connectStatus();
@@ -218,6 +222,18 @@ void MainWindow::connectPresets()
     connect(&settings, &Settings::favouritesChanged, &browser,
         [&browser, &settings] { browser.setFavourites(settings.favourites()); });
     connect(&m_files, &DocumentFiles::libraryChanged, &browser.list(), &PresetList::reload);
+}
+
+void MainWindow::connectLayers()
+{
+    LayerList& list = m_docks.effectPanel().layers();
+    new LayerActions(m_actions, m_document, m_solo, list); // a child of the list
+    connect(&list.transfer(), &LayerTransfer::news, &m_connectionContext,
+        [this](const QString& message) { notify(message); });
+    connect(&list.transfer(), &LayerTransfer::refused, &m_connectionContext,
+        [this](const QString& title, const QString& text) {
+            m_messages->say(QStringLiteral("message.layers"), tr("%1: %2").arg(title, text), {{tr("OK"), {}}});
+        });
 }
 
 void MainWindow::connectExports()

@@ -65,6 +65,7 @@ private:
     void connectWindowActions();
     void connectViews();
     void connectPresets();
+    void connectLayers();
     void connectMemory();
     void connectExports();
     void connectStatus();

@@ -75,7 +75,8 @@ bool actByPlace(const QWidget& widget, const QKeyEvent& event)
     }
     const QKeySequence wanted(QKeyCombination(event.modifiers(), static_cast<Qt::Key>(*key)));
     for (QAction* action : window->actions()) {
-        if (action->isEnabled() && action->shortcuts().contains(wanted)) {
+        const bool isMeant = action->isEnabled() && action->shortcutContext() != Qt::WidgetShortcut;
+        if (isMeant && action->shortcuts().contains(wanted)) {
             action->trigger();
             return true;
         }
