@@ -353,6 +353,38 @@ private slots:
         QCOMPARE(previewRenderer.make(request, {})->image, all->image);
     }
 
+    void whatIsSeenAtAPlaceIsFoundInTheSpritesThatAreThere()
+    {
+        Scene scene = smokeAndEmbers();
+        scene.layers[0].emitter.position.x = -1.5F;
+        scene.layers[1].emitter.position.x = 1.5F;
+        scene.layers[1].look.size *= 4.0F;
+        PreviewRenderer previewRenderer;
+        RenderRequest request = requestFor(scene, 1);
+        const PicturePtr before = previewRenderer.make(request, {});
+        QCOMPARE(before->picked.number, quint64{0});
+        const View view = windowView(scene, request.frame, request.width, request.height);
+        const auto seenAt = [&](const glm::vec3& place) {
+            const Projected at = project(view, place);
+            request.pick = {request.pick.number + 1,
+                {at.x / static_cast<float>(request.width), at.y / static_cast<float>(request.height)}};
+            const PicturePtr picture = previewRenderer.make(request, {});
+            return picture->picked.number == request.pick.number && picture->image == before->image
+                ? picture->picked.layer
+                : std::nullopt;
+        };
+        QCOMPARE(seenAt({-1.5F, 0.2F, 0.0F}), std::optional<std::size_t>(0));
+        QCOMPARE(seenAt({1.5F, 0.2F, 0.0F}), std::optional<std::size_t>(1));
+        // With a solo of the second it is the second still.
+        request.solo = {1};
+        request.revision = 2;
+        request.pick = {9, {0.0F, 0.0F}};
+        QCOMPARE(previewRenderer.make(request, {})->picked.layer, std::nullopt);
+        const Projected at = project(view, {1.5F, 0.2F, 0.0F});
+        request.pick = {10, {at.x / static_cast<float>(request.width), at.y / static_cast<float>(request.height)}};
+        QCOMPARE(previewRenderer.make(request, {})->picked.layer, std::optional<std::size_t>(1));
+    }
+
     /// Muting is of the file, and wins.
     void aSoloOfAMutedLayerShowsNothing()
     {

@@ -4,6 +4,7 @@
 #include "ui/preview/picture.h"
 #include "ui/viewport/gizmo_painter.h"
 #include "ui/viewport/navigation.h"
+#include "ui/viewport/overlays.h"
 
 #include <glm/geometric.hpp>
 
@@ -91,6 +92,23 @@ private slots:
             const QPointF at = onScreen(view, {i & 1 ? -3.0F : 2.0F, i & 2 ? 0.0F : 5.0F, i & 4 ? -1.0F : 4.0F});
             QVERIFY(QRectF(0, 0, 600, 600).contains(at));
         }
+    }
+
+    void anOutlineIsFoundUnderTheMouse()
+    {
+        Scene scene;
+        scene.layers.resize(3);
+        scene.layers[1].emitter.position = {1.5F, 0.0F, 0.0F};
+        scene.layers[2].emitter.position = {-1.5F, 0.5F, 0.0F};
+        scene.layers[2].emitter.shape = EmitterShape::Rectangle;
+        const View view = windowView(scene, 0, 800, 600);
+        const std::vector<std::size_t> all{0, 1, 2};
+        for (const std::size_t layer : all) {
+            const QPointF onIt = emitterOutline(scene.layers[layer].emitter, view).front().center();
+            QCOMPARE(emitterAt(scene, all, view, onIt), std::optional(layer));
+            QCOMPARE(emitterAt(scene, {}, view, onIt), std::nullopt);
+        }
+        QCOMPARE(emitterAt(scene, all, view, {5.0, 5.0}), std::nullopt);
     }
 
     void buttonsMeanWhatTheirProgramsTaughtTheHand()

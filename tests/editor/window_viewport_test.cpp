@@ -76,6 +76,47 @@ private slots:
         QVERIFY(line->isHidden() && !m_window->solo().isOn());
     }
 
+    void aClickOnSmokeOrOnAnOutlineEditsItsLayer()
+    {
+        Document& document = m_window->document();
+        Scene scene = document.scene();
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[0].emitter.position.x = -1.2F;
+        scene.layers[1].emitter.position.x = 1.2F;
+        scene.layers[1].emitter.seed = 5;
+        scene.camera.distance = 8.0F;
+        document.replaceScene(scene, 0, u"two"_q);
+        QVERIFY(!settled().isNull());
+        const int steps = document.undoStack()->count();
+        const Camera camera = document.effect().camera;
+        Viewport& viewport = m_window->viewport();
+        const auto click = [&](const glm::vec3& place, Qt::KeyboardModifiers modifiers = {}) {
+            const Projected at = project(viewport.view(), place);
+            QTest::mouseClick(viewport.surface(), Qt::LeftButton, modifiers,
+                QPoint(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y))));
+        };
+        trigger("view.emitter"); // the smoke alone
+        click({1.2F, 0.3F, 0.0F});
+        QTRY_COMPARE(document.layer(), std::size_t{1});
+        click({-1.2F, 0.3F, 0.0F});
+        QTRY_COMPARE(document.layer(), std::size_t{0});
+        click({1.2F, 0.3F, 0.0F}, Qt::ControlModifier);
+        QTRY_COMPARE(document.selection(), LayerSelection(1, {0}));
+        trigger("view.emitter");
+        const QPointF onIt = emitterOutline(document.scene().layers[0].emitter, viewport.view()).front().center();
+        QTest::mouseClick(viewport.surface(), Qt::LeftButton, {}, onIt.toPoint());
+        QCOMPARE(document.selection(), LayerSelection(0));
+        // Neither a step nor another view; a drag is none of it.
+        QCOMPARE(document.undoStack()->count(), steps);
+        QVERIFY(document.effect().camera == camera);
+        const Projected at = project(viewport.view(), {1.2F, 0.3F, 0.0F});
+        const QPoint from(static_cast<int>(at.x), static_cast<int>(at.y));
+        dragMouse(*viewport.surface(), from, from + QPoint(30, 10));
+        QVERIFY(!settled().isNull());
+        QCOMPARE(document.layer(), std::size_t{0});
+        QVERIFY(!(document.effect().camera == camera));
+    }
+
     void theRightButtonOpensAMenuUnlessItDrags()
     {
         QWidget& surface = *m_window->viewport().surface();

@@ -1,6 +1,7 @@
 #include "ui/preview/preview_renderer.h"
 
 #include "ui/preview/air_arrows.h"
+#include "ui/preview/seen_layer.h"
 #include "ui/preview/sprite_snapshot.h"
 #include "ui/preview/trails.h"
 
@@ -278,9 +279,14 @@ Status PreviewRenderer::prepare(
     const View view = windowView(*request.scene, request.frame, scaled(request.width), scaled(request.height));
     m_renderer.setPhaseMix(plan.phaseMix);
     const std::vector<LayerFrame> all = layerFrames(frame, plan.layers);
+    const std::vector<std::size_t> visible = request.scene->visibleLayers();
     std::vector<LayerFrame> drawn;
+    m_drawn.clear();
     for (const std::size_t layer : plan.drawn) {
         drawn.push_back(all[layer]);
+        if (layer < visible.size()) {
+            m_drawn.push_back(visible[layer]);
+        }
     }
     if (drawn.empty()) {
         const SampledEffect nothing = transparent(plan.layers.front());
@@ -309,8 +315,25 @@ bool PreviewRenderer::paint(
 
 PicturePtr PreviewRenderer::make(const RenderRequest& request, const std::stop_token& stop)
 {
-    PicturePtr picture = makePicture(request, stop);
+    PicturePtr picture = lastPicked(request);
+    if (picture == nullptr) {
+        m_last.reset();
+        picture = makePicture(request, stop);
+        m_last = picture;
+    }
     m_listener(Phase::Idle, 1.0);
+    return picture;
+}
+
+PicturePtr PreviewRenderer::lastPicked(const RenderRequest& request) const
+{
+    const bool isSame = request.pick.number != 0 && m_last && m_last->revision == request.revision
+        && m_last->frame == request.frame && (m_last->complete || request.previewQuality != PreviewQuality::Full);
+    if (!isSame) {
+        return nullptr;
+    }
+    auto picture = std::make_shared<Picture>(*m_last);
+    picture->picked = layerSeenAt(request.pick, m_renderer, m_drawn);
     return picture;
 }
 
@@ -348,6 +371,7 @@ PicturePtr PreviewRenderer::makePicture(const RenderRequest& request, const std:
     }
     m_costs.notePixels(plan.scale * plan.scale * request.width * request.height, timer.nsecsElapsed());
 
+    picture->picked = layerSeenAt(request.pick, m_renderer, m_drawn);
     addOverlays(request, plan, *picture, stop);
     picture->output = plan.layers.front()->output;
     picture->backdrop = request.backdrop;

@@ -28,6 +28,8 @@ public:
 
 private:
     [[nodiscard]] PicturePtr makePicture(const RenderRequest& request, const std::stop_token& stop);
+    /// The last picture, where a request asks for nothing more than what is seen in it; null: it asks for another.
+    [[nodiscard]] PicturePtr lastPicked(const RenderRequest& request) const;
 
     using Plan = PicturePlan;
     [[nodiscard]] Plan planFor(const RenderRequest& request);
@@ -56,6 +58,8 @@ private:
     std::optional<Error> m_trouble;
     RunningSimulators m_simulators;
     Renderer m_renderer;
+    PicturePtr m_last; ///< of the sprites that the renderer has; null: it has none
+    std::vector<std::size_t> m_drawn; ///< layers of the scene that they are of, in the renderer's order
     Image m_image;
     EncodedImage<std::uint8_t> m_encoded;
     CostEstimate m_costs;

@@ -190,6 +190,14 @@ void PreviewScheduler::setOther(const std::optional<Scene>& other)
     requestOther(PreviewQuality::Full);
 }
 
+void PreviewScheduler::pick(const glm::vec2& place)
+{
+    m_wanted.pick = {++m_picks, place}; // until it is answered, with whatever picture comes
+    if (m_seen) {
+        request(usualQuality());
+    }
+}
+
 bool PreviewScheduler::isSettled() const
 {
     return m_picture && m_picture->complete && isWanted(*m_picture);
@@ -280,6 +288,7 @@ void PreviewScheduler::requestOther(PreviewQuality previewQuality)
     other.scene = std::make_shared<const Scene>(scene);
     other.layer = 0;
     other.solo.clear();
+    other.pick = {};
     other.simulation = m_otherSimulation;
     other.previewQuality = previewQuality;
     other.sprites = false;
@@ -304,6 +313,10 @@ void PreviewScheduler::receive(const PicturePtr& picture)
         emit cacheChanged();
     }
     show(picture);
+    if (picture->picked.number != 0 && picture->picked.number == m_wanted.pick.number) {
+        m_wanted.pick = {};
+        emit picked(picture->picked.layer);
+    }
     prepareBehind(*picture);
     if (settling) {
         m_asked.reset();

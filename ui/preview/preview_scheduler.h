@@ -55,6 +55,10 @@ public:
     /// A scene to compare with, seen by the camera of the first; nothing: none, and no more work for one.
     void setOther(const std::optional<Scene>& other);
 
+    /// Asks which layer is seen at a place of the picture; picked() answers.
+    /// @param place from the left and from the top, shares of the picture
+    void pick(const glm::vec2& place);
+
     [[nodiscard]] const Backdrop& backdrop() const { return m_wanted.backdrop; }
     /// The newest picture; null before the first.
     [[nodiscard]] const PicturePtr& picture() const { return m_picture; }
@@ -76,6 +80,8 @@ public:
 signals:
     void ready(fumage::ui::PicturePtr picture);
     void otherReady(fumage::ui::PicturePtr picture);
+    /// The answer to the newest question. @param layer of the scene; none is seen there
+    void picked(std::optional<std::size_t> layer);
     void cacheChanged();
     /// Pictures that were kept are kept no longer.
     void dropped();
@@ -109,6 +115,7 @@ private:
 
     quint64 m_oldest = 0; ///< the first revision of this effect: pictures of older ones are of others
     RenderRequest m_wanted; ///< as things stand, but for its quality
+    quint64 m_picks = 0; ///< that were asked
     bool m_playing = false;
     bool m_seen = false;
     bool m_moving = false; ///< a change came within the last moment

@@ -105,26 +105,75 @@ void paintGrid(QPainter& painter, const View& view)
     painter.restore();
 }
 
-void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view)
+std::vector<QLineF> emitterOutline(const Emitter& emitter, const View& view)
 {
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(0xa8, 0xe8, 0x50, 210), 1.6));
+    std::vector<QLineF> lines;
+    const auto addLoop = [&](const std::vector<glm::vec3>& corners) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (const auto line = projectLine(view, corners[i], corners[(i + 1) % corners.size()])) {
+                lines.push_back(*line);
+            }
+        }
+    };
     const glm::vec3 normal = glm::normalize(emitter.normal);
     const PlaneBasis basis = planeBasis(normal);
     const glm::vec3 centre = emitter.position;
     if (emitter.shape == EmitterShape::Rectangle) {
         const glm::vec3 u = basis.across * (0.5F * emitter.width);
         const glm::vec3 v = basis.along * (0.5F * emitter.depth);
-        drawLoop(painter, view, {centre - u - v, centre + u - v, centre + u + v, centre - u + v});
+        addLoop({centre - u - v, centre + u - v, centre + u + v, centre - u + v});
     } else {
-        drawLoop(painter, view, circle(centre, basis.across * emitter.radius, basis.along * emitter.radius));
+        addLoop(circle(centre, basis.across * emitter.radius, basis.along * emitter.radius));
     }
     if (emitter.shape == EmitterShape::Sphere) {
-        drawLoop(painter, view, circle(centre, basis.across * emitter.radius, normal * emitter.radius));
-        drawLoop(painter, view, circle(centre, basis.along * emitter.radius, normal * emitter.radius));
+        addLoop(circle(centre, basis.across * emitter.radius, normal * emitter.radius));
+        addLoop(circle(centre, basis.along * emitter.radius, normal * emitter.radius));
+    }
+    return lines;
+}
+
+void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view)
+{
+    const std::vector<QLineF> lines = emitterOutline(emitter, view);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(0xa8, 0xe8, 0x50, 210), 1.6));
+    painter.drawLines(lines.data(), static_cast<int>(lines.size()));
+    painter.restore();
+}
+
+void paintOtherEmitters(QPainter& painter, const Scene& scene, const std::vector<std::size_t>& layers, const View& view)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(200, 205, 215, 130), 1.0));
+    for (const std::size_t layer : layers) {
+        const std::vector<QLineF> lines = emitterOutline(scene.layers[layer].emitter, view);
+        painter.drawLines(lines.data(), static_cast<int>(lines.size()));
     }
     painter.restore();
+}
+
+std::optional<std::size_t> emitterAt(
+    const Scene& scene, const std::vector<std::size_t>& layers, const View& view, QPointF mouse)
+{
+    constexpr double kReach = 5.0; // pixels
+    double nearest = kReach;
+    std::optional<std::size_t> found;
+    for (const std::size_t layer : layers) {
+        for (const QLineF& line : emitterOutline(scene.layers[layer].emitter, view)) {
+            const QPointF way = line.p2() - line.p1();
+            const double length = QPointF::dotProduct(way, way);
+            const double at =
+                length > 0.0 ? std::clamp(QPointF::dotProduct(mouse - line.p1(), way) / length, 0.0, 1.0) : 0.0;
+            const double distance = QLineF(mouse, line.p1() + at * way).length();
+            if (distance < nearest) {
+                nearest = distance;
+                found = layer;
+            }
+        }
+    }
+    return found;
 }
 
 void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& normal, float radius, const View& view)

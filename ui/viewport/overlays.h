@@ -30,7 +30,15 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Overlays)
 [[nodiscard]] std::optional<QLineF> projectLine(const View& view, glm::vec3 from, glm::vec3 to);
 
 void paintGrid(QPainter& painter, const View& view);
+/// The outline of an emitter on the screen.
+[[nodiscard]] std::vector<QLineF> emitterOutline(const Emitter& emitter, const View& view);
 void paintEmitter(QPainter& painter, const Emitter& emitter, const View& view);
+/// The emitters of layers that are not edited, thin.
+void paintOtherEmitters(
+    QPainter& painter, const Scene& scene, const std::vector<std::size_t>& layers, const View& view);
+/// Which of the layers has the outline under the mouse, the nearest to it.
+[[nodiscard]] std::optional<std::size_t> emitterAt(
+    const Scene& scene, const std::vector<std::size_t>& layers, const View& view, QPointF mouse);
 /// With the painter's pen. @param normal of the circle's plane
 void paintCircle(QPainter& painter, const glm::vec3& centre, const glm::vec3& normal, float radius, const View& view);
 /// Figure 2 of the 2012 model: the ways of particles, in green.

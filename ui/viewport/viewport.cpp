@@ -59,6 +59,12 @@ Viewport::Viewport(Document& document, Solo& solo, Player& player, GlSupport sup
     connect(&m_player, &Player::playingChanged, &m_feed, &PreviewScheduler::setPlaying);
     connect(&m_player, &Player::playingChanged, this, [this] { m_readout.restart(); });
     connect(&m_hand, &ViewportInput::menuRequested, this, &Viewport::menuRequested);
+    connect(&m_hand, &ViewportInput::clicked, this, &Viewport::click);
+    connect(&m_feed, &PreviewScheduler::picked, this, [this](const std::optional<std::size_t>& layer) {
+        if (layer) {
+            choose(*layer);
+        }
+    });
 }
 
 View Viewport::view() const
@@ -224,6 +230,39 @@ void Viewport::lookFrom(float yaw, float pitch)
     m_document.moveCamera(lookingFrom(m_document.effect().camera, yaw, pitch));
 }
 
+std::vector<std::size_t> Viewport::otherLayers() const
+{
+    std::vector<std::size_t> others = m_document.scene().visibleLayers();
+    std::erase_if(others, [this](std::size_t layer) {
+        return layer == m_document.layer() || (m_solo.isOn() && !m_solo.contains(layer));
+    });
+    return others;
+}
+
+void Viewport::choose(std::size_t layer)
+{
+    if (layer < m_document.scene().layers.size()) {
+        m_document.selectLayers(
+            m_picksMore ? LayerSelection(layer, m_document.selection().all()) : LayerSelection(layer));
+    }
+}
+
+void Viewport::click(QPointF at, Qt::KeyboardModifiers modifiers)
+{
+    const bool isPlain = (modifiers & ~Qt::KeyboardModifiers(Qt::ControlModifier)) == Qt::NoModifier;
+    if (m_document.scene().layers.size() < 2 || !isPlain || m_split.mode() != Compare::Off) {
+        return;
+    }
+    m_picksMore = modifiers.testFlag(Qt::ControlModifier);
+    const bool hasOutlines = !m_isBare && m_overlays.testFlag(Overlay::Emitter);
+    if (const auto layer = hasOutlines ? emitterAt(m_document.scene(), otherLayers(), view(), at) : std::nullopt) {
+        choose(*layer);
+        return;
+    }
+    m_feed.pick(
+        {static_cast<float>(at.x() / std::max(1, width())), static_cast<float>(at.y() / std::max(1, height()))});
+}
+
 void Viewport::paintOverlays(QPainter& painter)
 {
     if (otherPicture()) {
@@ -253,6 +292,7 @@ void Viewport::paintOverlays(QPainter& painter)
         paintTrails(painter, picture()->trails, seen);
     }
     if (m_overlays.testFlag(Overlay::Emitter)) {
+        paintOtherEmitters(painter, m_document.scene(), otherLayers(), seen);
         paintEmitter(painter, effect.emitter, seen);
     }
     if (hasGizmos) {

@@ -89,6 +89,11 @@ private:
     void followVisibility();
     void display(const PicturePtr& picture);
     void paintOverlays(QPainter& painter);
+    /// Edits the layer whose outline or smoke is seen at a place.
+    void click(QPointF at, Qt::KeyboardModifiers modifiers);
+    void choose(std::size_t layer);
+    /// The layers whose emitters are outlined without being edited.
+    [[nodiscard]] std::vector<std::size_t> otherLayers() const;
 
     Document& m_document;
     const Solo& m_solo;
@@ -102,6 +107,7 @@ private:
     ViewportInput m_hand; ///< after the surface, which it holds
     WorkLine* m_workLine;
     SoloLine* m_soloLine;
+    bool m_picksMore = false; ///< what is clicked is chosen beside what is
 };
 
 } // namespace fumage::ui

@@ -12,6 +12,12 @@
 
 namespace fumage::ui {
 
+namespace {
+
+constexpr double kClick = 4.0; ///< pixels that the mouse may move between press and release
+
+} // namespace
+
 ViewportInput::ViewportInput(
     Document& document, SplitView& split, QWidget& surface, std::function<View()> view, QObject* parent)
     : QObject(parent)
@@ -96,6 +102,7 @@ void ViewportInput::press(const QMouseEvent& event)
     }
     if (const std::optional<Grip> grip = gripFor(event)) {
         m_drag = Drag{*grip, event.button(), EndlessWay(), m_document.effect(), m_view(), m_document.beginGesture()};
+        m_drag->isClick = event.button() == Qt::LeftButton && std::holds_alternative<CameraMove>(*grip);
         m_drag->way.begin(event);
     }
 }
@@ -104,9 +111,12 @@ void ViewportInput::release(const QMouseEvent& event)
 {
     const bool isFree = !m_drag || event.button() == m_drag->button;
     if (m_drag && event.button() == m_drag->button) {
+        const bool isClick = m_drag->isClick;
         m_drag.reset();
+        if (isClick) {
+            emit clicked(event.position(), event.modifiers());
+        }
     }
-    constexpr double kClick = 4.0; // pixels
     if (event.button() == Qt::RightButton && isFree && QLineF(event.globalPosition(), m_rightPress).length() < kClick) {
         emit menuRequested(event.globalPosition().toPoint());
     }
@@ -150,6 +160,10 @@ void ViewportInput::drag(GizmoId gizmo, const QMouseEvent& event)
 void ViewportInput::drag(CameraMove move, const QMouseEvent& event)
 {
     const QPointF way = m_drag->way.to(event);
+    m_drag->isClick = m_drag->isClick && QLineF({}, way).length() < kClick;
+    if (m_drag->isClick) {
+        return; // a hand that clicks is not quite still
+    }
     const Camera& before = m_drag->before.camera;
     const auto apply = [this](const Camera& camera) { m_document.moveCamera(camera, m_drag->gesture); };
     switch (move) {

@@ -36,6 +36,8 @@ public:
 signals:
     /// The right button was clicked without a drag, or the key for menus pressed.
     void menuRequested(QPoint global);
+    /// The left button was clicked, without a drag, on nothing that can be gripped.
+    void clicked(QPointF at, Qt::KeyboardModifiers modifiers);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,6 +52,7 @@ private:
         Effect before;
         View view;
         Gesture gesture;
+        bool isClick = false; ///< as long as the mouse stays where the left button was pressed
     };
 
     void press(const QMouseEvent& event);
