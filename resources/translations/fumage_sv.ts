@@ -1552,6 +1552,21 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     </message>
 </context>
 <context>
+    <name>fumage::ui::LayerModel</name>
+    <message>
+        <source>%1 particles</source>
+        <translation>%1 partiklar</translation>
+    </message>
+    <message>
+        <source>Muted: it is neither simulated nor exported</source>
+        <translation>Tystat: det varken simuleras eller exporteras</translation>
+    </message>
+    <message>
+        <source>%1 % of the simulation</source>
+        <translation>%1 % av simuleringen</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::LayerTransfer</name>
     <message>
         <source>Cut %1</source>

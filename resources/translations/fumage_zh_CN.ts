@@ -1552,6 +1552,21 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     </message>
 </context>
 <context>
+    <name>fumage::ui::LayerModel</name>
+    <message>
+        <source>%1 particles</source>
+        <translation>%1 个粒子</translation>
+    </message>
+    <message>
+        <source>Muted: it is neither simulated nor exported</source>
+        <translation>已静音：既不模拟也不导出</translation>
+    </message>
+    <message>
+        <source>%1 % of the simulation</source>
+        <translation>占模拟的 %1 %</translation>
+    </message>
+</context>
+<context>
     <name>fumage::ui::LayerTransfer</name>
     <message>
         <source>Cut %1</source>

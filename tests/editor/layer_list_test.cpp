@@ -263,6 +263,32 @@ private slots:
         QVERIFY(changed[1][0].value<EffectChange>().isOfScene);
     }
 
+    // --- what layers cost -------------------------------------------------------------------------------------------
+
+    void rowsSayHowManyParticlesThereAre()
+    {
+        Solo solo(m_document);
+        LayerList list(m_document, solo);
+        LayerModel& model = list.view().layers();
+        const auto shown = [&](int row) { return model.index(row, 0).data(LayerModel::Particles).toString(); };
+        const auto tip = [&](int row) { return model.index(row, 0).data(Qt::ToolTipRole).toString(); };
+        m_document.selectLayer(1);
+        m_document.edit(knownParameter("emitter.count"), 12345);
+        QCOMPARE(shown(1), QLocale().toString(12345));
+        m_document.edit(knownParameter("output.quality"), static_cast<int>(Quality::Draft));
+        QCOMPARE(shown(1), QLocale().toString(12345 / 4)); // those that are simulated
+        QVERIFY(!tip(1).contains(u'%'));
+        for (int i = 0; i < 50; ++i) {
+            model.noteWork({300.0, 100.0, 0.0});
+            model.noteWork({0.0, 0.0, 0.0}); // a picture that was there already
+        }
+        QVERIFY2(tip(0).contains(u"75 %"_q) && tip(1).contains(u"25 %"_q), qPrintable(tip(0) + tip(1)));
+        setLayersVisible(m_document, {1}, false);
+        QVERIFY(tip(1).contains(u"Muted"_q) && !tip(1).contains(u'%'));
+        removeLayers(m_document, {1, 2});
+        QCOMPARE(shown(0), QString()); // a layer alone has the readout
+    }
+
     // --- the clipboard ----------------------------------------------------------------------------------------------
 
     /// The text is a preset, which anything that reads presets takes.
@@ -383,8 +409,7 @@ private slots:
         LayerList other(second, otherSolo);
         QVERIFY(other.view().model()->canDropMimeData(own.get(), Qt::CopyAction, 1, 0, {}));
         other.view().model()->dropMimeData(own.get(), Qt::CopyAction, 1, 0, {});
-        QTRY_COMPARE(names(second),
-            (QStringList{u"flames"_q, u"flames 2"_q, u"embers 2"_q, u"embers"_q, u"smoke"_q}));
+        QTRY_COMPARE(names(second), (QStringList{u"flames"_q, u"flames 2"_q, u"embers 2"_q, u"embers"_q, u"smoke"_q}));
         QCOMPARE(second.undoStack()->count(), 1);
     }
 
@@ -402,8 +427,7 @@ private slots:
         data.setUrls({QUrl::fromLocalFile(folder.filePath(u"dust.json"_q)),
             QUrl::fromLocalFile(folder.filePath(u"nowhere.json"_q))});
         QVERIFY(list.view().model()->dropMimeData(&data, Qt::CopyAction, 1, 0, {}));
-        QTRY_COMPARE(
-            names(m_document), (QStringList{u"flames"_q, u"dust"_q, u"ash"_q, u"smoke"_q, u"embers"_q}));
+        QTRY_COMPARE(names(m_document), (QStringList{u"flames"_q, u"dust"_q, u"ash"_q, u"smoke"_q, u"embers"_q}));
         QCOMPARE(m_document.undoStack()->count(), 1);
         QCOMPARE(failed.size(), 1);
     }

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QMimeData>
 #include <QPainter>
 
@@ -23,7 +26,39 @@ std::size_t layerOf(const QModelIndex& index)
     return static_cast<std::size_t>(index.row());
 }
 
+/// How many there are once the quality is worked in.
+QString particlesText(const Scene& scene, std::size_t layer)
+{
+    return QLocale().toString(sampled(scene.effect(layer))->emitter.count);
+}
+
 } // namespace
+
+QString LayerModel::statisticsOf(std::size_t layer) const
+{
+    const Scene& scene = m_document.scene();
+    QStringList lines{layerLabel(scene, layer), tr("%1 particles").arg(particlesText(scene, layer))};
+    const double all = std::accumulate(m_work.begin(), m_work.end(), 0.0);
+    if (!scene.layers[layer].visible) {
+        lines += tr("Muted: it is neither simulated nor exported");
+    } else if (m_rows > 1 && layer < m_work.size() && all > 0.0) {
+        constexpr double kPercent = 100.0;
+        lines += tr("%1 % of the simulation").arg(std::lround(kPercent * m_work[layer] / all));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+void LayerModel::noteWork(const std::vector<double>& particleSteps)
+{
+    if (std::accumulate(particleSteps.begin(), particleSteps.end(), 0.0) <= 0.0) {
+        return;
+    }
+    constexpr double kShareOfNewest = 0.2;
+    m_work.resize(particleSteps.size(), 0.0);
+    for (std::size_t layer = 0; layer < m_work.size(); ++layer) {
+        m_work[layer] += kShareOfNewest * (particleSteps[layer] - m_work[layer]);
+    }
+}
 
 QIcon LayerModel::iconOf(ColourTag tag)
 {
@@ -47,6 +82,7 @@ LayerModel::LayerModel(Document& document, ui::Solo& solo, LayerTransfer& transf
 {
     connect(&document, &Document::layersChanged, this, &LayerModel::follow);
     connect(&solo, &ui::Solo::changed, this, &LayerModel::repaint);
+    connect(&document, &Document::effectChanged, this, &LayerModel::repaint); // another number of particles
 }
 
 void LayerModel::follow()
@@ -56,6 +92,7 @@ void LayerModel::follow()
         repaint();
         return;
     }
+    m_work.clear();
     beginResetModel();
     m_rows = rows;
     endResetModel();
@@ -83,7 +120,8 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
     case Qt::EditRole: return QString::fromStdString(layer.name);
     case Qt::CheckStateRole: return layer.visible ? Qt::Checked : Qt::Unchecked;
     case Qt::DecorationRole: return layer.locked ? themedIcon(QStringLiteral("lock")) : iconOf(layer.tag);
-    case Qt::ToolTipRole: return plainToolTip(layerLabel(scene, layerOf(index)));
+    case Qt::ToolTipRole: return plainToolTip(statisticsOf(layerOf(index)));
+    case Particles: return m_rows > 1 ? particlesText(scene, layerOf(index)) : QString();
     case Solo: return m_solo.contains(layerOf(index));
     default: return {};
     }

@@ -17,6 +17,7 @@ class LayerModel : public QAbstractListModel {
 public:
     enum Role {
         Solo = Qt::UserRole, ///< bool
+        Particles, ///< how many, as text; empty where a layer is alone
     };
 
     /// @param transfer takes what is dropped from elsewhere
@@ -33,6 +34,9 @@ public:
     bool dropMimeData(
         const QMimeData* data, Qt::DropAction action, int row, int column, const QModelIndex& parent) override;
 
+    /// Takes what a picture has cost, for tool tips: pictures for which nothing had to be simulated say nothing.
+    /// @param particleSteps of each layer of the scene
+    void noteWork(const std::vector<double>& particleSteps);
     /// All that are chosen where a layer is one of them; else that layer.
     [[nodiscard]] LayerPlaces togetherWith(std::size_t layer) const;
     [[nodiscard]] static QIcon iconOf(ColourTag tag);
@@ -40,6 +44,7 @@ public:
 private:
     void follow();
     void repaint();
+    [[nodiscard]] QString statisticsOf(std::size_t layer) const;
     /// What rows of this list alone are dragged as.
     [[nodiscard]] QString rowsMimeType() const;
     [[nodiscard]] LayerPlaces rowsOf(const QMimeData& data) const;
@@ -48,6 +53,7 @@ private:
     ui::Solo& m_solo;
     LayerTransfer& m_transfer;
     int m_rows; ///< as views know them
+    std::vector<double> m_work; ///< particle steps of each layer, of the last pictures; empty: not known
 };
 
 } // namespace fumage::ui

@@ -68,6 +68,15 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                 isSolo ? QIcon::Normal : QIcon::Disabled, isSolo ? QIcon::On : QIcon::Off);
     }
     row.rect = restOf(option.rect, *index.model());
+    const QString particles = index.data(LayerModel::Particles).toString();
+    if (!particles.isEmpty()) {
+        const QRect place = row.rect.adjusted(0, 0, -kGap, 0);
+        painter->save();
+        painter->setPen(row.palette.color(QPalette::PlaceholderText));
+        painter->drawText(place, Qt::AlignRight | Qt::AlignVCenter, particles);
+        painter->restore();
+        row.rect.setRight(place.right() - row.fontMetrics.horizontalAdvance(particles) - kGap);
+    }
     row.features &= ~QStyleOptionViewItem::HasCheckIndicator;
     row.backgroundBrush = Qt::NoBrush;
     row.state.setFlag(QStyle::State_HasFocus, false);

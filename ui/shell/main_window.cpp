@@ -228,6 +228,15 @@ void MainWindow::connectLayers()
 {
     LayerList& list = m_docks.effectPanel().layers();
     new LayerActions(m_actions, m_document, m_solo, list); // a child of the list
+    connect(m_viewport.get(), &Viewport::pictureShown, &list, [this, &list](const PicturePtr& picture) {
+        std::vector<double> steps(m_document.scene().layers.size(), 0.0);
+        for (const LayerWork& work : picture->layers) {
+            if (work.layer < steps.size()) {
+                steps[work.layer] = work.particleSteps;
+            }
+        }
+        list.view().layers().noteWork(steps);
+    });
     connect(&list.transfer(), &LayerTransfer::news, &m_connectionContext,
         [this](const QString& message) { notify(message); });
     connect(&list.transfer(), &LayerTransfer::refused, &m_connectionContext,
