@@ -675,6 +675,14 @@
         <source>No parameter matches “%1”. Try a part of a word, or another word.</source>
         <translation>Ingen parameter hittas med ”%1”. Prova en del av ett ord eller ett annat ord.</translation>
     </message>
+    <message>
+        <source>Parameters of</source>
+        <translation>Parametrar för</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scen</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportCheck</name>

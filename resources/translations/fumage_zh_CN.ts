@@ -675,6 +675,14 @@
         <source>No parameter matches “%1”. Try a part of a word, or another word.</source>
         <translation>没有参数与“%1”匹配。请试试词的一部分或另一个词。</translation>
     </message>
+    <message>
+        <source>Parameters of</source>
+        <translation>参数属于</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::ExportCheck</name>

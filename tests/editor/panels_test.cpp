@@ -2,6 +2,7 @@
 
 #include "tests/parameter_rows.h"
 
+#include "ui/document/layer_edits.h"
 #include "ui/document/number_text.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
@@ -16,6 +17,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QToolTip>
@@ -127,6 +129,65 @@ private slots:
     }
 
     // --- panel ------------------------------------------------------------------------------------------------------
+
+    void aLayerAloneHasNoTabs()
+    {
+        const auto* tabs = m_panel->findChild<QTabBar*>(u"parameterTabs"_q);
+        QVERIFY(tabs->isHidden());
+        for (const char* group : {"emitter", "motion", "air", "camera"}) {
+            QVERIFY(m_panel->findChild<ParameterGroup*>(u"group."_q + QLatin1String(group))->isVisible());
+        }
+    }
+
+    void severalLayersHaveTheirParametersApartFromTheScene()
+    {
+        auto* tabs = m_panel->findChild<QTabBar*>(u"parameterTabs"_q);
+        const auto group = [&](std::string_view name) {
+            return m_panel->findChild<ParameterGroup*>(u"group."_q + toQString(name));
+        };
+        const auto row = [&](std::string_view key) {
+            return m_panel->findChild<ParameterEditor*>(kEssentialsName + u'/' + toQString(key));
+        };
+        renameLayer(*m_document, 0, u"flames & <i>smoke</i>"_q);
+        addLayer(*m_document);
+        m_document->selectLayer(0);
+        QVERIFY(tabs->isVisible());
+        QCOMPARE(tabs->tabText(0), u"flames && <i>smoke</i>"_q);
+        for (const Parameter* parameter : shownParameters()) {
+            const Scope scope = storedParameter(*parameter).scope;
+            QCOMPARE(group(parameter->group())->isVisible(),
+                scope == Scope::Layer || group(parameter->group())->has(Scope::Layer));
+        }
+        tabs->setCurrentIndex(1);
+        QVERIFY(group("air")->isVisible() && !group("motion")->isVisible());
+        // What leads to a parameter leads to its tab.
+        m_panel->showParameter(u"motion.gravity"_q);
+        QCOMPARE(tabs->currentIndex(), 0);
+        QVERIFY(group("motion")->isVisible());
+        m_panel->showParameter(u"camera.distance"_q);
+        QCOMPARE(tabs->currentIndex(), 1);
+        for (const Parameter& parameter : parameterTable()) {
+            if (const ParameterEditor* editor = parameter.essential > 0 ? row(parameter.key) : nullptr) {
+                QVERIFY(parameter.scope == Scope::Scene || !editor->isVisible());
+            }
+        }
+        // A search finds both, and says whose they are.
+        auto* search = m_panel->findChild<QLineEdit*>(u"parameterSearch"_q);
+        search->setText(u"drag"_q);
+        QVERIFY(tabs->isHidden());
+        QVERIFY(group("motion")->isVisible() && group("air")->isVisible());
+        const auto heading = [&](const char* name) {
+            return m_panel->findChild<QToolButton*>(u"group."_q + QLatin1String(name) + u".heading"_q)->text();
+        };
+        QVERIFY2(heading("air").endsWith(u"Scene"_q), qPrintable(heading("air")));
+        QVERIFY2(heading("motion").endsWith(u"<i>smoke</i>"_q), qPrintable(heading("motion")));
+        search->clear();
+        QVERIFY(tabs->isVisible());
+        QVERIFY(!heading("air").endsWith(u"Scene"_q));
+        removeLayers(*m_document, {1});
+        QVERIFY(tabs->isHidden());
+        QVERIFY(group("air")->isVisible() && group("motion")->isVisible());
+    }
 
     void searchFindsByLabelGroupAndTip()
     {

@@ -4,6 +4,7 @@
 #include "ui/document/text.h"
 #include "ui/panels/arrange.h"
 #include "ui/panels/layer_list.h"
+#include "ui/widgets/plain_text.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/parameter_table.h"
@@ -22,6 +23,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -53,6 +55,7 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     : QWidget(parent)
     , m_document(document)
     , m_layers(new LayerList(document, solo, this))
+    , m_tabs(new QTabBar(this))
     , m_search(new QLineEdit(this))
     , m_onlyChanged(new QToolButton(this))
     , m_nothing(new QLabel(this))
@@ -87,15 +90,32 @@ EffectPanel::EffectPanel(Document& document, Locks& locks, Solo& solo, QWidget* 
     bar->addWidget(m_onlyChanged);
     top->addLayout(bar);
     top->addWidget(m_nothing);
+    makeTabs();
+    top->addWidget(m_tabs);
     layout->addWidget(m_layers);
     layout->addLayout(top);
     layout->addWidget(m_scroll, 1);
     connect(m_search, &QLineEdit::textChanged, this, &EffectPanel::filter);
     connect(m_onlyChanged, &QToolButton::toggled, this, &EffectPanel::filter);
     connect(&document, &Document::effectChanged, this, &EffectPanel::follow);
+    connect(&document, &Document::selectionChanged, this, &EffectPanel::followLayers);
     connect(&document, &Document::titleChanged, this, &EffectPanel::sync);
     sync();
     setOpenGroups(usualGroups());
+    followLayers();
+}
+
+void EffectPanel::makeTabs()
+{
+    m_tabs->setObjectName(QStringLiteral("parameterTabs"));
+    m_tabs->setAccessibleName(tr("Parameters of"));
+    m_tabs->addTab({});
+    m_tabs->addTab(tr("Scene"));
+    m_tabs->setExpanding(true);
+    m_tabs->setElideMode(Qt::ElideRight);
+    m_tabs->setDrawBase(false);
+    m_tabs->hide();
+    connect(m_tabs, &QTabBar::currentChanged, this, &EffectPanel::filter);
 }
 
 QStringList EffectPanel::usualGroups()
@@ -159,11 +179,33 @@ void EffectPanel::follow(const EffectChange& change)
     }
 }
 
+void EffectPanel::followLayers()
+{
+    const bool hasTabs = m_document.scene().layers.size() > 1;
+    m_tabs->setTabText(0, hasTabs ? plainMenuText(layerLabel(m_document.scene(), m_document.layer())) : QString());
+    if (hasTabs != m_hasTabs || m_tabs->isHidden()) {
+        m_hasTabs = hasTabs;
+        filter();
+    }
+}
+
+std::optional<Scope> EffectPanel::shownScope() const
+{
+    return m_tabs->isHidden() ? std::nullopt : std::optional(m_tabs->currentIndex() == 0 ? Scope::Layer : Scope::Scene);
+}
+
 void EffectPanel::filter()
 {
     const QString text = m_search->text();
     const bool isSearched = !text.trimmed().isEmpty();
     const bool onlyChanged = m_onlyChanged->isChecked();
+    // A search and a list of changes are of both, and say which is which.
+    m_tabs->setVisible(m_hasTabs && !isSearched && !onlyChanged);
+    for (ParameterGroup* group : m_groups) {
+        group->setScope(shownScope());
+        const QString owner = group->has(Scope::Scene) ? tr("Scene") : m_tabs->tabText(0);
+        group->setOwner(m_hasTabs && m_tabs->isHidden() ? owner : QString());
+    }
     const std::vector<double> scores = isSearched ? m_index.scores(text) : std::vector<double>();
     auto next = scores.begin();
     std::vector<std::pair<double, ParameterGroup*>> ranked;
@@ -175,7 +217,7 @@ void EffectPanel::filter()
         }
         ranked.emplace_back(group->filter(part, onlyChanged), group);
     }
-    m_groups.front()->setVisible(!isSearched && !onlyChanged);
+    m_groups.front()->setVisible(!isSearched && !onlyChanged && ranked.front().first > 0.0);
     const bool any = std::any_of(ranked.begin() + 1, ranked.end(), [](const auto& one) { return one.first > 0.0; });
     if (isSearched) { // the best on top
         std::stable_sort(
@@ -195,6 +237,7 @@ void EffectPanel::showGroup(std::string_view name)
     if (group != nullptr) {
         m_search->clear();
         m_onlyChanged->setChecked(false);
+        m_tabs->setCurrentIndex(group->has(Scope::Layer) ? 0 : 1);
         group->setOpen(true);
         // The layout has to know how tall the group is now before the bar can go there.
         m_scroll->widget()->layout()->activate();

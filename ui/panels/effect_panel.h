@@ -9,6 +9,7 @@
 
 class QLabel;
 class QLineEdit;
+class QTabBar;
 class QToolButton;
 class QVBoxLayout;
 
@@ -46,10 +47,17 @@ private:
     void follow(const EffectChange& change);
     void filter();
     void foldAll(bool open);
+    void makeTabs();
+    /// Tabs of the layer and of the scene, where there is more than one layer.
+    void followLayers();
+    /// Whose parameters are shown; none: all.
+    [[nodiscard]] std::optional<Scope> shownScope() const;
     [[nodiscard]] QWidget* makeGroups(Locks& locks);
 
     Document& m_document;
     LayerList* m_layers;
+    QTabBar* m_tabs;
+    bool m_hasTabs = false;
     QLineEdit* m_search;
     QToolButton* m_onlyChanged;
     QLabel* m_nothing; ///< says that nothing was found

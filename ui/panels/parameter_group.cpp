@@ -113,12 +113,26 @@ void ParameterGroup::showMark()
 {
     const bool changed =
         std::any_of(m_rows.begin(), m_rows.end(), [](const ParameterRow* row) { return row->isChanged(); });
-    m_heading->setText((changed ? QStringLiteral("• ") : QString()) + m_label);
+    m_heading->setText((changed ? QStringLiteral("• ") : QString()) + m_label
+        + (m_owner.isEmpty() ? QString() : QStringLiteral(" · ") + m_owner));
 }
 
 bool ParameterGroup::isWanted(std::size_t row) const
 {
-    return (!m_isSearched || m_scores[row] > 0.0) && (m_rows[row]->isChanged() || !m_onlyChanged);
+    const bool isInScope = !m_scope || m_rows[row]->stored().scope == *m_scope;
+    return isInScope && (!m_isSearched || m_scores[row] > 0.0) && (m_rows[row]->isChanged() || !m_onlyChanged);
+}
+
+bool ParameterGroup::has(Scope scope) const
+{
+    return std::any_of(
+        m_rows.begin(), m_rows.end(), [&](const ParameterRow* row) { return row->stored().scope == scope; });
+}
+
+void ParameterGroup::setOwner(const QString& owner)
+{
+    m_owner = owner;
+    showMark();
 }
 
 double ParameterGroup::filter(const std::vector<double>& scores, bool onlyChanged)

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QToolButton;
@@ -37,6 +38,13 @@ public:
     /// @return the best of those that are wanted; 0: none is
     double filter(const std::vector<double>& scores, bool onlyChanged);
 
+    /// Whether a row of it belongs to the layer that is edited, or to what all layers share.
+    [[nodiscard]] bool has(Scope scope) const;
+    /// Shows the rows of one scope alone; none: all of them.
+    void setScope(std::optional<Scope> scope) { m_scope = scope; }
+    /// Says behind the heading whose parameters these are; empty: nobody asks.
+    void setOwner(const QString& owner);
+
     /// All values as lines of "key=value", on the clipboard.
     void copy() const;
     /// Takes over those lines of the clipboard that are of this group, in one step; without one nothing happens.
@@ -66,6 +74,8 @@ private:
     bool m_isSearched = false;
     QString m_label;
     bool m_onlyChanged = false;
+    std::optional<Scope> m_scope;
+    QString m_owner;
 };
 
 } // namespace fumage::ui
