@@ -172,14 +172,15 @@ void paintCoherent(const SpriteStyle& style, const DetailTexture& texture, const
         const auto shadeBy = [&](V slope) HWY_ATTR { return hn::Max(zero, grows * slope + 1.0F); };
         const V shade = shadeBy(here.slopes[kBySun]);
         const V around = hn::Max(zero, even * detail.around + 1.0F);
-        const V weight = under(d, at, a, shade * directRed + around * ambientRed,
-            shade * directGreen + around * ambientGreen, shade * directBlue + around * ambientBlue);
+        const OwnColours own{shade * directRed + around * ambientRed, shade * directGreen + around * ambientGreen,
+            shade * directBlue + around * ambientBlue};
+        const V weight = under(d, at, a, own);
         if constexpr (kManyTargets) {
             const V right = here.slopes[kByRight];
             const V top = here.slopes[kByTop];
             const V shades[kTargetLights] = {hn::Set(d, 1.0F), shadeBy(right), shadeBy(top), shadeBy(hn::Neg(right)),
                 shadeBy(hn::Neg(top))}; // NOLINT(cppcoreguidelines-avoid-c-arrays)
-            others.under<true>(d, more, weight, shades);
+            others.under<true>(d, more, weight, own, shades);
         }
     };
     forRows(sprite, rim, box, tile, [&](int row, int from, int to) HWY_ATTR {

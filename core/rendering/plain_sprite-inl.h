@@ -41,9 +41,8 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInTa
     const std::size_t lanes = hn::Lanes(d);
     const Rim rim(sprite);
     const PlainProfile profile(style, sprite, rim);
-    const V red = hn::Set(d, sprite.direct[0] + sprite.ambient[0]);
-    const V green = hn::Set(d, sprite.direct[1] + sprite.ambient[1]);
-    const V blue = hn::Set(d, sprite.direct[2] + sprite.ambient[2]);
+    const OwnColours own{hn::Set(d, sprite.direct[0] + sprite.ambient[0]),
+        hn::Set(d, sprite.direct[1] + sprite.ambient[1]), hn::Set(d, sprite.direct[2] + sprite.ambient[2])};
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);
     const V most = hn::Set(d, profile.highest);
@@ -79,9 +78,9 @@ void paintPlain(const SpriteStyle& style, const Sprite& sprite, const SpriteInTa
                 if constexpr (kFlat) {
                     root = hn::Min(root, most);
                 }
-                const V weight = under(d, pixels, hn::Mul(root, root), red, green, blue);
+                const V weight = under(d, pixels, hn::Mul(root, root), own);
                 if constexpr (kManyTargets) {
-                    others.under<false>(d, more, weight, nullptr);
+                    others.under<false>(d, more, weight, own, nullptr);
                 }
             }
         }

@@ -247,18 +247,19 @@ void paintTextured(const SpriteStyle& style, const SpriteTexture& texture, const
                         + (lights[i].reliefU * slopeU + sum(lines.across.round[i], lines.down.round[i])));
             };
             const V shade = shadeBy(0);
-            const V weight = under(d, at, a, shade * directRed + ambientRed, shade * directGreen + ambientGreen,
-                shade * directBlue + ambientBlue);
+            const OwnColours own{
+                shade * directRed + ambientRed, shade * directGreen + ambientGreen, shade * directBlue + ambientBlue};
+            const V weight = under(d, at, a, own);
             if constexpr (kManyTargets) {
                 const V shades[kTargetLights] = {hn::Set(d, 1.0F), shadeBy(kFromRight), shadeBy(kFromTop),
                     shadeBy(kFromLeft), shadeBy(kFromBottom)}; // NOLINT(cppcoreguidelines-avoid-c-arrays)
-                others.under<true>(d, more, weight, shades);
+                others.under<true>(d, more, weight, own, shades);
             }
         } else {
-            const V weight =
-                under(d, at, a, directRed + ambientRed, directGreen + ambientGreen, directBlue + ambientBlue);
+            const OwnColours own{directRed + ambientRed, directGreen + ambientGreen, directBlue + ambientBlue};
+            const V weight = under(d, at, a, own);
             if constexpr (kManyTargets) {
-                others.under<false>(d, more, weight, nullptr);
+                others.under<false>(d, more, weight, own, nullptr);
             }
         }
     };

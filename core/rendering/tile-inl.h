@@ -69,18 +69,23 @@ struct Rim {
     }
 };
 
+/// What a sprite shows at some pixels.
+struct OwnColours {
+    V red, green, blue;
+};
+
 /// Puts a sprite of some opacity and colour under what is there.
 /// @return how much of it is seen
-HWY_INLINE V under(D d, float* HWY_RESTRICT through, V a, V red, V green, V blue)
+HWY_INLINE V under(D d, float* HWY_RESTRICT through, V a, const OwnColours& own)
 {
     float* HWY_RESTRICT toRed = through + Tile::kPatchPixels;
     float* HWY_RESTRICT toGreen = through + 2 * Tile::kPatchPixels;
     float* HWY_RESTRICT toBlue = through + 3 * Tile::kPatchPixels;
     const V before = hn::Load(d, through);
     const V weight = a * before;
-    hn::Store(weight * red + hn::Load(d, toRed), d, toRed);
-    hn::Store(weight * green + hn::Load(d, toGreen), d, toGreen);
-    hn::Store(weight * blue + hn::Load(d, toBlue), d, toBlue);
+    hn::Store(weight * own.red + hn::Load(d, toRed), d, toRed);
+    hn::Store(weight * own.green + hn::Load(d, toGreen), d, toGreen);
+    hn::Store(weight * own.blue + hn::Load(d, toBlue), d, toBlue);
     hn::Store(before - weight, d, through);
     return weight;
 }
@@ -103,13 +108,14 @@ enum : std::size_t {
 /// Targets beside the sprites' own colours.
 struct OtherTargets {
     struct One {
-        const SpriteTarget* layers; ///< the colours of all sprites
+        const SpriteTarget* layers; ///< the colours of all sprites; null: the own of those of the first layers
         std::size_t red, green; ///< lights; nothing shades blue
+        std::size_t firstLayers;
     };
     std::array<One, kPassTargets> targets{};
     std::size_t count = 0;
 
-    /// The colour of a sprite in one of them.
+    /// The colour of a sprite in one of them that has colours.
     [[nodiscard]] HWY_INLINE const float* colourOf(std::size_t target, SpriteNumber sprite) const
     {
         return targets[target].layers[sprite.layer()].colours.data() + sprite.slot() * SpriteTarget::kStride;
@@ -119,13 +125,15 @@ struct OtherTargets {
     {
         for (const RenderTarget& target : all) {
             if (target.colours != nullptr) {
-                targets[count++] =
-                    One{target.colours, lightOf(target, kFromRight, kFromLeft), lightOf(target, kFromTop, kFromBottom)};
+                targets[count++] = One{
+                    target.colours, lightOf(target, kFromRight, kFromLeft), lightOf(target, kFromTop, kFromBottom), 0};
+            } else if (!target.isWhole()) {
+                targets[count++] = One{nullptr, kEvenly, kEvenly, target.firstLayers};
             }
         }
     }
     /// Floats from a patch of the tile to the next.
-    [[nodiscard]] std::size_t stride() const { return count * Tile::kPatchColours; }
+    [[nodiscard]] std::size_t stride() const { return count * Tile::kPatchFloats; }
     [[nodiscard]] std::size_t offset(int column, int row) const
     {
         return static_cast<std::size_t>(row * Tile::kAcross + column) * stride();
@@ -149,17 +157,27 @@ struct SpriteInTargets {
     SpriteNumber sprite;
 
     /// Puts it under what is there.
-    /// @param weight what under() has found @param lights kTargetLights; null: all the same
+    /// @param weight what under() has found @param own its colours, which under() took
+    /// @param lights kTargetLights; null: all the same
     template <bool kLit>
-    HWY_INLINE void under(D d, float* HWY_RESTRICT to, V weight, const V* lights) const
+    HWY_INLINE void under(D d, float* HWY_RESTRICT to, V weight, const OwnColours& own, const V* lights) const
     {
-        for (std::size_t i = 0; i < targets.count; ++i, to += Tile::kPatchColours) {
+        for (std::size_t i = 0; i < targets.count; ++i, to += Tile::kPatchFloats) {
             const OtherTargets::One& target = targets.targets[i];
-            const float* HWY_RESTRICT colour = targets.colourOf(i, sprite);
             const auto put = [&](std::size_t channel, V value) HWY_ATTR {
-                float* HWY_RESTRICT at = to + channel * Tile::kPatchPixels;
+                float* HWY_RESTRICT at = to + (channel + 1) * Tile::kPatchPixels;
                 hn::Store(weight * value + hn::Load(d, at), d, at);
             };
+            if (target.layers == nullptr) {
+                if (sprite.layer() < target.firstLayers) {
+                    put(0, own.red);
+                    put(1, own.green);
+                    put(2, own.blue);
+                    hn::Store(hn::Load(d, to) - weight, d, to);
+                }
+                continue;
+            }
+            const float* HWY_RESTRICT colour = targets.colourOf(i, sprite);
             const auto lit = [&](std::size_t channel, std::size_t light) HWY_ATTR {
                 const V value = hn::Set(d, colour[channel]);
                 if constexpr (kLit) {

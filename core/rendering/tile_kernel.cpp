@@ -22,6 +22,12 @@ void clearTile(const OtherTargets& others, Tile& tile)
     const D d;
     tile.others.resize(std::max(tile.others.size(), others.stride() * Tile::kPatches));
     std::fill_n(tile.others.data(), others.stride() * Tile::kPatches, 0.0F);
+    for (std::size_t target = 0; target < others.count; ++target) {
+        for (std::size_t patch = 0; others.targets[target].layers == nullptr && patch < Tile::kPatches; ++patch) {
+            std::fill_n(
+                tile.others.data() + patch * others.stride() + target * Tile::kPatchFloats, Tile::kPatchPixels, 1.0F);
+        }
+    }
     for (std::size_t patch = 0; patch < tile.patches.size(); patch += Tile::kPatchFloats) {
         for (std::size_t i = 0; i < Tile::kPatchFloats; i += hn::Lanes(d)) {
             hn::Store(i < Tile::kPatchPixels ? hn::Set(d, 1.0F) : hn::Zero(d), d, tile.patches.data() + patch + i);
@@ -57,18 +63,19 @@ bool isOpaque(const Tile& tile)
 
 /// The planes of one target in a tile.
 struct Planes {
-    const float* through; ///< from one patch to the next Tile::kPatchFloats
+    const float* through;
+    std::size_t throughStride; ///< from one patch to the next
     const float* colours; ///< red, green and blue
     std::size_t stride; ///< of colours, from one patch to the next
 
     [[nodiscard]] Planes at(int column, int row) const
     {
         const auto patch = static_cast<std::size_t>(row * Tile::kAcross + column);
-        return {through + patch * Tile::kPatchFloats, colours + patch * stride, stride};
+        return {through + patch * throughStride, throughStride, colours + patch * stride, stride};
     }
     void next()
     {
-        through += Tile::kPatchFloats;
+        through += throughStride;
         colours += stride;
     }
 };
@@ -233,7 +240,9 @@ HWY_INLINE void forEntries(SpriteLayers layers, const OtherTargets& others, std:
                 hwy::Prefetch(&batch.details[next.slot()].strength);
             }
             for (std::size_t target = 0; target < others.count; ++target) {
-                hwy::Prefetch(others.colourOf(target, next));
+                if (others.targets[target].layers != nullptr) {
+                    hwy::Prefetch(others.colourOf(target, next));
+                }
             }
         }
         paintSprite(SpriteNumber(entryIndex(entries[i])));
@@ -282,12 +291,16 @@ void paint(SpriteLayers layers, std::span<const RenderTarget> targets, std::span
     const float* const through = tile.patches.data();
     const float* other = tile.others.data();
     for (const RenderTarget& target : targets) {
-        if (target.colours == nullptr) {
-            writeTile(tile, {through, through + Tile::kPatchPixels, Tile::kPatchFloats}, *target.image);
-        } else {
-            writeTile(tile, {through, other, others.stride()}, *target.image);
-            other += Tile::kPatchColours;
+        const Planes whole{through, Tile::kPatchFloats, through + Tile::kPatchPixels, Tile::kPatchFloats};
+        if (target.isWhole()) {
+            writeTile(tile, whole, *target.image);
+            continue;
         }
+        const Planes own{other, others.stride(), other + Tile::kPatchPixels, others.stride()};
+        const bool hasOwnAlpha = target.colours == nullptr;
+        writeTile(
+            tile, hasOwnAlpha ? own : Planes{through, Tile::kPatchFloats, own.colours, own.stride}, *target.image);
+        other += Tile::kPatchFloats;
     }
 }
 
