@@ -43,7 +43,7 @@ nlohmann::ordered_json answerOf(const ExportJob& job, const Result<std::optional
         answer["error"] = done.error().text();
         return answer;
     }
-    const Written written = writtenBy(job.plan, done.value());
+    const Written written = writtenBy(job.preset.scene, job.plan, done.value());
     answer["files"] = written.count;
     answer["first"] = written.first.string();
     answer["last"] = written.last.string();
@@ -72,7 +72,7 @@ Status doJobs(const std::string& file, bool asJson)
             warnOf(job.preset.scene, job.plan);
         }
         const Result<std::optional<Flipbook>> done =
-            exportWithBar(job.plan, [&](const Task& task) { return runJob(job, task); });
+            exportWithBar(job.preset.scene, job.plan, [&](const Task& task) { return runJob(job, task); });
         if (!done && done.error().code == ErrorCode::Cancelled) {
             return done.error();
         }

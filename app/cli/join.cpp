@@ -85,7 +85,7 @@ Status joinToFlipbook(
         return status;
     }
     FlipbookOptions flipbook = flipbookOf(plan);
-    if (Status status = refuseInputs(options, named, frames, filesOf(flipbook)); !status) {
+    if (Status status = refuseInputs(options, named, frames, filesOf(named.preset.scene, flipbook)); !status) {
         return status;
     }
     warnOf(named.preset.scene, plan);

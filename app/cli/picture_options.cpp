@@ -16,9 +16,9 @@ namespace fumage::cli {
 namespace {
 
 /// @param rendered frames that were not there already
-void tellDone(const ExportPlan& plan, const std::optional<Flipbook>& flipbook, int rendered)
+void tellDone(const Scene& scene, const ExportPlan& plan, const std::optional<Flipbook>& flipbook, int rendered)
 {
-    const Written written = writtenBy(plan, flipbook);
+    const Written written = writtenBy(scene, plan, flipbook);
     const int kept = plan.recording.skipExisting ? written.count - rendered : 0;
     if (kept > 0) {
         report(std::to_string(kept) + " of " + std::to_string(written.count) + " files were there already, "
@@ -170,11 +170,11 @@ Result<std::optional<Flipbook>> writePictures(const PictureJob& job)
         return status ? Result<std::optional<Flipbook>>(std::nullopt) : status.error();
     }
     warnOf(job.scene, job.plan);
-    return exportWithBar(job.plan, [&](const Task& task) { return runExport(job.scene, job.plan, task); });
+    return exportWithBar(job.scene, job.plan, [&](const Task& task) { return runExport(job.scene, job.plan, task); });
 }
 
-Result<std::optional<Flipbook>> exportWithBar(
-    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Task& task)>& run)
+Result<std::optional<Flipbook>> exportWithBar(const Scene& scene, const ExportPlan& plan,
+    const std::function<Result<std::optional<Flipbook>>(const Task& task)>& run)
 {
     int rendered = 0;
     Result<std::optional<Flipbook>> done = std::optional<Flipbook>();
@@ -188,17 +188,17 @@ Result<std::optional<Flipbook>> exportWithBar(
         done = run({listener, shown.stop});
     }
     if (done) {
-        tellDone(plan, done.value(), rendered);
+        tellDone(scene, plan, done.value(), rendered);
     }
     return done;
 }
 
-Written writtenBy(const ExportPlan& plan, const std::optional<Flipbook>& flipbook)
+Written writtenBy(const Scene& scene, const ExportPlan& plan, const std::optional<Flipbook>& flipbook)
 {
     if (flipbook) {
-        return {flipbook->files, firstFile(plan), flipbook->description};
+        return {flipbook->files, flipbook->picture, flipbook->description};
     }
-    return {plan.kind == ExportKind::Sequence ? plan.frames.count() : 1, firstFile(plan), lastFile(plan)};
+    return {plan.kind == ExportKind::Sequence ? plan.frames.count() : 1, firstFile(scene, plan), lastFile(scene, plan)};
 }
 
 } // namespace fumage::cli

@@ -66,9 +66,9 @@ void warnOf(const Scene& scene, const ExportPlan& plan);
 /// @return the flipbook, where that is what was made
 [[nodiscard]] Result<std::optional<Flipbook>> writePictures(const PictureJob& job);
 
-/// Runs an export of a plan with a bar of progress, and says what was written and what was there already.
-[[nodiscard]] Result<std::optional<Flipbook>> exportWithBar(
-    const ExportPlan& plan, const std::function<Result<std::optional<Flipbook>>(const Task& task)>& run);
+/// Runs an export of a scene with a bar of progress, and says what was written and what was there already.
+[[nodiscard]] Result<std::optional<Flipbook>> exportWithBar(const Scene& scene, const ExportPlan& plan,
+    const std::function<Result<std::optional<Flipbook>>(const Task& task)>& run);
 
 /// The files that an export has written.
 struct Written {
@@ -78,6 +78,6 @@ struct Written {
 };
 
 /// @param flipbook what runExport() returned
-[[nodiscard]] Written writtenBy(const ExportPlan& plan, const std::optional<Flipbook>& flipbook);
+[[nodiscard]] Written writtenBy(const Scene& scene, const ExportPlan& plan, const std::optional<Flipbook>& flipbook);
 
 } // namespace fumage::cli

@@ -74,6 +74,20 @@ Status readEngine(std::string_view text, ExportPlan& plan)
     return Done{};
 }
 
+/// Shares have the colour, unless somebody asks for alpha, too.
+Status readLayers(std::string_view text, ExportPlan& plan)
+{
+    const std::optional<LayerOutput> layers = enumeratorNamed<LayerOutput, kLayerOutputs>(text);
+    if (!layers) {
+        return unknownName(text, namesOf<LayerOutput, kLayerOutputs>());
+    }
+    plan.layers = *layers;
+    if (isShare(*layers)) {
+        plan.passes = {Pass::Colour};
+    }
+    return Done{};
+}
+
 Texts alphaNames()
 {
     return {"straight", "premultiplied"};
@@ -144,6 +158,27 @@ constexpr auto kOptions = std::to_array<ExportOption>({
         .applies = isFlipbook,
         .text = [](Plan plan) -> Text { return std::string(nameOf(plan.flipbook.engine)); },
         .read = readEngine},
+    {.key = "layers",
+        .flag = "--layers-as",
+        .setting = "layers",
+        .unsaid = "",
+        .help = "How layers are written: together (default); or a sheet each: alone (lit and moved with the others, "
+                "but nothing hides it), contribution (the others hide what they hide; they add up to the picture), "
+                "stacked (drawn over one another in their order, premultiplied, they make the picture). The last two "
+                "have colour and alpha",
+        .choices = namesOf<LayerOutput, kLayerOutputs>,
+        .applies = isFlipbook,
+        .text = [](Plan plan) -> Text { return plan.layers ? Text(nameOf(*plan.layers)) : std::nullopt; },
+        .read = readLayers},
+    choiceOption<BlendSpace, kBlendSpaces>(
+        {.key = "blending",
+            .setting = "blending",
+            .unsaid = "",
+            .help = "Of contribution and stacked in PNG and TGA: add up where colours are blended as they are stored "
+                    "(encoded: browsers, 2D engines, Godot's Compatibility renderer) or as light (linear: Unity, "
+                    "Unreal, Godot's Forward+). Default: as --for blends; encoded without",
+            .applies = isFlipbook},
+        [](auto& plan) -> auto& { return plan.blending; }),
     parsedOption<parsePasses>(
         {.key = "passes",
             .setting = "passes",

@@ -50,6 +50,8 @@ FlipbookOptions flipbookOf(const ExportPlan& plan)
         plan.passes, plan.style, plan.flipbook.engine};
     options.packs = plan.flipbook.packs;
     options.retime = plan.flipbook.retime;
+    options.layers = plan.layers;
+    options.blending = plan.blending;
     return options;
 }
 

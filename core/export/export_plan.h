@@ -82,6 +82,8 @@ struct ExportPlan {
     ImageFormat format = ImageFormat::Png8;
     PassSet passes{Pass::Colour}; ///< of a flipbook, and of frames in EXR
     PassStyle style; ///< of its passes
+    std::optional<LayerOutput> layers; ///< of flipbooks; none: together
+    std::optional<BlendSpace> blending; ///< see FlipbookOptions
     FlipbookPlan flipbook;
     VideoPlan video;
     VolumePlan volume;

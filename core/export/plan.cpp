@@ -97,12 +97,12 @@ int nearestPowerOfTwo(int number)
 }
 
 /// Whether a plan writes over its source, be it through a link.
-bool overwritesSource(const ExportPlan& plan)
+bool overwritesSource(const Scene& scene, const ExportPlan& plan)
 {
     if (plan.source.empty()) {
         return false;
     }
-    const std::vector<std::filesystem::path> files = filesOf(plan);
+    const std::vector<std::filesystem::path> files = filesOf(scene, plan);
     return std::any_of(
         files.begin(), files.end(), [&](const std::filesystem::path& file) { return isSameFile(file, plan.source); });
 }
@@ -139,22 +139,22 @@ std::filesystem::path manifestOf(const ExportPlan& plan)
         plan.recording.manifest, plan.kind == ExportKind::Flipbook ? std::nullopt : std::optional(framesOf(plan)));
 }
 
-std::vector<std::filesystem::path> filesOf(const ExportPlan& plan)
+std::vector<std::filesystem::path> filesOf(const Scene& scene, const ExportPlan& plan)
 {
     if (plan.kind == ExportKind::Flipbook) {
-        return filesOf(flipbookOf(plan));
+        return filesOf(scene, flipbookOf(plan));
     }
-    std::vector<std::filesystem::path> files{firstFile(plan)};
+    std::vector<std::filesystem::path> files{firstFile(scene, plan)};
     for (int i = 1; isNumbered(plan.kind) && i < plan.frames.count(); ++i) {
         files.push_back(fileOf(plan, plan.frames.at(i)));
     }
     return files;
 }
 
-std::filesystem::path firstFile(const ExportPlan& plan)
+std::filesystem::path firstFile(const Scene& scene, const ExportPlan& plan)
 {
     switch (plan.kind) {
-    case ExportKind::Flipbook: return filesOf(plan).front();
+    case ExportKind::Flipbook: return filesOf(scene, plan).front();
     case ExportKind::Video:
     case ExportKind::NoiseTexture: return plan.output;
     case ExportKind::Picture: return withEnding(plan.output, fileEnding(plan));
@@ -176,9 +176,9 @@ Result<FlipbookOptions> flipbookSeenBy(const Scene& seen, const ExportPlan& plan
     return options;
 }
 
-std::filesystem::path lastFile(const ExportPlan& plan)
+std::filesystem::path lastFile(const Scene& scene, const ExportPlan& plan)
 {
-    return isNumbered(plan.kind) ? fileOf(plan, plan.frames.at(plan.frames.count() - 1)) : firstFile(plan);
+    return isNumbered(plan.kind) ? fileOf(plan, plan.frames.at(plan.frames.count() - 1)) : firstFile(scene, plan);
 }
 
 Result<Output> outputFor(const Scene& scene, const ExportPlan& plan)
@@ -252,7 +252,7 @@ Result<std::optional<Flipbook>> writeFiles(const Scene& scene, const ExportPlan&
 
 Result<std::optional<Flipbook>> runExport(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
-    if (overwritesSource(plan)) {
+    if (overwritesSource(scene, plan)) {
         return wouldOverwrite(plan.source);
     }
     return withinMemory([&]() -> Result<std::optional<Flipbook>> {

@@ -13,12 +13,12 @@
 
 namespace fumage {
 
-/// All files that a plan writes, in their order; what describes a flipbook, and what its engine needs, among them.
-/// O(files).
-[[nodiscard]] std::vector<std::filesystem::path> filesOf(const ExportPlan& plan);
+/// All files that a plan writes of a scene, in their order; what describes a flipbook, and what its engine needs, among
+/// them. O(files).
+[[nodiscard]] std::vector<std::filesystem::path> filesOf(const Scene& scene, const ExportPlan& plan);
 /// The files of a plan, first and last; what describes a flipbook lies beside it.
-[[nodiscard]] std::filesystem::path firstFile(const ExportPlan& plan);
-[[nodiscard]] std::filesystem::path lastFile(const ExportPlan& plan);
+[[nodiscard]] std::filesystem::path firstFile(const Scene& scene, const ExportPlan& plan);
+[[nodiscard]] std::filesystem::path lastFile(const Scene& scene, const ExportPlan& plan);
 /// The manifest, or the part of one, that a plan writes beside its files; empty: none. What is there already is
 /// replaced with them.
 [[nodiscard]] std::filesystem::path manifestOf(const ExportPlan& plan);

@@ -8,7 +8,7 @@ namespace fumage {
 
 namespace {
 
-Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Task& task)
+Result<std::vector<CheckedFile>> check(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
     const std::filesystem::path manifest = manifestOf(plan);
     const Result<ManifestSet> set = openManifests(manifest);
@@ -24,7 +24,7 @@ Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Task& task)
         named.insert(file.file);
     }
     const std::filesystem::path folder = std::filesystem::absolute(manifest).lexically_normal().parent_path();
-    for (const std::filesystem::path& file : filesOf(plan)) {
+    for (const std::filesystem::path& file : filesOf(scene, plan)) {
         const std::string name =
             std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).generic_string();
         if (!named.contains(name)) {
@@ -36,9 +36,9 @@ Result<std::vector<CheckedFile>> check(const ExportPlan& plan, const Task& task)
 
 } // namespace
 
-Result<std::vector<CheckedFile>> checkExport(const ExportPlan& plan, const Task& task)
+Result<std::vector<CheckedFile>> checkExport(const Scene& scene, const ExportPlan& plan, const Task& task)
 {
-    return withinMemory([&] { return check(plan, task); });
+    return withinMemory([&] { return check(scene, plan, task); });
 }
 
 } // namespace fumage

@@ -237,22 +237,31 @@ Status PassRenderer::render(const FrameAmongOthers& frames, int width, int heigh
         return status;
     }
     makeTargets(frames, passes);
-    PassImages& painted = factor == 1 ? images : m_large;
+    m_passes = passes;
+    m_factor = factor;
+    return paint(0, layers.size(), images, stop);
+}
+
+/// Paints the targets of some layers, as many as there are from one on.
+Status PassRenderer::paint(std::size_t first, std::size_t count, PassImages& images, const std::stop_token& stop)
+{
+    PassImages& painted = m_factor == 1 ? images : m_large;
     std::vector<RenderTarget> wanted;
     for (std::size_t i = 0; i < kPassTargets; ++i) {
         const auto which = static_cast<PassTarget>(i);
-        if (needsTarget(passes, which)) {
-            wanted.push_back({which == PassTarget::Colour ? nullptr : m_targets[i].data(), &painted.targets[i]});
+        if (needsTarget(m_passes, which)) {
+            wanted.push_back(
+                {which == PassTarget::Colour ? nullptr : m_targets[i].data() + first, &painted.targets[i]});
         } else {
             images.targets[i] = {};
         }
     }
-    if (Status status = m_compositor.composeAll(m_renderer.layers(), wanted, stop); !status) {
+    if (Status status = m_compositor.composeAll(m_renderer.layers().subspan(first, count), wanted, stop); !status) {
         return status;
     }
-    for (std::size_t i = 0; factor > 1 && i < kPassTargets; ++i) {
-        if (needsTarget(passes, static_cast<PassTarget>(i))) {
-            images.targets[i] = downsample(m_large.targets[i], factor, stop);
+    for (std::size_t i = 0; m_factor > 1 && i < kPassTargets; ++i) {
+        if (needsTarget(m_passes, static_cast<PassTarget>(i))) {
+            images.targets[i] = downsample(m_large.targets[i], m_factor, stop);
         }
     }
     if (stop.stop_requested()) {

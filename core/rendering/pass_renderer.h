@@ -40,6 +40,18 @@ public:
     [[nodiscard]] Status render(const FrameAmongOthers& frames, int width, int height, PassSet passes,
         PassImages& images, const std::stop_token& stop = {});
 
+    /// The pictures of one layer of the last frame by itself: under the light that all layers have, with nothing before
+    /// or behind it. Of a frame of one layer they are those of render().
+    /// @param layer  its place in the frame
+    /// @error as of render()
+    [[nodiscard]] Status renderAlone(std::size_t layer, PassImages& images, const std::stop_token& stop = {})
+    {
+        return paint(layer, 1, images, stop);
+    }
+
+    /// The sprites of the last frame, at supersample times its size.
+    [[nodiscard]] SpriteLayers layers() const { return m_renderer.layers(); }
+
     /// What the look has made of the particles of a layer in the last frame.
     [[nodiscard]] const Appearance& appearance(std::size_t layer = 0) const { return m_renderer.appearance(layer); }
 
@@ -56,6 +68,7 @@ private:
         const LayerAmongOthers& layer, const Effect& other, const LightGrid& light, std::size_t number);
     void take(const float (Sprite::*colour)[3], SpriteTarget& to);
     void fillColours(const FrameAmongOthers& frames, std::size_t layer, PassSet passes);
+    [[nodiscard]] Status paint(std::size_t first, std::size_t count, PassImages& images, const std::stop_token& stop);
 
     Renderer m_renderer;
     Compositor m_compositor;
@@ -65,6 +78,8 @@ private:
     SpriteBatch m_other; ///< the sprites of a layer under other light
     LightGrid m_even; ///< the light of the frame, but for the sun, which is everywhere
     std::array<std::vector<SpriteTarget>, kPassTargets> m_targets; ///< of each layer
+    PassSet m_passes; ///< of the last frame
+    int m_factor = 1; ///< by which it is rendered larger
     PassImages m_large;
     Particles m_previous; ///< those of other turns of a loop, in the slots of this one
     Particles m_next;

@@ -2875,6 +2875,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Name one of %1, or give its number from 1 to %2</source>
         <translation>Namnge ett av %1, eller ange dess nummer från 1 till %2</translation>
     </message>
+    <message>
+        <source>layers that are written as %1 have no other passes than %2</source>
+        <translation>lager som skrivs som %1 har inga andra pass än %2</translation>
+    </message>
+    <message>
+        <source>Choose these passes, or layers alone</source>
+        <translation>Välj dessa pass, eller lager var för sig (alone)</translation>
+    </message>
+    <message>
+        <source>what is written for %1 plays one sheet</source>
+        <translation>det som skrivs för %1 spelar ett ark</translation>
+    </message>
+    <message>
+        <source>Choose another engine or none, or layers together or alone</source>
+        <translation>Välj en annan motor eller ingen, eller lager tillsammans eller var för sig</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

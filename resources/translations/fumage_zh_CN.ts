@@ -2875,6 +2875,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Name one of %1, or give its number from 1 to %2</source>
         <translation>请指定 %1 之一，或给出 1 到 %2 的编号</translation>
     </message>
+    <message>
+        <source>layers that are written as %1 have no other passes than %2</source>
+        <translation>以 %1 方式写出的图层除 %2 外没有其他通道</translation>
+    </message>
+    <message>
+        <source>Choose these passes, or layers alone</source>
+        <translation>请选择这些通道，或选择图层各自单独（alone）</translation>
+    </message>
+    <message>
+        <source>what is written for %1 plays one sheet</source>
+        <translation>为 %1 写出的内容只播放一张图集</translation>
+    </message>
+    <message>
+        <source>Choose another engine or none, or layers together or alone</source>
+        <translation>请选择其他引擎或不选引擎，或让图层合在一起或各自单独</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::NoiseCanvas</name>

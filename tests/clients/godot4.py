@@ -20,6 +20,7 @@ from PIL import Image
 
 from browser import decibels
 from godot4_engine import Godot
+from layered import sheets_in
 
 SIZE = 96
 GRID = 3
@@ -32,7 +33,7 @@ LITERAL = re.compile(rf'(?:{NUMBER}|true|false|"(?:[^"\\]|\\.)*"|(?:Vector[234]|
 HEADING = re.compile(r'\[(\w+)((?: \w+=(?:"(?:[^"\\]|\\.)*"|\w+|ExtResource\("[^"]*"\)))*)\]')
 ATTRIBUTE = re.compile(r'(\w+)=("(?:[^"\\]|\\.)*"|\w+)')
 HINTS = {"source_color", "filter_linear_mipmap", "filter_linear", "repeat_disable", "hint_range"}
-MODES = {"blend_mix", "depth_draw_never", "cull_disabled", "unshaded", "specular_disabled", "ambient_light_disabled"}
+MODES = {"blend_mix", "blend_premul_alpha", "depth_draw_never", "cull_disabled", "unshaded", "specular_disabled", "ambient_light_disabled"}
 
 # Of spatial shaders, from the manual's tables; what may be written has no const.
 GLOBAL = "const float TIME = 0.0; const float PI = 3.14159265; const float TAU = 6.2831853;"
@@ -207,6 +208,21 @@ def check_glow(godot, cli, folder, preset):
     return score > LEAST_GLOWING and numpy.abs(hues[0] - hues[1]).max() < 0.05
 
 
+def check_layers(godot, cli, folder):
+    """Three sheets drawn over one another, against the sheet of all; Compatibility blends what is stored."""
+    folder = pathlib.Path(folder) / "layers"
+    folder.mkdir()
+    cells = sheets_in(folder, cli, "godot", SIZE, GRID, "--blending", "encoded")
+    shader = (folder / "stack.gdshader").read_text()
+    check_scene((folder / "stack.tscn").read_text(), folder, set(re.findall(r"^uniform \w+ (\w+)", shader, re.MULTILINE)))
+    as_glsl(shader, "fragment")
+    places = (2, 5, 7)
+    shown = godot.show(folder, [{"scene": "res://stack.tscn", "size": SIZE, "place": (place + 1e-4) / (GRID * GRID)} for place in places])
+    scores = [decibels(picture, cells[place][..., :3]) for picture, place in zip(shown, places)]
+    print(f"three layers over one another: {', '.join(f'{score:.1f}' for score in scores)} dB", flush=True)
+    return min(scores) > LEAST_BETWEEN
+
+
 def main():
     cli = pathlib.Path(sys.argv[1]).resolve()
     for passes in (["colour"], ["colour", "motion"], ["colour", "motion", "six-way"]):
@@ -214,7 +230,7 @@ def main():
     read_by_grammar(cli, ["colour", "six-way"], "campfire")
     with tempfile.TemporaryDirectory() as name:
         godot = Godot(name)
-        good = [check_blending(godot, cli, name, "explosion"), check_light(godot, cli, name, "steam"), check_glow(godot, cli, name, "campfire"), check_glow(godot, cli, name, "magic")]
+        good = [check_layers(godot, cli, name), check_blending(godot, cli, name, "explosion"), check_light(godot, cli, name, "steam"), check_glow(godot, cli, name, "campfire"), check_glow(godot, cli, name, "magic")]
     return 0 if all(good) else 1
 
 

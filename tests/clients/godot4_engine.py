@@ -66,8 +66,8 @@ func shown(shot):
 	if scene == null:
 		return "no scene"
 	var root = scene.instantiate()
-	var particles = root.get_node("Smoke")
-	var quad = particles.draw_pass_1
+	var all = root.find_children("*", "GPUParticles3D", true, false)
+	var quad = all[0].draw_pass_1
 	var view = SubViewport.new()
 	view.size = Vector2i(shot.size, shot.size)
 	view.own_world_3d = true
@@ -90,25 +90,28 @@ func shown(shot):
 		light.look_at_from_position(Vector3.ZERO, -to_light, Vector3.UP if absf(to_light.y) < 0.9 else Vector3.RIGHT)
 	for key in shot.get("set", {}):
 		var value = shot.set[key]
-		quad.material.set_shader_parameter(key, Color(value[0], value[1], value[2]) if value is Array else value)
+		for particles in all:
+			particles.draw_pass_1.material.set_shader_parameter(key, Color(value[0], value[1], value[2]) if value is Array else value)
 	if shot.get("particles", false):
-		particles.position = Vector3.ZERO
+		for particles in all:
+			particles.position = Vector3.ZERO
 		view.add_child(root)
 		for i in 12:
 			await get_tree().process_frame
 	else:
-		var mesh = MultiMesh.new()
-		mesh.transform_format = MultiMesh.TRANSFORM_3D
-		mesh.use_colors = true
-		mesh.use_custom_data = true
-		mesh.mesh = quad
-		mesh.instance_count = 1
-		mesh.set_instance_transform(0, Transform3D())
-		mesh.set_instance_color(0, Color.WHITE)
-		mesh.set_instance_custom_data(0, Color(0, 0, shot.place, 0))
-		var instance = MultiMeshInstance3D.new()
-		instance.multimesh = mesh
-		view.add_child(instance)
+		for particles in all:
+			var mesh = MultiMesh.new()
+			mesh.transform_format = MultiMesh.TRANSFORM_3D
+			mesh.use_colors = true
+			mesh.use_custom_data = true
+			mesh.mesh = particles.draw_pass_1
+			mesh.instance_count = 1
+			mesh.set_instance_transform(0, Transform3D())
+			mesh.set_instance_color(0, Color.WHITE)
+			mesh.set_instance_custom_data(0, Color(0, 0, shot.place, 0))
+			var instance = MultiMeshInstance3D.new()
+			instance.multimesh = mesh
+			view.add_child(instance)
 		for i in 4:
 			await get_tree().process_frame
 	await RenderingServer.frame_post_draw

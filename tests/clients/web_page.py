@@ -16,6 +16,7 @@ import numpy
 from PIL import Image
 
 from browser import decibels, over_grey, pictures_of
+from layered import sheets_in
 
 SIZE = 128
 CELLS = 8
@@ -24,6 +25,7 @@ STEP = 4 # of the frames in the sheet; those between are rebuilt
 SHOWN = (1.5, 3.5, 5.5)
 # What Chromium adds: it stores eight bits, premultiplied, and takes them apart again.
 LEAST_OF_A_CELL = 40.0
+LEAST_OF_LAYERS = 45.0
 
 
 PROBE = """<script>
@@ -31,12 +33,14 @@ PROBE = """<script>
   const frame = () => new Promise(requestAnimationFrame);
   while (!document.body.dataset.ready) await frame();
   playing = false;
+  // An opaque canvas is read as it is: of others Chromium divides eight bits by their alpha.
+  if (BEHIND !== null) gl.clearColor = () => WebGLRenderingContext.prototype.clearColor.call(gl, BEHIND, BEHIND, BEHIND, 1);
   const scale = sheet.motionScale;
   const pictures = [];
   for (const shot of SHOTS) {
     place = shot.place;
     byId("blend").checked = shot.blend;
-    byId("vectors").checked = shot.vectors !== 0;
+    if (byId("vectors")) byId("vectors").checked = shot.vectors !== 0;
     sheet.motionScale = scale * (shot.vectors < 0 ? -1 : 1);
     await frame();
     await frame();
@@ -47,16 +51,30 @@ PROBE = """<script>
 </script></body>"""
 
 
-def shown(page, shots):
-    """The canvas of a page at places of its sheet: (place, whether cells are blended, whether along vectors: 0, 1, or -1 for the wrong way)."""
+def shown(page, shots, behind=None):
+    """The canvas of a page at places of its sheet: (place, whether cells are blended, whether along vectors: 0, 1, or -1 for the wrong way). behind: a grey; none: it is transparent."""
     wanted = json.dumps([{"place": place, "blend": blend, "vectors": vectors} for place, blend, vectors in shots])
-    text = page.read_text(encoding="utf-8").replace("</body>", PROBE.replace("SHOTS", wanted))
+    text = page.read_text(encoding="utf-8").replace("</body>", PROBE.replace("SHOTS", wanted).replace("BEHIND", json.dumps(behind)))
     return pictures_of({"/": ("text/html", text.encode())})
+
+
+def layers_make_the_picture(cli):
+    """Three sheets drawn over one another, against the sheet of all."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        cells = sheets_in(folder, cli, "web", SIZE, 3)
+        scores = []
+        for behind in (0.0, 0.5):
+            pictures = shown(folder / "stack.html", [(float(cell), False, 0) for cell in (2, 5, 8)], behind)
+            wanted = [cells[cell][..., :3] + behind * (1.0 - cells[cell][..., 3:]) for cell in (2, 5, 8)]
+            scores += [decibels(picture, true) for picture, true in zip(pictures, wanted)]
+    print(f"three layers over one another: {', '.join(f'{score:.1f}' for score in scores)} dB", flush=True)
+    return min(scores) >= LEAST_OF_LAYERS
 
 
 def main():
     cli = sys.argv[1]
-    failed = False
+    failed = not layers_make_the_picture(cli)
     for preset in sys.argv[2:] or ["default", "explosion", "chimney"]:
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

@@ -197,10 +197,10 @@ private slots:
     {
         m_dialog->setKind(ExportKind::Sequence);
         child<QCheckBox>(u"export.manifest"_q)->click();
-        const ExportPlan next = numberedOn(m_dialog->plan());
+        const ExportPlan next = numberedOn({{}, {}, m_dialog->plan()});
         QCOMPARE(next.recording.manifest.filename().string(), std::string("untitled-2.manifest.json"));
         child<QCheckBox>(u"export.manifest"_q)->click();
-        QVERIFY(manifestOf(numberedOn(m_dialog->plan())).empty());
+        QVERIFY(manifestOf(numberedOn({{}, {}, m_dialog->plan()})).empty());
     }
 
     void aLoopIsNotTrimmed()

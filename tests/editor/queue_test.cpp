@@ -194,18 +194,18 @@ private slots:
         };
         std::optional<ConflictPolicy> answered;
         const ExportPlan plan = jobFor("again", at("b.png")).plan;
-        QVERIFY(!settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered)); // given up
+        QVERIFY(!settled(nullptr, ask, findClash({{}, {}, plan}, m_queue->activeJobs()), plan, answered)); // given up
         QVERIFY2(asked.size() == 1 && asked[0].contains(u"b.png"_q), qPrintable(asked.join(u' ')));
         answer = 0;
         const std::optional<ExportPlan> other =
-            settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered);
+            settled(nullptr, ask, findClash({{}, {}, plan}, m_queue->activeJobs()), plan, answered);
         QVERIFY(other.has_value());
         QCOMPARE(other->output.filename().string(), std::string("b-2.png"));
         // Once that has been answered it is not asked again.
         QCOMPARE(m_queue->add({"c", tinyPreset(), *other}).ok(), true);
-        QCOMPARE(
-            settled(nullptr, ask, findClash(plan, m_queue->activeJobs()), plan, answered)->output.filename().string(),
-            std::string("b-3.png"));
+        const std::optional<ExportPlan> third =
+            settled(nullptr, ask, findClash({{}, {}, plan}, m_queue->activeJobs()), plan, answered);
+        QCOMPARE(third->output.filename().string(), std::string("b-3.png"));
         QCOMPARE(asked.size(), 2);
         // Nor does one that was cancelled come back over the one that took its name.
         m_queue->cancel(1);

@@ -82,7 +82,7 @@ private slots:
             const Sheet sheet(static_cast<Engine>(engine), name);
             sheet.write();
             QStringList named;
-            for (const std::filesystem::path& file : filesOf(sheet.options)) {
+            for (const std::filesystem::path& file : filesOf(Scene(), sheet.options)) {
                 named << QString::fromStdString(file.string());
             }
             QStringList there;

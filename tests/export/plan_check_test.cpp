@@ -26,7 +26,7 @@ ExportPlan recorded(ExportPlan plan)
 
 Found checked(const ExportPlan& plan)
 {
-    const Result<std::vector<CheckedFile>> files = checkExport(plan);
+    const Result<std::vector<CheckedFile>> files = checkExport(smallSmoke(), plan);
     if (!files) {
         qFatal("%s", files.error().text().c_str());
     }
@@ -89,7 +89,7 @@ private slots:
     {
         const ExportPlan plan = recorded({.output = at("a_##.png"), .frames = {0, 1, 1}});
         std::filesystem::remove(manifestOf(plan));
-        const Result<std::vector<CheckedFile>> files = checkExport(plan);
+        const Result<std::vector<CheckedFile>> files = checkExport(smallSmoke(), plan);
         QVERIFY(!files.ok());
         QCOMPARE(files.error().code, ErrorCode::FileNotFound);
     }

@@ -96,8 +96,8 @@ private slots:
         plan.frames = {3, 8, 2};
         plan.flipbook.columns = 3;
         plan.flipbook.rows = 1;
-        QCOMPARE(firstFile(plan).string(), pathOf(files[0]));
-        QCOMPARE(lastFile(plan).string(), pathOf(files[1]));
+        QCOMPARE(firstFile(Scene(), plan).string(), pathOf(files[0]));
+        QCOMPARE(lastFile(Scene(), plan).string(), pathOf(files[1]));
         Effect effect = smallEffect();
         if (plan.kind == ExportKind::Air) {
             effect.air.enabled = true;
@@ -275,7 +275,7 @@ private slots:
             plan.frames = {3, 5, 1};
             plan.flipbook.columns = 3;
             plan.flipbook.rows = 1;
-            plan.source = lastFile(plan);
+            plan.source = lastFile(Scene(), plan);
             QVERIFY(writeFileAtomically(plan.source, std::string_view("precious")).ok());
             const auto done = runExport(smallEffect(), plan);
             QVERIFY(!done.ok());
@@ -295,7 +295,7 @@ private slots:
             QVERIFY(runExport(smallEffect(), plan).ok());
             const std::vector<std::byte> bytes = exportBytes(smallEffect(), plan).value();
             constexpr std::size_t kMax = 1U << 24U;
-            const std::string file = readFile(firstFile(plan), kMax).value();
+            const std::string file = readFile(firstFile(Scene(), plan), kMax).value();
             QVERIFY(bytes.size() == file.size() && std::memcmp(bytes.data(), file.data(), file.size()) == 0);
         }
         ExportPlan several = planFor(ExportKind::Sequence, u"a.png"_qs);
@@ -360,10 +360,10 @@ private slots:
             plan.frames = {7, 9, 1};
             plan.output = plan.output.parent_path() / (name.toStdString() + std::string(fileEnding(plan)));
             const QString wanted = isNumbered(plan.kind) ? numbered : name;
-            QCOMPARE(QString::fromStdString(firstFile(plan).filename().string()),
+            QCOMPARE(QString::fromStdString(firstFile(Scene(), plan).filename().string()),
                 wanted + QString::fromStdString(std::string(fileEnding(plan))));
             if (isNumbered(plan.kind)) {
-                QVERIFY(lastFile(plan) != firstFile(plan));
+                QVERIFY(lastFile(Scene(), plan) != firstFile(Scene(), plan));
             }
         }
     }

@@ -162,7 +162,7 @@ private slots:
         for (const ImageFormat format : kFormats) {
             const ExportPlan plan = planFor(root / "smoke_##", format);
             QVERIFY(runExport(ownPreset().scene, plan).ok());
-            const std::filesystem::path last = lastFile(plan);
+            const std::filesystem::path last = lastFile(Scene(), plan);
             const PresetReading reading = readPresetFile(last).value();
             QCOMPARE(formatPreset(reading.preset), formatPreset(ownPreset()));
             QCOMPARE(reading.frame.value(), 8);
@@ -171,7 +171,7 @@ private slots:
             again.output = root / "again_##";
             again.project = reading.preset;
             QVERIFY(runExport(reading.preset.scene, again).ok());
-            QVERIFY(bytesOf(last) == bytesOf(lastFile(again)));
+            QVERIFY(bytesOf(last) == bytesOf(lastFile(Scene(), again)));
         }
     }
 
@@ -199,11 +199,11 @@ private slots:
             planFor(std::filesystem::path(folder.path().toStdString()) / "smoke_##.png", ImageFormat::Png8);
         plan.project.reset();
         QVERIFY(runExport(ownPreset().scene, plan).ok());
-        const auto reading = readPresetFile(lastFile(plan));
+        const auto reading = readPresetFile(lastFile(Scene(), plan));
         QVERIFY(!reading.ok());
         QCOMPARE(reading.error().code, ErrorCode::WrongType);
         QVERIFY(reading.error().text().find("carries no preset") != std::string::npos);
-        QVERIFY(bytesOf(lastFile(plan)).find("fumage:") == std::string::npos);
+        QVERIFY(bytesOf(lastFile(Scene(), plan)).find("fumage:") == std::string::npos);
     }
 
     void sheetsSayHowTheirCellsAreMade()

@@ -116,7 +116,9 @@ void ExportCheck::goOn()
                 });
             };
             Result<std::vector<CheckedFile>> checked = std::vector<CheckedFile>();
-            runBehindOthers([&] { checked = checkExport(wanted.job->plan, {progress, stop}); });
+            runBehindOthers([&] {
+                checked = checkExport(wanted.job->preset.scene, wanted.job->plan, {progress, stop});
+            });
             report([this,
                        mark = checked ? markOf(checked.value())
                                       : CheckMark{.state = CheckState::Failed,

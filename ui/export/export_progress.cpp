@@ -54,7 +54,8 @@ void ExportProgress::follow(quint64 id)
 void ExportProgress::show(const QueuedExport& one)
 {
     if (one.state == ExportState::Done) {
-        const QString file = tr("Done: %1").arg(QDir::toNativeSeparators(fromPath(firstFile(one.job->plan))));
+        const QString file =
+            tr("Done: %1").arg(QDir::toNativeSeparators(fromPath(firstFile(one.job->preset.scene, one.job->plan))));
         say(one.remark.isEmpty() ? file : file + QLatin1Char('\n') + one.remark);
         m_fit->setVisible(
             !one.remark.isEmpty() && !one.job->plan.fitCamera); // what is remarked is smoke that is cut off

@@ -24,8 +24,8 @@ void ExportSubmission::enter(ExportJob job, std::optional<ConflictPolicy> answer
 void ExportSubmission::look()
 {
     m_others = m_queue.activeJobs();
-    m_search.ask([this, plan = m_job.plan, others = m_others](const AsyncRequest::Report& report,
-                     const std::stop_token&) { report([this, clash = findClash(plan, others)] { take(clash); }); },
+    m_search.ask([this, job = m_job, others = m_others](const AsyncRequest::Report& report,
+                     const std::stop_token&) { report([this, clash = findClash(job, others)] { take(clash); }); },
         [this](const Error& why) {
             m_isBusy = false;
             emit refused(translated(why));

@@ -1,6 +1,6 @@
 #include "ui/export/export_summary.h"
 
-#include "core/export/sheets/flipbook_files.h"
+#include "core/export/sheets/flipbook_check.h"
 #include "core/export/engines/engine_files.h"
 #include "core/export/loop.h"
 #include "core/export/remarks.h"
@@ -25,16 +25,20 @@ Status checkFlipbook(const ExportPlan& plan, const Scene& scene)
     if (Status status = checkEngine(plan.flipbook.engine, plan.passes, plan.format); !status) {
         return status;
     }
+    if (Status status = checkLayers(flipbookOf(plan)); !status) {
+        return status;
+    }
     const Result<Output> cell = outputFor(scene, plan);
     return cell ? checkPacks(plan.flipbook.packs, cell.value().width, cell.value().height) : Status(cell.error());
 }
 
-QString flipbookSummary(const ExportPlan& plan, const Output& cell)
+QString flipbookSummary(const ExportPlan& plan, const Scene& scene, const Output& cell)
 {
-    const QString first = fromPath(firstFile(plan).filename());
+    const std::vector<std::filesystem::path> all = filesOf(scene, plan);
+    const QString first = fromPath(all.front().filename());
     const int width = cell.width * plan.flipbook.columns;
     const int height = cell.height * plan.flipbook.rows;
-    const auto more = static_cast<int>(filesOf(flipbookOf(plan)).size()) - 1;
+    const auto more = static_cast<int>(all.size()) - 1;
     const QString files = more > 1 ? QCoreApplication::translate("Exports", "%1, %2 × %3 pixels, and %4 more files")
                                          .arg(first)
                                          .arg(width)
@@ -44,7 +48,7 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
                                          .arg(first)
                                          .arg(width)
                                          .arg(height)
-                                         .arg(fromPath(filesOf(flipbookOf(plan)).back().filename()));
+                                         .arg(fromPath(all.back().filename()));
     const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height);
     const QLocale locale;
     return files + QLatin1Char('\n')
@@ -55,11 +59,11 @@ QString flipbookSummary(const ExportPlan& plan, const Output& cell)
 /// The files of a plan that is possible.
 QString filesTold(const ExportPlan& plan, const Scene& scene)
 {
-    QString first = fromPath(firstFile(plan).filename());
+    QString first = fromPath(firstFile(scene, plan).filename());
     if (isNumbered(plan.kind) && plan.frames.count() > 1) {
         return QCoreApplication::translate("Exports", "Files: %1, from %2 to %3")
             .arg(plan.frames.count())
-            .arg(first, fromPath(lastFile(plan).filename()));
+            .arg(first, fromPath(lastFile(scene, plan).filename()));
     }
     if (plan.kind == ExportKind::Video) {
         const std::array<int, 2> size = sizeOf(scene.output, plan.video.format);
@@ -72,7 +76,7 @@ QString filesTold(const ExportPlan& plan, const Scene& scene)
             .arg(QLocale().toString(seconds, 'f', 1));
     }
     if (plan.kind == ExportKind::Flipbook) {
-        return flipbookSummary(plan, outputFor(scene, plan).value()); // it is possible
+        return flipbookSummary(plan, scene, outputFor(scene, plan).value()); // it is possible
     }
     return first;
 }

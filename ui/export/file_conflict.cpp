@@ -38,11 +38,11 @@ std::filesystem::path withNextNumber(const std::filesystem::path& path, ExportKi
     return path.parent_path() / (withNextNumber(name.substr(0, end)) + name.substr(end));
 }
 
-/// The files of a plan that are there already: how many, and the first.
-std::pair<int, std::filesystem::path> filesThere(const ExportPlan& plan)
+/// The files of a job that are there already: how many, and the first.
+std::pair<int, std::filesystem::path> filesThere(const ExportJob& job)
 {
     std::pair<int, std::filesystem::path> there;
-    for (const std::filesystem::path& file : filesOf(plan)) {
+    for (const std::filesystem::path& file : filesOf(job.preset.scene, job.plan)) {
         if (std::error_code unknown; std::filesystem::exists(file, unknown) && there.first++ == 0) {
             there.second = file;
         }
@@ -61,25 +61,28 @@ JobFiles filesOf(const ExportJobs& jobs)
     return files;
 }
 
-ExportPlan numberedOn(ExportPlan plan, const JobFiles& others)
+ExportPlan numberedOn(ExportJob job, const JobFiles& others)
 {
+    ExportPlan& plan = job.plan;
     const bool hasManifest = !manifestOf(plan).empty();
     do {
         plan.output = withNextNumber(plan.output, plan.kind);
         if (hasManifest) {
             plan.recording.manifest = manifestBeside(plan.output);
         }
-    } while (filesThere(plan).first > 0 || !others.check({{}, {}, plan}));
+    } while (filesThere(job).first > 0 || !others.check(job));
     return plan;
 }
 
-FileConflict findClash(const ExportPlan& plan, const ExportJobs& others)
+FileConflict findClash(const ExportJob& job, const ExportJobs& others)
 {
     const JobFiles written = filesOf(others);
-    const auto [there, first] = filesThere(plan);
-    FileConflict clash{written.check({plan.output.filename().string(), {}, plan}), there, fromPath(first), plan};
+    const auto [there, first] = filesThere(job);
+    ExportJob named = job;
+    named.name = job.plan.output.filename().string();
+    FileConflict clash{written.check(named), there, fromPath(first), job.plan};
     if (!clash.isNone()) {
-        clash.free = numberedOn(plan, written);
+        clash.free = numberedOn(job, written);
     }
     return clash;
 }

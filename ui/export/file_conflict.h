@@ -10,9 +10,9 @@ namespace fumage::ui {
 /// The files that jobs write. They leave one another alone: that was seen to when they were added.
 [[nodiscard]] JobFiles filesOf(const ExportJobs& jobs);
 
-/// The same job under the first name of which no file is there yet, and that none of some others writes:
+/// The plan of a job under the first name of which no file is there yet, and that none of some others writes:
 /// "smoke-2_####.png" after "smoke_####.png".
-[[nodiscard]] ExportPlan numberedOn(ExportPlan plan, const JobFiles& others = {});
+[[nodiscard]] ExportPlan numberedOn(ExportJob job, const JobFiles& others = {});
 
 /// What stands in the way of an export.
 struct FileConflict {
@@ -26,7 +26,7 @@ struct FileConflict {
 
 /// Looks at the disk for each file of an export: not for the thread of the window.
 /// @param others that wait or run
-[[nodiscard]] FileConflict findClash(const ExportPlan& plan, const ExportJobs& others);
+[[nodiscard]] FileConflict findClash(const ExportJob& job, const ExportJobs& others);
 
 /// What becomes of an export of which files are there already.
 enum class ConflictPolicy {

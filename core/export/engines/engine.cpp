@@ -49,6 +49,12 @@ PassSet passesFor(Engine engine)
     return {Pass::Colour};
 }
 
+BlendSpace blendSpaceOf(Engine engine)
+{
+    const bool isLinear = engine == Engine::Unity || engine == Engine::Unreal || engine == Engine::Godot;
+    return isLinear ? BlendSpace::Linear : BlendSpace::Encoded;
+}
+
 PassStyle styleFor(Engine engine, ImageFormat format)
 {
     PassStyle style;

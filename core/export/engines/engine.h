@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/image_file.h"
+#include "core/export/layer_output.h"
 #include "core/export/pass_picture.h"
 
 #include <array>
@@ -33,6 +34,8 @@ inline constexpr std::array<Engine, kEngines> kAllEngines{Engine::Generic, Engin
 
 /// The passes that an engine makes something of without being asked.
 [[nodiscard]] PassSet passesFor(Engine engine);
+/// In which numbers an engine blends, as it is set up at first: 3D engines as light.
+[[nodiscard]] BlendSpace blendSpaceOf(Engine engine);
 /// The signs and channels that an engine reads. Light in EXR is premultiplied, as its colours are; in PNG straight.
 [[nodiscard]] PassStyle styleFor(Engine engine, ImageFormat format);
 

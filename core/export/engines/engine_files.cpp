@@ -30,9 +30,9 @@ std::filesystem::path importOf(const std::filesystem::path& picture)
 
 } // namespace
 
-std::vector<std::filesystem::path> engineFilesOf(Engine engine, std::span<const std::filesystem::path> pictures)
+std::vector<std::filesystem::path> engineFilesOf(
+    Engine engine, const std::filesystem::path& picture, std::span<const std::filesystem::path> pictures)
 {
-    const std::filesystem::path& picture = pictures.front();
     const auto withImports = [&](std::vector<std::filesystem::path> files) {
         std::transform(pictures.begin(), pictures.end(), std::back_inserter(files), importOf);
         return files;
@@ -73,6 +73,11 @@ std::vector<std::string> makeEngineFiles(Engine engine, const EngineSheet& sheet
     case Engine::Web: return {sheetText("web_page", sheet)};
     }
     return {};
+}
+
+bool stacksLayers(Engine engine)
+{
+    return engine == Engine::Unity || engine == Engine::Godot || engine == Engine::Web;
 }
 
 Status checkEngine(Engine engine, PassSet passes, ImageFormat format)

@@ -2,12 +2,14 @@
 
 #include "core/scene/scene.h"
 #include "core/export/image_file.h"
+#include "core/export/layer_output.h"
 #include "core/export/pass_picture.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace fumage {
@@ -19,6 +21,7 @@ struct EnginePicture {
     std::span<const std::byte> bytes;
     bool isSrgb = false; ///< else its numbers are linear
     bool isExact = false; ///< vectors and normals are no colours: mixed or compressed as such they point elsewhere
+    std::string layer{}; ///< whose colour it is, where layers are stacked; may be empty
 };
 
 /// All that files for engines tell of a flipbook.
@@ -31,6 +34,9 @@ struct EngineSheet {
     PassStyle style;
     PassScales scales;
     std::vector<EnginePicture> pictures; ///< the first is the colour's
+    std::filesystem::path named{}; ///< the picture whose name is that of the files; empty: the first
+    bool isStacked = false; ///< the pictures are layers, premultiplied, in the order in which they are drawn
+    BlendSpace space = BlendSpace::Encoded; ///< in which they are the picture then
 };
 
 } // namespace fumage

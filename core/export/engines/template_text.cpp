@@ -101,6 +101,35 @@ void addPictures(const EngineSheet& sheet, TemplateFacts& facts)
     facts.flag("misread", passes.has(Pass::Motion) && sheet.columns != sheet.rows);
 }
 
+/// Layers that are drawn over one another.
+void addLayers(const EngineSheet& sheet, TemplateFacts& facts)
+{
+    std::vector<TemplateFacts> list;
+    for (std::size_t i = 0; sheet.isStacked && i < sheet.pictures.size(); ++i) {
+        const EnginePicture& picture = sheet.pictures[i];
+        TemplateFacts each = pictureFacts(facts.language(), picture);
+        each.text("name", picture.layer.empty() ? picture.file.stem().string() : picture.layer);
+        each.identifier("id", picture.file.stem().string());
+        each.number("number", static_cast<int>(i) + 1);
+        each.number("index", static_cast<int>(i) + 2); // as in the list of pictures
+        each.bytes("bytes", picture.bytes);
+        list.push_back(std::move(each));
+    }
+    facts.list("layers", std::move(list));
+    facts.flag("stacked", sheet.isStacked);
+    facts.flag("stacked_encoded", sheet.isStacked && sheet.space == BlendSpace::Encoded);
+}
+
+/// How many resources a scene of Godot has, itself among them.
+int resourcesOf(const EngineSheet& sheet, bool glows)
+{
+    const auto pictures = static_cast<int>(sheet.pictures.size());
+    // Shader and process; a material and a quad for each that is drawn.
+    const int drawn = sheet.isStacked ? pictures : 1;
+    const int glow = glows ? 2 : 0; // gradient and its texture
+    return pictures + 2 + 2 * drawn + glow + 1;
+}
+
 TemplateFacts stopOf(Language language, float position, const glm::vec3& colour)
 {
     TemplateFacts stop(language);
@@ -168,7 +197,7 @@ void addTime(const EngineSheet& sheet, TemplateFacts& facts)
 
 TemplateFacts factsOf(Language language, const EngineSheet& sheet)
 {
-    const std::string stem = sheet.pictures.front().file.stem().string();
+    const std::string stem = (sheet.named.empty() ? sheet.pictures.front().file : sheet.named).stem().string();
     TemplateFacts facts(language);
     facts.text("name", stem);
     facts.label("label", stem);
@@ -182,10 +211,9 @@ TemplateFacts factsOf(Language language, const EngineSheet& sheet)
     facts.word("layout", nameOf(sheet.style.layout));
     facts.number("light_scale", sheet.scales.light);
     addPictures(sheet, facts);
-    const int glowResources = addGlow(sheet, facts) ? 2 : 0; // gradient and its texture
-    facts.number("resources",
-        static_cast<int>(sheet.pictures.size()) + 5
-            + glowResources); // shader, material, quad and process, and the scene itself
+    addLayers(sheet, facts);
+    const bool glows = addGlow(sheet, facts);
+    facts.number("resources", resourcesOf(sheet, glows));
     addChannels(sheet.style, facts);
     addPlace(sheet.scene, facts);
     return facts;

@@ -16,11 +16,12 @@ std::filesystem::path placeOf(const std::filesystem::path& folder)
 }
 
 /// What a job writes, by where it lies. Files of a plan lie in one folder; its manifest may lie above them.
-std::vector<std::string> placesOf(const ExportPlan& plan)
+std::vector<std::string> placesOf(const ExportJob& job)
 {
+    const ExportPlan& plan = job.plan;
     std::vector<std::string> places;
     const std::filesystem::path folder = placeOf(plan.output.parent_path());
-    for (const std::filesystem::path& file : filesOf(plan)) {
+    for (const std::filesystem::path& file : filesOf(job.preset.scene, plan)) {
         places.push_back((folder / file.filename()).string());
     }
     if (const std::filesystem::path manifest = manifestOf(plan); !manifest.empty()) {
@@ -45,7 +46,7 @@ Result<std::optional<Flipbook>> runJob(const ExportJob& job, const Task& task)
 
 Status JobFiles::check(const ExportJob& job) const
 {
-    const std::vector<std::string> files = placesOf(job.plan);
+    const std::vector<std::string> files = placesOf(job);
     if (files.size() + m_writers.size() > kMaxJobFiles) {
         return Error{ErrorCode::TooLarge, makeMessage("the jobs write more than %1 files", kMaxJobFiles),
             inQuotes(job.name), makeMessage("Make two lists of them")};
@@ -65,7 +66,7 @@ Status JobFiles::add(const ExportJob& job)
     if (Status status = check(job); !status) {
         return status;
     }
-    for (std::string& file : placesOf(job.plan)) {
+    for (std::string& file : placesOf(job)) {
         m_writers.emplace(std::move(file), m_names.size());
     }
     m_names.push_back(job.name);

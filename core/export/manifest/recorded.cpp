@@ -71,6 +71,8 @@ ExportPlan planOf(const FlipbookOptions& options)
     plan.passes = options.passes;
     plan.style = options.style;
     plan.flipbook = {options.columns, options.rows, options.engine, options.packs, false, options.retime};
+    plan.layers = options.layers;
+    plan.blending = options.blending;
     return plan;
 }
 
@@ -211,7 +213,7 @@ Status recordNumbered(const ManifestJob& job, const std::filesystem::path& manif
 Status recordFlipbook(const Scene& scene, const FlipbookOptions& options, const std::filesystem::path& manifest)
 {
     ManifestRecorder recorder(jobOf(scene, options), manifest, std::nullopt);
-    for (const std::filesystem::path& file : filesOf(options)) {
+    for (const std::filesystem::path& file : filesOf(scene, options)) {
         Result<Content> content = contentOfFile(file);
         if (!content) {
             return content.error();

@@ -43,12 +43,13 @@ Json channelsOfPass(Pass pass, const PassStyle& style)
 }
 
 /// Whether numbers are multiplied by alpha, and how those that may be negative are stored.
-void describeEncoding(Pass pass, const PassStyle& style, bool shown, Json& json)
+/// @param isStraight the colour is
+void describeEncoding(Pass pass, const PassStyle& style, bool shown, bool isStraight, Json& json)
 {
     const bool hasAlpha =
         pass == Pass::SixWayA || pass == Pass::SixWayB || pass == Pass::Emission || pass == Pass::Albedo;
     if (pass == Pass::Colour) {
-        json["alpha"] = shown ? "straight" : "premultiplied";
+        json["alpha"] = isStraight ? "straight" : "premultiplied";
     } else if (hasAlpha) {
         json["alpha"] = style.premultiplied ? "premultiplied" : "straight";
     }
@@ -139,7 +140,7 @@ Json describePacked(const PackedPicture& pack, const std::string& file, const Sc
             const Json names = channelsOfPass(*channel.pass, options.style);
             each["holds"] = names[static_cast<std::size_t>(channel.channel)];
             each["linear"] = !shown || *channel.pass != Pass::Colour || channel.channel == 3;
-            describeEncoding(*channel.pass, options.style, shown, each);
+            describeEncoding(*channel.pass, options.style, shown, shown && !isPremultiplied(options), each);
             if (each["holds"] == "emissive") {
                 each["emissive"] = describeGlow(scales);
             } else {
@@ -159,9 +160,34 @@ Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& 
     json["file"] = file;
     json["colour"] = pass == Pass::Colour && shown ? "sRGB" : "linear";
     json["channels"] = channelsOfPass(pass, options.style);
-    describeEncoding(pass, options.style, shown, json);
+    describeEncoding(pass, options.style, shown, shown && !isPremultiplied(options), json);
     describeScale(pass, scales, options.style, json);
     return json;
+}
+
+/// Which layer it is of, and how the sheets of all layers become one picture.
+Json describeLayer(const FlipbookOptions& options)
+{
+    Json layer;
+    layer["name"] = options.layer->name;
+    layer["number"] = options.layer->number;
+    layer["of"] = options.layer->count;
+    layer["as"] = std::string(nameOf(*options.layers));
+    if (isOfShares(options)) {
+        layer["space"] = std::string(nameOf(blendSpaceOf(options)));
+    }
+    switch (*options.layers) {
+    case LayerOutput::Together: break;
+    case LayerOutput::Alone: layer["blending"] = "over what is behind; the layers do not hide one another"; break;
+    case LayerOutput::Contribution:
+        layer["blending"] = "add colours and alphas of all layers, then put the sum over what is behind: "
+                            "colour + (1 - alpha) * behind";
+        break;
+    case LayerOutput::Stacked:
+        layer["blending"] = "one layer over the other in the order of their numbers: colour + (1 - alpha) * behind";
+        break;
+    }
+    return layer;
 }
 
 /// Where frames are left out, or cells go through them otherwise than in even steps.
@@ -199,9 +225,13 @@ std::string describeFlipbook(
     json["seconds"] = options.columns * options.rows / flipbook.cellsPerSecond;
     json["loop"] = flipbook.loops;
     describeTime(options, json);
+    if (options.layer) {
+        json["layer"] = describeLayer(options);
+    }
     json["for"] = std::string(nameOf(options.engine));
     const bool coloured = options.passes.has(Pass::Colour);
-    json["alpha"] = (coloured ? shown : !options.style.premultiplied) ? "straight" : "premultiplied";
+    const bool isStraight = coloured ? shown && !isPremultiplied(options) : !options.style.premultiplied;
+    json["alpha"] = isStraight ? "straight" : "premultiplied";
     json["colour"] = coloured && shown ? "sRGB" : "linear";
     json["pictures"] = Json::array();
     const std::vector<std::filesystem::path> files = picturesOf(options);

@@ -37,6 +37,47 @@ std::filesystem::path pictureOf(const std::filesystem::path& picture, Pass pass)
     return pass == Pass::Colour ? picture : besides(picture, fileNameOf(pass));
 }
 
+std::vector<FlipbookOptions> sheetsOf(const Scene& scene, const FlipbookOptions& options)
+{
+    if (!isDivided(options)) {
+        return {options};
+    }
+    const std::filesystem::path picture = withEnding(options.output, fileEnding(options.format));
+    const std::vector<WrittenLayer> layers = writtenLayers(scene);
+    std::vector<FlipbookOptions> sheets;
+    for (const WrittenLayer& layer : layers) {
+        FlipbookOptions sheet = options;
+        sheet.output = besides(picture, layer.word);
+        sheet.layer = {layer.name, static_cast<int>(sheets.size()) + 1, static_cast<int>(layers.size())};
+        sheets.push_back(std::move(sheet));
+    }
+    return sheets;
+}
+
+std::vector<std::filesystem::path> filesOf(const Scene& scene, const FlipbookOptions& options)
+{
+    const std::vector<FlipbookOptions> sheets = sheetsOf(scene, options);
+    std::vector<std::filesystem::path> files;
+    for (const FlipbookOptions& sheet : sheets) {
+        std::ranges::move(filesOfSheet(sheet), std::back_inserter(files));
+    }
+    std::ranges::move(sharedFilesOf(options, sheets), std::back_inserter(files));
+    return files;
+}
+
+std::vector<std::filesystem::path> sharedFilesOf(
+    const FlipbookOptions& options, std::span<const FlipbookOptions> sheets)
+{
+    if (!isOfShares(options)) {
+        return {};
+    }
+    std::vector<std::filesystem::path> pictures;
+    for (const FlipbookOptions& sheet : sheets) {
+        pictures.push_back(picturesOf(sheet).front());
+    }
+    return engineFilesOf(options.engine, withEnding(options.output, fileEnding(options.format)), pictures);
+}
+
 std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
 {
     const std::filesystem::path picture = withEnding(options.output, fileEnding(options.format));
@@ -50,11 +91,13 @@ std::vector<std::filesystem::path> picturesOf(const FlipbookOptions& options)
     return files;
 }
 
-std::vector<std::filesystem::path> filesOf(const FlipbookOptions& options)
+std::vector<std::filesystem::path> filesOfSheet(const FlipbookOptions& options)
 {
     std::vector<std::filesystem::path> files = picturesOf(options);
-    const std::vector<std::filesystem::path> more = engineFilesOf(options.engine, files);
-    files.insert(files.end(), more.begin(), more.end());
+    if (!isOfShares(options)) {
+        const std::vector<std::filesystem::path> more = engineFilesOf(options.engine, files.front(), files);
+        files.insert(files.end(), more.begin(), more.end());
+    }
     files.push_back(descriptionOf(withEnding(options.output, fileEnding(options.format))));
     return files;
 }

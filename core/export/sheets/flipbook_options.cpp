@@ -22,6 +22,26 @@ std::array<int, 2> gridWithin(int frames, int columns, int rows, bool powersOfTw
     return best;
 }
 
+bool isDivided(const FlipbookOptions& options)
+{
+    return options.layers && *options.layers != LayerOutput::Together;
+}
+
+bool isOfShares(const FlipbookOptions& options)
+{
+    return options.layers && isShare(*options.layers);
+}
+
+bool isPremultiplied(const FlipbookOptions& sheet)
+{
+    return isOfShares(sheet) && sheet.layer && sheet.layer->count > 1;
+}
+
+BlendSpace blendSpaceOf(const FlipbookOptions& options)
+{
+    return holdsFloats(options.format) ? BlendSpace::Linear : options.blending.value_or(blendSpaceOf(options.engine));
+}
+
 PassSet renderedPasses(const FlipbookOptions& options)
 {
     PassSet passes = passesOf(options.packs);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/export/engines/engine.h"
+#include "core/export/layer_output.h"
 #include "core/export/sequence.h"
 #include "core/export/sheets/packing.h"
 
@@ -22,6 +23,13 @@ inline constexpr std::size_t kMaxTargetPixels = std::size_t{1} << 27U;
 /// Most columns or rows.
 inline constexpr int kMaxSheetCells = 64;
 
+/// Which layer a sheet is of, among those that are written.
+struct SheetLayer {
+    std::string name; ///< as the scene has it
+    int number = 1; ///< in the order in which they are drawn
+    int count = 1; ///< of them
+};
+
 struct FlipbookOptions {
     std::filesystem::path output; ///< of the picture; an ending that is missing is added
     int columns = 8; ///< 1..kMaxSheetCells
@@ -38,6 +46,9 @@ struct FlipbookOptions {
     std::optional<Curve> retime{};
     std::optional<FrameRange> untrimmed{}; ///< the frames before empty ones were left out, for the side-car
     std::vector<PackedPicture> packs{}; ///< more pictures; the sheet is rendered for their passes, too
+    std::optional<LayerOutput> layers{}; ///< a sheet a layer; none: together
+    std::optional<BlendSpace> blending{}; ///< of shares in formats without floats; none: what the engine blends in
+    std::optional<SheetLayer> layer{}; ///< of one sheet of several: sheetsOf() sets it
 };
 
 /// Smoke that reaches the border of cells: it ends there abruptly, and seeps into the next cell when filtered.
@@ -64,6 +75,15 @@ struct Flipbook {
 /// @param frames       1 or more
 /// @param powersOfTwo  columns and rows are among 1, 2, 4, ...
 [[nodiscard]] std::array<int, 2> gridWithin(int frames, int columns, int rows, bool powersOfTwo = false);
+
+/// Whether each layer has a sheet of its own.
+[[nodiscard]] bool isDivided(const FlipbookOptions& options);
+/// Whether the sheets of layers are shares of one picture.
+[[nodiscard]] bool isOfShares(const FlipbookOptions& options);
+/// Whether the colour of one sheet is multiplied by alpha in every format: a share of several.
+[[nodiscard]] bool isPremultiplied(const FlipbookOptions& sheet);
+/// In which numbers shares add up.
+[[nodiscard]] BlendSpace blendSpaceOf(const FlipbookOptions& options);
 
 /// All passes that a flipbook is rendered for, be it to be packed.
 [[nodiscard]] PassSet renderedPasses(const FlipbookOptions& options);

@@ -2,18 +2,6 @@
 
 namespace fumage {
 
-namespace {
-
-void place(const Image& cell, Image& sheet, const SheetCell& at)
-{
-    parallelFor(static_cast<std::size_t>(cell.height), [&](std::size_t row) {
-        const int y = static_cast<int>(row);
-        std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4,
-            sheet.row(at.top + y) + static_cast<std::size_t>(at.left) * 4);
-    });
-}
-
-/// Makes room for the cells; what the last row has more is empty.
 void makeRoom(const SheetGrid& grid, Image& sheet)
 {
     const int rows = (grid.cells + grid.columns - 1) / grid.columns;
@@ -27,7 +15,15 @@ void makeRoom(const SheetGrid& grid, Image& sheet)
     }
 }
 
-} // namespace
+void placeCell(const SheetGrid& grid, int number, const Image& cell, Image& sheet)
+{
+    const SheetCell at = grid.cell(number);
+    parallelFor(static_cast<std::size_t>(cell.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        std::copy_n(cell.row(y), static_cast<std::size_t>(cell.width) * 4,
+            sheet.row(at.top + y) + static_cast<std::size_t>(at.left) * 4);
+    });
+}
 
 Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, PassSet passes, PassSheet& sheet,
     const CellWatch& watch, const Task& task, const std::shared_ptr<AirCache>& shelf)
@@ -53,11 +49,11 @@ Status renderSheet(const Scene& scene, const CellFrames& frames, int columns, Pa
             !status) {
             return status;
         }
-        if (watch) {
-            watch(cell, frame.value(), renderer);
+        if (Status status = watch ? watch(cell, frame.value(), renderer) : Status(Done{}); !status) {
+            return status;
         }
         for (std::size_t i = 0; i < kPassTargets; ++i) {
-            place(cell.targets[i], sheet.targets.targets[i], sheet.grid.cell(number));
+            placeCell(sheet.grid, number, cell.targets[i], sheet.targets.targets[i]);
         }
         task.progress(ProgressPhase::Frames, number + 1, cells);
     }
@@ -79,7 +75,7 @@ Status joinSheet(const CellFrames& frames, int columns, const FrameSource& sourc
         if (Status status = source(frames.numbers[static_cast<std::size_t>(number)], cell); !status) {
             return status;
         }
-        place(cell, whole, sheet.grid.cell(number));
+        placeCell(sheet.grid, number, cell, whole);
         task.progress(ProgressPhase::Frames, number + 1, cells);
     }
     return Done{};

@@ -15,9 +15,15 @@
 
 namespace fumage {
 
-/// Sees each cell as it is placed: its targets, its frame, and what the look has made of its layers.
-using CellWatch =
-    std::function<void(const PassImages& cell, const FrameAmongOthers& frame, const PassRenderer& renderer)>;
+/// Makes room for the cells of a grid; what the last row has more is empty.
+void makeRoom(const SheetGrid& grid, Image& sheet);
+/// Puts a cell into its place.
+/// @param number below grid.cells
+void placeCell(const SheetGrid& grid, int number, const Image& cell, Image& sheet);
+
+/// Sees each cell as it is placed, in their order: its targets, its frame, and what can make more of it. Its error ends
+/// the work.
+using CellWatch = std::function<Status(const PassImages& cell, const FrameAmongOthers& frame, PassRenderer& renderer)>;
 
 /// Renders frames into the cells of a sheet, first at the top left, then along the rows, each of effect.output's size
 /// and without background.
