@@ -29,6 +29,15 @@ QRect restOf(const QRect& row, const QAbstractItemModel& model)
     return row.adjusted(kGap + buttonsOf(model) * (kIcon + kGap), 0, 0, 0);
 }
 
+void paintButton(QPainter& painter, const QIcon& icon, const QRect& place, bool isOn, QIcon::State state)
+{
+    constexpr double kOff = 0.4;
+    painter.save();
+    painter.setOpacity(isOn ? 1.0 : kOff);
+    icon.paint(&painter, place, Qt::AlignCenter, QIcon::Normal, state);
+    painter.restore();
+}
+
 } // namespace
 
 QRect LayerDelegate::placeOf(Button button, const QRect& row)
@@ -59,20 +68,20 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     style.drawPrimitive(QStyle::PE_PanelItemViewItem, &row, painter, row.widget);
     const bool isVisible = row.checkState == Qt::Checked;
     const bool isSolo = index.data(LayerModel::Solo).toBool();
-    themedIcon(isVisible ? QStringLiteral("eye") : QStringLiteral("eye-off"))
-        .paint(
-            painter, placeOf(Button::Eye, option.rect), Qt::AlignCenter, isVisible ? QIcon::Normal : QIcon::Disabled);
+    const bool isChosen = row.state.testFlag(QStyle::State_Selected);
+    paintButton(*painter, themedIcon(isVisible ? QStringLiteral("eye") : QStringLiteral("eye-off")),
+        placeOf(Button::Eye, option.rect), isVisible, QIcon::Off);
     if (buttonsOf(*index.model()) > 1) {
-        themedIcon(QStringLiteral("solo"))
-            .paint(painter, placeOf(Button::Solo, option.rect), Qt::AlignCenter,
-                isSolo ? QIcon::Normal : QIcon::Disabled, isSolo ? QIcon::On : QIcon::Off);
+        // On the colour of what is chosen that of what is on would not be seen.
+        paintButton(*painter, themedIcon(QStringLiteral("solo")), placeOf(Button::Solo, option.rect), isSolo,
+            isSolo && !isChosen ? QIcon::On : QIcon::Off);
     }
     row.rect = restOf(option.rect, *index.model());
     const QString particles = index.data(LayerModel::Particles).toString();
     if (!particles.isEmpty()) {
         const QRect place = row.rect.adjusted(0, 0, -kGap, 0);
         painter->save();
-        painter->setPen(row.palette.color(QPalette::PlaceholderText));
+        painter->setPen(row.palette.color(isChosen ? QPalette::HighlightedText : QPalette::PlaceholderText));
         painter->drawText(place, Qt::AlignRight | Qt::AlignVCenter, particles);
         painter->restore();
         row.rect.setRight(place.right() - row.fontMetrics.horizontalAdvance(particles) - kGap);
