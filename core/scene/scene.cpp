@@ -126,6 +126,15 @@ Status checkParent(const Scene& scene, std::size_t layer)
     return Done{};
 }
 
+void dropBrokenParents(Scene& scene)
+{
+    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
+        if (!checkParent(scene, layer)) {
+            scene.layers[layer].from.clear();
+        }
+    }
+}
+
 std::int64_t particlesOf(SampledLayers layers)
 {
     std::int64_t sum = 0;

@@ -95,6 +95,9 @@ struct Scene {
 /// ring
 [[nodiscard]] Status checkParent(const Scene& scene, std::size_t layer);
 
+/// Lets layers whose parent checkParent() refuses be born on their emitters: after layers have gone or changed names.
+void dropBrokenParents(Scene& scene);
+
 /// Particles of all layers.
 [[nodiscard]] std::int64_t particlesOf(SampledLayers layers);
 

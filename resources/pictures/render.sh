@@ -12,6 +12,8 @@ for preset in "$here"/../presets/*.json; do
     case $name in
     explosion) frame=32 ;;
     dust | landing | rolling-dust) frame=45 ;;
+    blast) frame=40 ;;
+    sand-impact) frame=22 ;;
     fire-ball) frame=24 ;;
     mushroom-cloud) frame=95 ;;
     ceiling) frame=110 ;;

@@ -1170,6 +1170,30 @@
         <source>Grid</source>
         <translation>Rutnät</translation>
     </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lager</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>Tillsammans</translation>
+    </message>
+    <message>
+        <source>Each alone</source>
+        <translation>Var för sig</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>Bidrag</translation>
+    </message>
+    <message>
+        <source>Stacked</source>
+        <translation>Staplade</translation>
+    </message>
+    <message>
+        <source>Together: one sheet. Each alone: a sheet a layer that nothing hides. Contributions: the others hide what they hide, and all sheets add up to the picture. Stacked: sheets that are the picture when they are drawn over one another, premultiplied.</source>
+        <translation>Tillsammans: ett ark. Var för sig: ett ark per lager, som inget döljer. Bidrag: de andra döljer vad de döljer, och alla ark blir bilden när de läggs ihop. Staplade: ark som blir bilden när de ritas ovanpå varandra, förmultiplicerade.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::FlipbookExtras</name>
@@ -1451,6 +1475,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>%1 layers</source>
         <translation>%1 lager</translation>
     </message>
+    <message>
+        <source>%1: born on %2</source>
+        <translation>%1: föds på %2</translation>
+    </message>
+    <message>
+        <source>%1: born on the emitter</source>
+        <translation>%1: föds på utsändaren</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerList</name>
@@ -1558,6 +1590,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>Paste parameters…</source>
         <translation>Klistra in parametrar…</translation>
     </message>
+    <message>
+        <source>Born on</source>
+        <translation>Föds på</translation>
+    </message>
+    <message>
+        <source>Its emitter</source>
+        <translation>Sin utsändare</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerModel</name>
@@ -1572,6 +1612,10 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>%1 % of the simulation</source>
         <translation>%1 % av simuleringen</translation>
+    </message>
+    <message>
+        <source>Born on %1</source>
+        <translation>Föds på %1</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2934,22 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>Choose another engine or none, or layers together or alone</source>
         <translation>Välj en annan motor eller ingen, eller lager tillsammans eller var för sig</translation>
+    </message>
+    <message>
+        <source>there is no one layer %1 to be born on</source>
+        <translation>det finns inget enda lager %1 att födas på</translation>
+    </message>
+    <message>
+        <source>Name a layer that no other shares its name with</source>
+        <translation>Ange ett lager vars namn inget annat har</translation>
+    </message>
+    <message>
+        <source>layer %1 would be born on itself, by way of %2</source>
+        <translation>lagret %1 skulle födas på sig självt, via %2</translation>
+    </message>
+    <message>
+        <source>Let one layer of the ring be born on its emitter</source>
+        <translation>Låt ett lager i ringen födas på sin utsändare</translation>
     </message>
 </context>
 <context>
@@ -4703,6 +4763,14 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
         <source>free</source>
         <translation>fri</translation>
     </message>
+    <message>
+        <source>Inherit velocity</source>
+        <translation>Ärv hastighet</translation>
+    </message>
+    <message>
+        <source>Of a layer whose particles are born on those of another: the share of their velocity that they take along. 0: a trail that stays where it was left. 1: what goes on with them.</source>
+        <translation>För ett lager vars partiklar föds på ett annats: hur stor del av deras hastighet de tar med sig. 0: ett spår som blir kvar där det lämnades. 1: det som följer med dem.</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>
@@ -5083,6 +5151,38 @@ Modellen utgår från Lin och Lin, ”Smoke Simulation with Perlin Noise”, Hö
     <message>
         <source>A turning column of flame that its own wind twists and draws up.</source>
         <translation>En roterande pelare av lågor som dess egen vind vrider och drar uppåt.</translation>
+    </message>
+    <message>
+        <source>Blast</source>
+        <translation>Sprängning</translation>
+    </message>
+    <message>
+        <source>A fireball that throws out debris, which trails smoke, and sparks that bounce.</source>
+        <translation>Ett eldklot som kastar ut spillror, som drar rök efter sig, och gnistor som studsar.</translation>
+    </message>
+    <message>
+        <source>Bonfire</source>
+        <translation>Majbrasa</translation>
+    </message>
+    <message>
+        <source>Flames, and embers that the heat carries up and lets fall.</source>
+        <translation>Lågor, och glöd som hettan bär upp och låter falla.</translation>
+    </message>
+    <message>
+        <source>Forge sparks</source>
+        <translation>Smidesgnistor</translation>
+    </message>
+    <message>
+        <source>Sparks that a blow throws from hot iron: they bounce, and burst into smaller ones.</source>
+        <translation>Gnistor som ett slag kastar från hett järn: de studsar och spricker i mindre.</translation>
+    </message>
+    <message>
+        <source>Sand impact</source>
+        <translation>Nedslag i sand</translation>
+    </message>
+    <message>
+        <source>What strikes sand: a crown of clods that trail it, grains that fall back, and the dust that stays.</source>
+        <translation>Det som slår ner i sand: en krona av klumpar som drar sand efter sig, korn som faller tillbaka, och dammet som blir kvar.</translation>
     </message>
 </context>
 <context>

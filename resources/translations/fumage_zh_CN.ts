@@ -1170,6 +1170,30 @@
         <source>Grid</source>
         <translation>网格</translation>
     </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
+    </message>
+    <message>
+        <source>Together</source>
+        <translation>合在一起</translation>
+    </message>
+    <message>
+        <source>Each alone</source>
+        <translation>各自单独</translation>
+    </message>
+    <message>
+        <source>Contributions</source>
+        <translation>贡献</translation>
+    </message>
+    <message>
+        <source>Stacked</source>
+        <translation>叠放</translation>
+    </message>
+    <message>
+        <source>Together: one sheet. Each alone: a sheet a layer that nothing hides. Contributions: the others hide what they hide, and all sheets add up to the picture. Stacked: sheets that are the picture when they are drawn over one another, premultiplied.</source>
+        <translation>合在一起：一张图集。各自单独：每个图层一张，不被任何东西遮挡。贡献：其他图层照常遮挡，所有图集相加即为画面。叠放：以预乘方式逐层叠绘即为画面的图集。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::FlipbookExtras</name>
@@ -1451,6 +1475,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>%1 layers</source>
         <translation>%1 个图层</translation>
     </message>
+    <message>
+        <source>%1: born on %2</source>
+        <translation>%1：诞生于 %2</translation>
+    </message>
+    <message>
+        <source>%1: born on the emitter</source>
+        <translation>%1：诞生于发射器</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerList</name>
@@ -1558,6 +1590,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>Paste parameters…</source>
         <translation>粘贴参数…</translation>
     </message>
+    <message>
+        <source>Born on</source>
+        <translation>诞生于</translation>
+    </message>
+    <message>
+        <source>Its emitter</source>
+        <translation>自身的发射器</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::LayerModel</name>
@@ -1572,6 +1612,10 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>%1 % of the simulation</source>
         <translation>占模拟的 %1 %</translation>
+    </message>
+    <message>
+        <source>Born on %1</source>
+        <translation>诞生于 %1</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2934,22 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>Choose another engine or none, or layers together or alone</source>
         <translation>请选择其他引擎或不选引擎，或让图层合在一起或各自单独</translation>
+    </message>
+    <message>
+        <source>there is no one layer %1 to be born on</source>
+        <translation>没有可供诞生的唯一图层 %1</translation>
+    </message>
+    <message>
+        <source>Name a layer that no other shares its name with</source>
+        <translation>请指定一个名称不与其他图层重复的图层</translation>
+    </message>
+    <message>
+        <source>layer %1 would be born on itself, by way of %2</source>
+        <translation>图层 %1 会经由 %2 诞生于自身</translation>
+    </message>
+    <message>
+        <source>Let one layer of the ring be born on its emitter</source>
+        <translation>请让环中的一个图层诞生于其发射器</translation>
     </message>
 </context>
 <context>
@@ -4703,6 +4763,14 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
         <source>free</source>
         <translation>自由</translation>
     </message>
+    <message>
+        <source>Inherit velocity</source>
+        <translation>继承速度</translation>
+    </message>
+    <message>
+        <source>Of a layer whose particles are born on those of another: the share of their velocity that they take along. 0: a trail that stays where it was left. 1: what goes on with them.</source>
+        <translation>用于粒子诞生于另一图层粒子上的图层：带走其速度的比例。0：留在原处的拖尾。1：随之前进。</translation>
+    </message>
 </context>
 <context>
     <name>fumage::ui::PasteDialog</name>
@@ -5083,6 +5151,38 @@ The model begins with Lin and Lin, “Smoke Simulation with Perlin Noise”, Uni
     <message>
         <source>A turning column of flame that its own wind twists and draws up.</source>
         <translation>一根旋转的火柱，被自身的风扭转并向上抽升。</translation>
+    </message>
+    <message>
+        <source>Blast</source>
+        <translation>爆破</translation>
+    </message>
+    <message>
+        <source>A fireball that throws out debris, which trails smoke, and sparks that bounce.</source>
+        <translation>火球抛出拖着烟的碎片和弹跳的火花。</translation>
+    </message>
+    <message>
+        <source>Bonfire</source>
+        <translation>大篝火</translation>
+    </message>
+    <message>
+        <source>Flames, and embers that the heat carries up and lets fall.</source>
+        <translation>火焰，以及被热气带起又落下的余烬。</translation>
+    </message>
+    <message>
+        <source>Forge sparks</source>
+        <translation>锻造火花</translation>
+    </message>
+    <message>
+        <source>Sparks that a blow throws from hot iron: they bounce, and burst into smaller ones.</source>
+        <translation>锤击热铁溅出的火花：会弹跳，并迸裂成更小的火花。</translation>
+    </message>
+    <message>
+        <source>Sand impact</source>
+        <translation>沙地撞击</translation>
+    </message>
+    <message>
+        <source>What strikes sand: a crown of clods that trail it, grains that fall back, and the dust that stays.</source>
+        <translation>撞击沙地：拖着沙尾的土块形成冠状，沙粒落回，尘土留下。</translation>
     </message>
 </context>
 <context>

@@ -127,6 +127,42 @@ private slots:
         QVERIFY(!engine->isVisible());
     }
 
+    /// What one layer cannot be asked, and what shares of layers have not, is out of reach.
+    void layersHaveSheetsOfTheirOwn()
+    {
+        m_dialog->setKind(ExportKind::Flipbook);
+        auto* layers = child<QComboBox>(u"export.layers"_q);
+        auto* motion = child<QCheckBox>(u"export.motion"_q);
+        QVERIFY(!layers->isEnabled());
+        QVERIFY(!m_dialog->plan().layers);
+        Scene scene = m_document->scene();
+        scene.layers[0].name = "Smoke";
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[1].name = "Flames";
+        m_document->replaceScene(scene, 0, u"layers"_q);
+        QTRY_VERIFY(layers->isEnabled());
+        motion->setChecked(true);
+        layers->setCurrentIndex(static_cast<int>(LayerOutput::Alone));
+        QCOMPARE(m_dialog->plan().layers.value(), LayerOutput::Alone);
+        QVERIFY(m_dialog->plan().passes.has(Pass::Motion));
+        layers->setCurrentIndex(static_cast<int>(LayerOutput::Stacked));
+        QCOMPARE(m_dialog->plan().layers.value(), LayerOutput::Stacked);
+        QVERIFY(m_dialog->plan().passes == PassSet{Pass::Colour});
+        QVERIFY(!motion->isEnabled());
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+        const auto* files = child<QLabel>(u"export.files"_q);
+        QVERIFY2(files->text().contains(u"_smoke.png"_q), qPrintable(files->text()));
+        // Who cannot draw them over one another says so.
+        auto* engine = child<QComboBox>(u"export.engine"_q);
+        engine->setCurrentIndex(engine->findText(u"Effekseer"_q));
+        QVERIFY(!child<QPushButton>(u"export.begin"_q)->isEnabled());
+        QVERIFY2(files->text().contains(u"Effekseer"_q), qPrintable(files->text()));
+        layers->setCurrentIndex(static_cast<int>(LayerOutput::Together));
+        QVERIFY(!m_dialog->plan().layers);
+        QVERIFY(motion->isEnabled());
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+    }
+
     void aSpeedThatAnEngineCannotKeepIsSaid()
     {
         m_dialog->setKind(ExportKind::Flipbook);

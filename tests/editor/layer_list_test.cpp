@@ -1,5 +1,6 @@
 #include "editor_helpers.h"
 
+#include "ui/document/layer_clipboard.h"
 #include "ui/document/layer_edits.h"
 #include "ui/panels/layer_list.h"
 #include "ui/panels/paste_dialog.h"
@@ -475,6 +476,54 @@ private slots:
         QCOMPARE(solo.layers(), LayerPlaces{2});
         removeLayers(m_document, {2});
         QVERIFY(!solo.isOn());
+    }
+
+    /// Whatever is done to layers, none is left that a file could not hold.
+    void parentsSurviveWhatIsDoneToLayers()
+    {
+        const auto from = [&](std::size_t layer) {
+            return QString::fromStdString(m_document.scene().layers[layer].from);
+        };
+        const auto name = [&](std::size_t layer) { return layerLabel(m_document.scene(), layer); };
+        const auto isWhole = [&] {
+            const Result<PresetReading> read = parsePreset(formatPreset(m_document.preset()));
+            return read.ok() && read.value().preset.scene == m_document.scene();
+        };
+        setLayersParent(m_document, {1}, 0);
+        setLayersParent(m_document, {2}, 1);
+        QCOMPARE(m_document.undoStack()->count(), 2);
+        QCOMPARE(from(1), name(0));
+        QCOMPARE(from(2), name(1));
+        QVERIFY(isWhole());
+        setLayersParent(m_document, {0}, 2); // a ring
+        setLayersParent(m_document, {1}, 1);
+        QCOMPARE(m_document.undoStack()->count(), 2);
+        renameLayer(m_document, 0, u"debris"_q);
+        QCOMPARE(from(1), u"debris"_q);
+        renameLayer(m_document, 1, u"debris"_q); // is taken
+        QCOMPARE(from(2), name(1));
+        QVERIFY(name(1) != name(0) && isWhole());
+        moveLayers(m_document, {0}, 3);
+        QCOMPARE(parentOf(m_document.scene(), 0), std::optional<std::size_t>(2));
+        moveLayers(m_document, {2}, 0);
+        duplicateLayers(m_document, {1, 2}); // with the parent of the second, and without that of the first
+        QCOMPARE(parentOf(m_document.scene(), 3), std::optional<std::size_t>(0));
+        QCOMPARE(parentOf(m_document.scene(), 4), std::optional<std::size_t>(3));
+        QVERIFY(isWhole());
+        const std::unique_ptr<QMimeData> copied(copiedLayers(m_document.preset(), {2}));
+        const Result<PresetReading> alone = layersOf(*copied, "");
+        QVERIFY2(alone.ok(), alone ? "" : alone.error().text().c_str());
+        QVERIFY(alone.value().preset.scene.layers[0].from.empty());
+        removeLayers(m_document, {0});
+        QVERIFY(from(0).isEmpty() && isWhole());
+        renameLayer(m_document, 0, {});
+        QVERIFY(from(1).isEmpty() && isWhole());
+        setLayersParent(m_document, {1}, 0); // one without a name gets that which it is shown by
+        QVERIFY(!from(1).isEmpty() && isWhole());
+        while (m_document.undoStack()->canUndo()) {
+            m_document.undoStack()->undo();
+            QVERIFY(isWhole());
+        }
     }
 
     void theButtonsInFrontOfANameLeaveTheChoiceAlone()

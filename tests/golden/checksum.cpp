@@ -2,26 +2,37 @@
 
 #include "core/base/sha256.h"
 #include "core/preset/library.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <algorithm>
 #include <span>
 
 namespace fumage::tests {
 
-Effect goldenEffect(const std::string& id)
+Scene goldenScene(const std::string& id)
 {
-    return goldenEffect(loadPreset(LibraryEntry{id, {}}).value().preset.scene.effect());
+    return goldenScene(loadPreset(LibraryEntry{id, {}}).value().preset.scene);
 }
 
-Effect goldenEffect(const Effect& preset)
+Scene goldenScene(const Scene& preset)
 {
     constexpr int kEdge = 96;
     constexpr int kGoldenParticles = 20000;
-    Effect effect = preset;
-    effect.emitter.count = std::min(effect.emitter.count, kGoldenParticles);
-    effect.output.width = kEdge;
-    effect.output.height = kEdge;
-    return effect;
+    Scene scene = preset;
+    for (Layer& layer : scene.layers) {
+        layer.emitter.count = std::min(layer.emitter.count, kGoldenParticles);
+    }
+    scene.output.width = kEdge;
+    scene.output.height = kEdge;
+    return scene;
+}
+
+Result<Image> goldenPicture(const Scene& scene)
+{
+    SceneRenderer renderer(scene);
+    Image image;
+    const Status status = renderer.render(kGoldenFrame, scene.output.width, scene.output.height, image);
+    return status ? Result<Image>(std::move(image)) : status.error();
 }
 
 std::string goldenLine(const std::string& id, const Image& image)

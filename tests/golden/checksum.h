@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/effect/effect.h"
 #include "core/rendering/image.h"
+#include "core/scene/scene.h"
 
 #include <string>
 
@@ -12,9 +12,12 @@ namespace fumage::tests {
 inline constexpr int kGoldenFrame = 45;
 
 /// A built-in preset as a small picture of few particles.
-[[nodiscard]] Effect goldenEffect(const std::string& id);
-/// Another effect, likewise.
-[[nodiscard]] Effect goldenEffect(const Effect& preset);
+[[nodiscard]] Scene goldenScene(const std::string& id);
+/// Another scene, likewise.
+[[nodiscard]] Scene goldenScene(const Scene& preset);
+
+/// The picture of it that golden.txt is about.
+[[nodiscard]] Result<Image> goldenPicture(const Scene& scene);
 
 /// "id checksum", of the picture's floats.
 [[nodiscard]] std::string goldenLine(const std::string& id, const Image& image);

@@ -26,10 +26,10 @@ void writeAnew(QFile& file)
 {
     QVERIFY(file.open(QIODevice::WriteOnly));
     for (const LibraryEntry& entry : builtinPresets()) {
-        const Effect effect = goldenEffect(entry.id);
-        const Image image = render(effect, kGoldenFrame);
+        const Scene scene = goldenScene(entry.id);
+        const Image image = goldenPicture(scene).value();
         file.write(QByteArray::fromStdString(goldenLine(entry.id, image)) + "\n");
-        QVERIFY(writeReference(image, effect.output, referenceOf(entry)));
+        QVERIFY(writeReference(image, scene.output, referenceOf(entry)));
     }
     file.close();
 }
@@ -72,11 +72,11 @@ private slots:
             if (entry.id != QTest::currentDataTag()) {
                 continue;
             }
-            const Effect effect = goldenEffect(entry.id);
-            const Image image = render(effect, kGoldenFrame);
+            const Scene scene = goldenScene(entry.id);
+            const Image image = goldenPicture(scene).value();
             const QByteArray line = QByteArray::fromStdString(goldenLine(entry.id, image));
             if (line != expected) {
-                const QString shown = showDifference(image, effect.output, referenceOf(entry),
+                const QString shown = showDifference(image, scene.output, referenceOf(entry),
                     QStringLiteral(FUMAGE_GOLDEN_SEEN), QString::fromStdString(entry.id));
                 QFAIL(qPrintable(QString("%1 was expected, %2 seen: %3").arg(QString(expected), QString(line), shown)));
             }
@@ -99,12 +99,12 @@ private slots:
         const std::string id = QTest::currentDataTag();
         const Result<PresetReading> frozen = readPresetFile(FUMAGE_VERSION_1 "presets/" + id + ".json");
         QVERIFY2(frozen.ok(), frozen ? "" : frozen.error().text().c_str());
-        const Effect effect = goldenEffect(frozen.value().preset.scene.effect());
+        const Scene scene = goldenScene(frozen.value().preset.scene);
         // Where the preset of today is the same, picturesOfThePresets() renders it.
-        if (effect == goldenEffect(id) && expected == checksums().value(QByteArray::fromStdString(id))) {
+        if (scene == goldenScene(id) && expected == checksums().value(QByteArray::fromStdString(id))) {
             return;
         }
-        QCOMPARE(QByteArray::fromStdString(goldenLine(id, render(effect, kGoldenFrame))), expected);
+        QCOMPARE(QByteArray::fromStdString(goldenLine(id, goldenPicture(scene).value())), expected);
     }
 
     void everyPresetHasAReferencePicture()

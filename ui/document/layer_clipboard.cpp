@@ -30,6 +30,7 @@ Preset partOf(const Preset& preset, const LayerPlaces& layers)
     for (const std::size_t layer : layers) {
         part.scene.layers.push_back(preset.scene.layers[layer]);
     }
+    dropBrokenParents(part.scene);
     for (UnknownMember member : preset.unknown) {
         const bool isOfLayer = member.group == "layer" || groupScope(member.group) == Scope::Layer;
         const auto place = std::find(layers.begin(), layers.end(), member.layer);

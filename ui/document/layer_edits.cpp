@@ -122,6 +122,12 @@ std::size_t insertLayers(
         layer.emitter.seed = freeSeed(scene, layer.emitter.seed);
         scene.layers.insert(scene.layers.begin() + static_cast<std::ptrdiff_t>(at + i), std::move(layer));
     }
+    for (std::size_t i = 0; i < fitting; ++i) {
+        if (const std::optional<std::size_t> parent = parentOf(other, i)) {
+            scene.layers[at + i].from = *parent < fitting ? scene.layers[at + *parent].name : std::string();
+        }
+    }
+    dropBrokenParents(scene);
     if (fitting > 0) {
         document.replaceScene(scene, {at + fitting - 1, placesFrom(at, fitting)}, text);
     }
@@ -156,6 +162,7 @@ void removeLayers(Document& document, const LayerPlaces& layers, const QString& 
         return;
     }
     takeOut(scene, layers);
+    dropBrokenParents(scene);
     const auto before = [&](std::size_t place) { // of those that are left
         return place - static_cast<std::size_t>(std::count_if(layers.begin(), layers.end(), [&](std::size_t layer) {
             return layer < place;
@@ -180,8 +187,66 @@ void moveLayers(Document& document, const LayerPlaces& layers, std::size_t befor
 
 void renameLayer(Document& document, std::size_t layer, const QString& name)
 {
-    const std::string text = name.trimmed().left(static_cast<qsizetype>(kMaxLayerName / 4)).toStdString();
-    changeLayers(document, {layer}, LayerEdits::tr("Rename %1"), [&](Layer& changed) { changed.name = text; });
+    Scene scene = document.scene();
+    LayerPlaces children;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        if (parentOf(scene, i) == layer) {
+            children.push_back(i);
+        }
+    }
+    const QString text = name.trimmed().left(static_cast<qsizetype>(kMaxLayerName / 4));
+    std::string& own = scene.layers[layer].name;
+    if (text.toStdString() == own) {
+        return;
+    }
+    own.clear(); // it is none that is taken
+    own = text.isEmpty() ? std::string() : freeName(scene, text);
+    for (const std::size_t child : children) {
+        scene.layers[child].from = own;
+    }
+    document.replaceScene(
+        scene, chosen(document, {layer}), LayerEdits::tr("Rename %1").arg(layerLabel(document.scene(), layer)));
+}
+
+bool canBeParent(const Scene& scene, const LayerPlaces& layers, std::size_t parent)
+{
+    // Those that it is born on, in turn, are none of them, nor is it.
+    std::optional<std::size_t> next = parent;
+    for (std::size_t steps = 0; next && steps <= scene.layers.size(); ++steps) {
+        if (std::binary_search(layers.begin(), layers.end(), *next)) {
+            return false;
+        }
+        next = parentOf(scene, *next);
+    }
+    return true;
+}
+
+void setLayersParent(Document& document, const LayerPlaces& layers, std::optional<std::size_t> parent)
+{
+    Scene scene = document.scene();
+    if (layers.empty() || (parent && !canBeParent(scene, layers, *parent))) {
+        return;
+    }
+    std::string name;
+    if (parent) {
+        // It is known by its name, which it may not have yet, or share with another.
+        std::string& own = scene.layers[*parent].name;
+        const auto sharing = std::count_if(
+            scene.layers.begin(), scene.layers.end(), [&](const Layer& layer) { return layer.name == own; });
+        if (own.empty() || sharing > 1) {
+            const QString label = layerLabel(scene, *parent);
+            own.clear();
+            own = freeName(scene, label);
+        }
+        name = own;
+    }
+    for (const std::size_t layer : layers) {
+        scene.layers[layer].from = name;
+    }
+    const QString text = parent
+        ? LayerEdits::tr("%1: born on %2").arg(layersLabel(document.scene(), layers), layerLabel(scene, *parent))
+        : LayerEdits::tr("%1: born on the emitter").arg(layersLabel(document.scene(), layers));
+    document.replaceScene(scene, chosen(document, layers), text);
 }
 
 void setLayersVisible(Document& document, const LayerPlaces& layers, bool visible)

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 
+#include <optional>
 #include <vector>
 
 namespace fumage::ui {
@@ -37,7 +38,12 @@ void removeLayers(Document& document, const LayerPlaces& layers, const QString& 
 /// @param before place of the layer that they come before, as long as they are where they are; the number of layers:
 /// to the end
 void moveLayers(Document& document, const LayerPlaces& layers, std::size_t before);
+/// What is born on it follows its new name, which no other layer has.
 void renameLayer(Document& document, std::size_t layer, const QString& name);
+/// Lets layers be born on the particles of another, which is no descendant of theirs, or on their emitters.
+void setLayersParent(Document& document, const LayerPlaces& layers, std::optional<std::size_t> parent);
+/// Whether layers may be born on another.
+[[nodiscard]] bool canBeParent(const Scene& scene, const LayerPlaces& layers, std::size_t parent);
 /// Shows or mutes layers; they stay so in files and exports.
 void setLayersVisible(Document& document, const LayerPlaces& layers, bool visible);
 void setLayersLocked(Document& document, const LayerPlaces& layers, bool locked);

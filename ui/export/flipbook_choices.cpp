@@ -34,6 +34,7 @@ QHBoxLayout* sideBySide(std::initializer_list<QWidget*> widgets)
 FlipbookChoices::FlipbookChoices(QWidget* parent)
     : QWidget(parent)
     , m_engine(new QComboBox(this))
+    , m_layers(new QComboBox(this))
     , m_sixWay(new QCheckBox(tr("Light maps"), this))
     , m_motion(new QCheckBox(tr("Motion vectors"), this))
     , m_columns(makeNumberBox(QStringLiteral("export.columns"), tr("Columns"), 1, kMaxSheetCells, this))
@@ -48,6 +49,12 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
                 : each == Engine::Web             ? tr("Web page")
                                                   : toQString(titleOf(each)));
     }
+    m_layers->setObjectName(QStringLiteral("export.layers"));
+    m_layers->setAccessibleName(tr("Layers"));
+    m_layers->addItems({tr("Together"), tr("Each alone"), tr("Contributions"), tr("Stacked")});
+    m_layers->setToolTip(tr("Together: one sheet. Each alone: a sheet a layer that nothing hides. Contributions: the "
+                            "others hide what they hide, and all sheets add up to the picture. Stacked: sheets that "
+                            "are the picture when they are drawn over one another, premultiplied."));
     m_sixWay->setObjectName(QStringLiteral("export.sixWay"));
     m_sixWay->setToolTip(
         tr("Two pictures with light from six sides, so that an engine lights the smoke with its own lights"));
@@ -59,10 +66,12 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
     auto* form = new LabelledForm(this);
     form->setContentsMargins({});
     form->add(tr("For"), m_engine);
+    form->add(tr("Layers"), m_layers);
     form->add(tr("Extra maps"), sideBySide({m_sixWay, m_motion}));
     form->add(tr("Grid"), sideBySide({m_columns, new QLabel(QStringLiteral("×"), this), m_rows}));
     form->addRow(m_extras);
     connect(m_engine, &QComboBox::currentIndexChanged, this, &FlipbookChoices::followEngine);
+    connect(m_layers, &QComboBox::currentIndexChanged, this, &FlipbookChoices::followLayers);
     connect(m_sixWay, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_motion, &QCheckBox::toggled, this, &FlipbookChoices::changed);
     connect(m_columns, &QSpinBox::valueChanged, this, &FlipbookChoices::changed);
@@ -75,6 +84,19 @@ FlipbookChoices::FlipbookChoices(QWidget* parent)
 Engine FlipbookChoices::engine() const
 {
     return kAllEngines[static_cast<std::size_t>(m_engine->currentIndex())];
+}
+
+LayerOutput FlipbookChoices::layers() const
+{
+    return m_layers->isEnabled() ? static_cast<LayerOutput>(m_layers->currentIndex()) : LayerOutput::Together;
+}
+
+/// Shares have no maps.
+void FlipbookChoices::followLayers()
+{
+    m_sixWay->setEnabled(!isShare(layers()));
+    m_motion->setEnabled(!isShare(layers()));
+    emit changed();
 }
 
 void FlipbookChoices::followEngine()
@@ -93,11 +115,15 @@ void FlipbookChoices::applyTo(ExportPlan& plan) const
 {
     plan.flipbook.engine = engine();
     plan.passes = {Pass::Colour};
-    if (m_sixWay->isChecked()) {
+    if (layers() != LayerOutput::Together) {
+        plan.layers = layers();
+    }
+    const bool hasMaps = !isShare(layers());
+    if (hasMaps && m_sixWay->isChecked()) {
         plan.passes.add(Pass::SixWayA);
         plan.passes.add(Pass::SixWayB);
     }
-    if (m_motion->isChecked()) {
+    if (hasMaps && m_motion->isChecked()) {
         plan.passes.add(Pass::Motion);
     }
     plan.style = styleFor(plan.flipbook.engine, plan.format);
@@ -130,6 +156,7 @@ void FlipbookChoices::take(const ExportPlan& plan)
     }
     m_engine->setCurrentIndex(
         static_cast<int>(std::ranges::find(kAllEngines, plan.flipbook.engine) - kAllEngines.begin()));
+    m_layers->setCurrentIndex(static_cast<int>(plan.layers.value_or(LayerOutput::Together)));
     m_sixWay->setChecked(plan.passes.has(Pass::SixWayA));
     m_motion->setChecked(plan.passes.has(Pass::Motion));
     m_extras->take(plan);
@@ -138,6 +165,11 @@ void FlipbookChoices::take(const ExportPlan& plan)
 
 void FlipbookChoices::follow(const Scene& scene)
 {
+    const bool several = scene.layers.size() > 1;
+    if (several != m_layers->isEnabled()) {
+        m_layers->setEnabled(several);
+        followLayers();
+    }
     m_extras->follow(scene);
 }
 

@@ -12,7 +12,7 @@ namespace fumage::ui {
 
 class FlipbookExtras;
 
-/// What only flipbooks are asked: what plays them, their passes, and how many cells they have.
+/// What only flipbooks are asked: what plays them, their layers and passes, and how many cells they have.
 class FlipbookChoices : public QWidget {
     Q_OBJECT
 
@@ -38,10 +38,13 @@ signals:
 
 private:
     void followEngine();
+    void followLayers();
     void takeSheet(const SheetCandidate& sheet);
     [[nodiscard]] Engine engine() const;
+    [[nodiscard]] LayerOutput layers() const;
 
     QComboBox* m_engine;
+    QComboBox* m_layers;
     QCheckBox* m_sixWay;
     QCheckBox* m_motion;
     QSpinBox* m_columns;

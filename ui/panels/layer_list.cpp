@@ -1,6 +1,7 @@
 #include "ui/panels/layer_list.h"
 
 #include "ui/theme/icons.h"
+#include "ui/widgets/plain_text.h"
 
 #include <algorithm>
 
@@ -106,6 +107,30 @@ void LayerList::addMarks(QMenu& menu, std::size_t layer)
     }
 }
 
+/// On whose particles the layers' own are born.
+void LayerList::addParents(QMenu& menu, const LayerPlaces& layers)
+{
+    const Scene& scene = m_document.scene();
+    if (scene.layers.size() < 2) {
+        return;
+    }
+    QMenu* parents = menu.addMenu(tr("Born on"));
+    parents->setObjectName(QStringLiteral("layerParents"));
+    const auto add = [&](const QString& text, std::optional<std::size_t> parent) {
+        QAction* action =
+            parents->addAction(text, this, [this, layers, parent] { setLayersParent(m_document, layers, parent); });
+        action->setCheckable(true);
+        action->setChecked(std::all_of(
+            layers.begin(), layers.end(), [&](std::size_t layer) { return parentOf(scene, layer) == parent; }));
+        return action;
+    };
+    add(tr("Its emitter"), std::nullopt);
+    parents->addSeparator();
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        add(plainMenuText(layerLabel(scene, i)), i)->setEnabled(canBeParent(scene, layers, i));
+    }
+}
+
 void LayerList::addTransfer(QMenu& menu, const LayerPlaces& layers)
 {
     menu.addAction(tr("Cut"), this, [this, layers] { m_transfer.cut(layers); })
@@ -128,6 +153,7 @@ void LayerList::openMenu(const QPoint& at)
     menu.setObjectName(QStringLiteral("layerMenu"));
     menu.addAction(tr("Rename"), this, [this, layer] { m_view->rename(layer); });
     addMarks(menu, layer);
+    addParents(menu, layers);
     menu.addSeparator();
     addTransfer(menu, layers);
     menu.addSeparator();

@@ -23,6 +23,7 @@ private:
     void follow();
     void openMenu(const QPoint& at);
     void addMarks(QMenu& menu, std::size_t layer);
+    void addParents(QMenu& menu, const LayerPlaces& layers);
     void addTransfer(QMenu& menu, const LayerPlaces& layers);
     [[nodiscard]] const LayerPlaces& chosen() const { return m_document.selection().all(); }
 

@@ -38,6 +38,9 @@ QString LayerModel::statisticsOf(std::size_t layer) const
 {
     const Scene& scene = m_document.scene();
     QStringList lines{layerLabel(scene, layer), tr("%1 particles").arg(particlesText(scene, layer))};
+    if (const std::optional<std::size_t> parent = parentOf(scene, layer)) {
+        lines += tr("Born on %1").arg(layerLabel(scene, *parent));
+    }
     const double all = std::accumulate(m_work.begin(), m_work.end(), 0.0);
     if (!scene.layers[layer].visible) {
         lines += tr("Muted: it is neither simulated nor exported");
