@@ -84,6 +84,8 @@ def run(cli, words, folder):
         return "left out: there is no ffmpeg"
     output = words[words.index("--output") + 1] if "--output" in words and words[0] != "farm" else None
     pattern = re.sub("#+", "*", output or "")
+    if "--layers-as" in words:  # names of layers come before the ending
+        pattern = re.sub(r"(\.\w+)$", r"_*\1", pattern)
     pattern += "*" if pattern.endswith("/") else ""
     for old in filter(pathlib.Path.is_file, folder.glob(pattern) if output else []):
         old.unlink()  # of a command before, which this one's file has the name of
