@@ -31,15 +31,14 @@ SampledEffect sampled(const Effect& effect)
 
 SampledEffect thinned(const SampledEffect& effect, int most)
 {
-    Effect out = effect;
+    SampledEffect fewer = effect;
+    Effect& out = fewer.m_effect;
     if (out.emitter.count > most) {
         // What covers the picture is count * size^2.
         const float ratio = static_cast<float>(out.emitter.count) / static_cast<float>(most);
         out.emitter.count = most;
         setClamped(out, knownParameter("look.size"), out.look.size * std::sqrt(ratio));
     }
-    SampledEffect fewer(out);
-    fewer.m_parent = effect.m_parent;
     return fewer;
 }
 

@@ -146,13 +146,15 @@ void addDensities(LitLayers layers, LightWorkspace& room, LightGrid& out)
     const bool detailed = std::any_of(layers.begin(), layers.end(), [](const LitLayer& layer) { return layer.detail; });
     room.layer.shape = out.shape;
     std::array<LitLayer, kMaxLayers> group;
+    bool isFirst = true;
     for (auto layer = layers.begin(); layer != layers.end(); ++layer) {
-        const auto isLike = [&](const LitLayer& other) { return isAlike(*layer, other); };
-        if (std::any_of(layers.begin(), layer, isLike)) {
-            continue; // it was put in with that one
+        const auto isLike = [&](const LitLayer& other) {
+            return other.appearance->count > 0 && isAlike(*layer, other);
+        };
+        if (layer->appearance->count == 0 || std::any_of(layers.begin(), layer, isLike)) {
+            continue; // there is nothing of it, or it was put in with that one
         }
         const auto end = std::copy_if(layer, layers.end(), group.begin(), isLike);
-        const bool isFirst = layer == layers.begin();
         LightGrid& grid = isFirst ? out : room.layer;
         splatParticles(std::span(group.begin(), end), out.shape, room, grid.density);
         if (layer->detail != nullptr) {
@@ -164,6 +166,10 @@ void addDensities(LitLayers layers, LightWorkspace& room, LightGrid& out)
             addCells(out.shape, grid.plain, out.plain);
             addCells(out.shape, grid.density, out.density);
         }
+        isFirst = false;
+    }
+    if (isFirst) {
+        out.density.assign(out.shape.cells() + kPadding, 0.0F);
     }
 }
 

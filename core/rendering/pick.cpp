@@ -1,5 +1,6 @@
 #include "core/rendering/pick.h"
 
+#include "core/lighting/glow.h"
 #include "core/rendering/compositor.h"
 #include "core/rendering/passes.h"
 
@@ -46,7 +47,6 @@ SpriteBatch partAround(const SpriteBatch& batch, int x, int y)
 float weightOf(const Sprite& sprite)
 {
     constexpr float kBody = 0.2F;
-    constexpr glm::vec3 kLuminance(0.2126F, 0.7152F, 0.0722F); // Rec. 709
     const glm::vec3 light(sprite.direct[0] + sprite.ambient[0], sprite.direct[1] + sprite.ambient[1],
         sprite.direct[2] + sprite.ambient[2]);
     return kBody + glm::dot(light, kLuminance);

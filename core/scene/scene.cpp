@@ -32,6 +32,26 @@ void copyLayer(const auto& from, auto& to)
     to.glow = from.glow;
 }
 
+/// The layers of a name.
+struct Named {
+    std::size_t first = 0;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::optional<std::size_t> only() const { return count == 1 ? std::optional(first) : std::nullopt; }
+};
+
+Named layersNamed(const Scene& scene, std::string_view name)
+{
+    Named named;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        if (scene.layers[i].name == name) {
+            named.first = named.count == 0 ? i : named.first;
+            ++named.count;
+        }
+    }
+    return named;
+}
+
 } // namespace
 
 Scene::Scene(const Effect& effect)
@@ -80,11 +100,9 @@ std::int64_t Scene::particles() const
 
 std::optional<std::size_t> findLayer(const Scene& scene, std::string_view nameOrNumber)
 {
-    const auto isNamed = [&](const Layer& layer) { return layer.name == nameOrNumber; };
-    const auto found = std::find_if(scene.layers.begin(), scene.layers.end(), isNamed);
-    if (found != scene.layers.end()) {
-        const bool isOnly = std::find_if(found + 1, scene.layers.end(), isNamed) == scene.layers.end();
-        return isOnly ? std::optional(static_cast<std::size_t>(found - scene.layers.begin())) : std::nullopt;
+    const Named named = layersNamed(scene, nameOrNumber);
+    if (named.count > 0) {
+        return named.only();
     }
     const std::optional<std::int64_t> number = parseInteger(nameOrNumber);
     const bool isThere = number && *number >= 1 && *number <= static_cast<std::int64_t>(scene.layers.size());
@@ -94,13 +112,7 @@ std::optional<std::size_t> findLayer(const Scene& scene, std::string_view nameOr
 std::optional<std::size_t> parentOf(const Scene& scene, std::size_t layer)
 {
     const std::string& name = scene.layers[layer].from;
-    const auto isNamed = [&](const Layer& other) { return other.name == name; };
-    const auto count = std::count_if(scene.layers.begin(), scene.layers.end(), isNamed);
-    if (name.empty() || count != 1) {
-        return std::nullopt;
-    }
-    return static_cast<std::size_t>(
-        std::find_if(scene.layers.begin(), scene.layers.end(), isNamed) - scene.layers.begin());
+    return name.empty() ? std::nullopt : layersNamed(scene, name).only();
 }
 
 Status checkParent(const Scene& scene, std::size_t layer)

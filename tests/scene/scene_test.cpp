@@ -243,6 +243,30 @@ private slots:
         }
     }
 
+    /// A layer of which no particle lives yet is nothing to the light of the others, whatever its detail and its place.
+    void whatHasNotBegunChangesNoPixel()
+    {
+        Scene scene = smoke();
+        scene.layers[0].look.detail = 1.0F;
+        for (const std::size_t late : {0, 1}) {
+            Scene both = scene;
+            both.layers.resize(2, scene.layers[0]);
+            both.layers[late].emitter.start = 5.0F;
+            both.layers[late].emitter.seed = 7;
+            both.layers[late].source.feeds = false;
+            both.layers[late].look.detailSize *= 2.0F;
+            for (const float place :
+                {0.0F, 40.0F}) { // the empty slots lie at the origin, outside of the smoke or in it
+                both.layers[0].emitter.position.x = place;
+                both.layers[1].emitter.position.x = place;
+                both.camera.target.x = place;
+                Scene one = both;
+                one.layers[late].visible = false;
+                QVERIFY(sameBits(pictureOf(both), pictureOf(one)));
+            }
+        }
+    }
+
     /// What layers have in common is found once: where their detail is, and how it lies in the density.
     void layersShareTheirDetail()
     {
