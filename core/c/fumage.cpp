@@ -1,98 +1,42 @@
 #include "core/fumage.h"
 
 #include "core/base/parallel.h"
-#include "core/effect/assignment.h"
-#include "core/effect/value.h"
-#include "core/live/live_simulation.h"
+#include "core/c/columns.h"
+#include "core/c/smoke.h"
 #include "core/preset/library.h"
-
-#include "core/version.h"
 #include "core/preset/preset_file.h"
+#include "core/scene/layer_assignment.h"
+#include "core/version.h"
 
-#include <exception>
 #include <memory>
 #include <new>
-#include <string>
 
 using namespace fumage;
-
-struct fumage_smoke {
-    std::optional<LiveSimulation> simulation; ///< none: it did not start
-    std::optional<std::string> error; ///< of the last call that could fail
-    bool outOfMemory = false; ///< and no text could be kept
-};
+using namespace fumage::c;
 
 namespace {
 
 constexpr const char* kOutOfMemory = "out of memory";
 
-/// Keeps an error for fumage_error().
-void keep(fumage_smoke& smoke, const Error& error)
-{
-    smoke.error = error.text();
-}
-
-/// Runs what may throw: nothing does on purpose, but memory may end.
-/// @return what body returns, or failed
-template <class T, class Body>
-T guarded(fumage_smoke& smoke, T failed, const Body& body) noexcept
-{
-    try {
-        return body();
-    } catch (const std::exception& exception) {
-        try {
-            smoke.error = exception.what();
-        } catch (...) {
-            smoke.outOfMemory = true;
-        }
-    } catch (...) {
-        smoke.outOfMemory = true;
-    }
-    return failed;
-}
-
-/// The same for a call that could fail, of a smoke that has started; NULL, and one that has not, fail and keep their
-/// error.
-template <class Body>
-int running(fumage_smoke* smoke, const Body& body) noexcept
-{
-    if (smoke == nullptr || !smoke->simulation) {
-        return -1;
-    }
-    smoke->error.reset();
-    smoke->outOfMemory = false;
-    return guarded(*smoke, -1, [&] { return body(*smoke->simulation); });
-}
-
-int resultOf(fumage_smoke& smoke, const Status& status)
-{
-    if (status) {
-        return 0;
-    }
-    keep(smoke, status.error());
-    return -1;
-}
-
 /// Sets what is to be set before the smoke starts.
-/// @param settings "key=value", the last followed by nullptr
-Status applySettings(Effect& effect, const char* const* settings)
+/// @param settings "key=value" or "layer/key=value", the last followed by nullptr
+Status applySettings(Scene& scene, const char* const* settings)
 {
     for (; settings != nullptr && *settings != nullptr; ++settings) {
-        if (const Result<bool> clamped = applyAssignment(effect, *settings); !clamped) {
+        if (const Result<bool> clamped = applyToScene(scene, *settings); !clamped) {
             return clamped.error();
         }
     }
     return Done{};
 }
 
-Result<LiveSimulation> started(
-    Result<PresetReading> reading, const char* const* settings, const fumage_options* options)
+Result<LiveScene> started(Result<PresetReading> reading, const char* const* settings, const fumage_options* options)
 {
     if (!reading) {
         return reading.error();
     }
-    Effect effect = std::move(reading).value().preset.scene.effect();
-    if (Status status = applySettings(effect, settings); !status) {
+    Scene scene = std::move(reading).value().preset.scene;
+    if (Status status = applySettings(scene, settings); !status) {
         return status.error();
     }
     LiveOptions live;
@@ -102,7 +46,7 @@ Result<LiveSimulation> started(
         live.mostStepsAtOnce = options->most_steps_at_once == 0 ? live.mostStepsAtOnce : options->most_steps_at_once;
         live.budgetMs = options->budget_ms;
     }
-    return LiveSimulation::start(effect, live);
+    return LiveScene::start(scene, live);
 }
 
 /// @param read gives the preset
@@ -115,9 +59,9 @@ fumage_smoke* create(
         return nullptr;
     }
     guarded(*smoke, 0, [&] {
-        Result<LiveSimulation> made = started(read(std::string(text == nullptr ? "" : text)), settings, options);
+        Result<LiveScene> made = started(read(std::string(text == nullptr ? "" : text)), settings, options);
         if (made) {
-            smoke->simulation.emplace(std::move(made).value());
+            smoke->scene.emplace(std::move(made).value());
         } else {
             keep(*smoke, made.error());
         }
@@ -126,51 +70,23 @@ fumage_smoke* create(
     return smoke;
 }
 
-glm::vec3 vectorOf(const float* numbers)
-{
-    return numbers == nullptr ? glm::vec3(0.0F) : glm::vec3(numbers[0], numbers[1], numbers[2]);
-}
+using Move = Status (LiveScene::*)(const EmitterPose&);
 
-using Move = Status (LiveSimulation::*)(const EmitterPose&);
-
-int moveEmitter(
+int moveEmitters(
     fumage_smoke* smoke, Move move, const float* position, const float* normal, const float* velocity) noexcept
 {
-    return running(smoke, [&](LiveSimulation& simulation) {
-        EmitterPose pose = simulation.emitter();
-        pose.position = position == nullptr ? pose.position : vectorOf(position);
-        pose.normal = normal == nullptr ? pose.normal : vectorOf(normal);
-        pose.velocity = vectorOf(velocity);
-        return resultOf(*smoke, (simulation.*move)(pose));
+    return running(smoke, -1, [&](LiveScene& scene) {
+        return resultOf(*smoke, (scene.*move)(poseFrom(scene.emitter(0), position, normal, velocity)));
     });
 }
 
-/// A column of numbers, or NULL.
-template <class Number = float, class Column>
-const Number* numbers(fumage_smoke* smoke, const Column& column) noexcept
+/// A column of the first layer, or NULL.
+const float* numbers(fumage_smoke* smoke, Column column) noexcept
 {
-    if (smoke == nullptr || !smoke->simulation) {
+    if (!isRunning(smoke) || slotsOf(*smoke->scene, 0) == 0) {
         return nullptr;
     }
-    return guarded<const Number*>(*smoke, nullptr, [&] { return column(*smoke->simulation); });
-}
-
-/// A column that is found when it is asked for, which may fail, or NULL.
-/// @param find gives Result<std::span<...>>
-template <class Find>
-const float* found(fumage_smoke* smoke, const Find& find) noexcept
-{
-    const float* first = nullptr;
-    (void)running(smoke, [&](LiveSimulation& simulation) {
-        const auto column = find(simulation);
-        if (!column) {
-            keep(*smoke, column.error());
-            return -1;
-        }
-        first = &column.value().front().x;
-        return 0;
-    });
-    return first;
+    return guarded<const float*>(*smoke, nullptr, [&] { return column(*smoke->scene, 0); });
 }
 
 /// How many threads the process may use; nothing: all there are.
@@ -236,8 +152,8 @@ const char* fumage_error(const fumage_smoke* smoke)
 
 int fumage_step(fumage_smoke* smoke, double seconds)
 {
-    return running(smoke, [&](LiveSimulation& simulation) {
-        const Result<int> steps = simulation.step(seconds);
+    return running(smoke, -1, [&](LiveScene& scene) {
+        const Result<int> steps = scene.step(seconds);
         if (!steps) {
             keep(*smoke, steps.error());
             return -1;
@@ -248,125 +164,128 @@ int fumage_step(fumage_smoke* smoke, double seconds)
 
 int fumage_set(fumage_smoke* smoke, const char* key, const char* value)
 {
-    return running(smoke, [&](LiveSimulation& simulation) {
-        Effect effect = simulation.effect();
+    return running(smoke, -1, [&](LiveScene& now) {
+        Scene scene = now.scene();
         const std::string assignment = std::string(key == nullptr ? "" : key) + '=' + (value == nullptr ? "" : value);
-        const Result<bool> clamped = applyAssignment(effect, assignment);
+        const Result<bool> clamped = applyToScene(scene, assignment);
         if (!clamped) {
             keep(*smoke, clamped.error());
             return -1;
         }
-        const int result = resultOf(*smoke, simulation.setEffect(effect));
+        const int result = resultOf(*smoke, now.setScene(scene));
         return result == 0 && clamped.value() ? 1 : result;
     });
 }
 
 int fumage_set_emitter(fumage_smoke* smoke, const float* position, const float* normal, const float* velocity)
 {
-    return moveEmitter(smoke, &LiveSimulation::setEmitter, position, normal, velocity);
+    return moveEmitters(smoke, &LiveScene::setEmitters, position, normal, velocity);
 }
 
 int fumage_place_emitter(fumage_smoke* smoke, const float* position, const float* normal, const float* velocity)
 {
-    return moveEmitter(smoke, &LiveSimulation::placeEmitter, position, normal, velocity);
+    return moveEmitters(smoke, &LiveScene::placeEmitters, position, normal, velocity);
 }
 
 void fumage_set_share(fumage_smoke* smoke, float share)
 {
-    if (smoke != nullptr && smoke->simulation) {
-        smoke->simulation->setShare(share);
+    if (isRunning(smoke)) {
+        smoke->scene->setShare(share);
     }
 }
 
 float fumage_share(const fumage_smoke* smoke)
 {
-    return smoke == nullptr || !smoke->simulation ? 0.0F : smoke->simulation->share();
+    return isRunning(smoke) ? smoke->scene->share(0) : 0.0F;
 }
 
 int fumage_is_over_budget(const fumage_smoke* smoke)
 {
-    return smoke != nullptr && smoke->simulation && smoke->simulation->isOverBudget() ? 1 : 0;
+    return isRunning(smoke) && smoke->scene->isOverBudget() ? 1 : 0;
 }
 
 void fumage_burst(fumage_smoke* smoke)
 {
-    if (smoke != nullptr && smoke->simulation) {
-        smoke->simulation->burst();
+    if (isRunning(smoke)) {
+        smoke->scene->burst();
     }
 }
 
 size_t fumage_living(const fumage_smoke* smoke)
 {
-    return smoke == nullptr || !smoke->simulation ? 0 : smoke->simulation->living();
+    return isRunning(smoke) && smoke->scene->isVisible(0) ? smoke->scene->living(0) : 0;
 }
 
 size_t fumage_slots(const fumage_smoke* smoke)
 {
-    return smoke == nullptr || !smoke->simulation ? 0 : smoke->simulation->particles().capacity;
+    return isRunning(smoke) ? slotsOf(*smoke->scene, 0) : 0;
 }
 
 const float* fumage_x(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().x.data(); });
+    return numbers(smoke, kX);
 }
 
 const float* fumage_y(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().y.data(); });
+    return numbers(smoke, kY);
 }
 
 const float* fumage_z(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().z.data(); });
+    return numbers(smoke, kZ);
 }
 
 const float* fumage_radius(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.appearance().radius.data(); });
+    return numbers(smoke, kRadius);
 }
 
 const float* fumage_colour(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return &simulation.colours().front().x; });
+    return numbers(smoke, kColour);
 }
 
 const float* fumage_lit_colour(fumage_smoke* smoke, const float* eye)
 {
-    const std::optional<glm::vec3> place = eye == nullptr ? std::nullopt : std::optional(vectorOf(eye));
-    return found(smoke, [&](LiveSimulation& simulation) { return simulation.litColours(place); });
+    return running<const float*>(
+        smoke, nullptr, [&](LiveScene& scene) { return firstOf(*smoke, scene.litColours(0, eyeOf(eye))); });
 }
 
 const float* fumage_normal(fumage_smoke* smoke)
 {
-    return found(smoke, [](LiveSimulation& simulation) { return simulation.normals(); });
+    return running<const float*>(smoke, nullptr, [&](LiveScene& scene) { return firstOf(*smoke, scene.normals(0)); });
 }
 
 const float* fumage_age(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.ages().data(); });
+    return numbers(smoke, kAge);
 }
 
 const float* fumage_life(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.appearance().life.data(); });
+    return numbers(smoke, kLife);
 }
 
 const float* fumage_velocity_x(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().vx.data(); });
+    return numbers(smoke, kVelocityX);
 }
 
 const float* fumage_velocity_y(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().vy.data(); });
+    return numbers(smoke, kVelocityY);
 }
 
 const float* fumage_velocity_z(fumage_smoke* smoke)
 {
-    return numbers(smoke, [](LiveSimulation& simulation) { return simulation.particles().vz.data(); });
+    return numbers(smoke, kVelocityZ);
 }
 
 const uint64_t* fumage_id(fumage_smoke* smoke)
 {
-    return numbers<uint64_t>(smoke, [](LiveSimulation& simulation) { return simulation.ids().data(); });
+    if (!isRunning(smoke) || slotsOf(*smoke->scene, 0) == 0) {
+        return nullptr;
+    }
+    return guarded<const uint64_t*>(*smoke, nullptr, [&] { return smoke->scene->ids(0).data(); });
 }

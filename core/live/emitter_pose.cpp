@@ -1,5 +1,7 @@
 #include "core/live/emitter_pose.h"
 
+#include "core/base/vector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,20 @@ namespace {
 bool isFinite(const glm::vec3& v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Turns a vector as the shortest turn does that takes one unit vector to another. Source: Rodrigues, with the sine and
+/// cosine of the angle from the products of the two.
+glm::vec3 turned(const glm::vec3& v, const glm::vec3& from, const glm::vec3& to)
+{
+    const float cosine = glm::dot(from, to);
+    constexpr float kOpposite = -0.999999F; // the axis would be lost in rounding
+    if (cosine < kOpposite) {
+        const glm::vec3 axis = planeBasis(from).across;
+        return 2.0F * glm::dot(v, axis) * axis - v;
+    }
+    const glm::vec3 axis = glm::cross(from, to);
+    return v + glm::cross(axis, v) + glm::cross(axis, glm::cross(axis, v)) / (1.0F + cosine);
 }
 
 } // namespace
@@ -53,6 +69,12 @@ EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share
         out.normal = glm::normalize(glm::mix(from.normal, to.normal, t));
     }
     return out;
+}
+
+EmitterPose carriedAlong(const EmitterPose& own, const EmitterPose& from, const EmitterPose& to)
+{
+    return {to.position + turned(own.position - from.position, from.normal, to.normal),
+        glm::normalize(turned(own.normal, from.normal, to.normal)), to.velocity};
 }
 
 } // namespace fumage

@@ -29,4 +29,11 @@ struct EmitterPose {
 /// @param share 0 to 1; 1 is the other, to the bit
 [[nodiscard]] EmitterPose between(const EmitterPose& from, const EmitterPose& to, double share);
 
+/// Where a pose goes that is fixed to another one, when that goes from one place to another: as a part of the same
+/// body, which is turned by the shortest way that takes its normal to the new one, or half around where they are
+/// opposite.
+/// @param from,to with unit normals
+/// @return with the velocity of to
+[[nodiscard]] EmitterPose carriedAlong(const EmitterPose& own, const EmitterPose& from, const EmitterPose& to);
+
 } // namespace fumage

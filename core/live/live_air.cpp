@@ -26,23 +26,36 @@ int cellsToGround(const AirGrid& grid, float height)
         std::ceil(std::clamp((height - grid.corner.y) / grid.cell - kRounding, -kFarthest, kFarthest)));
 }
 
+/// The layer whose emitter the box goes with.
+std::size_t leaderOf(SampledLayers layers)
+{
+    std::vector<std::size_t> feeding;
+    findFeedingLayers(layers, feeding);
+    return feeding.front();
+}
+
 } // namespace
 
-LiveAir::LiveAir(const SimulationModel& model)
-    : LiveAir(model, airPlan(model.effect()))
+LiveAir::LiveAir(SampledLayers layers)
+    : LiveAir(layers[leaderOf(layers)], airPlan(layers))
 {
 }
 
-LiveAir::LiveAir(const SimulationModel& model, const AirPlan& plan)
+LiveAir::LiveAir(const SimulationModel& model)
+    : LiveAir(SampledLayers(&model.effect(), 1))
+{
+}
+
+LiveAir::LiveAir(const Effect& leader, const AirPlan& plan)
     : m_solver(plan.grid, plan.boundaries, plan.solids, plan.wind)
     , m_field(plan.grid)
     , m_solids(plan.solids)
     , m_borders(plan.boundaries)
     , m_home(plan.grid.corner)
-    , m_emitter(model.effect()->emitter.position)
+    , m_emitter(leader.emitter.position)
 {
     m_field.wind = plan.wind;
-    const Air& air = model.effect()->air;
+    const Air& air = leader.air;
     if (air.ground) {
         m_floor = cellsToGround(plan.grid, air.groundHeight);
     }
@@ -73,19 +86,25 @@ void LiveAir::follow(const glm::vec3& emitter)
     }
 }
 
-void LiveAir::step(const SimulationModel& model, std::int64_t number, float acts)
+void LiveAir::step(std::span<const AirFeeder> feeders, std::int64_t number)
 {
     number = std::max<std::int64_t>(1, number);
     if (m_at == number) {
         return;
     }
     m_at = number;
-    follow(model.effect()->emitter.position);
-    AirStep step = airStep(model, grid(), number, acts);
+    follow(feeders.front().model->effect()->emitter.position);
+    findAirStep(feeders, grid(), m_step);
     // Since the effect before, too.
-    AirStep& first = step.earlier.empty() ? step : step.earlier.front();
+    AirStep& first = m_step.earlier.empty() ? m_step : m_step.earlier.front();
     first.windChange = (first.wind - m_field.wind) / static_cast<float>(first.pieces);
-    m_solver.step(step, m_field);
+    m_solver.step(m_step, m_field);
+}
+
+void LiveAir::step(const SimulationModel& model, std::int64_t number, float acts)
+{
+    const AirFeeder feeder{&model, std::max<std::int64_t>(1, number), acts};
+    step({&feeder, 1}, number);
 }
 
 } // namespace fumage

@@ -24,16 +24,6 @@ struct RenderTimes {
     std::chrono::nanoseconds composite{0};
 };
 
-/// A layer of a picture: its particles and its look, whose simulation part is that of the frame. Both outlive it.
-struct LayerFrame {
-    const Frame* frame = nullptr;
-    const SampledEffect* effect = nullptr;
-};
-
-/// All layers of a picture, one or more, at the same moment. Their effects have the same surroundings: air, wind,
-/// light, camera, timeline and output.
-using LayerFrames = std::span<const LayerFrame>;
-
 /// Makes pictures of frames: looks, light, sprites, compositor and supersampling.
 ///
 /// Keeps the noise texture until the noise changes, and all buffers. Not thread-safe; uses all threads inside.

@@ -5,8 +5,6 @@
 
 namespace fumage {
 
-namespace {
-
 Result<std::size_t> layerNamed(const Scene& scene, std::string_view name)
 {
     if (const std::optional<std::size_t> layer = findLayer(scene, name)) {
@@ -19,6 +17,8 @@ Result<std::size_t> layerNamed(const Scene& scene, std::string_view name)
     return Error{ErrorCode::UnknownName, makeMessage("there is no one layer %1", inQuotes(name)), {},
         makeMessage("Name one of %1, or give its number from 1 to %2", names, scene.layers.size())};
 }
+
+namespace {
 
 /// Calls visit(layer) for the layers in a list of names.
 template <class Visit>

@@ -7,6 +7,11 @@
 
 namespace fumage {
 
+/// The layer that a name or a number from 1 stands for, as findLayer(), with the names that there are where there is
+/// none.
+/// @error UnknownName where there is no such layer, or several have the name
+[[nodiscard]] Result<std::size_t> layerNamed(const Scene& scene, std::string_view name);
+
 /// An assignment and the layer that it is for.
 struct LayerAssignment {
     std::size_t layer = 0;

@@ -193,7 +193,28 @@ bool isParent(SampledLayers layers, const SampledEffect& layer)
         [&](const SampledEffect& other) { return other.parent() && *other.parent() == layer; });
 }
 
+/// Whether another layer of the scene is born on one.
+bool isBornOn(const Scene& scene, std::size_t layer)
+{
+    for (std::size_t other = 0; other < scene.layers.size(); ++other) {
+        if (parentOf(scene, other) == layer) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
+
+Effect simulatedEffect(const Scene& scene, std::size_t layer)
+{
+    Effect effect = effectInScene(scene, layer);
+    const bool keeps = !scene.layers[layer].visible || effect.emitter.count <= kMaxKeptParents;
+    if (keeps && isBornOn(scene, layer)) {
+        effect.output.quality = Quality::Good;
+    }
+    return effect;
+}
 
 void thinLayers(std::vector<SampledEffect>& layers, std::int64_t most)
 {
@@ -216,16 +237,8 @@ void thinLayers(std::vector<SampledEffect>& layers, std::int64_t most)
 std::vector<SampledEffect> sampledLayers(const Scene& scene)
 {
     std::vector<SampledEffect> out;
-    std::vector<bool> isBornOn(scene.layers.size(), false);
-    for (std::size_t layer = 0; layer < scene.layers.size(); ++layer) {
-        if (const std::optional<std::size_t> parent = parentOf(scene, layer)) {
-            isBornOn[*parent] = true;
-        }
-    }
     for (const std::size_t layer : scene.visibleLayers()) {
-        const bool keeps = isBornOn[layer] && scene.layers[layer].emitter.count <= kMaxKeptParents;
-        out.push_back(
-            withParents(scene, layer, keeps ? atGoodQuality(scene, layer) : sampled(effectInScene(scene, layer))));
+        out.push_back(withParents(scene, layer, sampled(simulatedEffect(scene, layer))));
     }
     if (out.empty()) {
         Effect nothing = scene.effect();

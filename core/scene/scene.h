@@ -109,6 +109,10 @@ void thinLayers(std::vector<SampledEffect>& layers, std::int64_t most);
 /// Most particles of a layer that others are born on that no quality and no preview changes.
 inline constexpr int kMaxKeptParents = 4096;
 
+/// A layer in its surroundings as it is simulated, before its quality is worked in: what is born on another has no
+/// source in the air, and what others are born on has good quality where it has few particles or is not seen.
+[[nodiscard]] Effect simulatedEffect(const Scene& scene, std::size_t layer);
+
 /// The visible layers of a scene as they are simulated and drawn, with the quality worked into their numbers, and with
 /// kMaxParticles in all at most. Where none is visible it is the first one, transparent: a picture has a camera. A
 /// parent that is not there, or a ring of them, counts as none; see checkParent().

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -77,17 +78,10 @@ Box fittedBox(const SampledEffect& effect)
     return box;
 }
 
-/// The layers that heat the air, or blow it up; where none does one of them stands for all. They are in the order of
-/// their seeds, so that their order in a list means nothing: the box, the wind and what stirs the air go by the first.
 std::vector<std::size_t> feedingLayers(SampledLayers layers)
 {
-    std::vector<std::size_t> out(layers.size());
-    std::iota(out.begin(), out.end(), std::size_t{0});
-    std::stable_sort(out.begin(), out.end(),
-        [&](std::size_t a, std::size_t b) { return layers[a]->emitter.seed < layers[b]->emitter.seed; });
-    const auto gives = [&](std::size_t layer) { return layers[layer]->source.feeds; };
-    const auto end = std::stable_partition(out.begin(), out.end(), gives);
-    out.resize(std::max<std::size_t>(1, static_cast<std::size_t>(end - out.begin())));
+    std::vector<std::size_t> out;
+    findFeedingLayers(layers, out);
     return out;
 }
 
@@ -189,6 +183,18 @@ std::vector<AirFeeder> feedersAt(const std::vector<SimulationModel>& models, std
 }
 
 } // namespace
+
+void findFeedingLayers(SampledLayers layers, std::vector<std::size_t>& out)
+{
+    out.resize(layers.size());
+    std::iota(out.begin(), out.end(), std::size_t{0});
+    const auto gives = [&](std::size_t layer) { return layers[layer]->source.feeds; };
+    std::sort(out.begin(), out.end(), [&](std::size_t a, std::size_t b) {
+        return std::tuple(!gives(a), layers[a]->emitter.seed, a) < std::tuple(!gives(b), layers[b]->emitter.seed, b);
+    });
+    const auto count = static_cast<std::size_t>(std::count_if(out.begin(), out.end(), gives));
+    out.resize(std::max<std::size_t>(1, count));
+}
 
 AirGrid airGrid(SampledLayers layers)
 {

@@ -9,6 +9,13 @@
 
 namespace fumage {
 
+/// Finds the layers that heat the air, or blow it up; where none does one of them stands for all. They are in the order
+/// of their seeds, so that their order in a list means nothing: the box, the wind and what stirs the air go by the
+/// first.
+/// @param layers one or more
+/// @param out gets their places in it, one or more; nothing is allocated where it has had as many before
+void findFeedingLayers(SampledLayers layers, std::vector<std::size_t>& out);
+
 /// The box of the air: that of the effect, or where air.fit is on, one as large as the smoke is expected to become.
 /// Cells are cubes, as many along the longest side as air.resolution says; the box grows to whole cells.
 ///

@@ -289,14 +289,14 @@ AirFeed feedOf(const AirFeeder& feeder, const AirGrid& grid, const Moment& momen
     return feed;
 }
 
-AirStep airPartOfStep(std::span<const AirFeeder> feeders, const AirGrid& grid, const Moment& moment, int pieces)
+void findAirPart(
+    std::span<const AirFeeder> feeders, const AirGrid& grid, const Moment& moment, int pieces, AirStep& step)
 {
     const SimulationModel& model = *feeders.front().model;
     const SampledEffect& effect = model.effect();
     const Air& air = effect->air;
     const double begin = moment.beginAfter(feeders.front().number - 1);
     const double end = moment.endAfter(feeders.front().number - 1);
-    AirStep step;
     step.share = moment.share;
     step.pieces = pieces;
     step.dt = model.schedule().dt * moment.share / static_cast<float>(pieces);
@@ -306,9 +306,8 @@ AirStep airPartOfStep(std::span<const AirFeeder> feeders, const AirGrid& grid, c
     step.friction = air.friction;
     step.wind = windSpeed(model.windAt(end), air);
     step.windChange = (step.wind - windSpeed(model.windAt(begin), air)) / static_cast<float>(pieces);
-    if (air.turbulence > 0.0F) {
-        step.forcing = forcingAt(effect, grid, model.schedule(), end);
-    }
+    step.forcing = air.turbulence > 0.0F ? forcingAt(effect, grid, model.schedule(), end) : TurbulenceForcing();
+    step.others.clear();
     for (const AirFeeder& feeder : feeders) {
         AirFeed feed = feedOf(feeder, grid, moment, step.dt);
         if (&feeder == &feeders.front()) {
@@ -318,7 +317,6 @@ AirStep airPartOfStep(std::span<const AirFeeder> feeders, const AirGrid& grid, c
             step.others.push_back(std::move(feed));
         }
     }
-    return step;
 }
 
 } // namespace
@@ -346,20 +344,23 @@ std::size_t usualParts(std::span<const AirFeeder> feeders)
     return static_cast<std::size_t>(parts);
 }
 
+void findAirStep(std::span<const AirFeeder> feeders, const AirGrid& grid, AirStep& out)
+{
+    std::size_t parts = 0;
+    forParts(feeders, [&](const Moment& /*moment*/, int /*pieces*/) { ++parts; });
+    out.earlier.resize(parts - 1);
+    std::size_t part = 0;
+    forParts(feeders, [&](const Moment& moment, int pieces) {
+        findAirPart(feeders, grid, moment, pieces, part + 1 == parts ? out : out.earlier[part]);
+        ++part;
+    });
+}
+
 AirStep airStep(std::span<const AirFeeder> feeders, const AirGrid& grid)
 {
-    std::vector<AirStep> earlier;
-    AirStep last;
-    bool isFirst = true;
-    forParts(feeders, [&](const Moment& moment, int pieces) {
-        if (!isFirst) {
-            earlier.push_back(last);
-        }
-        isFirst = false;
-        last = airPartOfStep(feeders, grid, moment, pieces);
-    });
-    last.earlier = std::move(earlier);
-    return last;
+    AirStep out;
+    findAirStep(feeders, grid, out);
+    return out;
 }
 
 AirStep airStep(const SimulationModel& model, const AirGrid& grid, std::int64_t number, float acts)

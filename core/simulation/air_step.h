@@ -20,6 +20,9 @@ struct AirFeeder {
 /// @param grid that the air is on
 [[nodiscard]] AirStep airStep(std::span<const AirFeeder> feeders, const AirGrid& grid);
 
+/// The same into a step that was used before: allocates nothing where that had as many feeders and parts.
+void findAirStep(std::span<const AirFeeder> feeders, const AirGrid& grid, AirStep& out);
+
 /// The same of one emitter, from step number - 1 to step number.
 /// @param acts as in AirFeeder
 [[nodiscard]] AirStep airStep(const SimulationModel& model, const AirGrid& grid, std::int64_t number, float acts);

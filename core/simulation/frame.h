@@ -4,6 +4,7 @@
 #include "core/simulation/particles.h"
 
 #include <memory>
+#include <span>
 
 namespace fumage {
 
@@ -14,6 +15,16 @@ struct Frame {
     std::int64_t step = 0;
     Particles particles;
 };
+
+/// A layer of a picture: its particles and its look, whose simulation part is that of the frame. Both outlive it.
+struct LayerFrame {
+    const Frame* frame = nullptr;
+    const SampledEffect* effect = nullptr;
+};
+
+/// All layers of a picture, one or more, at the same moment. Their effects have the same surroundings: air, wind,
+/// light, camera, timeline and output.
+using LayerFrames = std::span<const LayerFrame>;
 
 /// What fading and dying make of a particle; the same rules as the drawing kernels.
 struct Lifecycle {

@@ -118,8 +118,13 @@ SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& 
 }
 
 SimulationModel::SimulationModel(const SampledEffect& effect, const AirGrid& grid)
+    : SimulationModel(effect, LayerClock{0, effect->emitter.seed}, grid)
+{
+}
+
+SimulationModel::SimulationModel(const SampledEffect& effect, const LayerClock& clock, const AirGrid& grid)
     : m_effect(effect)
-    , m_clock{0, effect->emitter.seed}
+    , m_clock(clock)
     , m_schedule(makeSchedule(m_effect))
     , m_grid(grid)
     , m_turbulence(belowTheGrid(effect->turbulence, grid.cell, effect->turbulence.detail))

@@ -121,6 +121,8 @@ public:
 
     /// An effect whose air somebody else computes, step by step, on a grid of his own; air() is then nullptr.
     SimulationModel(const SampledEffect& effect, const AirGrid& grid);
+    /// The same of a layer of a scene.
+    SimulationModel(const SampledEffect& effect, const LayerClock& clock, const AirGrid& grid);
 
     [[nodiscard]] const SampledEffect& effect() const { return m_effect; }
     /// Puts the emitter elsewhere, and turns it. Where air is baked it is that of the place before: for models whose

@@ -16,13 +16,10 @@ namespace {
 /// The particles of a layer at one step that others may be born on.
 class Living {
 public:
-    Living(const SimulationModel& model, const Particles& particles, std::int64_t step)
-        : m_model(model)
-        , m_particles(particles)
-        , m_ring(particles)
-        , m_step(step)
-        , m_first(model.schedule().firstAlive(step))
-        , m_count(static_cast<std::uint64_t>(model.schedule().birthsBefore(step + 1) - m_first))
+    explicit Living(const ParentParticles& parent)
+        : m_parent(parent)
+        , m_ring(parent.now)
+        , m_count(static_cast<std::uint64_t>(parent.last - parent.first))
     {
     }
 
@@ -33,7 +30,7 @@ public:
         constexpr std::uint32_t kDraws = 8;
         for (std::uint32_t draw = 0; m_count > 0 && draw < kDraws; ++draw) {
             const std::uint64_t among = (streamBits(key, kParentStream + draw) * m_count) >> 32U;
-            const std::size_t slot = m_ring.slotOf(m_first + static_cast<std::int64_t>(among));
+            const std::size_t slot = m_ring.slotOf(m_parent.first + static_cast<std::int64_t>(among));
             if (isAlive(slot)) {
                 return slot;
             }
@@ -42,22 +39,46 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isAlive(std::size_t slot) const { return lifecycle(m_model, m_particles, m_step, slot).alive; }
+    [[nodiscard]] bool isAlive(std::size_t slot) const
+    {
+        return lifecycle(m_parent.model, m_parent.now, m_parent.step, slot).alive;
+    }
 
-    const SimulationModel& m_model;
-    const Particles& m_particles;
+    const ParentParticles& m_parent;
     ParticleRing m_ring;
-    std::int64_t m_step;
-    std::int64_t m_first; ///< birth index
     std::uint64_t m_count;
 };
 
-glm::vec3 positionOf(const Particles& particles, std::size_t slot)
-{
-    return {particles.x[slot], particles.y[slot], particles.z[slot]};
-}
-
 } // namespace
+
+void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, std::int64_t first, std::int64_t last,
+    std::vector<SubEmission>& out)
+{
+    out.assign(static_cast<std::size_t>(last - first), {});
+    const Living living(parent);
+    const Particles& now = parent.now;
+    const Effect& effect = child.effect();
+    const float dt = child.schedule().dt;
+    for (std::int64_t birth = first; birth < last; ++birth) {
+        const std::uint32_t key =
+            keyOf(effect.emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
+        const std::optional<std::size_t> slot = living.chosenBy(key);
+        if (!slot) {
+            continue;
+        }
+        // What has been born in this step was nowhere before it.
+        const bool isNew = now.birthStep[*slot] == static_cast<std::int32_t>(parent.step);
+        const glm::vec3 here(now.x[*slot], now.y[*slot], now.z[*slot]);
+        const glm::vec3 way = isNew ? dt * glm::vec3(now.vx[*slot], now.vy[*slot], now.vz[*slot])
+                                    : here - glm::vec3(parent.x[*slot], parent.y[*slot], parent.z[*slot]);
+        float back = child.schedule().betweenSteps ? unitFloat(key) : 0.0F;
+        if (isNew) {
+            back = std::min(back, parent.model.schedule().betweenSteps ? unitFloat(now.key[*slot]) : 0.0F);
+        }
+        out[static_cast<std::size_t>(birth - first)] = {
+            here - back * way - effect.emitter.position, (effect.emitter.inherit / dt) * way, true};
+    }
+}
 
 SubEmitter::SubEmitter(const SimulationModel& child)
 {
@@ -96,28 +117,10 @@ Status SubEmitter::find(const SimulationModel& child, std::int64_t step, std::in
     if (Status status = moveTo(parent, parentStep, task); !status) {
         return status;
     }
-    const Living living(parent, m_now, parentStep);
-    const Effect& effect = child.effect();
-    const float dt = child.schedule().dt;
-    for (std::int64_t birth = first; birth < last; ++birth) {
-        const std::uint32_t key =
-            keyOf(effect.emitter.seed, static_cast<std::uint64_t>(child.schedule().randomIndex(birth)));
-        const std::optional<std::size_t> slot = living.chosenBy(key);
-        if (!slot) {
-            continue;
-        }
-        // What has been born in this step was nowhere before it.
-        const bool isNew = m_now.birthStep[*slot] == static_cast<std::int32_t>(parentStep);
-        const glm::vec3 here = positionOf(m_now, *slot);
-        const glm::vec3 way = isNew ? dt * glm::vec3(m_now.vx[*slot], m_now.vy[*slot], m_now.vz[*slot])
-                                    : here - positionOf(m_before, *slot);
-        float back = child.schedule().betweenSteps ? unitFloat(key) : 0.0F;
-        if (isNew) {
-            back = std::min(back, parent.schedule().betweenSteps ? unitFloat(m_now.key[*slot]) : 0.0F);
-        }
-        out[static_cast<std::size_t>(birth - first)] = {
-            here - back * way - effect.emitter.position, (effect.emitter.inherit / dt) * way, true};
-    }
+    const Schedule& schedule = parent.schedule();
+    findBirthsOn({parent, m_now, m_before.x, m_before.y, m_before.z, parentStep, schedule.firstAlive(parentStep),
+                     schedule.birthsBefore(parentStep + 1)},
+        child, first, last, out);
     return Done{};
 }
 

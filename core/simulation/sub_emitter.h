@@ -5,12 +5,29 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace fumage {
 
-/// Finds where particles are born that are born on those of another layer, its parent: each on one of the living,
-/// chosen by its own random bits, at the moment of its birth between two steps. Moves the parent beside its child.
+/// The particles of a layer at one of its steps, for those that are born on them, and where they were a step before.
+struct ParentParticles {
+    const SimulationModel& model;
+    const Particles& now;
+    std::span<const float> x, y, z; ///< before, one a slot, m
+    std::int64_t step = 0;
+    std::int64_t first = 0; ///< births [first, last) are those that may be alive
+    std::int64_t last = 0;
+};
+
+/// Finds where births [first, last) of a layer are on its parent: each on one of the living, chosen by its own random
+/// bits, at the moment of its birth between two steps.
+/// @param out gets one a birth
+void findBirthsOn(const ParentParticles& parent, const SimulationModel& child, std::int64_t first, std::int64_t last,
+    std::vector<SubEmission>& out);
+
+/// Finds where particles are born that are born on those of another layer, see findBirthsOn(). Moves the parent beside
+/// its child.
 ///
 /// A pure function of the child's model and the step, whatever was asked before. Births that follow one another cost
 /// the parent's steps; a jump costs at most one lifetime of it. Not thread-safe; uses all threads inside.

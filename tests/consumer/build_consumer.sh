@@ -59,6 +59,12 @@ if [ -n "$pc" ]; then
     # shellcheck disable=SC2046 # options are words
     quietly "${CC:-cc}" -std=c11 -Wall -Wextra -pedantic -Werror "$consumer/smoke.c" -o "$work/smoke" $(pkg-config --cflags --libs fumage)
     LD_LIBRARY_PATH=$library "$work/smoke"
+    # shellcheck disable=SC2046 # options are words
+    quietly "${CC:-cc}" -std=c11 -Wall -Wextra -pedantic -Werror "$consumer/torch.c" -o "$work/torch" $(pkg-config --cflags --libs fumage) -lm
+    LD_LIBRARY_PATH=$library "$work/torch" > "$work/torch.txt" || { cat "$work/torch.txt"; exit 1; }
+    for letter in '#' '[.]' '[*]'; do
+        grep -q "$letter" "$work/torch.txt" || { echo "the torch lacks $letter:"; cat "$work/torch.txt"; exit 1; }
+    done
     [ -f "$(pkg-config --variable=glsldir fumage)/sprite.frag" ] || { echo "pkg-config does not know where the shaders are"; exit 1; }
     if LD_LIBRARY_PATH=$library "$work/smoke" chimny 2> "$work/log" || ! grep -q chimney "$work/log"; then
         echo "a wrong name is not told with the right one:"

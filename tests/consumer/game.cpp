@@ -1,7 +1,7 @@
-// A game with SDL: smoke that follows the pointer, in a wind that the arrow keys make.
+// A game with SDL: smoke that follows the pointer with all its layers, in a wind that the arrow keys make.
 //   game [preset [frames picture.bmp]]    with frames no hand is needed: the emitter goes in a circle, and the last
 //   picture is kept
-#include <fumage/live/live_simulation.h>
+#include <fumage/live/live_scene.h>
 #include <fumage/preset/library.h>
 #include <fumage/rendering/renderer.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 constexpr int kEdge = 480; // pixels of the window
@@ -35,17 +35,22 @@ static SDL_Texture* softDisc(SDL_Renderer* renderer)
     return SDL_CreateTextureFromSurface(renderer, disc);
 }
 
-/// Two triangles a sprite, the farthest first.
-static std::vector<SDL_Vertex> trianglesOf(const fumage::SpriteBatch& batch)
+/// Two triangles a sprite, the farthest of all layers first.
+static std::vector<SDL_Vertex> trianglesOf(const fumage::Renderer& renderer, std::size_t layers)
 {
-    std::vector<std::size_t> order(batch.sprites.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::erase_if(order, [&](std::size_t i) { return batch.depth[i] == fumage::SpriteBatch::kHidden; });
-    std::sort(
-        order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return batch.depth[a] > batch.depth[b]; });
+    std::vector<std::pair<float, const fumage::Sprite*>> order;
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+        const fumage::SpriteBatch& batch = renderer.batch(layer);
+        for (std::size_t i = 0; i < batch.sprites.size(); ++i) {
+            if (batch.depth[i] != fumage::SpriteBatch::kHidden) {
+                order.emplace_back(batch.depth[i], &batch.sprites[i]);
+            }
+        }
+    }
+    std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<SDL_Vertex> out;
-    for (const std::size_t i : order) {
-        const fumage::Sprite& s = batch.sprites[i];
+    for (const auto& [depth, sprite] : order) {
+        const fumage::Sprite& s = *sprite;
         const auto light = [&](int channel) { return byteOf(s.direct[channel] + s.ambient[channel]); };
         const SDL_Color colour{light(0), light(1), light(2), static_cast<Uint8>(255.0F * s.opacity)};
         for (const int corner : {0, 1, 2, 2, 1, 3}) {
@@ -60,10 +65,9 @@ static std::vector<SDL_Vertex> trianglesOf(const fumage::SpriteBatch& batch)
 int main(int count, char** arguments)
 {
     const auto preset = fumage::loadPreset(std::string(count > 1 ? arguments[1] : "chimney"));
-    fumage::Effect effect = preset ? preset.value().preset.scene.effect() : fumage::Effect();
-    effect.air.resolution = std::min(effect.air.resolution, 24); // coarse, as a game has time for
-    auto started =
-        preset ? fumage::LiveSimulation::start(effect, {.stepsPerSecond = 60, .budgetMs = 8.0}) : preset.error();
+    fumage::Scene scene = preset ? preset.value().preset.scene : fumage::Scene();
+    scene.air.resolution = std::min(scene.air.resolution, 24); // coarse, as a game has time for
+    auto started = preset ? fumage::LiveScene::start(scene, {.stepsPerSecond = 60, .budgetMs = 8.0}) : preset.error();
     SDL_Window* window = nullptr;
     if (!started || SDL_Init(SDL_INIT_VIDEO) != 0
         || (window = SDL_CreateWindow("Smoke", 0, 0, kEdge, kEdge, 0)) == nullptr) {
@@ -74,10 +78,10 @@ int main(int count, char** arguments)
     SDL_Renderer* const screen = SDL_CreateSoftwareRenderer(SDL_GetWindowSurface(window));
     SDL_SetRenderDrawColor(screen, 40, 60, 90, 255);
     SDL_Texture* const disc = softDisc(screen);
-    fumage::LiveSimulation& smoke = started.value();
+    fumage::LiveScene& smoke = started.value();
     fumage::Renderer renderer;
-    const fumage::View view = fumage::makeView(effect.camera, 0.0F, kEdge, kEdge);
-    const fumage::Projected foot = fumage::project(view, effect.emitter.position);
+    const fumage::View view = fumage::makeView(scene.camera, 0.0F, kEdge, kEdge);
+    const fumage::Projected foot = fumage::project(view, scene.layers.front().emitter.position);
     bool goesOn = true;
     for (int frame = 1; goesOn; ++frame) {
         goesOn = frame != frames;
@@ -85,7 +89,7 @@ int main(int count, char** arguments)
         for (SDL_Event event; SDL_PollEvent(&event) != 0;) {
             goesOn = goesOn && event.type != SDL_QUIT;
             const SDL_Keycode key = event.type == SDL_KEYDOWN ? event.key.keysym.sym : SDLK_UNKNOWN;
-            effect.wind.strength += 0.5F * static_cast<float>((key == SDLK_RIGHT ? 1 : 0) - (key == SDLK_LEFT ? 1 : 0));
+            scene.wind.strength += 0.5F * static_cast<float>((key == SDLK_RIGHT ? 1 : 0) - (key == SDLK_LEFT ? 1 : 0));
         }
         if (frames == 0) {
             SDL_GetMouseState(&pointer.x, &pointer.y);
@@ -93,12 +97,12 @@ int main(int count, char** arguments)
         }
         const glm::vec3 aside = view.right * static_cast<float>(pointer.x - kEdge / 2)
             - view.up * static_cast<float>(pointer.y - kEdge / 2);
-        (void)smoke.setEffect(effect);
-        (void)smoke.setEmitter(
-            {view.eye + foot.depth * (view.forward + aside / view.focal), effect.emitter.normal, glm::vec3(0.0F)});
+        (void)smoke.setScene(scene);
+        (void)smoke.setEmitters({view.eye + foot.depth * (view.forward + aside / view.focal),
+            scene.layers.front().emitter.normal, glm::vec3(0.0F)});
         (void)smoke.step(1.0 / 60.0);
-        (void)renderer.prepare(smoke.frame(), smoke.sampledEffect(), view);
-        const std::vector<SDL_Vertex> triangles = trianglesOf(renderer.batch());
+        (void)renderer.prepare(smoke.frames(), view);
+        const std::vector<SDL_Vertex> triangles = trianglesOf(renderer, smoke.frames().size());
         SDL_RenderClear(screen);
         SDL_RenderGeometry(screen, disc, triangles.data(), static_cast<int>(triangles.size()), nullptr, 0);
         SDL_RenderPresent(screen);

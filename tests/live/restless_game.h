@@ -64,7 +64,9 @@ public:
 
     /// What it does before a step.
     /// @return what the smoke has to say against it: nothing
-    [[nodiscard]] Status act(LiveSimulation& live, int step)
+    /// @tparam Live a LiveSimulation, or what has its functions
+    template <class Live>
+    [[nodiscard]] Status act(Live& live, int step)
     {
         EmitterPose pose = live.emitter();
         pose.position += 0.3F * draw();
