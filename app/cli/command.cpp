@@ -6,6 +6,7 @@
 #include "core/effect/shown_table.h"
 #include "core/scene/layer_assignment.h"
 #include "core/effect/value.h"
+#include "core/preset/picture_file.h"
 #include "core/preset/preset_file.h"
 
 #include <set>
@@ -13,6 +14,14 @@
 namespace fumage::cli {
 
 namespace {
+
+/// An option for messages: a picture in base64 is longer than anybody reads.
+std::string optionOf(const std::string& assignment)
+{
+    constexpr std::size_t kLong = 400;
+    constexpr std::size_t kShown = 60;
+    return "--set " + (assignment.size() > kLong ? assignment.substr(0, kShown) + "..." : assignment);
+}
 
 /// What is set and changes nothing, as the effect is now, is told: it may have been meant for another parameter.
 void warnWhereItHasNoEffect(const std::string& assignment, const Scene& scene)
@@ -22,7 +31,7 @@ void warnWhereItHasNoEffect(const std::string& assignment, const Scene& scene)
     const Parameter* parameter = findShownParameter(trimmed(part.assignment.substr(0, part.assignment.find('='))));
     if (parameter != nullptr && !isVisible(*parameter, effect)) {
         const Parameter& other = *findParameter(parameter->visible.key);
-        warn("--set " + assignment + ": has no effect while " + std::string(other.key) + " is "
+        warn(optionOf(assignment) + ": has no effect while " + std::string(other.key) + " is "
             + formatText(other, other.get(effect), true));
     }
 }
@@ -43,14 +52,15 @@ Result<NamedPreset> load(const std::string& preset, const std::vector<std::strin
         named.file = entry ? entry.value().path : named.file;
     }
     for (const std::string& assignment : assignments) {
-        const Result<bool> clamped = applyToScene(named.preset.scene, assignment);
+        const Result<std::string> read = withPictureRead(assignment);
+        const Result<bool> clamped = read ? applyToScene(named.preset.scene, read.value()) : Result<bool>(read.error());
         if (!clamped) {
             Error error = clamped.error();
-            error.place = "--set " + assignment;
+            error.place = optionOf(assignment);
             return error;
         }
         if (clamped.value()) {
-            warn("--set " + assignment + ": out of range, the nearest allowed value is used");
+            warn(optionOf(assignment) + ": out of range, the nearest allowed value is used");
         }
     }
     for (const std::string& assignment : assignments) {
@@ -204,7 +214,7 @@ Result<PresetReading> readPreset(const std::string& name)
     if (name != kStandardStream) {
         return loadPreset(name);
     }
-    const Result<std::string> text = readStandardInput(kMaxPresetBytes);
+    const Result<std::string> text = readStandardInput(kMaxPresetFileBytes);
     return text ? parsePreset(text.value(), "standard input") : text.error();
 }
 

@@ -20,7 +20,7 @@ Result<std::vector<ExportJob>> load(const std::string& file)
 {
     Result<JobsReading> reading = JobsReading();
     if (file == kStandardStream) {
-        const Result<std::string> text = readStandardInput(kMaxJobsBytes);
+        const Result<std::string> text = readStandardInput(kMaxJobsFileBytes);
         reading = text ? parseJobs(text.value(), "standard input") : text.error();
     } else {
         reading = readJobsFile(pathFrom(file));

@@ -90,7 +90,7 @@ Status joinToFlipbook(
     }
     warnOf(named.preset.scene, plan);
     ProgressBar bar("Joining");
-    flipbook.preset = formatPreset(named.preset);
+    flipbook.preset = formatCarried(named.preset);
     const Result<Flipbook> done =
         withinMemory([&] { return joinFlipbook(named.preset.scene, flipbook, source, bar.task()); });
     if (!done) {

@@ -25,6 +25,9 @@ std::string rangeText(const Parameter& parameter)
     if (parameter.kind == Kind::Seed) {
         return "0 to 4294967295";
     }
+    if (parameter.kind == Kind::Picture) {
+        return "PNG, at most " + std::to_string(kMaxPictureEdge) + " px an edge";
+    }
     return formatFloat(static_cast<float>(parameter.hard.low)) + " to "
         + formatFloat(static_cast<float>(parameter.hard.high));
 }
@@ -53,8 +56,8 @@ Status markdown()
                 << "\n\n| key | default | range | unit | what it does |\n|---|---|---|---|---|\n";
         }
         out << "| <a id=\"" << parameter.key << "\"></a>`" << parameter.key << "` | "
-            << formatText(parameter, parameter.get(defaults)) << " | " << rangeText(parameter) << " | "
-            << unitSymbol(parameter.unit) << " | " << parameter.tip
+            << formatText(parameter, parameter.get(defaults), parameter.kind == Kind::Picture) << " | "
+            << rangeText(parameter) << " | " << unitSymbol(parameter.unit) << " | " << parameter.tip
             << (parameter.source.empty() ? "" : " *" + std::string(parameter.source) + ".*") << " |\n";
     }
     return print(out.str());
@@ -70,7 +73,7 @@ Status json()
         one["default"] = defaults.of(parameter);
         if (parameter.kind == Kind::Choice) {
             one["choices"] = std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end());
-        } else if (parameter.kind != Kind::Bool) {
+        } else if (parameter.kind != Kind::Bool && parameter.kind != Kind::Picture) {
             one["minimum"] = parameter.hard.low;
             one["maximum"] = parameter.hard.high;
         }

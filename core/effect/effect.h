@@ -2,6 +2,7 @@
 
 #include "core/effect/curve.h"
 #include "core/effect/gradient.h"
+#include "core/effect/bitmap.h"
 
 #include <cstdint>
 
@@ -12,7 +13,8 @@ namespace fumage {
 enum class EmitterShape {
     Rectangle,
     Disc,
-    Sphere
+    Sphere,
+    Picture
 };
 enum class EmissionMode {
     Continuous,
@@ -20,7 +22,8 @@ enum class EmissionMode {
 };
 enum class MaskShape {
     Disc,
-    Square
+    Square,
+    Picture
 };
 enum class NoiseBasis {
     Lattice,
@@ -86,8 +89,22 @@ struct Emitter {
     float inherit = 0.0F;
     bool subframe = true;
     std::uint32_t seed = 1;
+    Bitmap picture;
     friend bool operator==(const Emitter&, const Emitter&) = default;
 };
+
+/// Whether an emitter is a rectangle of its width and depth, be all of it or a picture on it what gives birth.
+[[nodiscard]] inline bool isRectangular(const Emitter& emitter)
+{
+    return emitter.shape == EmitterShape::Rectangle || emitter.shape == EmitterShape::Picture;
+}
+
+/// Whether the bright pixels of a picture give birth: one that is dark throughout, or none, leaves all of the
+/// rectangle.
+[[nodiscard]] inline bool isOnPicture(const Emitter& emitter)
+{
+    return emitter.shape == EmitterShape::Picture && emitter.picture.isBright();
+}
 
 struct Motion {
     float gravity = 0.0F;
@@ -220,8 +237,15 @@ struct Look {
     float detailRelief = 1.0F;
     float detailEdge = 0.2F;
     float detailShadow = 1.0F;
+    Bitmap picture;
     friend bool operator==(const Look&, const Look&) = default;
 };
+
+/// Whether particles look like a picture; without one they are squares.
+[[nodiscard]] inline bool showsPicture(const Look& look)
+{
+    return look.mask == MaskShape::Picture && !look.picture.empty();
+}
 
 struct Noise {
     NoiseBasis basis = NoiseBasis::Gradient;

@@ -40,6 +40,7 @@ Message kindName(Kind kind)
     case Kind::Colour: return makeMessage("three numbers [red, green, blue]");
     case Kind::Curve: return makeMessage("a list of 1 to 16 points [x, y]");
     case Kind::Gradient: return makeMessage("a list of 1 to 16 stops [at, red, green, blue]");
+    case Kind::Picture: return makeMessage("a PNG in base64");
     }
     return {};
 }

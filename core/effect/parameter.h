@@ -20,7 +20,8 @@ enum class Kind {
     Vector,
     Colour,
     Curve,
-    Gradient
+    Gradient,
+    Picture
 };
 
 /// The unit that a value is shown and stored in.
@@ -80,12 +81,13 @@ enum class Live {
 };
 
 /// A value of any parameter. Choice is held as the int of its enum.
-using Value = std::variant<bool, int, float, std::uint32_t, glm::vec3, Curve, Gradient>;
+using Value = std::variant<bool, int, float, std::uint32_t, glm::vec3, Curve, Gradient, Bitmap>;
 
-/// The parameter matters only while another one has one value: its editor is hidden otherwise.
+/// The parameter matters only while another one has one value, or one of two: its editor is hidden otherwise.
 struct VisibleWhen {
     std::string_view key; ///< empty: always
     int value = 0; ///< of a Bool, Int or Choice
+    int other = value; ///< the second one
 };
 
 struct Range {

@@ -59,7 +59,8 @@ constexpr bool canBe(const VisibleWhen& condition)
     const Parameter* row = rows::find(condition.key);
     return row != nullptr
         && (row->kind == Kind::Bool || row->kind == Kind::Int
-            || (row->kind == Kind::Choice && static_cast<std::size_t>(condition.value) < row->choices.size()));
+            || (row->kind == Kind::Choice && static_cast<std::size_t>(condition.value) < row->choices.size()
+                && static_cast<std::size_t>(condition.other) < row->choices.size()));
 }
 static_assert(std::all_of(kParameterTable.begin(), kParameterTable.end(),
                   [](const Parameter& row) { return row.visible.key.empty() || canBe(row.visible); }),
@@ -138,7 +139,7 @@ bool isVisible(const Parameter& parameter, const Effect& effect)
     const Value value = other->get(effect);
     const bool* flag = std::get_if<bool>(&value);
     const int number = flag != nullptr ? static_cast<int>(*flag) : std::get<int>(value);
-    return number == parameter.visible.value;
+    return number == parameter.visible.value || number == parameter.visible.other;
 }
 
 } // namespace fumage

@@ -1,5 +1,6 @@
 #include "core/effect/value.h"
 
+#include "core/base/base64.h"
 #include "core/base/joined.h"
 #include "core/base/text.h"
 #include "core/effect/parameter_table.h"
@@ -58,6 +59,29 @@ Result<Clamped> parseChoice(const Parameter& parameter, std::string_view text)
     }
     return Error{ErrorCode::UnknownName, makeMessage("there is no %1", inQuotes(text)), std::string(parameter.key),
         makeMessage("Choose one of %1", joined(parameter.choices))};
+}
+
+Result<Clamped> parsePicture(const Parameter& parameter, std::string_view text)
+{
+    if (text.empty()) {
+        return Clamped{Bitmap()};
+    }
+    const std::optional<std::vector<std::byte>> bytes =
+        text.size() <= base64Length(kMaxPictureBytes) ? bytesOfBase64(text) : std::vector<std::byte>();
+    if (!bytes) {
+        return wrongType(parameter, text);
+    }
+    if (bytes->empty()) {
+        return Error{ErrorCode::TooLarge, makeMessage("a picture of %1 letters", text.size()),
+            std::string(parameter.key), pictureRemedy()};
+    }
+    Result<Bitmap> picture = Bitmap::read(*bytes);
+    if (picture) {
+        return Clamped{std::move(picture).value()};
+    }
+    Error error = picture.error();
+    error.place = std::string(parameter.key);
+    return error;
 }
 
 Result<Clamped> parseBool(const Parameter& parameter, std::string_view text)
@@ -231,12 +255,18 @@ std::string formatJson(const Parameter& parameter, const Value& value)
     }
     case Kind::Curve: return formatList(std::get<Curve>(value));
     case Kind::Gradient: return formatList(std::get<Gradient>(value));
+    case Kind::Picture: return '"' + base64Of(std::get<Bitmap>(value).file()) + '"';
     }
     return {};
 }
 
 std::string formatText(const Parameter& parameter, const Value& value, bool withUnit)
 {
+    if (parameter.kind == Kind::Picture && withUnit) {
+        const auto& picture = std::get<Bitmap>(value);
+        return picture.empty() ? "none"
+                               : std::to_string(picture.width()) + " x " + std::to_string(picture.height()) + " px";
+    }
     std::string text = formatJson(parameter, value);
     std::erase(text, '"');
     const std::string_view unit = unitSymbol(parameter.unit);
@@ -254,6 +284,9 @@ Result<Clamped> parseValue(const Parameter& parameter, std::string_view text)
     }
     if (parameter.kind == Kind::Bool) {
         return parseBool(parameter, text);
+    }
+    if (parameter.kind == Kind::Picture) {
+        return parsePicture(parameter, text);
     }
     if (parameter.kind == Kind::Int || parameter.kind == Kind::Seed) {
         // Whole numbers do not go through float, which holds only 24 bits of them.
@@ -277,7 +310,8 @@ Result<Clamped> valueFromNumbers(const Parameter& parameter, std::span<const dou
     const std::string found = std::to_string(numbers.size()) + " numbers";
     switch (parameter.kind) {
     case Kind::Bool:
-    case Kind::Choice: return wrongType(parameter, found);
+    case Kind::Choice:
+    case Kind::Picture: return wrongType(parameter, found);
     case Kind::Int:
     case Kind::Seed: return numbers.size() == 1 ? wholeNumber(parameter, numbers[0]) : wrongType(parameter, found);
     case Kind::Float:
@@ -311,7 +345,8 @@ Clamped clampValue(const Parameter& parameter, const Value& value)
         clamped = std::clamp(
             std::get<int>(value), static_cast<int>(parameter.hard.low), static_cast<int>(parameter.hard.high));
         break;
-    case Kind::Seed: break;
+    case Kind::Seed:
+    case Kind::Picture: break;
     case Kind::Float: clamped = clampComponent(parameter, std::get<float>(value)); break;
     case Kind::Direction:
     case Kind::Vector:

@@ -11,7 +11,8 @@ namespace fumage {
 /// @return the value as canonical text, which is also its JSON: numbers shortest round trip, names in double quotes
 [[nodiscard]] std::string formatJson(const Parameter& parameter, const Value& value);
 
-/// @return the value as a person types it: formatJson() without quotes, and with its unit where withUnit
+/// @return the value as a person types it: formatJson() without quotes. Where withUnit, as one reads it: with its unit,
+/// and of a picture its size
 [[nodiscard]] std::string formatText(const Parameter& parameter, const Value& value, bool withUnit = false);
 
 struct Clamped {
@@ -20,8 +21,8 @@ struct Clamped {
 };
 
 /// Reads what formatText() writes; brackets around a vector may be left out. Only what the type cannot hold is clamped:
-/// see clampValue().
-/// @error WrongType, NotFinite, UnknownName; the place is the key
+/// see clampValue(). A picture is its PNG in base64; nothing: none.
+/// @error WrongType, NotFinite, UnknownName, those of Bitmap::read(); the place is the key
 [[nodiscard]] Result<Clamped> parseValue(const Parameter& parameter, std::string_view text);
 
 /// Checks numbers that were read for a parameter and packs them.

@@ -48,7 +48,7 @@ std::string projectOf(const Scene& scene, const ExportPlan& plan)
     }
     Preset project = *plan.project;
     project.scene = scene;
-    return formatPreset(project);
+    return formatCarried(project);
 }
 
 Result<std::vector<std::byte>> noiseBytes(const Scene& scene, const ExportPlan& plan, const std::stop_token& stop)

@@ -2,6 +2,7 @@
 
 #include "core/export/engines/engine_remarks.h"
 #include "core/export/loop.h"
+#include "core/preset/preset_file.h"
 
 #include <algorithm>
 #include <iterator>
@@ -46,6 +47,23 @@ void addVideo(const Scene& scene, const ExportPlan& plan, std::vector<Message>& 
     }
 }
 
+/// Presets are short but for their pictures.
+void addCarried(const Scene& scene, const ExportPlan& plan, std::vector<Message>& remarks)
+{
+    const bool hasPicture = std::any_of(scene.layers.begin(), scene.layers.end(),
+        [](const Layer& layer) { return !layer.emitter.picture.empty() || !layer.look.picture.empty(); });
+    if (!plan.project || !hasPicture) {
+        return;
+    }
+    Preset project = *plan.project;
+    project.scene = scene;
+    if (formatCarried(project).empty()) {
+        remarks.push_back(makeMessage(
+            "with its pictures the preset is longer than the %1 bytes that a file can carry: save it beside",
+            kMaxNoteBytes));
+    }
+}
+
 } // namespace
 
 std::vector<Message> remarksOn(const Scene& scene, const ExportPlan& plan)
@@ -58,6 +76,7 @@ std::vector<Message> remarksOn(const Scene& scene, const ExportPlan& plan)
     if (plan.kind == ExportKind::Flipbook) {
         std::ranges::move(engineRemarks(scene, flipbookOf(plan)), std::back_inserter(remarks));
     }
+    addCarried(scene, plan, remarks);
     return remarks;
 }
 

@@ -52,6 +52,22 @@ HWY_INLINE V betweenEnds(D d, const AirSource& source, const Vec3<V>& away)
     return covered(d, hn::Min(up + 0.5F * source.softness, source.depth - up), source.softness);
 }
 
+/// How bright the picture of a source is at places on it, 0 to 1.
+HWY_INLINE V brightness(D d, const AirSource& source, V across, V along)
+{
+    if (source.picture.empty()) {
+        return hn::Set(d, 1.0F);
+    }
+    HWY_ALIGN float x[kAirLanes];
+    HWY_ALIGN float y[kAirLanes];
+    hn::Store(across / hn::Set(d, 2.0F * source.reach.x) + 0.5F, d, x);
+    hn::Store(along / hn::Set(d, 2.0F * source.reach.y) + 0.5F, d, y);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        x[lane] = source.picture.coverAt(x[lane], y[lane]);
+    }
+    return hn::Load(d, x);
+}
+
 /// How much of places the source covers, 0 to 1: within its rim, which wanders, and its two ends.
 HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends, V wander)
 {
@@ -62,7 +78,7 @@ HWY_INLINE V coverage(D d, const AirSource& source, const Vec3<V>& away, V ends,
         return covered(d, edge * source.reach.x - hn::Sqrt(dot(away, away)), source.softness);
     }
     if (source.shape == EmitterShape::Rectangle) {
-        return ends
+        return ends * brightness(d, source, across, along)
             * covered(d, hn::Min(edge * source.reach.x - hn::Abs(across), edge * source.reach.y - hn::Abs(along)),
                 source.softness);
     }

@@ -23,7 +23,8 @@ struct AirOctave {
 /// Where heat and momentum enter the air: the emitter's shape, with a rim that is soft, ragged and moves.
 struct AirSource {
     bool acts = false;
-    EmitterShape shape = EmitterShape::Disc;
+    EmitterShape shape = EmitterShape::Disc; ///< a picture is on a rectangle
+    Bitmap picture; ///< where it is dark the source gives nothing; none: it gives as much everywhere
     glm::vec3 place{0.0F};
     glm::vec3 normal{0.0F, 1.0F, 0.0F};
     PlaneBasis basis;

@@ -22,8 +22,8 @@ float GreyCounts::kept(float threshold, float softness) const
 
 float maskMean(const Look& look)
 {
-    if (look.mask == MaskShape::Square) {
-        return 4.0F / kPi;
+    if (look.mask != MaskShape::Disc) {
+        return 4.0F / kPi * (showsPicture(look) ? look.picture.opacity() : 1.0F);
     }
     const float softness = 1.0F / maskHardness(look);
     constexpr float kLost = 1.0F - Coverage::kSoftDisc; // of a disc by a profile that falls off all the way
@@ -32,8 +32,9 @@ float maskMean(const Look& look)
 
 float textureLeaves(const Look& look, const GreyCounts& greys, float threshold)
 {
-    return look.texture > 0.0F ? 1.0F - look.texture + look.texture * greys.kept(threshold, look.erosionSoftness)
-                               : 1.0F;
+    return look.texture > 0.0F && !showsPicture(look)
+        ? 1.0F - look.texture + look.texture * greys.kept(threshold, look.erosionSoftness)
+        : 1.0F;
 }
 
 Coverage coverageOf(const Look& look, const GreyCounts& greys)
@@ -43,8 +44,8 @@ Coverage coverageOf(const Look& look, const GreyCounts& greys)
     const float textured = textureLeaves(look, greys, 0.0F);
     constexpr float kMin = 1e-6F; // what covers nothing has no neighbours either
     cover.mean = std::max(kMin, maskMean(look) * textured);
-    cover.reach = look.mask == MaskShape::Square ? kCorner : 1.0F;
-    cover.erodes = look.texture > 0.0F && look.erosion > 0.0F && textured > 0.0F;
+    cover.reach = look.mask == MaskShape::Disc ? 1.0F : kCorner;
+    cover.erodes = look.texture > 0.0F && !showsPicture(look) && look.erosion > 0.0F && textured > 0.0F;
     for (int i = 0; cover.erodes && i <= Coverage::kLives; ++i) {
         const float life = static_cast<float>(i) / static_cast<float>(Coverage::kLives);
         cover.left[static_cast<std::size_t>(i)] = textureLeaves(look, greys, look.erosion * life) / textured;

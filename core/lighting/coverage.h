@@ -34,10 +34,11 @@ struct Coverage {
 };
 
 /// Mean of maskAt() over the disc of the radius: 1 - 2/3 softness in a disc, 4 / pi in a square, whose corners lie
-/// outside of it. Closed form of the integral of clamp(u / softness, 0, 1)^2 over u = 1 - r^2 from 0 to 1.
+/// outside of it, and that times the mean alpha in a picture. Closed form of the integral of clamp(u / softness, 0,
+/// 1)^2 over u = 1 - r^2 from 0 to 1.
 [[nodiscard]] float maskMean(const Look& look);
 
-/// What of an opacity the texture leaves on average.
+/// What of an opacity the texture leaves on average; all in a picture, which shows none.
 /// @param threshold how far erosion has come: look.erosion times the share of the particle's life that has passed
 [[nodiscard]] float textureLeaves(const Look& look, const GreyCounts& greys, float threshold);
 

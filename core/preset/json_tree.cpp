@@ -292,6 +292,26 @@ Result<JsonNode> parseJson(std::string_view text)
     return std::move(builder.root());
 }
 
+std::size_t bytesWithoutLongTexts(std::string_view json)
+{
+    constexpr std::size_t kLong = 4096;
+    std::size_t bytes = json.size();
+    std::size_t at = json.find('"');
+    while (at != std::string_view::npos) {
+        std::size_t end = json.find_first_of("\"\\", at + 1);
+        while (end != std::string_view::npos && json[end] == '\\') {
+            end = json.find_first_of("\"\\", std::min(end + 2, json.size()));
+        }
+        if (end == std::string_view::npos) {
+            break;
+        }
+        const std::size_t length = end - at - 1;
+        bytes -= length > kLong ? length : 0;
+        at = json.find('"', end + 1);
+    }
+    return bytes;
+}
+
 Message placeInText(std::string_view text, std::size_t offset)
 {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));

@@ -39,6 +39,10 @@ struct JsonNode {
 /// O(n log n) in the text, memory linear; nothing recurses while it parses.
 [[nodiscard]] Result<JsonNode> parseJson(std::string_view text);
 
+/// @return how many bytes a text has without what stands in quotes and is longer than 4 KiB, as pictures are: what a
+/// tree of it costs beside them. O(n)
+[[nodiscard]] std::size_t bytesWithoutLongTexts(std::string_view json);
+
 /// @return "line L, column C" of a byte, both from 1; columns count characters, not bytes. O(offset)
 [[nodiscard]] Message placeInText(std::string_view text, std::size_t offset);
 

@@ -34,7 +34,8 @@ bool collectNumbers(const Parameter& parameter, const JsonNode& node, std::vecto
         return node.type == JsonNode::Type::Array
             && std::all_of(node.items.begin(), node.items.end(), [&](const JsonNode& item) { return flat(item, 4); });
     case Kind::Bool:
-    case Kind::Choice: return false;
+    case Kind::Choice:
+    case Kind::Picture: return false;
     }
     return false;
 }
@@ -44,9 +45,9 @@ bool collectNumbers(const Parameter& parameter, const JsonNode& node, std::vecto
 Result<Clamped> valueOf(const Parameter& parameter, const JsonNode& node, std::string_view text)
 {
     const bool isText = node.type == JsonNode::Type::String;
-    const bool isChoice = isText && parameter.kind == Kind::Choice;
+    const bool isWord = isText && (parameter.kind == Kind::Choice || parameter.kind == Kind::Picture);
     const bool isFlag = node.type == JsonNode::Type::Bool && parameter.kind == Kind::Bool;
-    if (isChoice) {
+    if (isWord) {
         return parseValue(parameter, node.string);
     }
     if (isFlag) {

@@ -12,7 +12,9 @@ namespace fumage {
 
 inline constexpr std::string_view kPresetFormat = "fumage-preset";
 inline constexpr int kPresetVersion = 2;
+/// Most bytes of a preset without its pictures, and of its file: each layer has room for its pictures.
 inline constexpr std::size_t kMaxPresetBytes = std::size_t{1} << 20U;
+inline constexpr std::size_t kMaxPresetFileBytes = std::size_t{64} << 20U;
 
 /// A member of the file that this version does not know; it is written back as it was.
 struct UnknownMember {

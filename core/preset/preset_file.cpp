@@ -1,5 +1,6 @@
 #include "core/preset/preset_file.h"
 
+#include "core/base/base64.h"
 #include "core/system/file.h"
 #include "core/system/open_file.h"
 #include "core/effect/parameter_table.h"
@@ -11,6 +12,9 @@
 #include <algorithm>
 
 namespace fumage {
+
+static_assert(kMaxPresetBytes + kMaxLayers * 2 * base64Length(kMaxPictureBytes) <= kMaxPresetFileBytes,
+    "a scene has more pictures than its file has room for: what is saved could not be read");
 
 namespace {
 
@@ -109,8 +113,8 @@ Result<PresetReading> readPicture(const std::filesystem::path& path)
 
 Result<PresetReading> parsePreset(std::string_view json, const std::string& place)
 {
-    if (json.size() > kMaxPresetBytes) {
-        return presetTooLarge(json.size(), place);
+    if (const std::optional<Error> error = presetTooLarge(json, place)) {
+        return *error;
     }
     const Result<JsonNode> root = parseJsonOf(place, json);
     return root ? readPreset(json, root.value(), place) : Result<PresetReading>(root.error());
@@ -135,13 +139,19 @@ std::string formatPreset(const Preset& preset)
     return out + "\n}\n";
 }
 
+std::string formatCarried(const Preset& preset)
+{
+    std::string json = formatPreset(preset);
+    return asciiJson(json).size() <= kMaxNoteBytes ? json : std::string();
+}
+
 Result<PresetReading> readPresetFile(const std::filesystem::path& path)
 {
     constexpr std::size_t kSignature = 8;
     if (const Result<std::string> begin = readFileHead(path, kSignature); begin && isPicture(begin.value())) {
         return readPicture(path);
     }
-    const Result<std::string> text = readFile(path, kMaxPresetBytes);
+    const Result<std::string> text = readFile(path, kMaxPresetFileBytes);
     return text ? parsePreset(text.value(), path.string()) : Result<PresetReading>(text.error());
 }
 

@@ -17,9 +17,12 @@ namespace fumage {
 /// parsePreset() of it gives the same preset; writing that again gives the same text.
 [[nodiscard]] std::string formatPreset(const Preset& preset);
 
+/// formatPreset() for pictures to carry; empty where it is longer than they can: nobody would read it.
+[[nodiscard]] std::string formatCarried(const Preset& preset);
+
 /// Reads a preset, or the one that a picture carries: a PNG or EXR that Fumage has written.
-/// @error those of readFile() with kMaxPresetBytes, of readImageMetadata(), and of parsePreset(); WrongType: a picture
-/// without a preset
+/// @error those of readFile() with kMaxPresetFileBytes, of readImageMetadata(), and of parsePreset(); WrongType: a
+/// picture without a preset
 [[nodiscard]] Result<PresetReading> readPresetFile(const std::filesystem::path& path);
 /// Writes formatPreset(), whole or not at all.
 /// @error those of writeFileAtomically()

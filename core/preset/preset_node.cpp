@@ -30,8 +30,9 @@ public:
 
     Result<PresetReading> read(const JsonNode& root)
     {
-        if (root.end - root.begin > kMaxPresetBytes) {
-            return presetTooLarge(root.end - root.begin, placeInFile(m_place, placeInText(m_text, root.begin)));
+        if (const std::optional<Error> error = presetTooLarge(m_text.substr(root.begin, root.end - root.begin),
+                placeInFile(m_place, placeInText(m_text, root.begin)))) {
+            return *error;
         }
         if (Status status = readRoot(root); !status) {
             return status.error();
@@ -279,8 +280,12 @@ private:
     {
         const Result<Clamped> value = valueOf(parameter, node, m_text);
         if (!value) {
-            return errorAt(node, value.error().code, makeMessage("%1: %2", value.error().place, value.error().message),
-                value.error().remedy);
+            const Error& error = value.error();
+            const Message what = makeMessage("%1: %2", error.place, error.message);
+            if (parameter.kind == Kind::Picture) {
+                return errorAt(node, error.code, ofLayer(what), error.remedy.empty() ? pictureRemedy() : error.remedy);
+            }
+            return errorAt(node, error.code, what, error.remedy);
         }
         if (setClamped(m_part->effect, parameter, value.value())) {
             warn(node, [&] {
@@ -290,6 +295,13 @@ private:
         }
         m_part->seen.push_back(parameter.key);
         return Done{};
+    }
+
+    /// Says whose something is: lines of a text with pictures are too long to be looked for.
+    [[nodiscard]] Message ofLayer(const Message& what) const
+    {
+        const std::string& name = m_reading.preset.scene.layers[m_layer].name;
+        return makeMessage("layer %1: %2", name.empty() ? std::to_string(m_layer + 1) : inQuotes(name), what);
     }
 
     void reportHidden()
@@ -345,10 +357,15 @@ private:
 
 } // namespace
 
-Error presetTooLarge(std::size_t bytes, const Message& place)
+std::optional<Error> presetTooLarge(std::string_view json, const Message& place)
 {
-    return {ErrorCode::TooLarge, makeMessage("a preset of %1 bytes", bytes), place,
-        makeMessage("Presets have at most %1", kMaxPresetBytes)};
+    const std::size_t bytes = json.size() <= kMaxPresetBytes ? json.size() : bytesWithoutLongTexts(json);
+    if (bytes <= kMaxPresetBytes && json.size() <= kMaxPresetFileBytes) {
+        return std::nullopt;
+    }
+    const bool isOfPictures = bytes <= kMaxPresetBytes;
+    return Error{ErrorCode::TooLarge, makeMessage("a preset of %1 bytes", isOfPictures ? json.size() : bytes), place,
+        makeMessage("Presets have at most %1", isOfPictures ? kMaxPresetFileBytes : kMaxPresetBytes)};
 }
 
 Result<PresetReading> readPreset(

@@ -8,8 +8,8 @@ namespace fumage {
 /// More warnings are counted only: nobody reads them, and a hostile file has a hundred thousand.
 inline constexpr std::size_t kMaxWarnings = 20;
 
-/// What is said of one that has more than kMaxPresetBytes.
-[[nodiscard]] Error presetTooLarge(std::size_t bytes, const Message& place);
+/// What is said of one that has more than kMaxPresetBytes, or kMaxPresetFileBytes with its pictures; nothing of others.
+[[nodiscard]] std::optional<Error> presetTooLarge(std::string_view json, const Message& place);
 
 /// Reads a preset that stands in a file among other things.
 /// @param text         the whole file, in which messages tell lines and columns

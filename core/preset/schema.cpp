@@ -1,5 +1,6 @@
 #include "core/preset/schema.h"
 
+#include "core/base/base64.h"
 #include "core/effect/parameter_table.h"
 #include "core/effect/value.h"
 #include "core/preset/preset_keys.h"
@@ -56,6 +57,9 @@ Json valueSchema(const Parameter& parameter)
     case Kind::Colour: return tuple({component, component, component});
     case Kind::Curve: return listOf(tuple({position, component}));
     case Kind::Gradient: return listOf(tuple({position, component, component, component}));
+    case Kind::Picture:
+        return {{"type", "string"}, {"contentEncoding", "base64"}, {"contentMediaType", "image/png"},
+            {"maxLength", base64Length(kMaxPictureBytes)}};
     }
     return {};
 }

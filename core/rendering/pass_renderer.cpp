@@ -115,7 +115,7 @@ void PassRenderer::makeOtherSprites(
     const LayerAmongOthers& layer, const Effect& other, const LightGrid& light, std::size_t number)
 {
     const LitLayer lit{layer.now, &other, &m_renderer.appearance(number), nullptr};
-    makeSprites(lit, light, *m_renderer.texture(number), {}, m_renderer.batch(number).view, m_other);
+    makeSprites(lit, light, m_renderer.surface(number), {}, m_renderer.batch(number).view, m_other);
 }
 
 void PassRenderer::take(const float (Sprite::*colour)[3], SpriteTarget& to)
@@ -178,6 +178,8 @@ void PassRenderer::makeTargetsOf(const FrameAmongOthers& frames, std::size_t lay
     }
     target(PassTarget::RightTopBack, layer).light = TargetLight::RightTopBack;
     target(PassTarget::LeftBottomFront, layer).light = TargetLight::LeftBottomFront;
+    target(PassTarget::Emission, layer).isTinted = true;
+    target(PassTarget::Albedo, layer).isTinted = true;
     if (needsTarget(passes, PassTarget::Emission) || needsTarget(passes, PassTarget::Albedo)) {
         makeOtherSprites(of, inWhiteSun(*of.effect), m_even, layer);
         if (needsTarget(passes, PassTarget::Emission)) {

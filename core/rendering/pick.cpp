@@ -87,7 +87,7 @@ std::optional<std::size_t> layerAt(SpriteLayers layers, int x, int y)
     }
     std::vector<SpriteLayer> drawn;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        drawn.push_back({&parts[i], layers[i].texture});
+        drawn.push_back({&parts[i], layers[i].texture, layers[i].picture});
     }
     constexpr float kSeen = 0.002F; // of a weight: less is no step of eight bits
     float most = kSeen;

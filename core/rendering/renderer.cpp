@@ -32,22 +32,31 @@ private:
 
 Status Renderer::updateTexture(const Noise& noise, Layer& layer, const std::stop_token& stop)
 {
-    if (layer.texture && layer.noise == noise) {
+    if (layer.surface.texture && layer.noise == noise) {
         return Done{};
     }
     const auto same = std::find_if(m_layers.begin(), m_layers.end(),
-        [&](const std::unique_ptr<Layer>& other) { return other->texture && other->noise == noise; });
+        [&](const std::unique_ptr<Layer>& other) { return other->surface.texture && other->noise == noise; });
     if (same != m_layers.end()) {
-        layer.texture = (*same)->texture;
+        layer.surface.texture = (*same)->surface.texture;
     } else {
         Result<SpriteTexture> baked = SpriteTexture::bake(noise, stop);
         if (!baked) {
             return baked.error();
         }
-        layer.texture = std::make_shared<const SpriteTexture>(std::move(baked).value());
+        layer.surface.texture = std::make_shared<const SpriteTexture>(std::move(baked).value());
     }
     layer.noise = noise;
     return Done{};
+}
+
+void Renderer::updatePicture(const Look& look, Layer& layer)
+{
+    const Bitmap picture = showsPicture(look) ? look.picture : Bitmap();
+    if (!(layer.picture == picture)) {
+        layer.surface.picture = picture.empty() ? nullptr : std::make_shared<const SpritePicture>(picture);
+        layer.picture = picture;
+    }
 }
 
 /// Finds where the detail of a layer is; what is the same for several layers is moved once.
@@ -109,7 +118,7 @@ Status Renderer::findSmoke(LayerFrames layers, const glm::vec3& eye)
         Layer& own = *m_layers[i];
         const Effect& effect = *layers[i].effect;
         findAppearance(*layers[i].frame, *layers[i].effect, lightAxes(effect.light.direction), own.appearance,
-            own.texture->greys(0));
+            own.surface.texture->greys(0));
         if (Status status = checkBounds(own.appearance); !status) {
             return status;
         }
@@ -141,6 +150,7 @@ Status Renderer::prepare(LayerFrames layers, const View& view, const std::stop_t
             if (Status status = updateTexture((*layers[i].effect)->noise, *m_layers[i], stop); !status) {
                 return status;
             }
+            updatePicture((*layers[i].effect)->look, *m_layers[i]);
             if (Status status = updateDetail(layers, i, stop); !status) {
                 return status;
             }
@@ -156,8 +166,8 @@ Status Renderer::prepare(LayerFrames layers, const View& view, const std::stop_t
     m_bodies.resize(std::max<std::size_t>(m_bodies.size(), 1)); // where no layer has detail, none is looked at
     for (std::size_t i = 0; i < layers.size(); ++i) {
         Layer& own = *m_layers[i];
-        makeSprites(m_lit[i], m_light, *own.texture, m_bodies[own.body], view, own.batch);
-        m_drawn.push_back({&own.batch, own.texture.get()});
+        makeSprites(m_lit[i], m_light, own.surface, m_bodies[own.body], view, own.batch);
+        m_drawn.push_back({&own.batch, own.surface.texture.get(), own.surface.picture.get()});
     }
     return Done{};
 }

@@ -73,8 +73,10 @@ public:
     /// The noise that they show; null before the first picture.
     [[nodiscard]] std::shared_ptr<const SpriteTexture> texture(std::size_t layer = 0) const
     {
-        return layer < m_layers.size() ? m_layers[layer]->texture : nullptr;
+        return layer < m_layers.size() ? m_layers[layer]->surface.texture : nullptr;
     }
+    /// The noise, or the picture in its place, that the sprites of a layer show; valid as layers() is.
+    [[nodiscard]] const SpriteSurface& surface(std::size_t layer = 0) const { return m_layers[layer]->surface; }
     /// What the look has made of the particles; valid as layers() is, with bounds in the axes of the light.
     [[nodiscard]] const Appearance& appearance(std::size_t layer = 0) const { return m_layers[layer]->appearance; }
     /// The light that all sprites are in; valid as layers() is.
@@ -91,7 +93,8 @@ private:
     /// What is kept of a layer from one picture to the next.
     struct Layer {
         Noise noise;
-        std::shared_ptr<const SpriteTexture> texture;
+        Bitmap picture;
+        SpriteSurface surface;
         std::shared_ptr<AdvectedCoordinates> coordinates; ///< of its detail, with all that have the same
         std::optional<DetailField> detail;
         Appearance appearance;
@@ -100,6 +103,7 @@ private:
     };
 
     [[nodiscard]] Status updateTexture(const Noise& noise, Layer& layer, const std::stop_token& stop);
+    static void updatePicture(const Look& look, Layer& layer);
     [[nodiscard]] Status updateDetail(LayerFrames layers, std::size_t number, const std::stop_token& stop);
     [[nodiscard]] Status findSmoke(LayerFrames layers, const glm::vec3& eye);
     void findBodies();

@@ -3,6 +3,7 @@
 #include "core/base/aligned_array.h"
 #include "core/noise/detail_texture.h"
 #include "core/rendering/camera.h"
+#include "core/rendering/sprite_picture.h"
 #include "core/rendering/sprite_texture.h"
 #include "core/simulation/particles.h"
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace fumage {
@@ -146,6 +148,7 @@ struct SpriteStyle {
     float lightY = 0.0F;
     float relief = 0.0F;
     float roundness = 0.0F;
+    float pictureReach = 0.0F; ///< half the edge of a picture on a square, texels of its finest level; 0: none
 };
 
 /// Pixels of the picture that a sprite may touch, inclusive: an eighth of the sprite's memory, which is all that
@@ -193,10 +196,18 @@ struct SpriteBatch {
     }
 };
 
-/// A layer of sprites with the noise that they show; both outlive it.
+/// What the sprites of a layer show: noise, or a picture in its place.
+struct SpriteSurface {
+    std::shared_ptr<const SpriteTexture> texture;
+    std::shared_ptr<const SpritePicture> picture; ///< null: none
+    friend bool operator==(const SpriteSurface&, const SpriteSurface&) = default;
+};
+
+/// A layer of sprites with the noise that they show, or a picture in its place; all outlive it.
 struct SpriteLayer {
     const SpriteBatch* batch = nullptr;
     const SpriteTexture* texture = nullptr;
+    const SpritePicture* picture = nullptr;
 };
 
 /// What is drawn together, by depth: all batches have the same view.
@@ -236,6 +247,7 @@ struct SpriteTarget {
     static constexpr std::size_t kStride = 4;
 
     TargetLight light = TargetLight::Flat;
+    bool isTinted = false; ///< what sprites with a picture show is multiplied by its colours
     /// kStride floats a sprite: three channels, of any sign, and one that is not looked at
     AlignedArray<float> colours;
 };

@@ -16,6 +16,7 @@ struct SpriteJob {
     const AlignedArray<float>* body =
         nullptr; ///< how deep in smoke each cell is, where there is detail; see findBody()
     const SpriteTexture* texture = nullptr;
+    const SpritePicture* picture = nullptr; ///< in place of the texture; null: none
     SpriteBatch* out = nullptr;
 
     View view;

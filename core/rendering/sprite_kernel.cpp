@@ -111,11 +111,27 @@ HWY_INLINE int textureLevel(const SpriteJob& job, float radius)
     return level;
 }
 
+/// The same of a picture, of which sprites show no part nor slice.
+HWY_INLINE std::uint32_t pictureLevel(const SpriteJob& job, float radius)
+{
+    constexpr float kTexelsAPixel = 1.5F;
+    std::uint32_t level = 0;
+    for (float rest = job.style.pictureReach / radius;
+         rest > kTexelsAPixel && static_cast<int>(level) + 1 < job.picture->levels(); rest *= 0.5F) {
+        ++level;
+    }
+    return level;
+}
+
 /// Chooses slice, offset and resolution; a sprite too small for a texture takes one grey of the coarsest level into its
 /// opacity.
 HWY_INLINE void textureSprite(const SpriteJob& job, const SpriteBlock& block, std::size_t i, std::uint32_t key,
     float life, float radius, Sprite& sprite)
 {
+    if (job.picture != nullptr) {
+        sprite.texture = packTexture(0, pictureLevel(job, radius), 0, 0, 0);
+        return;
+    }
     const std::uint32_t offset = mixBits(key ^ 0x51ed270bU);
     const auto slice =
         static_cast<std::uint32_t>(std::min(block.slice[i], static_cast<float>(job.texture->slices() - 1)));

@@ -126,7 +126,7 @@ Result<SpriteTexture> SpriteTexture::bake(const Noise& noise, const std::stop_to
 
 Result<GreyCounts> greysShown(const Effect& effect, const std::stop_token& stop)
 {
-    if (effect.look.texture == 0.0F) {
+    if (effect.look.texture == 0.0F || showsPicture(effect.look)) {
         return GreyCounts{};
     }
     const Result<SpriteTexture> texture = SpriteTexture::bake(effect.noise, stop);

@@ -18,7 +18,7 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
 {
     const Look& look = effect.look;
     SpriteStyle style;
-    style.square = look.mask == MaskShape::Square;
+    style.square = look.mask != MaskShape::Disc;
     style.hardness = maskHardness(look);
     style.texture = look.texture;
     style.erosionSoftness = look.erosionSoftness;
@@ -27,6 +27,10 @@ SpriteStyle makeStyle(const Effect& effect, const View& view)
     style.lightY = -glm::dot(effect.light.direction, view.up);
     style.relief = look.relief;
     style.roundness = look.roundness;
+    if (showsPicture(look)) {
+        style.texture = style.relief = style.roundness = 0.0F;
+        style.pictureReach = 0.5F * static_cast<float>(SpritePicture::sizeFor(look.picture));
+    }
     return style;
 }
 
@@ -71,9 +75,10 @@ SpriteJob makeJob(const Frame& frame, const Effect& effect, int slices, const Vi
 
 } // namespace
 
-void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteTexture& texture,
+void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteSurface& surface,
     const AlignedArray<float>& body, const View& view, SpriteBatch& out)
 {
+    const SpriteTexture& texture = *surface.texture;
     const Effect& effect = *layer.effect;
     const Frame& frame = *layer.frame;
     const DetailField* detail = layer.detail;
@@ -85,10 +90,11 @@ void makeSprites(const LitLayer& layer, const LightGrid& light, const SpriteText
     job.body = &body;
     job.colours = particleLight(effect, light);
     job.texture = &texture;
+    job.picture = surface.picture.get();
     if (detail != nullptr) {
         job.contrast = 0.0F; // a picture in each sprite would blur what all show together
     }
-    if (effect.look.texture > 0.0F) {
+    if (job.style.texture > 0.0F) {
         fillEvenness(effect.look, texture, job);
     }
     job.out = &out;

@@ -111,6 +111,7 @@ struct OtherTargets {
         const SpriteTarget* layers; ///< the colours of all sprites; null: the own of those of the first layers
         std::size_t red, green; ///< lights; nothing shades blue
         std::size_t firstLayers;
+        bool isTinted; ///< by the picture of a sprite
     };
     std::array<One, kPassTargets> targets{};
     std::size_t count = 0;
@@ -125,10 +126,10 @@ struct OtherTargets {
     {
         for (const RenderTarget& target : all) {
             if (target.colours != nullptr) {
-                targets[count++] = One{
-                    target.colours, lightOf(target, kFromRight, kFromLeft), lightOf(target, kFromTop, kFromBottom), 0};
+                targets[count++] = One{target.colours, lightOf(target, kFromRight, kFromLeft),
+                    lightOf(target, kFromTop, kFromBottom), 0, target.colours->isTinted};
             } else if (!target.isWhole()) {
-                targets[count++] = One{nullptr, kEvenly, kEvenly, target.firstLayers};
+                targets[count++] = One{nullptr, kEvenly, kEvenly, target.firstLayers, false};
             }
         }
     }
@@ -189,6 +190,38 @@ struct SpriteInTargets {
             put(0, lit(0, target.red));
             put(1, lit(1, target.green));
             put(2, hn::Set(d, colour[2]));
+        }
+    }
+
+    /// The same of a sprite that looks like a picture: no light shades its inside.
+    /// @param tint the picture's own colours
+    HWY_INLINE void underTinted(
+        D d, float* HWY_RESTRICT to, V weight, const OwnColours& own, const OwnColours& tint) const
+    {
+        for (std::size_t i = 0; i < targets.count; ++i, to += Tile::kPatchFloats) {
+            const OtherTargets::One& target = targets.targets[i];
+            const auto put = [&](const OwnColours& colours) HWY_ATTR {
+                const auto add = [&](std::size_t channel, V value) HWY_ATTR {
+                    float* HWY_RESTRICT at = to + (channel + 1) * Tile::kPatchPixels;
+                    hn::Store(weight * value + hn::Load(d, at), d, at);
+                };
+                add(0, colours.red);
+                add(1, colours.green);
+                add(2, colours.blue);
+            };
+            if (target.layers == nullptr) {
+                if (sprite.layer() < target.firstLayers) {
+                    put(own);
+                    hn::Store(hn::Load(d, to) - weight, d, to);
+                }
+                continue;
+            }
+            const float* HWY_RESTRICT colour = targets.colourOf(i, sprite);
+            if (target.isTinted) {
+                put({tint.red * colour[0], tint.green * colour[1], tint.blue * colour[2]});
+            } else {
+                put({hn::Set(d, colour[0]), hn::Set(d, colour[1]), hn::Set(d, colour[2])});
+            }
         }
     }
 };

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/rendering/coherent_sprite-inl.h"
+#include "core/rendering/pictured_sprite-inl.h"
 #include "core/rendering/plain_sprite-inl.h"
 #include "core/rendering/textured_sprite-inl.h"
 #include "core/rendering/tile_kernel.h"
@@ -265,6 +266,8 @@ void paintAll(SpriteLayers layers, const OtherTargets& others, std::span<const D
         const SpriteInTargets inTargets{others, number};
         if (isCoherent(batch, number.slot())) {
             paintCoherentSprite<kManyTargets>(batch, detail, number.slot(), inTargets, tile);
+        } else if (layer.picture != nullptr) {
+            paintPictured<kManyTargets>(batch.style, *layer.picture, sprite, inTargets, tile);
         } else if (unpackTexture(sprite.texture).level == TextureRef::kPlain) {
             paintPlainSprite<kManyTargets>(batch.style, sprite, inTargets, tile);
         } else {

@@ -295,16 +295,20 @@ void carryWhole(const StepConstants& constants, Particles& particles, std::size_
 
 /// Where in the source a particle begins that was born on the emitter: nearer to the middle, so that none stands at the
 /// rim, where the air does and would keep a skirt of smoke, and above the plane by a depth that ends as a dome. A slab
-/// of even density would be seen as one.
+/// of even density would be seen as one. On a picture it stays where it is, nearer to the plane.
 HWY_INLINE Vec3<V> positionInSource(D d, const StepConstants& constants, VU key, const Vec3<V>& onEmitter)
 {
     constexpr float kReach = 0.8F; // of the source's own
     constexpr float kInwards = 0.85F; // of that, at most
-    const Vec3<V> away = (onEmitter - constants.pivot) * (kReach - kReach * kInwards * unitStream(d, key, kBirthRim));
+    constexpr float kDepthOfPicture = 0.25F; // of the source's
+    const bool onPicture = constants.air.bornOnPicture;
+    const V reach = onPicture ? hn::Set(d, 1.0F) : kReach - kReach * kInwards * unitStream(d, key, kBirthRim);
+    const Vec3<V> away = (onEmitter - constants.pivot) * reach;
     const V across = dot(away, constants.air.sourceSides[0]);
     const V along = dot(away, constants.air.sourceSides[1]);
     const V dome = hn::Max(1.0F - across * across - along * along, hn::Zero(d));
-    return away + (unitStream(d, key, kBirthDepth) * dome) * constants.air.sourceDepth + constants.pivot;
+    const glm::vec3 depth = (onPicture ? kDepthOfPicture : 1.0F) * constants.air.sourceDepth;
+    return away + (unitStream(d, key, kBirthDepth) * dome) * depth + constants.pivot;
 }
 
 /// What a particle becomes between its birth and the end of the step.

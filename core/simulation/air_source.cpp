@@ -13,13 +13,12 @@ namespace fumage {
 
 float sourceRadius(const Emitter& emitter)
 {
-    return emitter.shape == EmitterShape::Rectangle ? std::sqrt(emitter.width * emitter.depth / kPi) : emitter.radius;
+    return isRectangular(emitter) ? std::sqrt(emitter.width * emitter.depth / kPi) : emitter.radius;
 }
 
 glm::vec2 sourceReach(const Emitter& emitter)
 {
-    return emitter.shape == EmitterShape::Rectangle ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth)
-                                                    : glm::vec2(emitter.radius);
+    return isRectangular(emitter) ? glm::vec2(0.5F * emitter.width, 0.5F * emitter.depth) : glm::vec2(emitter.radius);
 }
 
 float alongNormal(const Emitter& emitter)

@@ -36,7 +36,8 @@ AirSource steadySource(const SampledEffect& effect, const AirGrid& grid)
 {
     const Emitter& emitter = effect->emitter;
     AirSource source;
-    source.shape = emitter.shape;
+    source.shape = isRectangular(emitter) ? EmitterShape::Rectangle : emitter.shape;
+    source.picture = isOnPicture(emitter) ? emitter.picture : Bitmap();
     source.place = emitter.position;
     source.normal = glm::normalize(emitter.normal);
     source.basis = planeBasis(source.normal);

@@ -21,6 +21,30 @@ using V = hn::Vec<D>;
 using DU = hn::RebindToUnsigned<D>;
 using VU = hn::Vec<DU>;
 
+/// Coordinates on a picture, -0.5 to 0.5 across and downwards: of pixels as likely as they are bright, and within them.
+struct OnPicture {
+    V across;
+    V down;
+};
+
+HWY_INLINE OnPicture brightPlaces(D d, const Bitmap& picture, VU key, V u, V v)
+{
+    HWY_ALIGN std::uint32_t keys[HWY_MAX_BYTES / sizeof(std::uint32_t)];
+    HWY_ALIGN float columns[HWY_MAX_BYTES / sizeof(float)];
+    HWY_ALIGN float rows[HWY_MAX_BYTES / sizeof(float)];
+    hn::Store(key, DU(), keys);
+    const auto width = static_cast<std::size_t>(picture.width());
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+        const std::size_t pixel = picture.brightPixel(streamBits(keys[lane], kBirthPixel));
+        columns[lane] = static_cast<float>(pixel % width);
+        rows[lane] = static_cast<float>(pixel / width);
+    }
+    const auto share = [&](const float* pixels, V within, int count) HWY_ATTR {
+        return (hn::Load(d, pixels) + 0.5F * within + 0.5F) / hn::Set(d, static_cast<float>(count)) - 0.5F;
+    };
+    return {share(columns, u, picture.width()), share(rows, v, picture.height())};
+}
+
 HWY_INLINE Vec3<V> birthPosition(D d, const Spawner& place, VU key)
 {
     const Emitter& emitter = place.emitter;
@@ -29,7 +53,11 @@ HWY_INLINE Vec3<V> birthPosition(D d, const Spawner& place, VU key)
     const auto onPlane = [&](V across, V along) HWY_ATTR {
         return broadcast(d, emitter.position) + across * place.basis.across + along * place.basis.along;
     };
-    if (emitter.shape == EmitterShape::Rectangle) {
+    if (place.onPicture) {
+        const OnPicture at = brightPlaces(d, emitter.picture, key, u, v);
+        return onPlane(at.across * emitter.width, at.down * emitter.depth);
+    }
+    if (isRectangular(emitter)) {
         return onPlane(u * (0.5F * emitter.width), v * (0.5F * emitter.depth));
     }
     const SineCosine<V> turn = sinCos(d, u * kPi);
@@ -146,6 +174,7 @@ HWY_EXPORT(spawn);
 Spawner::Spawner(const Emitter& from)
     : emitter(from)
     , basis(planeBasis(from.normal))
+    , onPicture(isOnPicture(from))
 {
     const float half = portableSin(0.5F * radians(from.spread));
     coneHeight = 2.0F * half * half; // 1 - cos(spread), without its cancellation

@@ -24,7 +24,8 @@ struct EmitterTravel {
 
 /// Where and how fast particles start: eq. I and II of the 2012 model, with cone and shapes beside.
 ///
-/// I: P uniform on a rectangle (or disc, or in a ball) around the emitter, across its normal N.
+/// I: P uniform on a rectangle (or disc, or in a ball) around the emitter, across its normal N; or on the rectangle as
+/// likely as a picture on it is bright there, whose top is away from the basis's way along.
 /// II: V = speed (Nx (1 - s + s rand()), Ny (1 - s + s positive(rand())), Nz (1 - s + s rand())), s the velocity
 /// randomness; s = 1 is the source. With a spread, N is first tilted to any direction of a cone with the same chance:
 /// the cosine of the angle is uniform.
@@ -35,6 +36,7 @@ struct Spawner {
 
     Emitter emitter;
     PlaneBasis basis;
+    bool onPicture = false;
     float coneHeight = 0.0F; ///< 1 - cos(spread): of the cap that the cone cuts from a unit sphere
     EmitterTravel travel;
     bool travels = false;

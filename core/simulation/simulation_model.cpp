@@ -321,6 +321,7 @@ void SimulationModel::placeAir(StepConstants& out) const
     out.air.sourceDepth = sourceDepth(m_effect->emitter, grid);
     out.air.sourceSides = sourceSides(m_effect->emitter);
     out.air.sourceVelocity = sourceVelocity(m_effect->emitter);
+    out.air.bornOnPicture = isOnPicture(m_effect->emitter);
     out.air.hasGround = air.ground;
     out.air.groundHeight = air.groundHeight;
     out.air.obstacle = air.obstacle;

@@ -43,6 +43,7 @@ struct AirConstants {
     float shapeLost = 0.0F; ///< how much of a particle's deformation goes in a step
     Coupling coupling = Coupling::Carried;
     bool bornOnParent = false; ///< and not in a source of the air
+    bool bornOnPicture = false; ///< which is not drawn together towards its middle, or nobody would know it
     float restitution = 0.0F; ///< of what is not carried
     float friction = 0.0F;
 };

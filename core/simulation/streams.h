@@ -17,6 +17,7 @@ enum ParticleStream : std::uint32_t {
     kBirthConeTurn = 7,
     kBirthDepth = 8,
     kBirthRim = 9,
+    kBirthPixel = 10,
     kHeatStream = 20,
     kLifetimeStream = 21,
     kSizeStream = 22,

@@ -2,6 +2,7 @@
 // The profile, texture, erosion, shading and detail of core/rendering/tile_kernel.cpp.
 uniform sampler2DArray noise; // one layer a slice, one mip level a resolution
 uniform sampler3D billows; // value and slopes, as fumage::DetailTexture; its finest level is mip level 0
+uniform sampler2D picture; // of the layer, premultiplied linear light, as fumage::SpritePicture
 uniform bool hasDetail; // else what `detail` holds means nothing
 uniform vec4 styles[3 * 64]; // of each layer the members of fumage::SpriteStyle
 
@@ -26,6 +27,7 @@ float textureScale;
 vec2 light; // way of the light on the screen, y down
 float relief;
 float roundness;
+float pictureReach; // 0: there is none
 
 void findStyle()
 {
@@ -38,6 +40,7 @@ void findStyle()
     light = styles[first + 1].yz;
     relief = styles[first + 1].w;
     roundness = styles[first + 2].x;
+    pictureReach = styles[first + 2].y;
 }
 
 float profile(vec2 place)
@@ -119,6 +122,22 @@ vec4 coherent(float mask, bool showsFirst, bool showsSecond)
     return vec4((sun.rgb * shade + around * max(0.0, 1.0 + even * number(rest + 6))) * a, a);
 }
 
+// As paintPictured() in core/rendering/pictured_sprite-inl.h.
+vec4 pictured(vec2 place, float mask)
+{
+    int level = int(look >> 7u & 15u);
+    ivec2 last = textureSize(picture, level) - 1;
+    vec2 at = (place + 1.0) * pictureReach / float(1 << level) - 0.5;
+    vec2 whole = floor(at);
+    vec2 part = at - whole;
+    ivec2 near = clamp(ivec2(whole), ivec2(0), last);
+    ivec2 far = clamp(ivec2(whole) + 1, ivec2(0), last);
+    vec4 above = mix(texelFetch(picture, near, level), texelFetch(picture, ivec2(far.x, near.y), level), part.x);
+    vec4 below = mix(texelFetch(picture, ivec2(near.x, far.y), level), texelFetch(picture, far, level), part.x);
+    vec4 here = mix(above, below, part.y) * mask * sun.a;
+    return vec4((sun.rgb + around) * here.rgb, here.a);
+}
+
 void main()
 {
     findStyle();
@@ -132,6 +151,10 @@ void main()
             colour = coherent(mask, showsFirst, showsSecond);
             return;
         }
+    }
+    if (pictureReach > 0.0) {
+        colour = pictured(place, mask);
+        return;
     }
     uint level = look >> 7u & 15u;
     if (level == kPlain) {

@@ -2,6 +2,7 @@
 
 #include "tests/cli/refusals.h"
 #include "tests/helpers.h"
+#include "tests/pictures.h"
 
 #include "core/system/file.h"
 #include "core/effect/parameter_table.h"
@@ -139,6 +140,37 @@ private slots:
                                     .error;
         QVERIFY2(said.contains("motion.buoyancy=2: has no effect while air.enabled is true"), said.constData());
         QVERIFY(!said.contains("air.resolution=16"));
+    }
+
+    void aPictureIsTakenFromItsFile()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("logo.png"));
+        // bright on the right alone
+        const std::vector<std::byte> png = pngOf(2, 1, [](int x, int) {
+            return x == 0 ? std::array<std::uint8_t, 4>{0, 0, 0, 255} : std::array<std::uint8_t, 4>{255, 255, 255, 255};
+        });
+        QVERIFY(writeFileAtomically(file.toStdString(), std::span<const std::byte>(png)).ok());
+        QStringList dump{"dump", "thesis-2012", "--frame", "0"};
+        for (const QString& set : {QStringLiteral("shape=picture"), "picture=" + file, QStringLiteral("mode=burst"),
+                 QStringLiteral("burst_duration=0"), QStringLiteral("count=40"), QStringLiteral("position=0,0,0"),
+                 QStringLiteral("normal=0,1,0"), QStringLiteral("speed=0")}) {
+            dump += {"--set", "emitter." + set};
+        }
+        const Outcome born = run(dump);
+        QVERIFY2(born.code == 0, born.error.constData());
+        const QList<QByteArray> lines = born.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), 41);
+        for (const QByteArray& line : lines.mid(1)) {
+            QVERIFY2(line.split(',').at(1).toDouble() >= 0.0, line.constData());
+        }
+        QVERIFY(run({"dump", "default", "--set", "emitter.picture=" + file})
+                    .error.contains("has no effect while emitter.shape is disc"));
+        QVERIFY(writeFileAtomically(file.toStdString(), std::string_view("no picture")).ok());
+        const Outcome refused = run(dump);
+        QCOMPARE(refused.code, 3);
+        QVERIFY2(refused.error.contains("logo.png") && refused.error.contains("at most 512 pixels an edge"),
+            refused.error.constData());
     }
 
     void keysOfVersion1AreStillTaken()

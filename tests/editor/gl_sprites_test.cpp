@@ -4,6 +4,8 @@
 #include "ui/viewport/gl_sprites.h"
 #include "ui/viewport/viewport.h"
 
+#include "tests/pictures.h"
+
 #include "core/preset/library.h"
 
 #include <QOffscreenSurface>
@@ -117,6 +119,32 @@ private slots:
         scene.layers.emplace_back();
         scene.assign(2, effect);
         compare(QStringLiteral("layers"), scene, Backdrop::Kind::Colour);
+    }
+
+    /// Particles that look like a picture, and others among them.
+    void theyShowPicturesAsTheCompositorDoes()
+    {
+        Effect effect = loadPreset("default").value().preset.scene.effect();
+        effect.emitter.count = 3000;
+        effect.air.resolution = kMinAirResolution;
+        Scene scene = effect;
+        effect.emitter.count = 300;
+        effect.emitter.seed = 4;
+        effect.look.detail = 0.0F;
+        effect.look.size *= 3.0F;
+        effect.look.opacity *= 4.0F;
+        effect.look.mask = MaskShape::Picture;
+        for (const int width : {40, 300}) {
+            effect.look.picture = pictureOf(width, 48, [width](int x, int y) {
+                const bool isLeaf = std::abs(2 * x - width) * 48 < y * width;
+                return std::array<std::uint8_t, 4>{static_cast<std::uint8_t>(4 * y), 200,
+                    static_cast<std::uint8_t>(x * 255 / width), static_cast<std::uint8_t>(isLeaf ? 255 : 0)};
+            });
+            scene.layers.emplace_back();
+            scene.assign(scene.layers.size() - 1, effect);
+            effect.emitter.seed = 5;
+        }
+        compare(QStringLiteral("pictures"), scene, Backdrop::Kind::Colour);
     }
 
     void aViewportOnAGraphicsCardShowsThem()

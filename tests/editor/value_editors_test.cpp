@@ -1,6 +1,7 @@
 #include "panel_fixture.h"
 
 #include "tests/parameter_rows.h"
+#include "tests/pictures.h"
 
 #include "ui/document/number_text.h"
 #include "ui/panels/angle_dial.h"
@@ -9,13 +10,20 @@
 #include "ui/panels/gradient_presets.h"
 #include "ui/panels/number_field.h"
 #include "ui/panels/number_slider.h"
+#include "ui/panels/picture_editor.h"
 #include "ui/panels/vector_editors.h"
 #include "ui/panels/whole_box.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
 
+#include <QDragEnterEvent>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTimer>
+#include <QToolButton>
+#include <QUrl>
 #include <QtMath>
 
 #include <glm/geometric.hpp>
@@ -502,7 +510,91 @@ private slots:
         QVERIFY(m_document->effect().glow.emissionGradient == before);
     }
 
+    // --- pictures ---------------------------------------------------------------------------------------------------
+
+    void aPictureIsChosenShownAndRemoved()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"logo.png"_q);
+        const Bitmap logo = ramp(40, 20);
+        writePng(path, logo.file());
+        PictureEditor editor(knownParameter("emitter.picture"), nullptr, [&](QWidget*, const FileQuestion& question) {
+            return question.purpose == FileQuestion::Purpose::Open ? path : QString();
+        });
+        Value last;
+        int count = 0;
+        connect(&editor, &ParameterEditor::edited, this, [&](const Value& value, bool finished) {
+            QVERIFY(finished);
+            last = value;
+            ++count;
+        });
+        auto* choose = childOf<QToolButton>(editor, u"emitter.picture.choose"_q);
+        auto* clear = childOf<QToolButton>(editor, u"emitter.picture.clear"_q);
+        QVERIFY(!clear->isEnabled() && choose->icon().isNull());
+        choose->click();
+        QVERIFY(count == 1 && last == Value(logo));
+        QVERIFY(clear->isEnabled() && !choose->icon().isNull());
+        QCOMPARE(choose->text(), u"40 × 20"_q);
+        clear->click();
+        QVERIFY(count == 2 && last == Value(Bitmap()));
+        editor.setValue(logo);
+        QVERIFY(count == 2 && clear->isEnabled());
+    }
+
+    void whatIsNoPictureIsSaidAndThePictureBeforeStays()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"broken.png"_q);
+        writePng(path, ramp(4, 4).file().first(40));
+        PictureEditor editor(
+            knownParameter("emitter.picture"), nullptr, [&](QWidget*, const FileQuestion&) { return path; });
+        editor.setValue(ramp(3, 3));
+        int count = 0;
+        connect(&editor, &ParameterEditor::edited, this, [&] { ++count; });
+        QString said;
+        QTimer::singleShot(0, this, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            said = box->text();
+            box->accept();
+        });
+        childOf<QToolButton>(editor, u"emitter.picture.choose"_q)->click();
+        QVERIFY2(said.contains(u"broken.png"_q) && said.contains(u"512"_q), qPrintable(said));
+        QCOMPARE(count, 0);
+        QCOMPARE(childOf<QToolButton>(editor, u"emitter.picture.choose"_q)->text(), u"3 × 3"_q);
+    }
+
+    void aPngIsDroppedOnTheEditorAndOtherFilesAreNot()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"logo.PNG"_q);
+        writePng(path, ramp(5, 6).file());
+        auto* editor = childOf<PictureEditor>(*m_panel, u"emitter.picture"_q);
+        for (const QString& file : {folder.filePath(u"a.json"_q), path}) {
+            QMimeData data;
+            data.setUrls({QUrl::fromLocalFile(file)});
+            QDragEnterEvent enter({}, Qt::CopyAction, &data, Qt::LeftButton, {});
+            enter.ignore();
+            QApplication::sendEvent(editor, &enter);
+            QCOMPARE(enter.isAccepted(), file == path);
+            if (enter.isAccepted()) {
+                QDropEvent drop({}, Qt::CopyAction, &data, Qt::LeftButton, {});
+                QApplication::sendEvent(editor, &drop);
+            }
+        }
+        QTRY_VERIFY(m_document->effect().emitter.picture == ramp(5, 6));
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->effect().emitter.picture.empty());
+    }
+
 private:
+    static void writePng(const QString& path, std::span<const std::byte> bytes)
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<qint64>(bytes.size()));
+    }
+
     AngleDial* windDial() { return m_panel->findChild<AngleDial*>(u"wind.angle.dial"_q); }
     /// A place on the rim of a dial.
     static QPoint placeOn(const AngleDial& dial, double degrees)

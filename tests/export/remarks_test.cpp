@@ -2,6 +2,7 @@
 
 #include "core/export/remarks.h"
 #include "tests/export/small_smoke.h"
+#include "tests/pictures.h"
 
 #include <QtTest/QtTest>
 
@@ -25,6 +26,30 @@ class RemarksTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void presetsThatPicturesCannotCarryAreNamed()
+    {
+        ExportPlan plan;
+        plan.kind = ExportKind::Picture;
+        plan.project = Preset();
+        Scene scene = smallSmoke();
+        scene.layers[0].emitter.picture = ramp(9, 9);
+        const auto said = [&] {
+            std::string all;
+            for (const Message& remark : remarksOn(scene, plan)) {
+                all += remark.text();
+            }
+            return all;
+        };
+        QCOMPARE(said(), std::string());
+        for (std::uint32_t i = 1; i < 7; ++i) {
+            scene.layers.push_back(scene.layers[0]);
+            scene.layers.back().look.picture = incompressible(250, i);
+        }
+        QVERIFY(said().find("save it beside") != std::string::npos);
+        plan.project.reset();
+        QCOMPARE(said(), std::string());
+    }
+
     void framesThatDoNotCloseALoopAreNamedWithThoseThatWould_data()
     {
         QTest::addColumn<FrameRange>("frames");

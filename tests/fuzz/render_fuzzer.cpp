@@ -7,6 +7,7 @@
 #include "core/effect/sampling.h"
 #include "core/effect/value.h"
 #include "core/export/data/particle_dump.h"
+#include "core/image_io/png_file.h"
 #include "core/rendering/renderer.h"
 #include "core/simulation/schedule.h"
 #include "core/simulation/simulator.h"
@@ -33,6 +34,20 @@ float numberFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
             : parameter.hard.low + bytes.ConsumeProbability<double>() * (parameter.hard.high - parameter.hard.low));
 }
 
+/// None, or one of a few pixels of any colour.
+Bitmap pictureFrom(FuzzedDataProvider& bytes)
+{
+    constexpr int kMaxEdge = 4;
+    PngPixels png{.width = bytes.ConsumeIntegralInRange<int>(0, kMaxEdge),
+        .height = bytes.ConsumeIntegralInRange<int>(1, kMaxEdge)};
+    const auto pixels = bytes.ConsumeBytes<std::uint8_t>(static_cast<std::size_t>(4 * png.width * png.height));
+    png.bytes = std::as_bytes(std::span(pixels));
+    if (png.width == 0 || pixels.size() < static_cast<std::size_t>(4 * png.width * png.height)) {
+        return {};
+    }
+    return Bitmap::read(encodePng(png).value()).value();
+}
+
 Value valueFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
 {
     switch (parameter.kind) {
@@ -57,6 +72,7 @@ Value valueFrom(FuzzedDataProvider& bytes, const Parameter& parameter)
         };
         return Gradient{{0.0F, colour()}, {bytes.ConsumeProbability<float>(), colour()}};
     }
+    case Kind::Picture: return pictureFrom(bytes);
     }
     return 0;
 }

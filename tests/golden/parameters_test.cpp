@@ -2,6 +2,7 @@
 
 #include "tests/helpers.h"
 #include "tests/parameter_rows.h"
+#include "tests/pictures.h"
 
 #include "core/effect/known_parameter.h"
 #include "core/effect/value.h"
@@ -42,6 +43,7 @@ Value moved(const Parameter& p, const Effect& effect)
     case Kind::Colour: return std::get<glm::vec3>(value) * glm::vec3(0.3F, 0.6F, 0.9F);
     case Kind::Curve: return Curve{{0.0F, 0.5F}, {1.0F, 0.2F}};
     case Kind::Gradient: return Gradient{{0.0F, glm::vec3(0.1F, 0.5F, 0.9F)}, {1.0F, glm::vec3(0.9F, 0.1F, 0.3F)}};
+    case Kind::Picture: return ramp(16, 16);
     }
     return value;
 }

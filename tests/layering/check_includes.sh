@@ -59,7 +59,7 @@ forbid core/base 'core/(system|image_io|effect|preset|noise|flow|simulation|ligh
 forbid core/system 'core/(image_io|effect|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'what systems do differently knows only base'
 forbid core/scene 'core/(preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'a scene is plain data above effects'
 forbid core/image_io 'core/(effect|scene|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'files of pictures know only base'
-forbid core/effect 'core/(image_io|scene|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows only base'
+forbid core/effect 'core/(scene|preset|noise|flow|simulation|lighting|rendering|export|live|c)/' 'effect knows base, and files of pictures, which it may hold'
 forbid core/preset 'core/(noise|flow|simulation|lighting|rendering|export|live|c)/' 'preset knows effect, files of pictures and base'
 forbid core/noise 'core/(preset|flow|simulation|lighting|rendering|export|live|c)/' 'noise does not know what uses it'
 forbid core/flow 'core/(preset|simulation|lighting|rendering|export|live|c)/' 'the air knows no particles'

@@ -10,7 +10,7 @@ namespace fumage::ui {
 
 FileMark markOfFile(const QString& path)
 {
-    const Result<std::string> text = readFile(toPath(path), kMaxPresetBytes);
+    const Result<std::string> text = readFile(toPath(path), kMaxPresetFileBytes);
     if (text) {
         return markOfText(text.value());
     }

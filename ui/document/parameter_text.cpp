@@ -71,6 +71,12 @@ QString stopsOf(const Gradient& gradient)
     return someOf(stops);
 }
 
+QString sizeOf(const Bitmap& picture)
+{
+    return picture.empty() ? QCoreApplication::translate("Parameters", "none")
+                           : QStringLiteral("%1 × %2").arg(picture.width()).arg(picture.height());
+}
+
 } // namespace
 
 QString labelOf(const Parameter& parameter)
@@ -113,6 +119,7 @@ QString valueTextOf(const Parameter& parameter, const Value& value)
     case Kind::Colour: return hexOf(std::get<glm::vec3>(value));
     case Kind::Curve: return pointsOf(std::get<Curve>(value));
     case Kind::Gradient: return stopsOf(std::get<Gradient>(value));
+    case Kind::Picture: return sizeOf(std::get<Bitmap>(value));
     }
     return {};
 }

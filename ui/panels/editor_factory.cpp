@@ -3,6 +3,7 @@
 #include "ui/panels/colour_editor.h"
 #include "ui/panels/curve_editor.h"
 #include "ui/panels/gradient_editor.h"
+#include "ui/panels/picture_editor.h"
 #include "ui/panels/simple_editors.h"
 #include "ui/panels/vector_editors.h"
 
@@ -19,6 +20,7 @@ ParameterEditor* makeEditor(const Parameter& parameter, QWidget* parent)
     case Kind::Colour: return new ColourEditor(parameter, parent);
     case Kind::Curve: return new CurveEditor(parameter, parent);
     case Kind::Gradient: return new GradientEditor(parameter, parent);
+    case Kind::Picture: return new PictureEditor(parameter, parent);
     case Kind::Int:
     case Kind::Float: break;
     }

@@ -6,24 +6,24 @@ namespace fumage::ui {
 
 namespace {
 
-/// Where a texture stands in a list that has each once.
-std::size_t placeOf(
-    const std::shared_ptr<const SpriteTexture>& texture, std::vector<std::shared_ptr<const SpriteTexture>>& textures)
+/// Where a surface stands in a list that has each once.
+std::size_t placeOf(const SpriteSurface& surface, std::vector<SpriteSurface>& surfaces)
 {
-    const auto found = std::find(textures.begin(), textures.end(), texture);
-    if (found == textures.end()) {
-        textures.push_back(texture);
-        return textures.size() - 1;
+    const SpriteSurface shown{surface.picture == nullptr ? surface.texture : nullptr, surface.picture};
+    const auto found = std::find(surfaces.begin(), surfaces.end(), shown);
+    if (found == surfaces.end()) {
+        surfaces.push_back(shown);
+        return surfaces.size() - 1;
     }
-    return static_cast<std::size_t>(found - textures.begin());
+    return static_cast<std::size_t>(found - surfaces.begin());
 }
 
-/// Adds a sprite to the run before it, or begins another: those that show no texture go with any.
-void addToRuns(const Sprite& sprite, std::size_t texture, std::size_t at, std::vector<SpriteBatchSnapshot::Run>& runs)
+/// Adds a sprite to the run before it, or begins another: those that show nothing go with any.
+void addToRuns(const Sprite& sprite, std::size_t surface, std::size_t at, std::vector<SpriteBatchSnapshot::Run>& runs)
 {
     const bool isPlain = unpackTexture(sprite.texture).level == TextureRef::kPlain;
-    if (runs.empty() || (!isPlain && runs.back().texture != texture)) {
-        runs.push_back({at, 0, texture});
+    if (runs.empty() || (!isPlain && runs.back().surface != surface)) {
+        runs.push_back({at, 0, surface});
     }
     ++runs.back().count;
 }
@@ -37,7 +37,7 @@ std::shared_ptr<const SpriteBatchSnapshot> snapshotOf(const Renderer& renderer)
     AlignedArray<DepthEntry> scratch;
     bool hasDetail = false;
     auto snapshot = std::make_shared<SpriteBatchSnapshot>();
-    std::vector<std::size_t> textures; // of each layer
+    std::vector<std::size_t> surfaces; // of each layer
     for (std::size_t layer = 0; layer < layers.size(); ++layer) {
         const SpriteBatch& batch = *layers[layer].batch;
         for (std::size_t i = 0; i < batch.sprites.size(); ++i) {
@@ -47,7 +47,7 @@ std::shared_ptr<const SpriteBatchSnapshot> snapshotOf(const Renderer& renderer)
         }
         hasDetail = hasDetail || !batch.details.empty();
         snapshot->styles.push_back(batch.style);
-        textures.push_back(placeOf(renderer.texture(layer), snapshot->textures));
+        surfaces.push_back(placeOf(renderer.surface(layer), snapshot->surfaces));
     }
     sortByDepth(entries, scratch);
     const std::size_t count = entries.size();
@@ -62,7 +62,7 @@ std::shared_ptr<const SpriteBatchSnapshot> snapshotOf(const Renderer& renderer)
         if (!batch.details.empty()) {
             snapshot->details[i] = batch.details[from.slot()];
         }
-        addToRuns(snapshot->sprites[i], textures[from.layer()], i, snapshot->runs);
+        addToRuns(snapshot->sprites[i], surfaces[from.layer()], i, snapshot->runs);
     }
     snapshot->view = layers.front().batch->view;
     return snapshot;

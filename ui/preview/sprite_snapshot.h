@@ -9,17 +9,17 @@ namespace fumage::ui {
 
 /// Sprites for a graphics card: far to near, with all that they need.
 struct SpriteBatchSnapshot {
-    /// Sprites that follow one another and show one texture, or none.
+    /// Sprites that follow one another and show the same, or nothing.
     struct Run {
         std::size_t first = 0;
         std::size_t count = 0;
-        std::size_t texture = 0; ///< its place in textures
+        std::size_t surface = 0; ///< its place in surfaces
     };
     std::vector<Sprite> sprites;
     std::vector<SpriteDetail> details; ///< of the sprites; empty where the smoke has none
     std::vector<std::uint32_t> layers; ///< of the sprites, places in styles
     std::vector<SpriteStyle> styles; ///< of each layer
-    std::vector<std::shared_ptr<const SpriteTexture>> textures; ///< of all layers, each once
+    std::vector<SpriteSurface> surfaces; ///< of all layers, each once; where there is a picture without the noise
     std::vector<Run> runs;
     View view;
 };

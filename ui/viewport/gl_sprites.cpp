@@ -69,7 +69,7 @@ GlSprites::GlSprites()
 
 GlSprites::~GlSprites()
 {
-    for (const auto& [of, texture] : m_noise) {
+    for (const auto& [of, texture] : m_surfaces) {
         glDeleteTextures(1, &texture);
     }
     glDeleteTextures(1, &m_billows);
@@ -85,6 +85,22 @@ void GlSprites::compile(QOpenGLShaderProgram& program, const QString& name)
         m_failure = QCoreApplication::translate("GlSprites", "The graphics driver refuses the shader %1: %2")
                         .arg(name, program.log());
     }
+}
+
+GLuint GlSprites::makeTexture(const SpritePicture& picture)
+{
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, picture.levels() - 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (int level = 0; level < picture.levels(); ++level) {
+        const int edge = picture.levelSize(level);
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, edge, edge, 0, GL_RGBA, GL_FLOAT, picture.texels(level));
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
 }
 
 GLuint GlSprites::makeTexture(const SpriteTexture& texture)
@@ -117,15 +133,16 @@ GLuint GlSprites::makeTexture(const SpriteTexture& texture)
 /// Those that are there already stay.
 void GlSprites::uploadTextures(const SpriteBatchSnapshot& scene)
 {
-    std::vector<std::pair<std::shared_ptr<const SpriteTexture>, GLuint>> before = std::exchange(m_noise, {});
-    for (const std::shared_ptr<const SpriteTexture>& wanted : scene.textures) {
+    std::vector<std::pair<SpriteSurface, GLuint>> before = std::exchange(m_surfaces, {});
+    for (const SpriteSurface& wanted : scene.surfaces) {
         const auto here =
             std::find_if(before.begin(), before.end(), [&](const auto& each) { return each.first == wanted; });
         if (here != before.end()) {
-            m_noise.push_back(std::move(*here));
+            m_surfaces.push_back(std::move(*here));
             before.erase(here);
         } else {
-            m_noise.emplace_back(wanted, makeTexture(*wanted));
+            m_surfaces.emplace_back(
+                wanted, wanted.picture != nullptr ? makeTexture(*wanted.picture) : makeTexture(*wanted.texture));
         }
     }
     for (const auto& [of, texture] : before) {
@@ -204,11 +221,14 @@ void GlSprites::drawSprites(const SpriteBatchSnapshot& scene, const QSize& pixel
         "size", QVector2D(static_cast<float>(scene.view.width), static_cast<float>(scene.view.height)));
     m_spriteProgram.setUniformValue("noise", 0);
     m_spriteProgram.setUniformValue("billows", 1);
+    m_spriteProgram.setUniformValue("picture", 2);
     m_spriteProgram.setUniformValue("hasDetail", !scene.details.empty());
     setStyles(scene);
     const QOpenGLVertexArrayObject::Binder binder(&m_vertices);
     for (const SpriteBatchSnapshot::Run& run : scene.runs) {
-        glBindTexture(GL_TEXTURE_2D_ARRAY, m_noise[run.texture].second);
+        const auto& [surface, texture] = m_surfaces[run.surface];
+        glActiveTexture(surface.picture != nullptr ? GL_TEXTURE2 : GL_TEXTURE0);
+        glBindTexture(surface.picture != nullptr ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY, texture);
         pointAt(run.first);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(run.count));
     }
@@ -222,7 +242,7 @@ void GlSprites::setStyles(const SpriteBatchSnapshot& scene)
     for (const SpriteStyle& style : scene.styles) {
         styles.emplace_back(style.square ? 1.0F : 0.0F, style.hardness, style.texture, style.erosionSoftness);
         styles.emplace_back(style.textureScale, style.lightX, style.lightY, style.relief);
-        styles.emplace_back(style.roundness, 0.0F, 0.0F, 0.0F);
+        styles.emplace_back(style.roundness, style.pictureReach, 0.0F, 0.0F);
     }
     m_spriteProgram.setUniformValueArray("styles", styles.data(), static_cast<int>(styles.size()));
 }

@@ -39,6 +39,7 @@ private:
     void upload(const SpriteBatchSnapshot& scene);
     void uploadTextures(const SpriteBatchSnapshot& scene);
     [[nodiscard]] GLuint makeTexture(const SpriteTexture& texture);
+    [[nodiscard]] GLuint makeTexture(const SpritePicture& picture);
     void setStyles(const SpriteBatchSnapshot& scene);
     void pointAt(std::size_t first);
     void uploadDetail(const SpriteBatchSnapshot& scene);
@@ -55,7 +56,7 @@ private:
     QOpenGLBuffer m_details{QOpenGLBuffer::VertexBuffer}; ///< of the instances, where the smoke has any
     std::unique_ptr<QOpenGLFramebufferObject> m_light;
     QOpenGLBuffer m_layers{QOpenGLBuffer::VertexBuffer}; ///< of the instances
-    std::vector<std::pair<std::shared_ptr<const SpriteTexture>, GLuint>> m_noise; ///< of the last picture
+    std::vector<std::pair<SpriteSurface, GLuint>> m_surfaces; ///< of the last picture
     GLuint m_billows = 0; ///< 0: not needed yet
     std::shared_ptr<const SpriteBatchSnapshot> m_uploaded;
 };

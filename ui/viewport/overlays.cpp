@@ -118,7 +118,7 @@ std::vector<QLineF> emitterOutline(const Emitter& emitter, const View& view)
     const glm::vec3 normal = glm::normalize(emitter.normal);
     const PlaneBasis basis = planeBasis(normal);
     const glm::vec3 centre = emitter.position;
-    if (emitter.shape == EmitterShape::Rectangle) {
+    if (isRectangular(emitter)) {
         const glm::vec3 u = basis.across * (0.5F * emitter.width);
         const glm::vec3 v = basis.along * (0.5F * emitter.depth);
         addLoop({centre - u - v, centre + u - v, centre + u + v, centre - u + v});

@@ -4,7 +4,7 @@
 
 namespace fumage {
 
-inline constexpr std::array<std::string_view, 3> kEmitterShapes{"rectangle", "disc", "sphere"};
+inline constexpr std::array<std::string_view, 4> kEmitterShapes{"rectangle", "disc", "sphere", "picture"};
 inline constexpr std::array<std::string_view, 2> kEmissionModes{"continuous", "burst"};
 
 template <>
@@ -29,7 +29,7 @@ inline constexpr std::array kRows<Emitter>{
     row<&Emitter::shape>({
         .key = "emitter.shape",
         .label = "Shape",
-        .synonyms = "source form disc disk sphere rectangle",
+        .synonyms = "source form disc disk sphere rectangle picture image logo text mask",
         .tip = "The surface or body on which particles are born.",
         .source = "2012 model, eq. I (rectangle)",
         .choices = kEmitterShapes,
@@ -55,9 +55,9 @@ inline constexpr std::array kRows<Emitter>{
         .soft = {0, 10},
         .step = 0.01,
         .unit = Unit::Metres,
-        .tip = "Width of the rectangle, across its normal.",
+        .tip = "Width of the rectangle or the picture, across its normal.",
         .source = "2012 model, eq. I",
-        .visible = when("emitter.shape", EmitterShape::Rectangle),
+        .visible = when("emitter.shape", EmitterShape::Rectangle, EmitterShape::Picture),
         .dirties = DirtyStage::Air,
         .animates = Animates::Birth,
     }),
@@ -69,11 +69,24 @@ inline constexpr std::array kRows<Emitter>{
         .soft = {0, 10},
         .step = 0.01,
         .unit = Unit::Metres,
-        .tip = "Depth of the rectangle, across its normal and its width.",
+        .tip = "Depth of the rectangle or the picture, across its normal and its width.",
         .source = "2012 model, eq. I",
-        .visible = when("emitter.shape", EmitterShape::Rectangle),
+        .visible = when("emitter.shape", EmitterShape::Rectangle, EmitterShape::Picture),
         .dirties = DirtyStage::Air,
         .animates = Animates::Birth,
+    }),
+    row<&Emitter::picture>({
+        .key = "emitter.picture",
+        .since = 2,
+        .label = "Picture",
+        .synonyms = "image logo text mask texture map bright pixels png file",
+        .tip =
+            "A PNG whose bright pixels give birth to particles, each as often as it is bright and opaque: a logo that "
+            "burns. It lies on width and depth of the emitter, upright on a wall that faces +Z. Without one all of "
+            "the rectangle does.",
+        .visible = when("emitter.shape", EmitterShape::Picture),
+        .dirties = DirtyStage::Air,
+        .varies = false,
     }),
     row<&Emitter::normal>({
         .key = "emitter.normal",

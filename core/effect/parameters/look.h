@@ -1,13 +1,8 @@
 #pragma once
 
-#include "core/effect/parameters/row.h"
+#include "core/effect/parameters/look_shape.h"
 
 namespace fumage {
-
-inline constexpr std::array<std::string_view, 2> kMaskShapes{"disc", "square"};
-
-template <>
-inline constexpr Group<Look> kGroup<Look>{&Effect::look, "look", "Look", Scope::Layer};
 
 template <>
 inline constexpr std::array kRows<Look>{
@@ -367,15 +362,8 @@ inline constexpr std::array kRows<Look>{
         .dirties = DirtyStage::Shade,
         .animates = Animates::Frame,
     }),
-    row<&Look::mask>({
-        .key = "look.mask",
-        .label = "Particle shape",
-        .synonyms = "shape sprite square round mask",
-        .tip = "A soft round puff, or the bare square of the 2012 model.",
-        .choices = kMaskShapes,
-        .dirties = DirtyStage::Shade,
-        .animates = Animates::Frame,
-    }),
+    kMaskRow,
+    kPictureRow,
     row<&Look::heatOpacity>({
         .key = "look.heat_opacity",
         .formerly = "air.heat_opacity",

@@ -80,6 +80,8 @@ consteval Kind kindOf(Kind said)
         return Kind::Curve;
     } else if constexpr (std::is_same_v<T, Gradient>) {
         return Kind::Gradient;
+    } else if constexpr (std::is_same_v<T, Bitmap>) {
+        return Kind::Picture;
     } else if constexpr (std::is_same_v<T, glm::vec3>) {
         if (said != Kind::Direction && said != Kind::Vector && said != Kind::Colour) {
             mistake("the row of a vec3 says whether it is a Kind::Direction, a Kind::Vector or a Kind::Colour");
@@ -117,6 +119,12 @@ consteval Parameter row(Parameter parameter)
 consteval VisibleWhen when(std::string_view key, auto value)
 {
     return {key, static_cast<int>(value)};
+}
+
+/// Only while it has one of two values.
+consteval VisibleWhen when(std::string_view key, auto value, auto other)
+{
+    return {key, static_cast<int>(value), static_cast<int>(other)};
 }
 
 inline constexpr Range kUnit{0.0, 1.0};

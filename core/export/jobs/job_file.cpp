@@ -29,6 +29,12 @@ void takeEnding(const std::filesystem::path& output, const std::array<Format, kC
     format = found == formats.end() ? format : *found;
 }
 
+bool isTooLarge(std::string_view json)
+{
+    return json.size() > kMaxJobsFileBytes
+        || (json.size() > kMaxJobsBytes && bytesWithoutLongTexts(json) > kMaxJobsBytes);
+}
+
 class Reader {
 public:
     Reader(std::string_view text, const std::string& place, const std::filesystem::path& folder)
@@ -40,7 +46,7 @@ public:
 
     Result<JobsReading> read()
     {
-        if (m_text.size() > kMaxJobsBytes) {
+        if (isTooLarge(m_text)) {
             return Error{ErrorCode::TooLarge, makeMessage("a list of jobs of %1 bytes", m_text.size()), m_place,
                 makeMessage("Lists have at most %1", kMaxJobsBytes)};
         }
@@ -335,7 +341,7 @@ Result<JobsReading> parseJobs(std::string_view json, const std::string& place, c
 
 Result<JobsReading> readJobsFile(const std::filesystem::path& path)
 {
-    const Result<std::string> text = readFile(path, kMaxJobsBytes);
+    const Result<std::string> text = readFile(path, kMaxJobsFileBytes);
     // Names stay as short as they are written where the list lies in the working folder.
     const std::filesystem::path folder = path.parent_path();
     return text ? parseJobs(text.value(), path.string(), isSameFile(folder, ".") ? std::filesystem::path() : folder)
@@ -345,7 +351,7 @@ Result<JobsReading> readJobsFile(const std::filesystem::path& path)
 Status writeJobsFile(const std::filesystem::path& path, std::span<const ExportJob> jobs, FileAccess access)
 {
     const std::string text = formatJobs(jobs);
-    if (jobs.size() > kMaxJobs || text.size() > kMaxJobsBytes) {
+    if (jobs.size() > kMaxJobs || isTooLarge(text)) {
         return Error{ErrorCode::TooLarge, makeMessage("a list of %1 jobs", jobs.size()), path.string(),
             makeMessage("Lists have at most %1", kMaxJobs)};
     }

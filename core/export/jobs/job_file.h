@@ -9,8 +9,9 @@ namespace fumage {
 
 inline constexpr std::string_view kJobsFormat = "fumage-jobs";
 inline constexpr int kJobsVersion = 1;
-/// Largest file of jobs: some hundred of them.
+/// Largest list of jobs without the pictures of its presets, some hundred of them, and largest file.
 inline constexpr std::size_t kMaxJobsBytes = std::size_t{1} << 22U;
+inline constexpr std::size_t kMaxJobsFileBytes = std::size_t{256} << 20U;
 
 /// Jobs that were read, and what the reader had to put right in their presets.
 struct JobsReading {

@@ -1,11 +1,11 @@
 #include "core/export/templates/template_facts.h"
 
+#include "core/base/base64.h"
 #include "core/base/text.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cctype>
-#include <cstdint>
 
 #include <kainjow/mustache.hpp>
 
@@ -19,24 +19,6 @@ struct TemplateFacts::Data {
 };
 
 namespace {
-
-std::string base64(std::span<const std::byte> bytes)
-{
-    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t three = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-            three = three << 8U | (j < count ? std::to_integer<std::uint32_t>(bytes[i + j]) : 0U);
-        }
-        for (std::size_t j = 0; j < 4; ++j) {
-            out += j <= count ? kDigits[three >> (18U - 6U * j) & 63U] : '=';
-        }
-    }
-    return out;
-}
 
 bool isPlainWord(std::string_view word)
 {
@@ -109,7 +91,7 @@ void TemplateFacts::list(const std::string& key, std::vector<TemplateFacts> item
 
 void TemplateFacts::bytes(const std::string& key, std::span<const std::byte> value)
 {
-    m_data->facts.set(key, data(kainjow::mustache::lambda([value](const std::string&) { return base64(value); })));
+    m_data->facts.set(key, data(kainjow::mustache::lambda([value](const std::string&) { return base64Of(value); })));
 }
 
 std::string TemplateFacts::fill(const EmbeddedFile& file) const
