@@ -1,3 +1,4 @@
+#include "app/cli/check_layers.h"
 #include "app/cli/command.h"
 #include "app/cli/json_answer.h"
 #include "app/cli/number_options.h"
@@ -5,7 +6,9 @@
 #include "app/cli/progress.h"
 
 #include "core/base/text.h"
+#include "core/export/manifest/manifest_parts.h"
 #include "core/export/sheets/sheet_metrics.h"
+#include "core/system/path.h"
 
 #include <iomanip>
 #include <memory>
@@ -83,9 +86,49 @@ Result<SheetScore> scoreOf(const CheckArguments& arguments, const NamedPreset& n
     return scoreSheet(job.value().scene, options, arguments.lit, bar.task());
 }
 
-Status check(const CheckArguments& arguments)
+/// Whether somebody asks for something that only presets have.
+bool isOfPresets(const CheckArguments& arguments)
+{
+    const PictureOptions& picture = arguments.picture;
+    const EffectOptions& effect = picture.effect;
+    return !arguments.grid.empty() || !picture.frames.empty() || !picture.size.empty() || !picture.format.empty()
+        || !effect.assignments.empty() || !effect.layers.empty() || !effect.muted.empty();
+}
+
+/// Checks what is named by a manifest or a sheet of a layer, and leaves the presets.
+Status checkLayered(CheckArguments& arguments, nlohmann::ordered_json& answer)
+{
+    std::vector<std::string> presets;
+    for (const std::string& name : arguments.picture.effect.presets) {
+        const bool isOfAPreset = isOfPresets(arguments) && !isManifest(pathFrom(name));
+        const Result<std::optional<LayeredSheets>> layered =
+            isOfAPreset ? std::optional<LayeredSheets>() : layeredSheetsNamed(name);
+        if (!layered) {
+            return layered.error();
+        }
+        if (!layered.value()) {
+            presets.push_back(name);
+            continue;
+        }
+        if (isOfPresets(arguments)) {
+            return Error{ErrorCode::OutOfRange, makeMessage("the sheets of a manifest are checked as they are"), name,
+                makeMessage("Leave out --grid, --frames, --size, --format, --set, --layers and --mute, or name the "
+                            "preset")};
+        }
+        if (Status status = checkLayers(name, *layered.value(), arguments.asJson ? &answer : nullptr); !status) {
+            return status;
+        }
+    }
+    arguments.picture.effect.presets = presets;
+    return Done{};
+}
+
+Status check(CheckArguments arguments)
 {
     nlohmann::ordered_json answer = nlohmann::ordered_json::array();
+    if (Status status = checkLayered(arguments, answer); !status) {
+        return status;
+    }
     bool first = true;
     const Status status = arguments.picture.effect.forEach([&](const NamedPreset& named) -> Status {
         const Result<SheetScore> score = scoreOf(arguments, named);
@@ -134,8 +177,12 @@ void addCheckSheet(CLI::App& program, Action& action)
                     "them; against a peak of 1, which is what a white surface gives back: maps go up to their scale. "
                     "vectors: the frame in the middle between two cells, rebuilt from\n"
                     "them, beside what a cross-fade makes of it; there must be frames between the cells.\n"
-                    "Example:\n"
-                    "  fumage-cli check-sheet campfire chimney --grid 4x4 --frames 0-31:2 --size 128");
+                    "Of sheets of layers, named by their manifest or by one of them, the files are read: how much of "
+                    "each layer is seen, and how near all of them,\n"
+                    "added up or drawn over one another, are to the sheet of all.\n"
+                    "Examples:\n"
+                    "  fumage-cli check-sheet campfire chimney --grid 4x4 --frames 0-31:2 --size 128\n"
+                    "  fumage-cli check-sheet out/fire.manifest.json");
     command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 

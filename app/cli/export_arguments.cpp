@@ -74,7 +74,8 @@ void ExportArguments::addTargetsTo(CLI::App& command)
 {
     addTo(command, "passes",
         "Layers of an EXR, with commas between: colour, alpha, density, six-way (light from six sides), motion "
-        "(vectors), normal, depth, emission, albedo, temperature, shadow, all. Default: colour");
+        "(vectors), normal, depth, emission, albedo, temperature, shadow, all; layer-masks (a channel a layer, which "
+        "add up to alpha). Default: colour");
     addTo(command, "alpha",
         "Light, emission and albedo: premultiplied (the default), or straight; the colour is premultiplied, as "
         "readers of EXR expect it");

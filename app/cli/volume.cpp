@@ -46,13 +46,17 @@ Status writeOne(const VolumeArguments& arguments, const NamedPreset& named)
     options.longest = plan.volume.cells;
     options.voxel = plan.volume.voxel;
     options.up = plan.up.value_or(options.up);
+    options.density = plan.volume.density;
     options.source = named.file;
     float voxel = 0.0F;
     {
         ProgressBar bar("Writing");
         const std::string size = options.voxel ? formatFloat(*options.voxel) + " m" : std::to_string(options.longest);
-        const ManifestJob job{"volumes",
-            {{options.voxel ? "voxel" : "cells", size}, {"up", std::string(nameOf(options.up))}}, named.preset.scene};
+        ManifestJob job{"volumes", {{options.voxel ? "voxel" : "cells", size}, {"up", std::string(nameOf(options.up))}},
+            named.preset.scene};
+        if (options.density != DensityGrids::Together) { // as manifests were before there was a choice
+            job.settings["density"] = nameOf(options.density);
+        }
         const auto write = [&](const FrameSink& written) -> Status {
             options.written = written;
             const Result<float> used =
@@ -87,7 +91,8 @@ void addVolume(CLI::App& program, Action& action)
             "File to write; #### stands for the frame number. In a folder, and by default, the preset's name")
         ->type_name("FILE");
     arguments->manifest.addTo(*command);
-    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it), vel (m/s), for "
+    command->footer("Grids, in half floats: density (extinction, 1/m, as pictures and shadows have it; with --density "
+                    "layers one a layer), vel (m/s), for "
                     "smoke in air or with glow temperature (about 1 at the source), and\n"
                     "for what glows flames. All frames have the same grids and the same voxels, whichever of them are "
                     "written at once.\n"

@@ -185,7 +185,8 @@ constexpr auto kOptions = std::to_array<ExportOption>({
             .type = "LIST",
             .help = "Pictures to write, with commas between: colour, alpha, density, six-way (light "
                     "maps), motion (vectors), normal, depth, emission, albedo, temperature, shadow, "
-                    "all; none beside --pack. Default: colour, or what --for makes use of",
+                    "all; layer-masks (EXR: a channel a layer, which add up to alpha); none beside "
+                    "--pack. Default: colour, or what --for makes use of",
             .applies = hasPasses},
         [](auto& plan) -> auto& { return plan.passes; }),
     choiceOption<SixWayLayout, kSixWayLayouts>(
@@ -304,6 +305,13 @@ constexpr auto kOptions = std::to_array<ExportOption>({
             .help = "Edge of a voxel in metres, in place of --cells; the timeline is not looked at then",
             .applies = isVolume},
         [](auto& plan) -> auto& { return plan.volume.voxel; }),
+    choiceOption<DensityGrids, kDensityGrids>(
+        {.key = "density",
+            .help = "Grids of density: together (density, of all layers), or layers (one a layer in its place, such as "
+                    "density_flames, which add up to it)",
+            .initial = "together",
+            .applies = isVolume},
+        [](auto& plan) -> auto& { return plan.volume.density; }),
     choiceOption<UpAxis, kAllUpAxes.size()>(
         {.key = "up", .help = "Axis that points up: y or z", .applies = hasAxes},
         [](auto& plan) -> auto& { return plan.up; }),

@@ -65,6 +65,7 @@ struct VolumePlan {
     int cells = VolumeSequenceOptions().longest; ///< along the longest edge of the smoke of the timeline,
                                                  ///< kMinVolumeCells to kMaxVolumeCells
     std::optional<float> voxel; ///< edge of a cell, m, in place of the one that cells come to; kMinVoxel to kMaxVoxel
+    DensityGrids density = DensityGrids::Together;
 };
 
 /// Of the noise texture.

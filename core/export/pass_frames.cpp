@@ -1,9 +1,12 @@
 #include "core/export/pass_frames.h"
 
+#include "core/export/layer_masks.h"
 #include "core/image_io/exr_file.h"
 #include "core/rendering/compositor.h"
 
+#include <algorithm>
 #include <deque>
+#include <iterator>
 
 namespace fumage {
 
@@ -82,14 +85,33 @@ Result<std::vector<std::byte>> encodeTargets(const PassSheet& frame, PassSet pas
     ExrPixels pixels{colour.width, colour.height, {{{}, "RGBA", colour.pixels}}, format == ImageFormat::ExrHalf, notes};
     std::deque<DataImage> images; // which stay where they are
     for (const Pass pass : kAllPasses) {
-        if (pass == Pass::Colour || !passes.has(pass)) {
+        if (pass == Pass::Colour || pass == Pass::LayerMasks || !passes.has(pass)) {
             continue;
         }
         images.push_back(pictures.picture(pass));
         unscale(pass, pictures.scales(), images.back());
         pixels.targets.push_back({fileNameOf(pass), lettersOf(pass), images.back().values});
     }
+    const std::vector<LayerMask> masks = storedMasks(frame, format);
+    std::ranges::move(targetsOf(masks), std::back_inserter(pixels.targets));
     return encodeExr(pixels, stop);
+}
+
+Status checkTargets(const Scene& scene, PassSet passes, ImageFormat format)
+{
+    if (!holdsFloats(format)) {
+        return Error{ErrorCode::OutOfRange, makeMessage("the passes of frames are layers of EXR"), {},
+            makeMessage("Choose EXR, or a flipbook")};
+    }
+    if (!passes.has(Pass::LayerMasks)) {
+        return Done{};
+    }
+    std::size_t channels = lettersOf(Pass::Colour).size();
+    for (const Pass pass : kAllPasses) {
+        const bool isPicture = pass != Pass::Colour && pass != Pass::LayerMasks;
+        channels += isPicture && passes.has(pass) ? lettersOf(pass).size() : 0;
+    }
+    return checkMasks(scene, format, static_cast<std::int64_t>(scene.output.width) * scene.output.height, channels);
 }
 
 } // namespace fumage

@@ -269,7 +269,8 @@ DataImage PassPictures::colours(PassTarget target, float scale) const
 DataImage PassPictures::picture(Pass pass) const
 {
     switch (pass) {
-    case Pass::Colour: break;
+    case Pass::Colour:
+    case Pass::LayerMasks: break;
     case Pass::Alpha: return measured(m_sheet.targets.of(PassTarget::Colour), 3, 0.0F, 1.0F);
     case Pass::Density: return density();
     case Pass::SixWayA: return sixWay(0);

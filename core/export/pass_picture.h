@@ -2,12 +2,14 @@
 
 #include "core/export/glow_ramp.h"
 #include "core/export/image_file.h"
+#include "core/export/layer_mask.h"
 #include "core/export/sheets/motion_refine.h"
 #include "core/rendering/passes.h"
 
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fumage {
 
@@ -88,6 +90,7 @@ struct PassScales {
 struct PassSheet {
     PassImages targets; ///< premultiplied
     SheetGrid grid;
+    std::vector<LayerMask> masks{}; ///< where the pass is asked for, one a layer
 };
 
 /// Makes the pictures of passes from the targets of a sheet: numbers in [0, 1], but for motion and normals, whose are
@@ -110,7 +113,7 @@ public:
 
     /// What the numbers of all pictures were divided by.
     [[nodiscard]] const PassScales& scales() const { return m_scales; }
-    /// @param pass one of the passes but the colour
+    /// @param pass one of the passes but the colour and the masks of layers
     /// O(pixels).
     [[nodiscard]] DataImage picture(Pass pass) const;
 

@@ -236,7 +236,8 @@ Result<std::optional<Flipbook>> writeFiles(const Scene& scene, const ExportPlan&
             scene, {plan.output, plan.frames, plan.particles, plan.up.value_or(UpAxis::Y), plan.source}, task));
     case ExportKind::Volumes: {
         const Result<float> voxel = writeVolumes(scene,
-            {plan.output, plan.frames, plan.volume.cells, plan.volume.voxel, plan.up.value_or(UpAxis::Z), plan.source},
+            {plan.output, plan.frames, plan.volume.cells, plan.volume.voxel, plan.up.value_or(UpAxis::Z),
+                plan.volume.density, plan.source},
             task);
         return plainly(voxel ? Status(Done{}) : Status(voxel.error()));
     }

@@ -3,6 +3,7 @@
 #include "core/system/file.h"
 #include "core/system/path.h"
 #include "core/base/text.h"
+#include "core/export/layer_masks.h"
 #include "core/export/pass_frames.h"
 #include "core/export/frame_neighbours.h"
 #include "core/export/output_name.h"
@@ -32,13 +33,9 @@ bool hasTargets(const SequenceOptions& options)
     return options.passes != PassSet{Pass::Colour};
 }
 
-Status check(const SequenceOptions& options)
+Status check(const Scene& scene, const SequenceOptions& options)
 {
-    if (hasTargets(options) && !holdsFloats(options.format)) {
-        return Error{ErrorCode::OutOfRange, makeMessage("the passes of frames are layers of EXR"), {},
-            makeMessage("Choose EXR, or a flipbook")};
-    }
-    return Done{};
+    return hasTargets(options) ? checkTargets(scene, options.passes, options.format) : Status(Done{});
 }
 
 /// Frames of which the colour is written. Two are kept: one is encoded while the next is made.
@@ -80,6 +77,7 @@ public:
         , m_options(options)
         , m_frames{std::move(numbers)}
         , m_neighbours(m_layers, m_frames, options.passes.has(Pass::Motion), options.frames.step)
+        , m_masks(scene)
     {
         m_options.passes.add(Pass::Colour);
         for (PassSheet& sheet : m_sheets) {
@@ -96,8 +94,11 @@ public:
             return frame.error();
         }
         PassSheet& sheet = m_sheets[place % 2];
-        return m_renderer.render(
+        Status status = m_renderer.render(
             frame.value(), sheet.grid.cellWidth, sheet.grid.cellHeight, m_options.passes, sheet.targets, task.stop);
+        return status && m_options.passes.has(Pass::LayerMasks) ? m_masks.place(sheet, 0,
+                   sheet.targets.of(PassTarget::Colour), m_scene.output.supersample, m_renderer.layers(), task.stop)
+                                                                : status;
     }
     [[nodiscard]] Result<std::vector<std::byte>> encode(std::size_t place, const std::stop_token& stop) const
     {
@@ -112,6 +113,7 @@ private:
     CellFrames m_frames;
     FrameNeighbours m_neighbours;
     PassRenderer m_renderer;
+    LayerMasks m_masks;
     std::array<PassSheet, 2> m_sheets;
 };
 
@@ -229,7 +231,7 @@ Result<std::vector<std::byte>> encodeFrame(
         const Status status = frames.render(0, task);
         return status ? frames.encode(0, task.stop) : status.error();
     };
-    if (Status status = check(options); !status) {
+    if (Status status = check(scene, options); !status) {
         return status.error();
     }
     return hasTargets(options) ? encoded(PassFrames(scene, options, {frame}))
@@ -263,7 +265,7 @@ Status writeNumbered(
 
 Status encodeFrames(const Scene& scene, const SequenceOptions& options, const FrameSink& sink, const Task& task)
 {
-    if (Status status = check(options); !status) {
+    if (Status status = check(scene, options); !status) {
         return status;
     }
     const std::vector<int> numbers = numbersOf(options);
@@ -278,7 +280,7 @@ Status encodeFrames(const Scene& scene, const SequenceOptions& options, const Fr
 
 Status renderSequence(const Scene& scene, const SequenceOptions& options, const Task& task)
 {
-    if (Status status = check(options); !status) {
+    if (Status status = check(scene, options); !status) {
         return status;
     }
     if (Status status = makeFolderOf(options.output); !status) {

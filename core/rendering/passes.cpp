@@ -7,7 +7,7 @@ namespace fumage {
 namespace {
 
 constexpr std::array<std::string_view, kPasses> kNames{"colour", "alpha", "density", "six-way-a", "six-way-b", "motion",
-    "normal", "depth", "emission", "albedo", "temperature", "shadow"};
+    "normal", "depth", "emission", "albedo", "temperature", "shadow", "layer-masks"};
 constexpr std::string_view kNone = "none";
 
 /// The passes that a word of a list stands for; none: it is not known.
@@ -16,7 +16,8 @@ PassSet passesCalled(std::string_view word)
     PassSet passes;
     for (const Pass pass : kAllPasses) {
         const bool isSixWay = word == "six-way" && (pass == Pass::SixWayA || pass == Pass::SixWayB);
-        if (word == "all" || isSixWay || word == passName(pass) || (word == "color" && pass == Pass::Colour)) {
+        const bool isAmongAll = word == "all" && pass != Pass::LayerMasks;
+        if (isAmongAll || isSixWay || word == passName(pass) || (word == "color" && pass == Pass::Colour)) {
             passes.add(pass);
         }
     }
@@ -46,7 +47,7 @@ Result<PassSet> parsePasses(std::string_view text)
         if (called == PassSet()) {
             return Error{ErrorCode::UnknownName, makeMessage("there is no pass %1", inQuotes(word)), {},
                 makeMessage("Choose from colour, alpha, density, six-way, motion, normal, depth, emission, albedo, "
-                            "temperature, shadow and all")};
+                            "temperature, shadow, layer-masks and all")};
         }
         passes.add(called);
     }
@@ -67,7 +68,7 @@ std::string textOf(PassSet passes)
 bool needsTarget(PassSet passes, PassTarget target)
 {
     switch (target) {
-    case PassTarget::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha, Pass::Density});
+    case PassTarget::Colour: return passes.hasAny({Pass::Colour, Pass::Alpha, Pass::Density, Pass::LayerMasks});
     case PassTarget::RightTopBack: // both maps have one scale
     case PassTarget::LeftBottomFront: return passes.hasAny({Pass::SixWayA, Pass::SixWayB, Pass::Normal});
     case PassTarget::Motion: return passes.hasAny({Pass::Motion, Pass::Depth});

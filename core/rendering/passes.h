@@ -26,13 +26,14 @@ enum class Pass {
     Albedo, ///< its own colour
     Temperature, ///< share of the heat at birth, of what glows; 0 where nothing does
     Shadow, ///< share of the sun that comes through
+    LayerMasks, ///< of each layer the share of the alpha that it gives; they add up to it
 };
-inline constexpr std::size_t kPasses = 12;
+inline constexpr std::size_t kPasses = 13;
 
 /// All of them, in the order in which they are told.
 inline constexpr std::array<Pass, kPasses> kAllPasses{Pass::Colour, Pass::Alpha, Pass::Density, Pass::SixWayA,
     Pass::SixWayB, Pass::Motion, Pass::Normal, Pass::Depth, Pass::Emission, Pass::Albedo, Pass::Temperature,
-    Pass::Shadow};
+    Pass::Shadow, Pass::LayerMasks};
 
 /// "colour", "six-way-a": what command lines and side-cars call it.
 [[nodiscard]] std::string_view passName(Pass pass);
@@ -63,7 +64,8 @@ private:
     std::uint32_t m_bits = 0;
 };
 
-/// Reads "colour,six-way,motion"; "six-way" is both maps, "all" all there are, and "none" alone none.
+/// Reads "colour,six-way,motion"; "six-way" is both maps, "all" all that every format holds, which are all but the
+/// masks of layers, and "none" alone none.
 /// @error UnknownName; OutOfRange for an empty list
 [[nodiscard]] Result<PassSet> parsePasses(std::string_view text);
 /// "colour,six-way-a", "none": what parsePasses() reads.

@@ -152,6 +152,40 @@ private slots:
         QCOMPARE(sizeOf(bytesOf(*m_folder, "other.png")), (std::pair{16, 32}));
     }
 
+    /// By their manifest, or by one of them; what belongs to presets is not asked of files.
+    void sheetsOfLayersAreCheckedTogether()
+    {
+        const QStringList preset{"flipbook", "bonfire", "--set", "air.enabled=false", "--set", "emitter.count=200",
+            "--frames", "0-3", "--grid", "2", "--size", "24"};
+        const Outcome made =
+            runIn(*m_folder, preset + QStringList{"--layers-as", "contribution", "--manifest", "-o", "out/fire.png"});
+        QVERIFY2(made.code == 0, made.error.constData());
+        const Outcome all = runIn(*m_folder, {"check-sheet", "out/fire.manifest.json"});
+        QVERIFY2(all.code == 0, all.error.constData());
+        QVERIFY2(all.out.contains("added up they are the sheet of all layers to "), all.out.constData());
+        QVERIFY2(!all.error.contains("are not the sheet"), all.error.constData());
+        QString sheet;
+        for (const QString& name : namesIn(*m_folder, "out")) {
+            sheet = name.endsWith(".png") ? name : sheet;
+        }
+        QVERIFY2(all.out.contains(sheet.toUtf8()), all.out.constData());
+        const Outcome asJson = runIn(*m_folder, {"check-sheet", "--json", "out/" + sheet});
+        QVERIFY2(asJson.code == 0, asJson.error.constData());
+        const QJsonObject answer = QJsonDocument::fromJson(asJson.out).array()[0].toObject();
+        QCOMPARE(answer["layers_as"].toString(), QString("contribution"));
+        QVERIFY(answer["decibels"].toDouble() > 50.0);
+        QVERIFY(answer["sheets"].toArray().size() > 1);
+        const Outcome mixed = runIn(*m_folder, {"check-sheet", "out/fire.manifest.json", "--grid", "4"});
+        QVERIFY2(mixed.code == 3 && mixed.error.contains("as they are"), mixed.error.constData());
+        QVERIFY(QFile::remove(m_folder->filePath("out/" + sheet)));
+        const Outcome missing = runIn(*m_folder, {"check-sheet", "out/fire.manifest.json"});
+        QVERIFY2(missing.code == 1 && missing.error.contains("is missing"), missing.error.constData());
+        const Outcome plain = runIn(*m_folder, preset + QStringList{"--manifest", "-o", "out/one.png"});
+        QVERIFY2(plain.code == 0, plain.error.constData());
+        const Outcome single = runIn(*m_folder, {"check-sheet", "out/one.manifest.json"});
+        QVERIFY2(single.code == 3 && single.error.contains("no sheets of layers"), single.error.constData());
+    }
+
     void jobsTakeWhatThePictureShows()
     {
         const std::string list =

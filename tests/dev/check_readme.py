@@ -60,7 +60,8 @@ def smaller(words):
             words[i + 1] = "0-3"
         if word == "--frame":
             words[i + 1] = "1"
-    if words[0] not in NO_SETTINGS and "--jobs" not in words:
+    of_files = any(word.endswith(".manifest.json") for word in words)  # whose settings they had when they were made
+    if words[0] not in NO_SETTINGS and "--jobs" not in words and not of_files:
         for setting in SMALL:
             words += ["--set", setting]
     return words

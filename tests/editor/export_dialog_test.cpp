@@ -154,13 +154,44 @@ private slots:
         QVERIFY2(files->text().contains(u"_smoke.png"_q), qPrintable(files->text()));
         // Who cannot draw them over one another says so.
         auto* engine = child<QComboBox>(u"export.engine"_q);
-        engine->setCurrentIndex(engine->findText(u"Effekseer"_q));
+        engine->setCurrentIndex(engine->findText(u"Defold"_q));
         QVERIFY(!child<QPushButton>(u"export.begin"_q)->isEnabled());
-        QVERIFY2(files->text().contains(u"Effekseer"_q), qPrintable(files->text()));
+        QVERIFY2(files->text().contains(u"Defold"_q), qPrintable(files->text()));
         layers->setCurrentIndex(static_cast<int>(LayerOutput::Together));
         QVERIFY(!m_dialog->plan().layers);
         QVERIFY(motion->isEnabled());
         QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+    }
+
+    /// Where there is room for them, and something to mask.
+    void layersOfAnExrHaveMasks()
+    {
+        m_dialog->setKind(ExportKind::Sequence);
+        auto* masks = child<QCheckBox>(u"export.masks"_q);
+        auto* format = child<QComboBox>(u"export.format"_q);
+        QVERIFY(!masks->isEnabled());
+        format->setCurrentIndex(format->findText(u"EXR"_q, Qt::MatchContains));
+        QVERIFY(!masks->isEnabled());
+        Scene scene = m_document->scene();
+        scene.layers.push_back(scene.layers[0]);
+        m_document->replaceScene(scene, 0, u"layers"_q);
+        QTRY_VERIFY(masks->isEnabled());
+        QVERIFY(m_dialog->plan().passes == PassSet{Pass::Colour});
+        masks->setChecked(true);
+        QVERIFY((m_dialog->plan().passes == PassSet{Pass::Colour, Pass::LayerMasks}));
+        QVERIFY(child<QPushButton>(u"export.begin"_q)->isEnabled());
+        format->setCurrentIndex(0);
+        QVERIFY(!masks->isEnabled());
+        QVERIFY(m_dialog->plan().passes == PassSet{Pass::Colour});
+        // Of a sheet they are a file more; sheets of layers have none.
+        m_dialog->setKind(ExportKind::Flipbook);
+        format->setCurrentIndex(format->findText(u"EXR"_q, Qt::MatchContains));
+        const auto* files = child<QLabel>(u"export.files"_q);
+        QVERIFY2(files->text().contains(u"2 more files"_q), qPrintable(files->text()));
+        auto* layers = child<QComboBox>(u"export.layers"_q);
+        layers->setCurrentIndex(static_cast<int>(LayerOutput::Alone));
+        QVERIFY(!masks->isEnabled());
+        QVERIFY(!m_dialog->plan().passes.has(Pass::LayerMasks));
     }
 
     void aSpeedThatAnEngineCannotKeepIsSaid()
@@ -339,6 +370,15 @@ private slots:
         QVERIFY2(before.contains(u"4.0 MiB"_q) && before.contains(u"16.0 MiB"_q), qPrintable(before));
         child<QCheckBox>(u"export.motion"_q)->click();
         QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"8.0 MiB"_q));
+        // Of layers that have sheets of their own all of them count.
+        Scene scene = m_document->scene();
+        scene.layers.resize(3, scene.layers[0]);
+        m_document->replaceScene(scene, 0, u"layers"_q);
+        auto* layers = child<QComboBox>(u"export.layers"_q);
+        QTRY_VERIFY(layers->isEnabled());
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"8.0 MiB"_q));
+        layers->setCurrentIndex(static_cast<int>(LayerOutput::Alone));
+        QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"24.0 MiB"_q));
     }
 
     void theFileIsSuggestedUntilOneIsTyped()
@@ -383,8 +423,12 @@ private slots:
         QVERIFY(m_dialog->plan().volume.cells == VolumeSequenceOptions().longest && !m_dialog->plan().up);
         cells->setValue(64);
         up->setCurrentIndex(2);
+        auto* density = child<QComboBox>(u"export.density"_q);
+        QVERIFY(density->isVisible() && m_dialog->plan().volume.density == DensityGrids::Together);
+        density->setCurrentIndex(1);
         typePath(u"v_##"_q);
         const ExportPlan plan = m_dialog->plan();
+        QVERIFY(plan.volume.density == DensityGrids::Layers);
         QVERIFY(plan.kind == ExportKind::Volumes && plan.volume.cells == 64 && plan.up == UpAxis::Z);
         QCOMPARE(plan.output.string(), std::string("v_##.vdb"));
         QVERIFY(child<QLabel>(u"export.files"_q)->text().contains(u"v_99.vdb"_q));

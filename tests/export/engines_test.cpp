@@ -182,6 +182,66 @@ private slots:
         }
     }
 
+    /// A node a layer, the first at the bottom of the picture: Effekseer draws nodes in the order of its tree.
+    void effekseersProjectHasANodeALayer()
+    {
+        Sheet sheet(Engine::Effekseer);
+        Scene scene = sheet.effect;
+        scene.layers.resize(3, scene.layers[0]);
+        scene.layers[0].name = "Smoke";
+        scene.layers[1].name = kHostileName;
+        scene.layers[2].visible = false;
+        scene.layers.push_back(scene.layers[0]);
+        scene.layers[3].name.clear();
+        sheet.options.layers = LayerOutput::Stacked;
+        const Result<Flipbook> done = renderFlipbook(scene, sheet.options);
+        QVERIFY2(done.ok(), done ? "" : done.error().text().c_str());
+        QXmlStreamReader xml(QByteArray::fromStdString(sheet.text("smoke_4x2.efkproj")));
+        QStringList names;
+        QStringList textures;
+        QStringList blending;
+        QMap<QString, int> counts;
+        while (!xml.atEnd()) {
+            if (xml.readNext() == QXmlStreamReader::StartElement) {
+                const QString key = xml.name().toString();
+                ++counts[key];
+                if (key == QStringLiteral("Name")) {
+                    names << xml.readElementText();
+                } else if (key == QStringLiteral("ColorTexture")) {
+                    textures << xml.readElementText();
+                } else if (key == QStringLiteral("AlphaBlend")) {
+                    blending << xml.readElementText();
+                }
+            }
+        }
+        QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+        QCOMPARE(counts[QStringLiteral("Node")], 3);
+        QCOMPARE(counts[QStringLiteral("Children")], 1); // they are beside one another
+        QCOMPARE(names.size(), 4);
+        QCOMPARE(names[0], QStringLiteral("Root"));
+        QCOMPARE(names[1], QStringLiteral("Smoke"));
+        QVERIFY2(names[2].contains(QStringLiteral("<&>")), qPrintable(names[2])); // as it is, and no element
+        QCOMPARE(names[3], QStringLiteral("smoke_4x2_layer-4"));
+        std::vector<std::string> expected;
+        for (const FlipbookOptions& each : sheetsOf(scene, sheet.options)) {
+            expected.push_back(picturesOf(each).front().filename().string());
+        }
+        QCOMPARE(textures.size(), 3);
+        for (int i = 0; i < 3; ++i) {
+            QCOMPARE(textures[i].toStdString(), expected[static_cast<std::size_t>(i)]);
+            QVERIFY(QFile::exists(sheet.folder.filePath(textures[i])));
+            QCOMPARE(blending[i], QStringLiteral("1")); // alpha * colour over what is behind
+        }
+        for (const char* part : {"UVAnimation", "FrameLength", "Location", "Scale", "Sprite", "Life"}) {
+            QCOMPARE(counts[QString::fromUtf8(part)], 3);
+        }
+        const QJsonObject sideCar =
+            QJsonDocument::fromJson(QByteArray::fromStdString(sheet.text("smoke_4x2_smoke.flipbook.json"))).object();
+        QCOMPARE(sideCar[QStringLiteral("alpha")].toString(), QStringLiteral("straight"));
+        QVERIFY(sideCar[QStringLiteral("layer")].toObject()[QStringLiteral("blending")].toString().contains(
+            QStringLiteral("alpha * colour")));
+    }
+
     void unitysScriptSpeaksToAllPipelines()
     {
         const Sheet sheet(Engine::Unity);

@@ -1,6 +1,6 @@
 // Sheets of layers: contributions add up to the sheet of all, stacked ones make it when they are drawn over one
 // another, and of one layer they are the sheet as it always was.
-#include "tests/export/small_smoke.h"
+#include "tests/export/layered_fire.h"
 #include "tests/helpers.h"
 
 #include "core/base/text.h"
@@ -25,34 +25,6 @@ using namespace fumage;
 using namespace fumage::tests;
 
 namespace {
-
-/// Smoke, clear flames in the middle of it, and some that is coloured: all through one another.
-Scene fire()
-{
-    Effect effect = smallSmoke();
-    effect.emitter.count = 600;
-    effect.look.opacity = 8.0F;
-    effect.look.colour = {0.7F, 0.7F, 0.8F};
-    Scene scene = effect;
-    scene.layers[0].name = "Smoke";
-    effect.emitter.seed = 7;
-    effect.glow.emission = 6.0F;
-    effect.glow.flameOpacity = 0.1F;
-    effect.look.opacity = 4.0F;
-    scene.layers.emplace_back();
-    scene.assign(1, effect);
-    scene.layers[1].name = "Flames";
-    effect.glow.emission = 0.0F;
-    effect.look.opacity = 20.0F;
-    effect.look.colour = {0.9F, 0.1F, 0.05F};
-    effect.emitter.seed = 11;
-    effect.emitter.count = 60;
-    scene.layers.emplace_back();
-    scene.assign(2, effect);
-    scene.layers[2].name = "Red ash";
-    scene.output.viewTransform = ViewTransform::Filmic;
-    return scene;
-}
 
 FlipbookOptions optionsFor(std::optional<LayerOutput> layers, ImageFormat format = ImageFormat::Png8)
 {
@@ -424,7 +396,7 @@ private slots:
             options.packs = {parsePack("masks=alpha").value()};
             QVERIFY(refusal(options) == ErrorCode::OutOfRange);
             options = optionsFor(layers);
-            options.engine = Engine::Effekseer;
+            options.engine = Engine::Defold;
             QVERIFY(refusal(options) == ErrorCode::OutOfRange);
             options = optionsFor(layers);
             options.passes.add(Pass::Alpha);
@@ -476,6 +448,42 @@ private slots:
                     engine == Engine::Web || text.find("boom_" + word + ".png") != std::string::npos, text.c_str());
             }
         }
+    }
+
+    /// Effekseer draws alpha * colour over what is behind, and in no other way: its sheets are straight.
+    void straightSheetsMakeThePictureToo()
+    {
+        for (const ImageFormat format : {ImageFormat::Png8, ImageFormat::Png16}) {
+            FlipbookOptions options = optionsFor(LayerOutput::Stacked, format);
+            options.engine = Engine::Effekseer;
+            const std::vector<FlipbookFile> files = filesMade(fire(), options);
+            std::vector<Numbers> layers;
+            for (const FlipbookFile& file : files) {
+                if (file.path.extension() == ".png") {
+                    layers.push_back(overBlack(numbersOf(file), false)); // what a screen adds: alpha * colour
+                }
+            }
+            QCOMPARE(layers.size(), std::size_t{3});
+            const Numbers whole = overBlack(coloursOf(filesMade(fire(), optionsFor({}, format)))[0], false);
+            const std::vector<Numbers> all{whole};
+            for (const double behind : {0.0, 0.5, 1.0}) {
+                const Numbers picture = drawn(layers, behind, false, 1.0);
+                const Numbers expected = drawn(all, behind, false, 1.0);
+                const double within = 1.01 / fullOfFormat(format) * (1.0 + behind); // as of premultiplied ones
+                QVERIFY2(mostBetween(picture, expected) <= within,
+                    qPrintable(QString::number(mostBetween(picture, expected) * fullOfFormat(format))));
+            }
+        }
+        // Where nothing is, the colour goes on: filtering brings no dark rims.
+        FlipbookOptions options = optionsFor(LayerOutput::Stacked);
+        options.engine = Engine::Effekseer;
+        const Numbers smoke = numbersOf(filesMade(fire(), options)[0]);
+        bool isThere = false;
+        for (std::size_t i = 0; i < smoke.size(); i += 4) {
+            isThere = isThere || smoke[i + 3] == 0.0;
+            QVERIFY(smoke[i + 3] > 0.0 || smoke[i] > 0.0);
+        }
+        QVERIFY(isThere);
     }
 
     /// A mask a layer: how much of each is seen.

@@ -152,9 +152,7 @@ private slots:
     {
         Book book(
             {"one=alpha", "two=shadow,depth", "three=colour.b,normal.g,motion.r", "four=six-way-a.a,0,1,six-way-b.g"});
-        for (const Pass pass : kAllPasses) {
-            book.options.passes.add(pass);
-        }
+        book.options.passes = parsePasses("all").value();
         QVERIFY(book.write().ok());
         struct Expected {
             const char* file;

@@ -6,6 +6,7 @@
 #include "core/system/file.h"
 #include "core/base/parallel.h"
 #include "core/export/sequence.h"
+#include "core/export/sheets/flipbook_files.h"
 #include "core/export/sheets/sheet.h"
 #include "core/export/sheets/sheet_metrics.h"
 #include "core/preset/preset_file.h"
@@ -317,10 +318,7 @@ private slots:
     void sameBitsWhateverTheThreadsAndInstructionSet()
     {
         const SimdGuard guard;
-        PassSet all;
-        for (const Pass pass : kAllPasses) {
-            all.add(pass);
-        }
+        const PassSet all = parsePasses("all").value();
         Effect effect = everythingOn();
         effect.output.width = 50;
         effect.output.height = 70;
@@ -328,7 +326,7 @@ private slots:
             const Made made(effect, {20, 22}, all);
             const PassPictures pictures(made.sheet, all, {});
             std::vector<RawArray<float>> values;
-            for (const Pass pass : kAllPasses) {
+            for (const Pass pass : listOf(all)) {
                 values.push_back(pass == Pass::Colour ? made.sheet.targets.of(PassTarget::Colour).pixels
                                                       : pictures.picture(pass).values);
             }

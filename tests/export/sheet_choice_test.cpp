@@ -71,6 +71,32 @@ private slots:
         }
     }
 
+    /// Each layer has all pictures.
+    void sheetsOfAllLayersFitIntoTheBudget()
+    {
+        ExportPlan plan = planOf(1000);
+        plan.layers = LayerOutput::Stacked;
+        constexpr std::int64_t kBudget = 1 << 20;
+        for (const std::size_t layers : {1U, 3U, 8U}) {
+            const auto of = static_cast<std::int64_t>(layers);
+            const std::vector<SheetCandidate> all = sheetsWithin(kBudget, outputOf(480, 240), plan, layers);
+            const std::vector<SheetCandidate> one = sheetsWithin(kBudget / of, outputOf(480, 240), plan);
+            QCOMPARE(all.size(), one.size());
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                QCOMPARE(all[i].width, one[i].width);
+                QCOMPARE(all[i].bytes, one[i].bytes * of);
+            }
+        }
+        // Together they are one sheet, however many they are; masks go four to a picture.
+        FlipbookOptions options = flipbookOf(plan);
+        options.layers.reset();
+        const SheetMemory together = memoryOf(options, 64, 64, 5);
+        QCOMPARE(together.compressed, memoryOf(options, 64, 64).compressed);
+        options.passes.add(Pass::LayerMasks);
+        QCOMPARE(memoryOf(options, 64, 64, 4).plain, 2 * together.plain);
+        QCOMPARE(memoryOf(options, 64, 64, 5).plain, 3 * together.plain);
+    }
+
     void wholeBlocksOfSmallPicturesCount()
     {
         // At 16 x 16 pixels the packed picture has 4 x 2: a block of 16 bytes, where its share of the largest sheet

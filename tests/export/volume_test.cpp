@@ -6,6 +6,7 @@
 #include "core/system/file.h"
 #include "core/export/data/vdb_file.h"
 #include "core/preset/library.h"
+#include "core/rendering/scene_renderer.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -115,6 +116,42 @@ private:
     float m_voxel = 0.0F;
 };
 
+/// Smoke and flames through one another, and ash that is gone soon.
+Scene layered()
+{
+    Scene scene = growing();
+    scene.layers[0].name = "Smoke";
+    for (const char* name : {"Flames", "Red ash"}) {
+        Effect effect = scene.effect(0);
+        effect.emitter.seed = static_cast<std::uint32_t>(scene.layers.size()) + 7;
+        effect.emitter.position.x = 0.3F;
+        effect.glow.emission = scene.layers.size() == 1 ? 3.0F : 0.0F;
+        effect.look.opacity = 3.0F;
+        scene.layers.emplace_back();
+        scene.assign(scene.layers.size() - 1, effect);
+        scene.layers.back().name = name;
+    }
+    Effect ash = scene.effect(2);
+    ash.emitter.mode = EmissionMode::Burst;
+    ash.emitter.burstDuration = 0.1F;
+    ash.life.fadeRate = 4.0F;
+    ash.life.initialAlpha = 0.5F;
+    scene.assign(2, ash);
+    return scene;
+}
+
+/// The volume of a frame of all layers, with the density of each.
+Volume layeredVolume(const Scene& scene, int frame, float voxel, LayerDensities densities)
+{
+    const std::vector<SampledEffect> layers = sampledLayers(scene);
+    std::vector<GreyCounts> greys;
+    for (const SampledEffect& layer : layers) {
+        greys.push_back(greysShown(layer).value());
+    }
+    const SceneFrame made = SceneSimulator(layers).frame(frame).value();
+    return volumeOf(layerFrames(made, layers), voxel, greys, densities).value();
+}
+
 } // namespace
 
 class VolumeTest : public QObject {
@@ -205,6 +242,114 @@ private slots:
                 QVERIFY(glm::distance(volume.velocity[i], glm::vec3(1.0F, -2.0F, 0.5F)) < 1e-5F);
             }
         }
+    }
+
+    void densitiesOfLayersAddUpToThatOfAll()
+    {
+        const Scene scene = layered();
+        const Volume volume = layeredVolume(scene, 15, 0.15F, LayerDensities::Yes);
+        QCOMPARE(volume.layers.size(), std::size_t{3});
+        QVERIFY(volume.count() > 0);
+        for (std::size_t i = 0; i < volume.count(); ++i) {
+            double sum = 0.0;
+            for (const std::vector<float>& layer : volume.layers) {
+                QVERIFY(layer[i] >= 0.0F);
+                sum += static_cast<double>(layer[i]);
+            }
+            QVERIFY(near(sum, static_cast<double>(volume.density[i]), 1e-5 * static_cast<double>(volume.density[i])));
+        }
+        // Nothing else depends on them, and each is that of the layer without the others.
+        const Volume together = layeredVolume(scene, 15, 0.15F, LayerDensities::No);
+        QVERIFY(together.layers.empty());
+        QVERIFY(sameBits(together.density, volume.density));
+        QVERIFY(sameBits(together.flames, volume.flames));
+        Scene alone = scene;
+        alone.layers[0].visible = alone.layers[2].visible = false;
+        const Volume flames = layeredVolume(alone, 15, 0.15F, LayerDensities::No);
+        double sum = 0.0;
+        for (const float density : volume.layers[1]) {
+            sum += static_cast<double>(density);
+        }
+        QVERIFY(near(sum * std::pow(0.15, 3.0) / crossSection(flames), 1.0, 1e-4));
+    }
+
+    void filesHaveAGridALayer()
+    {
+        const QTemporaryDir folder;
+        VolumeSequenceOptions options;
+        options.output = folder.filePath("a_##.vdb").toStdString();
+        options.longest = 24;
+        options.frames = {4, 20, 16};
+        options.density = DensityGrids::Layers;
+        const auto gridsOf = [&](int frame) {
+            const std::string bytes =
+                readFile(framePath(options.output, options.frames, kVdbEnding, frame), std::size_t{1} << 28U).value();
+            return VdbReader(bytes).grids();
+        };
+        QVERIFY(writeVolumes(layered(), options).ok());
+        const std::vector<VdbGrid> early = gridsOf(4);
+        const std::vector<VdbGrid> late = gridsOf(20);
+        options.density = DensityGrids::Together;
+        QVERIFY(writeVolumes(layered(), options).ok());
+        for (const auto& [frame, apart] : {std::pair{4, early}, std::pair{20, late}}) {
+            const std::vector<VdbGrid> whole = gridsOf(frame);
+            std::vector<std::string> names;
+            for (const VdbGrid& grid : apart) {
+                names.push_back(grid.name);
+                QVERIFY(grid.scale == whole[0].scale && grid.translation == whole[0].translation);
+            }
+            QVERIFY((names
+                == std::vector<std::string>{
+                    "density_smoke", "density_flames", "density_red_ash", "temperature", "flames", "vel"}));
+            std::map<std::array<int, 3>, double> sum;
+            for (std::size_t layer = 0; layer < 3; ++layer) {
+                for (const auto& [place, value] : apart[layer].voxels) {
+                    sum[place] += static_cast<double>(value[0]);
+                    QVERIFY(whole[0].voxels.contains(place));
+                }
+            }
+            QCOMPARE(sum.size(), whole[0].voxels.size()); // some may round to 0, and are there
+            for (const auto& [place, value] : whole[0].voxels) {
+                const auto density = static_cast<double>(value[0]);
+                QVERIFY(near(sum.at(place), density, 0x1.1p-10 * density + 0x1p-23)); // halves
+            }
+            QVERIFY(apart.back().voxels == whole.back().voxels); // what all have together stays
+        }
+        QVERIFY(early[2].voxels.size() > 0 && late[2].voxels.empty()); // the ash is gone, its grid is there
+    }
+
+    void namesOfGridsAreTakenByEveryProgram()
+    {
+        Scene scene = layered();
+        scene.layers.resize(6, scene.layers[0]);
+        const std::array names{"Rök & eld", "\u70df", "smoke", "r k eld-1", "../x\n\"", ""};
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            scene.layers[i].name = names[i];
+        }
+        const std::vector<std::string> grids = namesOfGrids(scene);
+        QCOMPARE(grids.size(), names.size());
+        for (std::size_t i = 0; i < grids.size(); ++i) {
+            QVERIFY2(grids[i].starts_with("density_"), grids[i].c_str());
+            QVERIFY(std::ranges::all_of(
+                grids[i], [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }));
+            QCOMPARE(std::ranges::count(grids, grids[i]), std::ptrdiff_t{1});
+        }
+        QCOMPARE(grids[2], std::string("density_smoke"));
+    }
+
+    void tooManyDensitiesAreRefusedBeforeTheyAreMade()
+    {
+        // Two cells far apart, and room for a box of them: what is allowed for one density is too much for 60.
+        Effect effect = plainDiscs();
+        const Frame frame = cloud(effect, {glm::vec3(0.0F), glm::vec3(20.0F)});
+        const SampledEffect look = sampled(effect);
+        const std::vector<LayerFrame> layers(60, LayerFrame{&frame, &look});
+        const std::vector<GreyCounts> greys(60, greysShown(look).value());
+        const Result<Volume> refused = volumeOf(layers, 0.1F, greys, LayerDensities::Yes);
+        QVERIFY(!refused.ok());
+        QCOMPARE(refused.error().code, ErrorCode::TooLarge);
+        QVERIFY2(refused.error().text().find("60 layers") != std::string::npos, refused.error().text().c_str());
+        QVERIFY(volumeOf(layers, 0.4F, greys, LayerDensities::Yes).ok());
     }
 
     void nothingIsAVolumeToo()

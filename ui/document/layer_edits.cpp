@@ -134,10 +134,14 @@ std::size_t insertLayers(
     return other.layers.size() - fitting;
 }
 
+QString addingLayersOf(const QString& name)
+{
+    return LayerEdits::tr("Add the layers of “%1”").arg(shortened(onOneLine(name)));
+}
+
 std::size_t addLayersOf(Document& document, const Scene& other, const QString& name)
 {
-    return insertLayers(document, document.layer() + 1, other, name,
-        LayerEdits::tr("Add the layers of “%1”").arg(shortened(onOneLine(name))));
+    return insertLayers(document, document.layer() + 1, other, name, addingLayersOf(name));
 }
 
 void duplicateLayers(Document& document, const LayerPlaces& layers)

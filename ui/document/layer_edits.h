@@ -18,6 +18,9 @@ using LayerPlaces = std::vector<std::size_t>;
 /// What several are called together: their number, or that of the only one.
 [[nodiscard]] QString layersLabel(const Scene& scene, const LayerPlaces& layers);
 
+/// What the list of undo calls it to add the layers of something with a name.
+[[nodiscard]] QString addingLayersOf(const QString& name);
+
 /// Adds a new layer after the one that is edited. Nothing happens where there are kMaxLayers.
 void addLayer(Document& document);
 /// Adds the layers of another scene, as many as fit: without its surroundings, with names and seeds that none has yet.

@@ -42,12 +42,17 @@ DataChoices::DataChoices(QWidget* parent)
           this))
     , m_voxel(new QDoubleSpinBox(this))
     , m_up(new QComboBox(this))
+    , m_density(new QComboBox(this))
 {
     m_noiseSize->setSpecialValueText(tr("as in the effect"));
     m_noiseSize->setSuffix(tr(" pixels"));
     m_up->setObjectName(QStringLiteral("export.up"));
     m_up->setAccessibleName(tr("Axis that points up"));
     m_up->addItems({tr("As usual for the format"), tr("y, as in Houdini and Maya"), tr("z, as in Blender")});
+    m_density->setObjectName(QStringLiteral("export.density"));
+    m_density->setAccessibleName(tr("Density"));
+    m_density->setToolTip(tr("One grid of all layers, or one of each, which add up to it"));
+    m_density->addItems({tr("Of all layers"), tr("A grid a layer")});
     buildVideo();
     buildVolumes();
     auto* form = new LabelledForm(this);
@@ -57,12 +62,13 @@ DataChoices::DataChoices(QWidget* parent)
     form->add(tr("Size"), m_noiseSize);
     form->add(tr("Voxels"), m_cells);
     form->add(tr("Voxel size"), m_voxel);
+    form->add(tr("Density"), m_density);
     form->add(tr("Up axis"), m_up);
     m_form = form;
     connect(m_noiseSize, &QSpinBox::valueChanged, this, &DataChoices::changed);
     connect(m_cells, &QSpinBox::valueChanged, this, &DataChoices::changed);
     connect(m_voxel, &QDoubleSpinBox::valueChanged, this, &DataChoices::changed);
-    for (QComboBox* choice : {m_rate, m_repeat, m_up}) {
+    for (QComboBox* choice : {m_rate, m_repeat, m_up, m_density}) {
         connect(choice, &QComboBox::currentIndexChanged, this, &DataChoices::changed);
     }
 }
@@ -110,6 +116,7 @@ void DataChoices::follow(const ExportPlan& plan)
     showRow(m_cells, plan.kind == ExportKind::Volumes);
     m_cells->setEnabled(!plan.volume.voxel);
     showRow(m_voxel, plan.kind == ExportKind::Volumes);
+    showRow(m_density, plan.kind == ExportKind::Volumes);
     showRow(m_up, hasUpAxis(plan));
     setVisible(isVideo || plan.kind == ExportKind::NoiseTexture || hasUpAxis(plan));
 }
@@ -119,6 +126,7 @@ void DataChoices::applyTo(ExportPlan& plan) const
     plan.noise.size = m_noiseSize->value();
     plan.volume.cells = m_cells->value();
     plan.volume.voxel = m_voxel->value() > 0.0 ? std::optional(static_cast<float>(m_voxel->value())) : std::nullopt;
+    plan.volume.density = static_cast<DensityGrids>(m_density->currentIndex());
     plan.video.rate = m_rate->currentIndex() > 0
         ? std::optional(kRates[static_cast<std::size_t>(m_rate->currentIndex()) - 1])
         : std::nullopt;
@@ -139,6 +147,7 @@ void DataChoices::take(const ExportPlan& plan)
     case ExportKind::Volumes:
         m_cells->setValue(plan.volume.cells);
         m_voxel->setValue(static_cast<double>(plan.volume.voxel.value_or(0.0F)));
+        m_density->setCurrentIndex(static_cast<int>(plan.volume.density));
         m_up->setCurrentIndex(plan.up ? 1 + static_cast<int>(*plan.up) : 0);
         break;
     default: break;

@@ -40,6 +40,7 @@ private:
     QSpinBox* m_cells;
     QDoubleSpinBox* m_voxel; ///< 0: as many as there are cells
     QComboBox* m_up;
+    QComboBox* m_density;
 };
 
 } // namespace fumage::ui

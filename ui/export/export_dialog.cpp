@@ -90,6 +90,7 @@ void ExportDialog::connectPlan()
     });
     connect(m_data, &DataChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::changed, this, &ExportDialog::followPlan);
+    connect(m_pictures, &PictureChoices::changed, this, &ExportDialog::followPlan);
     connect(m_flipbook, &FlipbookChoices::cellsChosen, this, [this](int width, int height) {
         m_document.edit({{&knownParameter("output.width"), width}, {&knownParameter("output.height"), height}},
             tr("Size of cells"));
@@ -275,6 +276,7 @@ void ExportDialog::followPlan()
         return;
     }
     m_flipbook->follow(m_document.scene());
+    m_pictures->setHasLayers(m_document.scene().layers.size() > 1);
     ExportPlan now = choiceOf(kind());
     showRowsOf(now);
     if (m_pathIsSuggested) {

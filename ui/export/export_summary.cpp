@@ -49,7 +49,7 @@ QString flipbookSummary(const ExportPlan& plan, const Scene& scene, const Output
                                          .arg(width)
                                          .arg(height)
                                          .arg(fromPath(all.back().filename()));
-    const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height);
+    const SheetMemory memory = memoryOf(flipbookOf(plan), cell.width, cell.height, writtenLayers(scene).size());
     const QLocale locale;
     return files + QLatin1Char('\n')
         + QCoreApplication::translate("Exports", "On the graphics card: %1 as BC7, %2 uncompressed")

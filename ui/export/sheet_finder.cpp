@@ -66,7 +66,7 @@ void SheetFinder::follow(const Scene& scene, const ExportPlan& plan)
 {
     const bool isSame = !m_isSearching
         || (scene == m_wanted->scene && haveSameCells(m_wanted->plan, plan) && m_wanted->plan.passes == plan.passes
-            && m_wanted->plan.flipbook.packs == plan.flipbook.packs);
+            && m_wanted->plan.layers == plan.layers && m_wanted->plan.flipbook.packs == plan.flipbook.packs);
     if (!isSame) {
         end(tr("Cancelled: the flipbook has changed."));
     }

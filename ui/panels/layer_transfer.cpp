@@ -109,8 +109,7 @@ void LayerTransfer::dropFile(const QString& path, std::size_t before)
         return;
     }
     const QString name = nameOfFile(path);
-    insert(reading.value(), name, std::min(before, m_document.scene().layers.size()),
-        tr("Add the layers of “%1”").arg(shortened(onOneLine(name))));
+    insert(reading.value(), name, std::min(before, m_document.scene().layers.size()), addingLayersOf(name));
 }
 
 bool LayerTransfer::drop(const QMimeData& data, std::size_t before)
@@ -122,8 +121,7 @@ bool LayerTransfer::drop(const QMimeData& data, std::size_t before)
                 return;
             }
             const QString name = toQString(reading.value().preset.name);
-            insert(reading.value(), name, std::min(before, m_document.scene().layers.size()),
-                tr("Add the layers of “%1”").arg(shortened(onOneLine(name))));
+            insert(reading.value(), name, std::min(before, m_document.scene().layers.size()), addingLayersOf(name));
         });
         return true;
     }

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/export/data/byte_writer.h"
 #include "core/export/data/vdb_tree.h"
+#include "core/export/layer_output.h"
 #include "core/rendering/scene_renderer.h"
 #include "core/rendering/sprite_texture.h"
 
@@ -44,7 +45,7 @@ void appendDoubles(std::string& out, const glm::dvec3& numbers)
 
 /// One column of a volume as a grid.
 struct Column {
-    std::string_view name;
+    std::string name;
     int channels = 1;
     std::function<glm::vec3(std::size_t)> at; ///< the numbers of a cell, of which the first channels count
 };
@@ -179,6 +180,34 @@ void appendGrid(std::string& out, const Column& column, const Tree& tree, const 
     out.replace(table, bytes.size(), bytes);
 }
 
+/// A grid of each layer, with voxels where it has smoke.
+void appendLayers(std::string& out, const Volume& volume, UpAxis up, std::span<const std::string> names)
+{
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::vector<float>& density = volume.layers[i];
+        const Placed placed(volume, density, up);
+        const Column column{names[i], 1, [&](std::size_t cell) { return glm::vec3(density[cell]); }};
+        appendGrid(out, column, treeOf(placed), placed, volume.cell);
+    }
+}
+
+/// What all layers have together.
+std::vector<Column> columnsOf(const Volume& volume, UpAxis up, bool hasDensity)
+{
+    std::vector<Column> columns;
+    if (hasDensity) {
+        columns.push_back({"density", 1, [&](std::size_t cell) { return glm::vec3(volume.density[cell]); }});
+    }
+    if (volume.hasTemperature) {
+        columns.push_back({"temperature", 1, [&](std::size_t cell) { return glm::vec3(volume.temperature[cell]); }});
+    }
+    if (volume.hasFlames) {
+        columns.push_back({"flames", 1, [&](std::size_t cell) { return glm::vec3(volume.flames[cell]); }});
+    }
+    columns.push_back({"vel", 3, [&volume, up](std::size_t cell) { return turned(volume.velocity[cell], up); }});
+    return columns;
+}
+
 /// A name for what follows, by what it is: the same bytes have the same one.
 std::string identityOf(std::string_view bytes)
 {
@@ -199,19 +228,33 @@ std::string identityOf(std::string_view bytes)
 
 } // namespace
 
-std::string encodeVdb(const Volume& volume, UpAxis up)
+std::string_view nameOf(DensityGrids grids)
 {
-    const Placed placed(volume, up);
-    const Tree tree = treeOf(placed);
-    std::vector<Column> columns{{"density", 1, [&](std::size_t cell) { return glm::vec3(volume.density[cell]); }}};
-    if (volume.hasTemperature) {
-        columns.push_back({"temperature", 1, [&](std::size_t cell) { return glm::vec3(volume.temperature[cell]); }});
-    }
-    if (volume.hasFlames) {
-        columns.push_back({"flames", 1, [&](std::size_t cell) { return glm::vec3(volume.flames[cell]); }});
-    }
-    columns.push_back({"vel", 3, [&](std::size_t cell) { return turned(volume.velocity[cell], up); }});
+    return grids == DensityGrids::Layers ? "layers" : "together";
+}
 
+std::vector<std::string> namesOfGrids(const Scene& scene)
+{
+    std::vector<std::string> names;
+    for (const WrittenLayer& layer : writtenLayers(scene)) {
+        std::string name = "density_";
+        for (const char letter : layer.word) {
+            const bool isPlain = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+            name += isPlain ? std::string(1, letter) : name.ends_with('_') ? std::string() : std::string(1, '_');
+        }
+        while (std::ranges::find(names, name) != names.end()) {
+            name += "_" + std::to_string(layer.index + 1);
+        }
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+std::string encodeVdb(const Volume& volume, UpAxis up, std::span<const std::string> layers)
+{
+    const Placed placed(volume, volume.density, up);
+    const Tree tree = treeOf(placed);
+    const std::vector<Column> columns = columnsOf(volume, up, layers.empty());
     std::string out;
     append64(out, 0x56444220); // " BDV"
     appendLittleEndian(out, kFormat);
@@ -221,7 +264,8 @@ std::string encodeVdb(const Volume& volume, UpAxis up)
     const std::size_t identity = out.size();
     out.append(identityOf({}).size(), '0');
     appendLittleEndian(out, std::uint32_t{0}); // metadata of the file
-    appendLittleEndian(out, static_cast<std::uint32_t>(columns.size()));
+    appendLittleEndian(out, static_cast<std::uint32_t>(layers.size() + columns.size()));
+    appendLayers(out, volume, up, layers);
     for (const Column& column : columns) {
         appendGrid(out, column, tree, placed, volume.cell);
     }
@@ -255,14 +299,17 @@ Result<float> writeVolumes(const Scene& scene, const VolumeSequenceOptions& opti
     if (!voxel) {
         return voxel;
     }
+    const bool hasLayers = options.density == DensityGrids::Layers;
+    const std::vector<std::string> names = hasLayers ? namesOfGrids(scene) : std::vector<std::string>();
     const NumberedFiles files{options.output, options.frames, kVdbEnding, options.source, options.written};
     const auto bytesOf = [&](int number) -> Result<std::string> {
         const Result<SceneFrame> frame = simulator.frame(number, task);
         if (!frame) {
             return frame.error();
         }
-        const Result<Volume> volume = volumeOf(layerFrames(frame.value(), layers), voxel.value(), greys);
-        return volume ? Result<std::string>(encodeVdb(volume.value(), options.up)) : volume.error();
+        const Result<Volume> volume = volumeOf(layerFrames(frame.value(), layers), voxel.value(), greys,
+            hasLayers ? LayerDensities::Yes : LayerDensities::No);
+        return volume ? Result<std::string>(encodeVdb(volume.value(), options.up, names)) : volume.error();
     };
     const Status written = writeNumbered(files, bytesOf, task);
     return written ? voxel : written.error();

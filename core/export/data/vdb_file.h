@@ -6,7 +6,10 @@
 #include "core/scene/scene.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace fumage {
 
@@ -17,8 +20,22 @@ namespace fumage {
 /// After the sources of OpenVDB 10 and "VDB: A Deep Dive", JangaFX 2022. Written here rather than by the library: that
 /// would be 55 MB beside a program that starts in a blink, and its bytes change with its version; ours are the same
 /// everywhere.
-/// @param up axis that points up: y, or z as Blender has it
-[[nodiscard]] std::string encodeVdb(const Volume& volume, UpAxis up);
+/// @param up     axis that points up: y, or z as Blender has it
+/// @param layers names of the grids of layers, which stand in place of density; as many as the volume has, or none
+[[nodiscard]] std::string encodeVdb(const Volume& volume, UpAxis up, std::span<const std::string> layers = {});
+
+/// Which grids of density a volume has.
+enum class DensityGrids {
+    Together, ///< one of all layers
+    Layers, ///< one a layer
+};
+inline constexpr std::size_t kDensityGrids = 2;
+/// "together", "layers".
+[[nodiscard]] std::string_view nameOf(DensityGrids grids);
+
+/// The names of the grids of layers, in the order of writtenLayers(): density_flames. They have small letters, digits
+/// and _ alone, as every program takes them, and none is twice there.
+[[nodiscard]] std::vector<std::string> namesOfGrids(const Scene& scene);
 
 /// That of the files.
 inline constexpr std::string_view kVdbEnding = ".vdb";
@@ -31,6 +48,7 @@ struct VolumeSequenceOptions {
     /// Edge of a cell, kMinVoxel to kMaxVoxel, m, in place of the one that longest comes to
     std::optional<float> voxel;
     UpAxis up = UpAxis::Z;
+    DensityGrids density = DensityGrids::Together;
     std::filesystem::path source; ///< the preset's file, which is not to be overwritten; empty where it has none
     FrameSink written{}; ///< hears of each file that is in its place, if there is anybody
 };

@@ -52,11 +52,13 @@ struct Tree {
     glm::ivec3 low{0}, high{0}; ///< of the voxels
 };
 
-/// The volume in a file's axes.
+/// The volume in a file's axes. Both must stay.
 class Placed {
 public:
-    Placed(const Volume& volume, UpAxis up)
+    /// @param density of the volume, or of one of its layers: there are voxels where there is some
+    Placed(const Volume& volume, const std::vector<float>& density, UpAxis up)
         : m_volume(volume)
+        , m_density(density)
         , m_up(up)
     {
     }
@@ -85,11 +87,12 @@ public:
         const auto size = [&](int along) { return static_cast<std::size_t>(along); };
         const std::size_t place =
             size(ours.x) + size(m_volume.cells.x) * (size(ours.y) + size(m_volume.cells.y) * size(ours.z));
-        return m_volume.density[place] > 0.0F ? std::optional(place) : std::nullopt;
+        return m_density[place] > 0.0F ? std::optional(place) : std::nullopt;
     }
 
 private:
     const Volume& m_volume;
+    const std::vector<float>& m_density;
     UpAxis m_up;
 };
 

@@ -26,6 +26,7 @@ struct Ball {
     float heat;
     float glow;
     glm::vec3 velocity;
+    std::size_t layer;
 };
 
 float glowOf(const GlowColours& colours, float heat, float brightest)
@@ -58,8 +59,8 @@ float brightestOf(const Effect& effect)
 
 /// Adds the particles of a layer.
 /// @param brightest of all layers
-void addBalls(const LayerFrame& layer, const Appearance& appearance, float brightest, const Volume& volume,
-    std::vector<Ball>& balls)
+void addBalls(const LayerFrame& layer, std::size_t number, const Appearance& appearance, float brightest,
+    const Volume& volume, std::vector<Ball>& balls)
 {
     const Frame& frame = *layer.frame;
     const Effect& effect = *layer.effect;
@@ -78,7 +79,7 @@ void addBalls(const LayerFrame& layer, const Appearance& appearance, float brigh
         const float heat = heatOf(frame, i, effect);
         balls.push_back({(glm::vec3(p.x[i], p.y[i], p.z[i]) - corner) / volume.cell, appearance.radius[i] / volume.cell,
             mass * discs / (volume.cell * volume.cell), heat, glowOf(colours, heat, brightest),
-            {p.vx[i], p.vy[i], p.vz[i]}});
+            {p.vx[i], p.vy[i], p.vz[i]}, number});
     }
 }
 
@@ -130,6 +131,9 @@ void spread(const std::vector<Ball>& balls, const std::vector<float>& sums, Volu
                         + static_cast<std::size_t>(volume.cells.y) * static_cast<std::size_t>(at.z));
             const float density = whole * share;
             volume.density[cell] += density;
+            if (!volume.layers.empty()) {
+                volume.layers[ball.layer][cell] += density;
+            }
             volume.velocity[cell] += density * ball.velocity;
             if (!volume.temperature.empty()) {
                 volume.temperature[cell] += density * ball.heat;
@@ -164,7 +168,8 @@ struct Bounds {
 constexpr int kMargin = 1;
 
 /// The box around all balls.
-Status placeBox(int frame, const Bounds& bounds, Volume& volume)
+/// @param layers whose densities it has
+Status placeBox(int frame, const Bounds& bounds, std::size_t layers, Volume& volume)
 {
     const glm::dvec3 low =
         glm::floor(glm::dvec3(bounds.low) / static_cast<double>(volume.cell)) - static_cast<double>(kMargin);
@@ -173,7 +178,17 @@ Status placeBox(int frame, const Bounds& bounds, Volume& volume)
     const glm::dvec3 cells = past - low;
     constexpr double kFarthest = 1e9; // on the lattice, that whole numbers count
     const bool isNear = std::max({-low.x, -low.y, -low.z, past.x, past.y, past.z}) <= kFarthest;
-    if (!isNear || cells.x * cells.y * cells.z > static_cast<double>(kMaxVolumeSize)) {
+    constexpr double kNumbers = 6.0; // of a cell without layers
+    const double numbers = layers == 0 ? 0.0 : kNumbers + static_cast<double>(layers);
+    const double count = cells.x * cells.y * cells.z;
+    if (isNear && count <= static_cast<double>(kMaxVolumeSize)
+        && count * numbers > static_cast<double>(kMaxVolumeNumbers)) {
+        return Error{ErrorCode::TooLarge,
+            makeMessage("the box around the smoke of frame %1 has %2 voxels, too many for %3 layers", frame,
+                static_cast<std::int64_t>(count), layers),
+            {}, makeMessage("Choose larger voxels, or the density of all layers together")};
+    }
+    if (!isNear || count > static_cast<double>(kMaxVolumeSize)) {
         return Error{ErrorCode::TooLarge,
             makeMessage("the box around the smoke of frame %1 has more than %2 voxels of %3 m", frame, kMaxVolumeSize,
                 formatFloat(volume.cell)),
@@ -232,7 +247,7 @@ Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float v
     return greys ? volumeOf({&layer, 1}, voxel, {&greys.value(), 1}) : greys.error();
 }
 
-Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys)
+Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys, LayerDensities densities)
 {
     std::vector<Appearance> appearances(layers.size());
     Volume volume;
@@ -250,21 +265,25 @@ Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCou
         volume.hasFlames = volume.hasFlames || glows;
         brightest = std::max(brightest, brightestOf(effect));
     }
+    volume.layers.resize(densities == LayerDensities::Yes ? layers.size() : 0);
     if (count == 0) {
         return volume;
     }
-    if (Status status = placeBox(layers.front().frame->number, bounds, volume); !status) {
+    if (Status status = placeBox(layers.front().frame->number, bounds, volume.layers.size(), volume); !status) {
         return status.error();
     }
     const std::size_t cells = static_cast<std::size_t>(volume.cells.x) * static_cast<std::size_t>(volume.cells.y)
         * static_cast<std::size_t>(volume.cells.z);
     volume.density.assign(cells, 0.0F);
+    for (std::vector<float>& density : volume.layers) {
+        density.assign(cells, 0.0F);
+    }
     volume.velocity.assign(cells, glm::vec3(0.0F));
     volume.temperature.assign(volume.hasTemperature ? cells : 0, 0.0F);
     volume.flames.assign(volume.hasFlames ? cells : 0, 0.0F);
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        addBalls(layers[i], appearances[i], brightest, volume, balls);
+        addBalls(layers[i], i, appearances[i], brightest, volume, balls);
     }
     std::vector<float> sums(balls.size(), 0.0F);
     parallelFor(balls.size(), [&](std::size_t i) {

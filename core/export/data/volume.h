@@ -23,6 +23,8 @@ struct Volume {
     std::vector<float> flames; ///< extinction of what glows, weighted by the brightness of its glow, of the brightest
                                ///< 1; empty without glow
     std::vector<glm::vec3> velocity; ///< mean of the smoke, m/s
+    std::vector<std::vector<float>> layers; ///< the density of each layer, where it is asked for; their sum is that of
+                                            ///< all, but for rounding
     bool hasTemperature = false; ///< the effect has such a column, be there smoke or not
     bool hasFlames = false;
 
@@ -39,6 +41,14 @@ inline constexpr float kMinVoxel = 0.0001F;
 inline constexpr float kMaxVoxel = 1000.0F;
 /// Most cells of a box, 24 bytes each.
 inline constexpr std::int64_t kMaxVolumeSize = std::int64_t{kMaxVolumeCells} * kMaxVolumeCells * kMaxVolumeCells;
+/// Most numbers of a box with the densities of layers, a GiB.
+inline constexpr std::int64_t kMaxVolumeNumbers = std::int64_t{1} << 28U;
+
+/// Whether a volume has the density of each layer beside that of all.
+enum class LayerDensities {
+    No,
+    Yes
+};
 
 /// Spreads the particles of a frame over cells.
 ///
@@ -51,7 +61,9 @@ inline constexpr std::int64_t kMaxVolumeSize = std::int64_t{kMaxVolumeCells} * k
 /// O(cells that particles cover). The same bits for any thread count and instruction set.
 [[nodiscard]] Result<Volume> volumeOf(const Frame& frame, const SampledEffect& effect, float voxel);
 /// The same of all layers together, with greysShown() of each found before.
-[[nodiscard]] Result<Volume> volumeOf(LayerFrames layers, float voxel, std::span<const GreyCounts> greys);
+/// @error TooLarge also where the densities of layers are more than kMaxVolumeNumbers
+[[nodiscard]] Result<Volume> volumeOf(
+    LayerFrames layers, float voxel, std::span<const GreyCounts> greys, LayerDensities densities = LayerDensities::No);
 
 /// The edge of cells, m, of which the smoke of a whole timeline has so many along the longest edge of the box around
 /// it, rounded up to three digits: the same whichever frames are written, so that those of several programs fit

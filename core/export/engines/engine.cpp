@@ -55,6 +55,11 @@ BlendSpace blendSpaceOf(Engine engine)
     return isLinear ? BlendSpace::Linear : BlendSpace::Encoded;
 }
 
+bool blendsStraight(Engine engine)
+{
+    return engine == Engine::Effekseer; // its Blend; there are Add, Subtract and Multiply beside it
+}
+
 PassStyle styleFor(Engine engine, ImageFormat format)
 {
     PassStyle style;

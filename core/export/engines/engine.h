@@ -16,7 +16,7 @@ enum class Engine {
     Unreal, ///< Python script that imports the textures with their settings
     Godot, ///< Godot 4: scene and shader with blended cells, motion vectors and six-way light
     Godot3, ///< the same without six-way light
-    Effekseer, ///< project with one node
+    Effekseer, ///< project with one node, or one a layer
     Pixi, ///< TexturePacker's JSON, which PixiJS and Phaser read
     Defold, ///< tile source
     Web, ///< a page that plays the sheet and needs nothing else
@@ -36,6 +36,9 @@ inline constexpr std::array<Engine, kEngines> kAllEngines{Engine::Generic, Engin
 [[nodiscard]] PassSet passesFor(Engine engine);
 /// In which numbers an engine blends, as it is set up at first: 3D engines as light.
 [[nodiscard]] BlendSpace blendSpaceOf(Engine engine);
+/// Whether an engine draws a picture over what is behind it as alpha * colour + (1 - alpha) * behind, and in no other
+/// way; others do as colour + (1 - alpha) * behind, too.
+[[nodiscard]] bool blendsStraight(Engine engine);
 /// The signs and channels that an engine reads. Light in EXR is premultiplied, as its colours are; in PNG straight.
 [[nodiscard]] PassStyle styleFor(Engine engine, ImageFormat format);
 

@@ -77,7 +77,7 @@ std::vector<std::string> makeEngineFiles(Engine engine, const EngineSheet& sheet
 
 bool stacksLayers(Engine engine)
 {
-    return engine == Engine::Unity || engine == Engine::Godot || engine == Engine::Web;
+    return engine == Engine::Unity || engine == Engine::Godot || engine == Engine::Effekseer || engine == Engine::Web;
 }
 
 Status checkEngine(Engine engine, PassSet passes, ImageFormat format)

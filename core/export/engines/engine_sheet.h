@@ -35,7 +35,8 @@ struct EngineSheet {
     PassScales scales;
     std::vector<EnginePicture> pictures; ///< the first is the colour's
     std::filesystem::path named{}; ///< the picture whose name is that of the files; empty: the first
-    bool isStacked = false; ///< the pictures are layers, premultiplied, in the order in which they are drawn
+    bool isStacked = false; ///< the pictures are layers in the order in which they are drawn, premultiplied unless the
+                            ///< engine blendsStraight()
     BlendSpace space = BlendSpace::Encoded; ///< in which they are the picture then
 };
 

@@ -120,6 +120,23 @@ void addLayers(const EngineSheet& sheet, TemplateFacts& facts)
     facts.flag("stacked_encoded", sheet.isStacked && sheet.space == BlendSpace::Encoded);
 }
 
+/// What is drawn one after the other, each with a picture: the layers, or the colour alone.
+void addNodes(const EngineSheet& sheet, const std::string& stem, TemplateFacts& facts)
+{
+    std::vector<TemplateFacts> list;
+    for (const EnginePicture& picture : sheet.pictures) {
+        if (sheet.isStacked || picture.pass == Pass::Colour) {
+            TemplateFacts each = pictureFacts(facts.language(), picture);
+            each.text("name",
+                sheet.isStacked && !picture.layer.empty() ? picture.layer
+                    : sheet.isStacked                     ? picture.file.stem().string()
+                                                          : stem);
+            list.push_back(std::move(each));
+        }
+    }
+    facts.list("nodes", std::move(list));
+}
+
 /// How many resources a scene of Godot has, itself among them.
 int resourcesOf(const EngineSheet& sheet, bool glows)
 {
@@ -212,6 +229,7 @@ TemplateFacts factsOf(Language language, const EngineSheet& sheet)
     facts.number("light_scale", sheet.scales.light);
     addPictures(sheet, facts);
     addLayers(sheet, facts);
+    addNodes(sheet, stem, facts);
     const bool glows = addGlow(sheet, facts);
     facts.number("resources", resourcesOf(sheet, glows));
     addChannels(sheet.style, facts);

@@ -26,11 +26,6 @@ std::string stemOf(const std::filesystem::path& manifest)
     return name;
 }
 
-bool isManifest(const std::filesystem::path& path)
-{
-    return path.filename().string().ends_with(kEnding);
-}
-
 /// Whether a file is a part of a manifest with this stem, or the manifest itself.
 bool belongsTo(const std::string& stem, const std::filesystem::path& path)
 {
@@ -59,6 +54,11 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
 }
 
 } // namespace
+
+bool isManifest(const std::filesystem::path& file)
+{
+    return file.filename().string().ends_with(kEnding);
+}
 
 std::filesystem::path withinFolderOf(const std::filesystem::path& manifest, const std::filesystem::path& file)
 {

@@ -17,6 +17,9 @@ namespace fumage {
 /// The manifest that stands for an output where nobody names one: fire.manifest.json for fire_####.png.
 [[nodiscard]] std::filesystem::path manifestBeside(const std::filesystem::path& output);
 
+/// Whether a file is named as manifests are.
+[[nodiscard]] bool isManifest(const std::filesystem::path& file);
+
 /// The file of the part of some frames.
 /// @param manifest its ending may be left out
 /// @param frames   none: the manifest is not divided

@@ -5,6 +5,7 @@
 #include "core/export/sheets/border_watch.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/export/engines/engine_files.h"
+#include "core/export/layer_masks.h"
 #include "core/export/sheets/flipbook_check.h"
 #include "core/export/sheets/flipbook_description.h"
 #include "core/export/sheets/flipbook_files.h"
@@ -27,8 +28,14 @@ Status renderCells(const Scene& scene, const FlipbookOptions& options, PassSheet
     BorderWatch borders(scene);
     PassSet rendered = renderedPasses(options);
     rendered.add(Pass::Alpha); // it tells what is cut off
+    LayerMasks masks(scene);
+    int number = 0; // of the cell
     const auto look = [&](const PassImages& cell, const FrameAmongOthers& frame, PassRenderer& renderer) -> Status {
-        borders.look(cell.of(PassTarget::Colour), frame, renderer);
+        const Image& colour = cell.of(PassTarget::Colour);
+        borders.look(colour, frame, renderer);
+        if (options.passes.has(Pass::LayerMasks)) {
+            return masks.place(sheet, number++, colour, scene.output.supersample, renderer.layers(), task.stop);
+        }
         return layers == nullptr ? Status(Done{})
                                  : layers->take(sheet.grid, cell, scene.output.supersample, renderer, task.stop);
     };
@@ -103,7 +110,7 @@ Result<MadeFlipbook> makeTogether(
 Scene sceneOfSheet(const Scene& scene, const FlipbookOptions& sheet, std::size_t index)
 {
     Scene own = scene;
-    if (isPremultiplied(sheet)) {
+    if (isShareOfSeveral(sheet)) {
         own.output.background = Background::Transparent;
     } else if (!isOfShares(sheet)) {
         for (std::size_t i = 0; i < own.layers.size(); ++i) {
@@ -121,11 +128,11 @@ Result<std::vector<FileBytes>> makeShares(const Scene& scene, const FlipbookOpti
 {
     std::vector<FileBytes> bytes(sheets.size());
     const bool hasFloats = holdsFloats(options.format);
-    if (!isPremultiplied(files.front()) || (hasFloats && options.layers == LayerOutput::Contribution)) {
+    if (!isShareOfSeveral(files.front()) || (hasFloats && options.layers == LayerOutput::Contribution)) {
         return bytes;
     }
-    std::vector<DataImage> colours =
-        layerColours(whole, sheets, scene, *options.layers, blendSpaceOf(options), options.format);
+    std::vector<DataImage> colours = layerColours(whole, sheets, scene, *options.layers,
+        {options.format, blendSpaceOf(options), !isPremultiplied(files.front()) && !hasFloats});
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         if (hasFloats) {
             sheets[k].targets.of(PassTarget::Colour).pixels = std::move(colours[k].values);
@@ -150,7 +157,7 @@ void addSharedFiles(
     }
     EngineSheet sheet = engineSheet(scene, options, all.flipbook, {}, {});
     sheet.named = withEnding(options.output, fileEnding(options.format));
-    sheet.isStacked = isPremultiplied(sheets.front());
+    sheet.isStacked = isShareOfSeveral(sheets.front());
     sheet.space = blendSpaceOf(options);
     for (const FlipbookOptions& each : sheets) {
         const std::filesystem::path picture = picturesOf(each).front();

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/export/engines/engine_files.h"
+#include "core/export/layer_masks.h"
 #include "core/export/output_name.h"
 #include "core/export/sheets/flipbook_files.h"
 
@@ -23,6 +24,11 @@ std::int64_t targetsOf(PassSet passes)
 
 Status checkLayers(const FlipbookOptions& options)
 {
+    if (isDivided(options) && options.passes.has(Pass::LayerMasks)) {
+        return Error{ErrorCode::OutOfRange,
+            makeMessage("layers that are written as %1 have no masks of layers", nameOf(*options.layers)), {},
+            makeMessage("Write layers together, or the alpha of contributions")};
+    }
     if (!isOfShares(options)) {
         return Done{};
     }
@@ -82,6 +88,10 @@ Status checkFlipbook(const Scene& scene, const FlipbookOptions& options)
     const std::int64_t pixels = width * height;
     const bool isTooLong = width > kMaxSheetEdge || height > kMaxSheetEdge;
     const auto sheets = static_cast<std::int64_t>(isDivided(options) ? 1 + writtenLayers(scene).size() : 1);
+    const bool hasMasks = options.passes.has(Pass::LayerMasks);
+    if (Status status = hasMasks ? checkMasks(scene, options.format, pixels, 0) : Status(Done{}); !status) {
+        return status;
+    }
     const std::int64_t targetPixels = pixels * targetsOf(renderedPasses(options)) * sheets;
     if (isTooLong || pixels > static_cast<std::int64_t>(kMaxSheetPixels)
         || targetPixels > static_cast<std::int64_t>(kMaxTargetPixels)) {

@@ -7,7 +7,8 @@
 namespace fumage {
 
 /// Whether the sheets of layers may hold what is asked for.
-/// @error OutOfRange where shares of layers are to have other passes than colour and alpha, or packed pictures
+/// @error OutOfRange where shares of layers are to have other passes than colour and alpha, or packed pictures, and
+/// where a sheet of one layer is to have the masks of all
 [[nodiscard]] Status checkLayers(const FlipbookOptions& options);
 
 /// Whether a flipbook of a scene can be made.

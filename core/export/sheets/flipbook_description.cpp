@@ -2,6 +2,7 @@
 #include "core/export/sheets/flipbook_description.h"
 
 #include "core/base/text.h"
+#include "core/export/layer_masks.h"
 #include "core/export/sheets/cell_frames.h"
 
 #include <nlohmann/json.hpp>
@@ -36,6 +37,7 @@ Json channelsOfPass(Pass pass, const PassStyle& style)
     case Pass::Temperature:
     case Pass::Shadow: return {std::string(passName(pass))};
     case Pass::Colour:
+    case Pass::LayerMasks: // which layer each is of, describeMasks() says
     case Pass::Emission:
     case Pass::Albedo: break;
     }
@@ -152,6 +154,23 @@ Json describePacked(const PackedPicture& pack, const std::string& file, const Sc
     return json;
 }
 
+/// Which channel of an EXR has which layer.
+Json describeMasks(const Scene& scene, const std::string& file)
+{
+    Json json;
+    json["pass"] = std::string(passName(Pass::LayerMasks));
+    json["file"] = file;
+    json["colour"] = "linear";
+    json["channels"] = Json::array();
+    json["layers"] = Json::array();
+    for (const LayerMask& mask : masksOf(scene)) {
+        json["channels"].push_back(channelOf(mask));
+        json["layers"].push_back(mask.layer);
+    }
+    json["unit"] = "share of alpha: all of them add up to it";
+    return json;
+}
+
 Json describePicture(Pass pass, const std::string& file, const FlipbookOptions& options, const PassScales& scales)
 {
     const bool shown = !holdsFloats(options.format);
@@ -184,7 +203,8 @@ Json describeLayer(const FlipbookOptions& options)
                             "colour + (1 - alpha) * behind";
         break;
     case LayerOutput::Stacked:
-        layer["blending"] = "one layer over the other in the order of their numbers: colour + (1 - alpha) * behind";
+        layer["blending"] = std::string("one layer over the other in the order of their numbers: ")
+            + (blendsStraight(options.engine) ? "alpha * colour" : "colour") + " + (1 - alpha) * behind";
         break;
     }
     return layer;
@@ -237,9 +257,12 @@ std::string describeFlipbook(
     const std::vector<std::filesystem::path> files = picturesOf(options);
     std::size_t i = 0;
     for (const Pass pass : kAllPasses) {
-        if (options.passes.has(pass)) {
-            json["pictures"].push_back(describePicture(pass, files[i++].filename().string(), options, scales));
+        if (!options.passes.has(pass)) {
+            continue;
         }
+        const std::string file = files[i++].filename().string();
+        json["pictures"].push_back(
+            pass == Pass::LayerMasks ? describeMasks(scene, file) : describePicture(pass, file, options, scales));
     }
     for (const PackedPicture& pack : options.packs) {
         json["pictures"].push_back(describePacked(pack, files[i++].filename().string(), scene, options, scales));

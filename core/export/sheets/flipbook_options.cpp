@@ -32,9 +32,14 @@ bool isOfShares(const FlipbookOptions& options)
     return options.layers && isShare(*options.layers);
 }
 
-bool isPremultiplied(const FlipbookOptions& sheet)
+bool isShareOfSeveral(const FlipbookOptions& sheet)
 {
     return isOfShares(sheet) && sheet.layer && sheet.layer->count > 1;
+}
+
+bool isPremultiplied(const FlipbookOptions& sheet)
+{
+    return isShareOfSeveral(sheet) && !blendsStraight(sheet.engine);
 }
 
 BlendSpace blendSpaceOf(const FlipbookOptions& options)

@@ -80,7 +80,10 @@ struct Flipbook {
 [[nodiscard]] bool isDivided(const FlipbookOptions& options);
 /// Whether the sheets of layers are shares of one picture.
 [[nodiscard]] bool isOfShares(const FlipbookOptions& options);
-/// Whether the colour of one sheet is multiplied by alpha in every format: a share of several.
+/// Whether one sheet is a share of the picture of several layers.
+[[nodiscard]] bool isShareOfSeveral(const FlipbookOptions& sheet);
+/// Whether the colour of one sheet is multiplied by alpha in every format: a share of several, but where the engine
+/// blends straight colours alone.
 [[nodiscard]] bool isPremultiplied(const FlipbookOptions& sheet);
 /// In which numbers shares add up.
 [[nodiscard]] BlendSpace blendSpaceOf(const FlipbookOptions& options);

@@ -1,6 +1,7 @@
 #include "core/export/sheets/flipbook_pictures.h"
 
 #include "core/base/parallel.h"
+#include "core/export/layer_masks.h"
 #include "core/export/sheets/cell_frames.h"
 #include "core/export/sheets/flipbook_files.h"
 #include "core/export/sheets/packing.h"
@@ -37,6 +38,8 @@ Result<std::vector<FileBytes>> encodePictures(const PassSheet& sheet, const Pass
             encoded[i] = encodeData(packer.pack(options.packs[i - passes.size()]), options.format, notes, stop);
         } else if (passes[i] == Pass::Colour) {
             encoded[i] = colour.empty() ? encodeColour(sheet, scene, options.format, notes) : std::move(colour);
+        } else if (passes[i] == Pass::LayerMasks) {
+            encoded[i] = encodeMasks(sheet, options.format, notes, stop);
         } else {
             encoded[i] = encodeData(pictures.picture(passes[i]), options.format, notes, stop);
         }

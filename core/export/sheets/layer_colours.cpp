@@ -1,6 +1,7 @@
 #include "core/export/sheets/layer_colours.h"
 
 #include "core/base/parallel.h"
+#include "core/export/sheets/bleed.h"
 #include "core/rendering/view_transform.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ struct Pixel {
 struct Store {
     double full = 0.0; ///< 0: floats
     bool isLinear = false; ///< colours are sRGB of the numbers that add up
+    bool isStraight = false; ///< colours are divided by alpha
 
     [[nodiscard]] double step(double number) const
     {
@@ -88,6 +90,25 @@ void findShares(std::span<const PassSheet> layers, std::size_t at, Pixel& pixel)
     divide(pixel, kAlpha, weights);
 }
 
+/// Divides the alpha once more, so that each layer has at least as much as light: those that are drawn last first.
+void coverLight(Pixel& pixel)
+{
+    std::array<double, kMaxLayers> beyond{}; // of what a layer covers, more than its light
+    double covered = 0.0;
+    double left = pixel.whole[kAlpha];
+    for (std::size_t k = pixel.layers; k-- > 0;) {
+        std::array<double, 4>& share = pixel.share[k];
+        const double light = std::max({share[0], share[1], share[2]});
+        beyond[k] = std::max(0.0, share[kAlpha] - light);
+        covered += beyond[k];
+        share[kAlpha] = std::min(light, left);
+        left -= share[kAlpha];
+    }
+    for (std::size_t k = 0; k < pixel.layers; ++k) {
+        pixel.share[k][kAlpha] += covered > 0.0 ? left * (beyond[k] / covered) : k == 0 ? left : 0.0;
+    }
+}
+
 /// Rounds shares of a whole so that their sum is the whole, rounded: down, and those up that lost most.
 void roundTogether(Pixel& pixel, std::size_t channel, double full)
 {
@@ -123,11 +144,12 @@ void storeColours(Pixel& pixel, std::size_t channel, const Store& store, const S
     for (std::size_t k = 0; k < pixel.layers; ++k) {
         const double left = seen.layers[k];
         const double wanted = pixel.share[k][channel] + carried;
-        const bool isSeen = left >= static_cast<double>(kMinSeen) || k + 1 == pixel.layers;
+        const double light = store.isStraight ? left * static_cast<double>(pixel.out[k][kAlpha]) : left; // of a 1
+        const bool isSeen = (left >= static_cast<double>(kMinSeen) || k + 1 == pixel.layers) && light > 0.0;
         const double most = store.full == 0.0 ? wanted : std::max(0.0, left - seen.behind - drawn);
-        const double stored = isSeen ? store.colour(std::clamp(wanted, 0.0, most) / left) : 0.0;
+        const double stored = isSeen ? store.colour(std::clamp(wanted, 0.0, most) / light) : 0.0;
         pixel.out[k][channel] = static_cast<float>(stored);
-        const double given = store.read(static_cast<double>(pixel.out[k][channel])) * left;
+        const double given = store.read(static_cast<double>(pixel.out[k][channel])) * light;
         drawn += given;
         carried = wanted - given;
     }
@@ -165,6 +187,9 @@ Seen stackAlpha(Pixel& pixel, const Store& store)
 
 void stack(Pixel& pixel, const Store& store)
 {
+    if (store.isStraight) {
+        coverLight(pixel);
+    }
     const Seen seen = stackAlpha(pixel, store);
     for (std::size_t channel = 0; channel < kAlpha; ++channel) {
         storeColours(pixel, channel, store, seen);
@@ -204,14 +229,29 @@ std::vector<float> shownOf(const Image& image, const Scene& scene, ImageFormat f
                                         : shownOf<std::uint8_t>(image, scene, isLinear);
 }
 
+/// Lets straight colours go on under transparency.
+template <class Channel>
+void bleed(const SheetGrid& grid, DataImage& image)
+{
+    constexpr auto kFull = static_cast<float>(std::numeric_limits<Channel>::max());
+    EncodedImage<Channel> encoded{image.width, image.height, {}};
+    encoded.pixels.resize(image.values.size());
+    std::ranges::transform(image.values, encoded.pixels.begin(),
+        [](float value) { return static_cast<Channel>(std::lround(value * kFull)); });
+    bleedColours(encoded, grid.cellWidth, grid.cellHeight);
+    std::ranges::transform(
+        encoded.pixels, image.values.begin(), [](Channel value) { return static_cast<float>(value) / kFull; });
+}
+
 } // namespace
 
 std::vector<DataImage> layerColours(const Image& whole, std::span<const PassSheet> layers, const Scene& scene,
-    LayerOutput output, BlendSpace space, ImageFormat format)
+    LayerOutput output, const LayerStore& how)
 {
-    const bool hasFloats = holdsFloats(format);
-    const Store store{hasFloats ? 0.0 : static_cast<double>(fullOf(format)), !hasFloats && space == BlendSpace::Linear};
-    const std::vector<float> shown = shownOf(whole, scene, format, store.isLinear);
+    const bool hasFloats = holdsFloats(how.format);
+    const Store store{hasFloats ? 0.0 : static_cast<double>(fullOf(how.format)),
+        !hasFloats && how.space == BlendSpace::Linear, how.isStraight};
+    const std::vector<float> shown = shownOf(whole, scene, how.format, store.isLinear);
     std::vector<DataImage> out;
     for (std::size_t k = 0; k < layers.size(); ++k) {
         out.push_back({whole.width, whole.height, 4, false, {}, !hasFloats});
@@ -233,6 +273,10 @@ std::vector<DataImage> layerColours(const Image& whole, std::span<const PassShee
             }
         }
     });
+    for (std::size_t k = 0; store.isStraight && k < layers.size(); ++k) {
+        how.format == ImageFormat::Png16 ? bleed<std::uint16_t>(layers[k].grid, out[k])
+                                         : bleed<std::uint8_t>(layers[k].grid, out[k]);
+    }
     return out;
 }
 

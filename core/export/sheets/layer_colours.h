@@ -13,6 +13,13 @@ namespace fumage {
 /// with the layer that comes next.
 inline constexpr float kMinSeen = 1.0F / 1024.0F;
 
+/// How the colours of layers are stored.
+struct LayerStore {
+    ImageFormat format = ImageFormat::Png8;
+    BlendSpace space = BlendSpace::Encoded; ///< of formats without floats: in which the layers add up; others: linear
+    bool isStraight = false; ///< else premultiplied; of stacked layers in formats without floats
+};
+
 /// Divides the colours of a sheet among its layers.
 ///
 /// Let p be the sheet as it is shown over black, premultiplied, and a its alpha, as files have them (after the view
@@ -33,13 +40,19 @@ inline constexpr float kMinSeen = 1.0F / 1024.0F;
 /// does. So the sheet is right within half a step of the last layer, in whatever numbers somebody blends. Floats are
 /// not bounded.
 ///
+/// Straight: c'_k / a'_k in place of c'_k, which is 1 at most where p_k is no more than a_k. Any a_k whose sum is a
+/// give the same picture; so those that are drawn last have as much as their light first, and what alpha is left goes
+/// by what layers cover beyond theirs. Where layers of different colours lie in one another there may be too little for
+/// those that are drawn first, whose light goes into the next: any of the last have together as much alpha as light, or
+/// all of it, so all light fits.
+///
 /// @param whole  linear, premultiplied, without background
 /// @param layers contributions to it, in the order in which they are drawn, two or more
 /// @param output Stacked, or Contribution in a format without floats: in floats these are the contributions
-/// @param space  of formats without floats: the numbers in which the layers add up; others are linear
-/// @return       of each layer premultiplied colours and alpha as numbers of the format: floats, or steps / full
+/// @return of each layer premultiplied or straight colours and alpha as numbers of the format: floats, or steps / full;
+/// straight colours go on under transparency, see bleedColours()
 /// O(pixels * layers). The same bits for any thread count.
 [[nodiscard]] std::vector<DataImage> layerColours(const Image& whole, std::span<const PassSheet> layers,
-    const Scene& scene, LayerOutput output, BlendSpace space, ImageFormat format);
+    const Scene& scene, LayerOutput output, const LayerStore& how);
 
 } // namespace fumage

@@ -17,6 +17,7 @@ constexpr std::string_view kLetters = "rgba";
 int numbersOf(Pass pass)
 {
     switch (pass) {
+    case Pass::LayerMasks: return 0; // they are no picture that channels are taken from
     case Pass::Alpha:
     case Pass::Density:
     case Pass::Depth:

@@ -158,7 +158,8 @@ Result<std::vector<SheetCandidate>> rateAll(
 
 } // namespace
 
-std::vector<SheetCandidate> sheetsWithin(std::int64_t budget, const Output& largest, const ExportPlan& plan)
+std::vector<SheetCandidate> sheetsWithin(
+    std::int64_t budget, const Output& largest, const ExportPlan& plan, std::size_t layers)
 {
     std::vector<SheetCandidate> candidates;
     for (const auto& [columns, rows] : kGrids) {
@@ -169,7 +170,7 @@ std::vector<SheetCandidate> sheetsWithin(std::int64_t budget, const Output& larg
         FlipbookOptions options = flipbookOf(plan);
         options.columns = columns;
         options.rows = rows;
-        const double whole = static_cast<double>(memoryOf(options, largest.width, largest.height).compressed);
+        const double whole = static_cast<double>(memoryOf(options, largest.width, largest.height, layers).compressed);
         const double edge =
             static_cast<double>(kMaxSheetEdge) / std::max(columns * largest.width, rows * largest.height);
         // Blocks are rounded up, so the last step down may be needed.
@@ -180,7 +181,7 @@ std::vector<SheetCandidate> sheetsWithin(std::int64_t budget, const Output& larg
             if (std::min(one.width, one.height) < std::min({kMinEdge, largest.width, largest.height})) {
                 break;
             }
-            const std::int64_t bytes = memoryOf(options, one.width, one.height).compressed;
+            const std::int64_t bytes = memoryOf(options, one.width, one.height, layers).compressed;
             if (bytes <= budget) {
                 candidates.push_back(one);
                 candidates.back().bytes = bytes;
@@ -208,7 +209,8 @@ Result<std::vector<SheetCandidate>> rateSheets(
         }
         anyGrid.flipbook.powerOfTwo = plan.flipbook.powerOfTwo;
         anyGrid.frames = options.value().frames;
-        const std::vector<SheetCandidate> candidates = sheetsWithin(budget, seen.value().output, anyGrid);
+        const std::vector<SheetCandidate> candidates =
+            sheetsWithin(budget, seen.value().output, anyGrid, writtenLayers(seen.value()).size());
         if (candidates.empty()) {
             return Error{ErrorCode::OutOfRange,
                 makeMessage("no sheet fits into %1 bytes, or the frames fill none", budget), {},

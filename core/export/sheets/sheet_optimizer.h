@@ -13,7 +13,7 @@ struct SheetCandidate {
     int rows = 1;
     int width = 1; ///< of a cell, pixels
     int height = 1;
-    std::int64_t bytes = 0; ///< of all pictures, as BC7, without mipmaps
+    std::int64_t bytes = 0; ///< of all pictures of all sheets, as BC7, without mipmaps
     double decibels = 0.0; ///< see rateSheets()
 };
 
@@ -21,8 +21,9 @@ struct SheetCandidate {
 /// BC7, are as large as the effect's output at most, and have its shape; sides are powers of two where the plan asks
 /// for them. Grids that the frames do not fill are left out.
 /// @param budget bytes
+/// @param layers that are written: where each has a sheet, all of them fit into the budget
 [[nodiscard]] std::vector<SheetCandidate> sheetsWithin(
-    std::int64_t budget, const Output& largest, const ExportPlan& plan);
+    std::int64_t budget, const Output& largest, const ExportPlan& plan, std::size_t layers = 1);
 
 /// Measures how well the candidates play: 16 moments of each as an engine shows them, blended along the vectors where
 /// the plan has them, else cross-faded, and enlarged (bilinear) to the effect's output, against the frames there.

@@ -66,17 +66,24 @@ SheetMemory memoryOf(std::int64_t width, std::int64_t height, int pictures, Imag
     return {blocks * kBlock * kBlock * pictures, width * height * 4 * channel * pictures};
 }
 
-SheetMemory memoryOf(const FlipbookOptions& options, int cellWidth, int cellHeight)
+SheetMemory memoryOf(const FlipbookOptions& options, int cellWidth, int cellHeight, std::size_t layers)
 {
+    constexpr std::size_t kChannels = 4;
     const std::int64_t width = static_cast<std::int64_t>(cellWidth) * options.columns;
     const std::int64_t height = static_cast<std::int64_t>(cellHeight) * options.rows;
-    SheetMemory sum =
-        memoryOf(width, height, static_cast<int>(picturesOf(options).size() - options.packs.size()), options.format);
+    std::size_t pictures = picturesOf(options).size() - options.packs.size();
+    if (options.passes.has(Pass::LayerMasks)) {
+        pictures += (layers + kChannels - 1) / kChannels - 1;
+    }
+    SheetMemory sum = memoryOf(width, height, static_cast<int>(pictures), options.format);
     for (const PackedPicture& pack : options.packs) {
         const SheetMemory one = memoryOf(width / pack.divisor, height / pack.divisor, 1, options.format);
         sum.compressed += one.compressed;
         sum.plain += one.plain;
     }
+    const auto sheets = static_cast<std::int64_t>(isDivided(options) ? layers : 1);
+    sum.compressed *= sheets;
+    sum.plain *= sheets;
     return sum;
 }
 

@@ -60,7 +60,10 @@ struct SheetMemory {
 
 /// @param pictures how many of them
 [[nodiscard]] SheetMemory memoryOf(std::int64_t width, std::int64_t height, int pictures, ImageFormat format);
-/// Of all pictures of a flipbook, packed ones at their own size.
-[[nodiscard]] SheetMemory memoryOf(const FlipbookOptions& options, int cellWidth, int cellHeight);
+/// Of all pictures of a flipbook, packed ones at their own size; of layers that have sheets of their own all sheets.
+/// Masks of layers take a picture for every four.
+/// @param layers that are written, 1 or more
+[[nodiscard]] SheetMemory memoryOf(
+    const FlipbookOptions& options, int cellWidth, int cellHeight, std::size_t layers = 1);
 
 } // namespace fumage
