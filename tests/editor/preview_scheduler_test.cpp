@@ -240,6 +240,7 @@ private slots:
         const qsizetype before = watched.pictures.size();
         QTRY_VERIFY(watched.pictures.size() > before + 3); // and it goes on, in its own air
         QVERIFY(std::all_of(watched.pictures.begin() + before, watched.pictures.end(), isWhole));
+        QVERIFY(!watched.feed.isStopped()); // nobody has stopped anything
     }
 
     void whatIsStoppedStaysAPreviewUntilItMayGoOn()

@@ -88,7 +88,7 @@ void Preparer::finish(const Request& request, std::shared_ptr<SceneSimulator> si
             if (simulator) {
                 emit prepared(simulator, simulation);
             }
-            emit ended();
+            emit ended(simulator != nullptr);
         },
         Qt::QueuedConnection);
 }

@@ -37,8 +37,9 @@ signals:
     void working(fumage::ui::Phase phase, double share);
     /// The particles of the frame that was played a moment ago.
     void prepared(std::shared_ptr<fumage::SceneSimulator> simulator, quint64 simulation);
-    /// It is done, is not possible, or memory ran out; not where stop() was called.
-    void ended();
+    /// It is done, is not possible, or memory ran out; not where stop() was called. @param succeeded comes after
+    /// prepared()
+    void ended(bool succeeded);
 
 private:
     struct Request {

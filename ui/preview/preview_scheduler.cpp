@@ -27,8 +27,8 @@ PreviewScheduler::PreviewScheduler(qint64 cacheBytes, QObject* parent)
         }
     });
     connect(&m_preparer, &Preparer::working, this, &PreviewScheduler::working);
-    connect(&m_preparer, &Preparer::ended, this, [this] {
-        m_wanted.mayBake = m_wanted.prepared != nullptr; // or it would be tried again and again
+    connect(&m_preparer, &Preparer::ended, this, [this](bool succeeded) {
+        m_wanted.mayBake = succeeded; // or it would be tried again and again
         emit working(Phase::Idle, 1.0);
     });
     connect(&m_preparer, &Preparer::prepared, this,
